@@ -1,0 +1,39 @@
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "option_flags.h"
+#include "quasimc/quasimc.h"
+
+namespace {
+
+struct CheckArguments {
+    std::string file;
+    OptionFlags flags;
+};
+
+Exit check(const CheckArguments& arguments) {
+    const quasimc::RunFile run =
+        quasimc::read_run_file(arguments.file, arguments.flags.overrides());
+    print_warnings(run.warnings);
+    const std::string text = fmt::format(
+        "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {} sources\n",
+        run.path, run.warnings.size(), run.scene.organs().size(), run.scene.triangles().size(),
+        run.scene.materials().size(), run.scene.bands().size(), run.sources.size());
+    std::fputs(text.c_str(), stdout);
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Action& action) {
+    const auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* command = program.add_subcommand(
+        "check", "read a run file and all it names, say what is wrong, run nothing");
+    command->add_option("FILE", arguments->file, "run file; - is standard input")->required();
+    arguments->flags.add_to(*command);
+    command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+}

@@ -1,0 +1,97 @@
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "quasimc/io/formats.h"
+#include "quasimc/quasimc.h"
+
+namespace {
+
+std::string row(std::string_view name, std::string_view summary) {
+    return fmt::format("{:<24}{}\n", name, summary);
+}
+
+std::string list_samplers() {
+    std::string text;
+    for (const quasimc::SamplerEntry& entry : quasimc::sampler_catalogue()) {
+        text += row(entry.name, entry.summary);
+    }
+    return text;
+}
+
+std::string list_models() {
+    std::string text;
+    for (const quasimc::BsdfEntry& entry : quasimc::bsdf_catalogue()) {
+        text += row(
+            entry.name,
+            fmt::format("{}{}", entry.summary, entry.has_exponent ? " (takes an exponent)" : ""));
+    }
+    return text;
+}
+
+std::string list_formats() {
+    std::string text;
+    for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
+        text += row(fmt::format("{} ({})", entry.name, entry.extensions), entry.summary);
+    }
+    return text;
+}
+
+std::string list_options() {
+    std::string text;
+    for (const quasimc::Option& option : quasimc::option_table()) {
+        const std::string value = quasimc::option_toml(option.get(quasimc::RunSpec{}));
+        text +=
+            row(fmt::format("{} = {}", option.key, value),
+                fmt::format("{} ({})", option.summary, quasimc::domain_text(option)));
+    }
+    return text;
+}
+
+std::string list_quantities() {
+    std::string text;
+    for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
+        text += row(entry.name, entry.summary);
+    }
+    return text;
+}
+
+/// One row of the table of lists.
+struct ListEntry {
+    std::string name;
+    std::string (*make)();
+};
+
+const std::vector<ListEntry>& lists() {
+    static const std::vector<ListEntry> all{
+        {"options", list_options},       {"samplers", list_samplers},
+        {"models", list_models},         {"formats", list_formats},
+        {"quantities", list_quantities}, {"options-markdown", quasimc::options_markdown}};
+    return all;
+}
+
+Exit print_list(const std::string& name) {
+    for (const ListEntry& entry : lists()) {
+        if (entry.name == name) {
+            std::fputs(entry.make().c_str(), stdout);
+        }
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+void add_list_command(CLI::App& program, Action& action) {
+    const auto name = std::make_shared<std::string>();
+    std::vector<std::string> names;
+    for (const ListEntry& entry : lists()) {
+        names.push_back(entry.name);
+    }
+    CLI::App* command = program.add_subcommand(
+        "list", "print what there is: options, samplers, models, formats, quantities");
+    command->add_option("WHAT", *name, "")->required()->check(CLI::IsMember(names));
+    command->callback([name, &action] { action = [name] { return print_list(*name); }; });
+}

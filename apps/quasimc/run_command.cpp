@@ -1,0 +1,130 @@
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "option_flags.h"
+#include "progress.h"
+#include "quasimc/io/atomic_file.h"
+#include "quasimc/quasimc.h"
+
+namespace {
+
+/// What the command line of `quasimc run` says.
+struct RunArguments {
+    std::string file, from, csv, json;
+    bool quiet = false;
+    OptionFlags flags;
+};
+
+/// The files to write, opened before the run so that a wrong path is told at once.
+struct Outputs {
+    std::unique_ptr<quasimc::AtomicFile> csv, json;
+    std::vector<std::string> names;  ///< of real files
+    bool uses_stdout = false;
+
+    std::unique_ptr<quasimc::AtomicFile> open(const std::optional<std::string>& path) {
+        if (!path) {
+            return nullptr;
+        }
+        (*path == "-") ? static_cast<void>(uses_stdout = true) : names.push_back(*path);
+        return std::make_unique<quasimc::AtomicFile>(*path);
+    }
+};
+
+/// Paths on the command line count from the current folder, and go before those of the run file.
+Outputs open_outputs(const RunArguments& arguments, quasimc::OutputSpec spec) {
+    if (!arguments.csv.empty()) {
+        spec.csv = arguments.csv;
+    }
+    if (!arguments.json.empty()) {
+        spec.json = arguments.json;
+    }
+    Outputs outputs;
+    outputs.csv = outputs.open(spec.csv);
+    outputs.json = outputs.open(spec.json);
+    return outputs;
+}
+
+void write_outputs(Outputs& outputs, const quasimc::RunFile& run, const quasimc::Result& result) {
+    if (outputs.csv) {
+        quasimc::write_csv(run, result, [&](std::string_view text) { outputs.csv->write(text); });
+        outputs.csv->commit();
+    }
+    if (outputs.json) {
+        quasimc::write_json(run, result, [&](std::string_view text) { outputs.json->write(text); });
+        outputs.json->commit();
+    }
+}
+
+quasimc::StoredRun read_run(const RunArguments& arguments) {
+    const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
+    if (arguments.from.empty()) {
+        return {quasimc::read_run_file(arguments.file, overrides), ""};
+    }
+    return quasimc::read_result_file(arguments.from, overrides);
+}
+
+std::string comparison(
+    const RunArguments& arguments,
+    const quasimc::StoredRun& stored,
+    const quasimc::Result& result) {
+    if (arguments.from.empty()) {
+        return "";
+    }
+    const bool same = quasimc::digest_of_organs(stored.run, result) == stored.organs_sha256;
+    const std::string_view verdict = same ? "the same numbers as in" : "OTHER numbers than in";
+    return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
+}
+
+Exit run(const RunArguments& arguments) {
+    const quasimc::StoredRun stored = read_run(arguments);
+    const quasimc::RunFile& file = stored.run;
+    print_warnings(file.warnings);
+    Outputs outputs = open_outputs(arguments, file.output);
+    const quasimc::Result result =
+        quasimc::run(file.scene, file.sources, file.spec, progress_line());
+    end_progress_line();
+    write_outputs(outputs, file, result);
+    if (!arguments.quiet) {
+        const std::string text =
+            quasimc::summary(file, result, outputs.names) + comparison(arguments, stored, result);
+        std::fputs(text.c_str(), outputs.uses_stdout ? stderr : stdout);
+    }
+    const bool missed =
+        file.spec.target_error > 0 && result.stop != quasimc::StopReason::target_reached;
+    return missed ? Exit::target_missed : Exit::done;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, Action& action) {
+    const auto arguments = std::make_shared<RunArguments>();
+    CLI::App* command =
+        program.add_subcommand("run", "compute the light on every organ of a scene");
+    CLI::Option* file = command->add_option(
+        "FILE", arguments->file, "run file (docs/formats/run-file.md); - is standard input");
+    CLI::Option* from =
+        command->add_option("--from", arguments->from, "repeat the run of this JSON result instead")
+            ->type_name("RESULT");
+    file->excludes(from);
+    command
+        ->add_option(
+            "--csv", arguments->csv, "write the table of organs here; - is standard output")
+        ->type_name("FILE");
+    command->add_option("--json", arguments->json, "write everything here; - is standard output")
+        ->type_name("FILE");
+    command->add_flag("-q,--quiet", arguments->quiet, "no summary");
+    arguments->flags.add_to(*command);
+    command->callback([arguments, &action] {
+        if (arguments->file.empty() && arguments->from.empty()) {
+            throw CLI::RequiredError("FILE or --from RESULT");
+        }
+        if (!arguments->csv.empty() && arguments->csv == arguments->json) {
+            throw CLI::ValidationError("--csv and --json", "name the same file");
+        }
+        action = [arguments] { return run(*arguments); };
+    });
+}

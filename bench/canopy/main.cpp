@@ -1,0 +1,47 @@
+// The canopy benchmark: what an answer costs, in CPU time, for a given variance.
+//
+//     ./dev bench                      everything, some minutes
+//     ./dev bench efficiency engine    some parts
+//     ./dev bench --quick              a fast look, rough numbers
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "parts.h"
+#include "quasimc/base/parallel.h"
+#include "quasimc/base/version.h"
+
+int main(int argc, char** argv) {
+    using namespace quasimc::bench;
+    const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
+        {"efficiency", print_efficiency}, {"ratio", print_band_ratio}, {"bands", print_band_cost},
+        {"engine", print_engine_speed},   {"scaling", print_scaling},
+    };
+    std::vector<std::string> names;
+    for (const auto& part : parts) {
+        names.push_back(part.first);
+    }
+    CLI::App app("QuasiMC canopy benchmark");
+    std::vector<std::string> asked;
+    bool quick = false;
+    app.add_option("parts", asked, "which parts (default: all)")->check(CLI::IsMember(names));
+    app.add_flag("--quick", quick, "fewer replicates and smaller scenes");
+    CLI11_PARSE(app, argc, argv);
+
+    const Effort effort = quick ? Effort{8, 16384, 10000, 3} : Effort{};
+    std::printf(
+        "QuasiMC %s, %u threads available. CPU times are of one thread unless stated.\n",
+        std::string(quasimc::version()).c_str(), quasimc::thread_count(0));
+    for (const auto& [name, print] : parts) {
+        if (asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end()) {
+            print(effort);
+            std::fflush(stdout);
+        }
+    }
+    return 0;
+}

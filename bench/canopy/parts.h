@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+namespace quasimc::bench {
+
+/// How thorough the benchmark is.
+struct Effort {
+    std::uint32_t replicates = 20;
+    std::uint64_t paths = 65536;
+    std::uint32_t most_leaves = 1000000;
+    int repeats = 5;  ///< of timings, of which the median counts
+};
+
+/// Variance, CPU time and figure of merit of every sampler and direction of tracing.
+void print_efficiency(const Effort& effort);
+/// Ratio of two bands: one path for both against one for each.
+void print_band_ratio(const Effort& effort);
+/// What further bands cost.
+void print_band_cost(const Effort& effort);
+/// Rays per second against a bare Embree loop over the same rays.
+void print_engine_speed(const Effort& effort);
+/// One thread against two.
+void print_scaling(const Effort& effort);
+
+}  // namespace quasimc::bench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quasimc/scene/scene.h"
+#include "quasimc/tracing/run.h"
+
+namespace quasimc::bench {
+
+/// The paper's canopy: equilateral triangles, uniformly placed and oriented in a cube of side 10,
+/// of 2.5 times the area of a side of the cube altogether.
+struct Canopy {
+    std::uint32_t leaves = 500;
+    std::vector<double> albedos{0.2};  ///< per band, half reflected and half transmitted
+    std::uint64_t seed = 1;
+};
+
+[[nodiscard]] Scene make_canopy(const Canopy& canopy);
+
+enum class Light { sun, sky };
+
+/// The sun straight down, or a uniform sky, irradiance 1 in every band.
+[[nodiscard]] Sources make_light(Light light, std::size_t bands);
+
+/// Mean over the organs of the variance, from replicate to replicate, of their absorbed flux
+/// density in the first band.
+[[nodiscard]] double mean_variance(const Result& result);
+
+/// CPU seconds of the calling thread.
+[[nodiscard]] double thread_seconds();
+
+/// The middle one of an odd number of values.
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace quasimc::bench

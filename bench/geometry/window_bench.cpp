@@ -1,0 +1,45 @@
+// What a place in a window costs, and the making of a window.
+
+#include <benchmark/benchmark.h>
+
+#include "quasimc/geometry/aperture.h"
+#include "scenes.h"
+
+namespace quasimc::bench {
+
+namespace {
+
+const Vec3 beam = normalized(Vec3{0.3, 0.2, -1});
+
+void places(benchmark::State& state, const Cell& cell, WindowShape shape) {
+    const LocalMesh mesh = make_local_mesh(random_leaves(10000, 2.5));
+    const Aperture aperture(mesh, cell, shape);
+    const auto window = aperture.window(beam);
+    double u0 = 0.5, u1 = 0.5;
+    for (auto _ : state) {
+        u0 += 0.7548776662466927;
+        u0 -= u0 >= 1 ? 1 : 0;
+        u1 += 0.5698402909980532;
+        u1 -= u1 >= 1 ? 1 : 0;
+        benchmark::DoNotOptimize(window->place(u0, u1));
+    }
+    state.SetItemsProcessed(state.iterations());
+}
+
+void make_silhouette(benchmark::State& state) {
+    const auto triangles = random_leaves(static_cast<std::size_t>(state.range(0)), 2.5);
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const Aperture aperture(mesh, Cell{}, WindowShape::silhouette);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(aperture.window(beam));
+    }
+}
+
+BENCHMARK_CAPTURE(places, silhouette, Cell{}, WindowShape::silhouette);
+BENCHMARK_CAPTURE(places, sphere, Cell{}, WindowShape::sphere);
+BENCHMARK_CAPTURE(places, layer, Cell{true, true}, WindowShape::silhouette);
+BENCHMARK(make_silhouette)->Arg(500)->Arg(10000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+}  // namespace quasimc::bench

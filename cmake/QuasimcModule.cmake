@@ -1,0 +1,95 @@
+# quasimc_module(NAME <module> SOURCES a.cpp ... PUBLIC <lib>... PRIVATE <lib>...)
+#
+# Makes the static library quasimc_<module> (alias quasimc::<module>) of the current folder and
+# adds it to the installed package.  A library is the name of a lower module or of a third party
+# in the list below.  PUBLIC if a header includes it, PRIVATE if only sources do.  A module without
+# SOURCES is made of headers alone.
+
+set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
+set(QUASIMC_THIRD_PARTY_threads Threads::Threads)
+set(QUASIMC_THIRD_PARTY_embree QuasimcEmbree::embree)
+set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
+set(QUASIMC_THIRD_PARTY_nlohmann_json nlohmann_json::nlohmann_json)
+set(QUASIMC_THIRD_PARTY_crypto OpenSSL::Crypto)
+set(QUASIMC_THIRD_PARTY_cli11 CLI11::CLI11)
+
+# Sets QUASIMC_LAYER_<module> for every module of the table, and QUASIMC_MODULES in order.
+set(QUASIMC_MODULES "")
+file(STRINGS "${PROJECT_SOURCE_DIR}/src/quasimc/layers.txt" quasimc_rows REGEX "^[0-9]")
+set_property(
+    DIRECTORY
+    APPEND
+    PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/quasimc/layers.txt")
+foreach(row IN LISTS quasimc_rows)
+    separate_arguments(names UNIX_COMMAND "${row}")
+    list(POP_FRONT names layer)
+    foreach(name IN LISTS names)
+        set(QUASIMC_LAYER_${name} ${layer})
+        list(APPEND QUASIMC_MODULES ${name})
+    endforeach()
+endforeach()
+
+# Turns the names of modules and third parties into targets; refuses a link against the layers.
+function(quasimc_resolve module result)
+    set(targets "")
+    foreach(name IN LISTS ARGN)
+        if(DEFINED QUASIMC_LAYER_${name})
+            if(NOT QUASIMC_LAYER_${name} LESS QUASIMC_LAYER_${module})
+                message(FATAL_ERROR "Module ${module} (layer ${QUASIMC_LAYER_${module}}) links "
+                                    "${name} (layer ${QUASIMC_LAYER_${name}}); "
+                                    "only lower layers may be linked.")
+            endif()
+            if(NOT TARGET quasimc_${name})
+                message(WARNING "Module ${module} links ${name}, which does not exist yet.")
+                continue()
+            endif()
+            list(APPEND targets quasimc_${name})
+        elseif(DEFINED QUASIMC_THIRD_PARTY_${name})
+            list(APPEND targets ${QUASIMC_THIRD_PARTY_${name}})
+        else()
+            message(FATAL_ERROR "Module ${module} links ${name}, which is neither a module of "
+                                "layers.txt nor a library named in QuasimcModule.cmake.")
+        endif()
+    endforeach()
+    set(${result} ${targets} PARENT_SCOPE)
+endfunction()
+
+function(quasimc_module)
+    cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;PUBLIC;PRIVATE;DEFINITIONS")
+    if(NOT DEFINED QUASIMC_LAYER_${arg_NAME})
+        message(FATAL_ERROR "Module ${arg_NAME} has no row in src/quasimc/layers.txt.")
+    endif()
+    quasimc_resolve(${arg_NAME} public ${arg_PUBLIC})
+    quasimc_resolve(${arg_NAME} private ${arg_PRIVATE})
+    file(GLOB present CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+    set(sources "")
+    foreach(source IN LISTS arg_SOURCES)
+        if("${CMAKE_CURRENT_SOURCE_DIR}/${source}" IN_LIST present)
+            list(APPEND sources ${source})
+        else()
+            message(WARNING "${arg_NAME}/${source} is listed but does not exist yet.")
+        endif()
+    endforeach()
+
+    set(target quasimc_${arg_NAME})
+    if(sources)
+        add_library(${target} STATIC ${sources})
+        set(scope PUBLIC)
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+        target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
+        target_link_libraries(${target} PUBLIC ${public} PRIVATE ${private}
+                                                                 $<BUILD_INTERFACE:quasimc_settings>)
+    else()
+        add_library(${target} INTERFACE)
+        set(scope INTERFACE)
+        target_link_libraries(${target} INTERFACE ${public})
+    endif()
+    add_library(quasimc::${arg_NAME} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${arg_NAME})
+    target_compile_features(${target} ${scope} cxx_std_20)
+    target_include_directories(
+        ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    set_property(GLOBAL APPEND PROPERTY QUASIMC_LIBRARIES ${target})
+endfunction()

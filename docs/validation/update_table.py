@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Writes what the statistical tests measured into the table of index.md.
+
+    build/release/bin/quasimc_test_statistical --gtest_output=xml:measured.xml
+    docs/validation/update_table.py measured.xml
+"""
+
+import math
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+PAGE = Path(__file__).resolve().parent / "index.md"
+BEGIN, END = "<!-- measured: begin -->\n", "<!-- measured: end -->\n"
+TITLES = {
+    "FlatSurfaces": "Flat surfaces",
+    "TrianglePair": "Two triangles face to face",
+    "Layers": "Layers: nets, infinite sheets, periodic cells",
+    "Solids": "Closed bodies",
+    "Canopies": "Black and white canopies",
+    "TurbidMedium": "Leaves that scatter, against the turbid medium",
+}
+
+
+def claims(xml):
+    """(suite, claim, direction, expected, mean, standard error, resolution) of every test."""
+    for case in ElementTree.parse(xml).iter("testcase"):
+        suite = case.get("classname").split("/")[-1]
+        suite = "FlatSurfaces" if suite == "Well" else suite
+        direction = "sources" if case.get("name").endswith("FromSources") else "organs"
+        for item in case.iter("property"):
+            numbers = [float(x) for x in item.get("value").split()]
+            yield (suite, item.get("name"), direction, *numbers)
+
+
+def with_error(mean, error):
+    """A number with two digits of its standard error."""
+    if error < 1e-7 * abs(mean) or error == 0:
+        return f"{mean:.6g}"
+    digits = max(0, 1 - math.floor(math.log10(error)))
+    if digits > 6:
+        return f"{mean:.4g} ± {error:.1g}"
+    return f"{mean:.{digits}f} ± {error:.{digits}f}"
+
+
+def table(rows):
+    """Lines of the table of one suite: {claim: {direction: numbers}}."""
+    yield "| Case | Expected | From the sources | From the organs | Resolution |\n"
+    yield "|---|---|---|---|---|\n"
+    for claim, found in rows.items():
+        numbers = list(found.values())
+        cells = [with_error(*found[d][1:3]) if d in found else "" for d in ("sources", "organs")]
+        resolution = ", ".join(dict.fromkeys(f"{n[3]:.2g}" for n in numbers))
+        yield f"| {claim} | {numbers[0][0]:.6g} | {cells[0]} | {cells[1]} | {resolution} |\n"
+
+
+def main():
+    suites = {}
+    for suite, claim, direction, *numbers in claims(sys.argv[1]):
+        suites.setdefault(suite, {}).setdefault(claim, {})[direction] = numbers
+    text = "".join(
+        f"\n### {title}\n\n" + "".join(table(suites[suite])) for suite, title in TITLES.items()
+    )
+    page = PAGE.read_text(encoding="utf-8")
+    pattern = re.compile(re.escape(BEGIN) + ".*?" + re.escape(END), re.S)
+    PAGE.write_text(pattern.sub(lambda _: BEGIN + text + "\n" + END, page), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Repeats the experiment of Cieslak, Lemieux, Hanan and Prusinkiewicz (2008) and prints its numbers beside ours.
+
+Usage: examples/02-paper/paper.py [--program build/release/bin/quasimc] [--out FOLDER] [--replicates 10]
+
+Writes the data of the paper's two figures to FOLDER (default: beside this script):
+  irradiance.csv  depth and absorbed flux density of every leaf, and the fitted curve A exp(-lambda x)
+  variance.csv    depth and variance of every leaf for Monte Carlo and randomized quasi-Monte Carlo, and fits
+x is the depth of a leaf's centre below the top of the canopy, in units of the canopy's height.
+"""
+
+import argparse
+import csv
+import math
+import pathlib
+import statistics
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+# name, sampler, paths, window, the paper's mean variance x 1e-5 (None: not in the paper)
+EXPERIMENTS = [
+    ("Monte Carlo, 65,536 paths", "monte_carlo", 65536, "sphere", 75.46),
+    ("Korobov, 65,536 paths", "korobov", 65536, "sphere", 9.37),
+    ("Korobov, 16,384 paths", "korobov", 16384, "sphere", 67.39),
+    ("Sobol', 65,536 paths", "sobol", 65536, "sphere", None),
+    ("Monte Carlo, our start of rays", "monte_carlo", 65536, "silhouette", None),
+    ("Korobov, our start of rays", "korobov", 65536, "silhouette", None),
+    ("Sobol', our start of rays", "sobol", 65536, "silhouette", None),
+]
+
+
+def leaf_depths(path):
+    """Depth of each triangle's centre below the highest corner, relative to the canopy's height."""
+    rows = [[float(x) for x in line.split()] for line in path.read_text().splitlines()
+            if line.strip() and not line.startswith("#")]
+    heights = [z for row in rows for z in row[2::3]]
+    top, size = max(heights), max(heights) - min(heights)
+    return [(top - sum(row[2::3]) / 3) / size for row in rows]
+
+
+def run(program, sampler, paths, window, replicates):
+    """Mean and variance over replicates of the absorbed flux density of every leaf."""
+    command = [program, "run", str(HERE / "paper.toml"), "--sampler", sampler, "--paths", str(paths),
+               "--window", window, "--replicates", str(replicates), "--csv", "-"]
+    output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    lines = [line for line in output.splitlines() if not line.startswith("#")]
+    means, variances = [], []
+    for row in csv.DictReader(lines):
+        error = row["absorbed_flux_density_PAR_se"]
+        means.append(float(row["absorbed_flux_density_PAR"]))
+        variances.append(replicates * float(error) ** 2 if error else 0.0)
+    return means, variances
+
+
+def fit_exponential(x, y):
+    """A and lambda of the curve A exp(-lambda x) with the least squared deviations (Gauss-Newton)."""
+    a, rate = max(statistics.fmean(y) * 2, 1e-300), 1.0
+    for _ in range(100):
+        curve = [math.exp(-rate * t) for t in x]
+        da = curve
+        dr = [-a * t * c for t, c in zip(x, curve)]
+        residual = [v - a * c for v, c in zip(y, curve)]
+        aa, ar, rr = (sum(p * q for p, q in zip(u, v)) for u, v in ((da, da), (da, dr), (dr, dr)))
+        ga, gr = (sum(p * q for p, q in zip(u, residual)) for u in (da, dr))
+        determinant = aa * rr - ar * ar
+        if determinant == 0:
+            break
+        a += (ga * rr - gr * ar) / determinant
+        rate += (gr * aa - ga * ar) / determinant
+    return a, rate
+
+
+def write_figure(path, header, depths, columns):
+    fits = [fit_exponential(depths, column) for column in columns]
+    with open(path, "w", newline="") as file:
+        for name, (a, rate) in zip(header, fits):
+            file.write(f"# {name}: fitted A exp(-lambda x) with A = {a:.6g}, lambda = {rate:.4g}\n")
+        writer = csv.writer(file)
+        writer.writerow(["leaf", "depth", *header, *(f"{name}_fitted" for name in header)])
+        for i, depth in enumerate(depths):
+            fitted = [a * math.exp(-rate * depth) for a, rate in fits]
+            writer.writerow([i + 1, f"{depth:.6f}", *(f"{c[i]:.6g}" for c in columns),
+                             *(f"{f:.6g}" for f in fitted)])
+    return fits
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--program", default=str(HERE.parents[1] / "build/release/bin/quasimc"))
+    parser.add_argument("--out", type=pathlib.Path, default=HERE)
+    parser.add_argument("--replicates", type=int, default=10)
+    arguments = parser.parse_args()
+    if not pathlib.Path(arguments.program).exists():
+        sys.exit(f"{arguments.program}: not there; run ./dev build first, or name it with --program")
+
+    depths = leaf_depths(HERE.parent / "01-leaves/leaves.tri")
+    results = {}
+    print("Variance of the absorbed flux density per leaf x 1e-5, mean over 500 leaves (standard deviation)")
+    print(f"  {'':32} {'ours':>18} {'paper':>8}")
+    for name, sampler, paths, window, paper in EXPERIMENTS:
+        means, variances = run(arguments.program, sampler, paths, window, arguments.replicates)
+        results[name] = (means, variances)
+        mean, deviation = 1e5 * statistics.fmean(variances), 1e5 * statistics.pstdev(variances)
+        print(f"  {name:32} {mean:9.2f} ({deviation:6.2f}) {paper if paper else '':>8}")
+
+    reference = results["Korobov, 65,536 paths"][0]
+    (a, rate), = write_figure(arguments.out / "irradiance.csv", ["irradiance"], depths, [reference])
+    print(f"Absorbed flux density over depth x: {a:.3f} exp(-{rate:.2f} x)")
+    write_figure(arguments.out / "variance.csv", ["monte_carlo", "korobov"], depths,
+                 [results["Monte Carlo, 65,536 paths"][1], results["Korobov, 65,536 paths"][1]])
+    print(f"Wrote {arguments.out / 'irradiance.csv'} and {arguments.out / 'variance.csv'}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace quasimc {
+
+/// One fault in what a person gave us. Printed as "place: problem (why); suggestion".
+struct Fault {
+    std::string place;       ///< file:line, key or organ; where to look
+    std::string problem;     ///< what is wrong
+    std::string why;         ///< what rule it breaks; may be empty
+    std::string suggestion;  ///< what to do; may be empty
+
+    [[nodiscard]] std::string text() const;
+};
+
+/// Thrown for what a person can mend; carries all faults found, at least one.
+class InputError : public std::runtime_error {
+  public:
+    explicit InputError(std::vector<Fault> faults);
+    [[nodiscard]] const std::vector<Fault>& faults() const { return faults_; }
+
+  private:
+    std::vector<Fault> faults_;
+};
+
+/// Collects faults, so that all of a file are reported at once.
+class Faults {
+  public:
+    void add(Fault fault) { faults_.push_back(std::move(fault)); }
+    void add(const InputError& error);
+    [[nodiscard]] bool empty() const { return faults_.empty(); }
+    [[nodiscard]] std::size_t size() const { return faults_.size(); }
+    /// Throws an InputError if there are any.
+    void throw_if_any() const;
+
+  private:
+    std::vector<Fault> faults_;
+};
+
+}  // namespace quasimc

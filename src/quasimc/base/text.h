@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quasimc {
+
+/// The candidate nearest to `word` (edit distance with transpositions, without regard to case), or
+/// "" if none is near enough to be what was meant.
+[[nodiscard]] std::string_view nearest_word(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+/// "did you mean 'x'?" for an unknown word, or "one of a, b, c" when none is near.
+[[nodiscard]] std::string did_you_mean(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+/// The shortest text that reads back as the same double ("0.1", "1e-05").
+[[nodiscard]] std::string shortest(double value);
+
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The items joined by `separator`.
+[[nodiscard]] std::string joined(
+    std::span<const std::string_view> items, std::string_view separator);
+
+}  // namespace quasimc

@@ -1,0 +1,62 @@
+#include "quasimc/io/options.h"
+#include "quasimc/io/run_file.h"
+
+namespace quasimc {
+
+std::string default_run_file() {
+    return R"(# A run of QuasiMC. Every option stands here with its default; what is marked "example" has none.
+# Light on a canopy: quasimc run FILE.    Just check it: quasimc check FILE.
+
+format = 1
+title = ""
+up = "z"                    # or "y"
+north = [0, 1, 0]           # azimuth is counted from here, clockwise seen from above
+length_unit = "m"           # of all coordinates; a name for the headers
+irradiance_unit = "W m-2"   # or "umol m-2 s-1"; a name for the headers
+bands = ["PAR"]             # example; or [[band]] with name and unit
+
+)" + default_run_section() +
+           R"(
+[output]                    # example; relative to this file
+csv = "result.csv"
+json = "result.json"
+
+[[source]]                  # example
+type = "directional"
+name = "sun"
+direction = [0, 0, -1]      # in which the light travels; or azimuth_deg and elevation_deg of the sun
+irradiance_facing = 1       # on a plane that faces it; or irradiance_horizontal
+
+[[source]]                  # example
+type = "uniform_sky"
+irradiance_horizontal = [0.5]
+
+[[material]]                # example
+name = "leaf"
+reflectance = 0.1           # one number for all bands, or one for each: [0.1, 0.45]
+transmittance = 0.1
+reflection_model = "lambertian"
+transmission_model = "lambertian"
+
+[[material]]                # example
+name = "soil"
+reflectance = 0.15
+
+[ground]                    # example
+material = "soil"
+height = 0
+
+[[organ]]                   # example; organs from files: [[geometry]]
+id = 1
+name = "leaf 1"
+labels = { plant = "1", kind = "leaf" }
+material = "leaf"
+shape = "rhombus"
+base = [0, 0, 0.5]
+length = [0.2, 0, 0]
+up = [0, 0, 1]
+width = 0.05
+)";
+}
+
+}  // namespace quasimc

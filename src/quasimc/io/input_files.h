@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quasimc {
+
+/// A file that a run was made from.
+struct InputFile {
+    std::string path;      ///< as stated
+    std::string resolved;  ///< absolute
+    std::string sha256;    ///< of its bytes, 64 hexadecimal digits
+    std::uint64_t bytes = 0;
+    bool is_run_file = false;
+};
+
+/// The whole of a file; "-" is standard input. @throws InputError  if it can't be read
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// Reads the files that a run file names, and keeps what is needed to know them again.
+class InputFiles {
+  public:
+    using Reader = std::function<std::string(const std::filesystem::path&)>;
+
+    /// @param folder  where stated paths are relative to
+    explicit InputFiles(std::filesystem::path folder, Reader reader = read_file)
+        : folder_(std::move(folder)), reader_(std::move(reader)) {}
+
+    /// The bytes of the file at `path` (stated). @throws InputError  if it can't be read
+    [[nodiscard]] std::string read(const std::string& path);
+    /// Notes a file that was read by other means.
+    void note(
+        const std::string& path, const std::filesystem::path& resolved, std::string_view bytes);
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    [[nodiscard]] std::filesystem::path resolved(const std::string& path) const;
+    /// In the order of reading, each once.
+    [[nodiscard]] const std::vector<InputFile>& files() const { return files_; }
+
+  private:
+    std::filesystem::path folder_;
+    Reader reader_;
+    std::vector<InputFile> files_;
+};
+
+}  // namespace quasimc

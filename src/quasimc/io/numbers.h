@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace quasimc {
+
+/// The whole of `text` as a number ("1", "+2.5", "1e-3", also "nan" and "inf": whoever asks must
+/// check), or nothing, also when it is out of the range of double precision. Never depends on the
+/// locale.
+[[nodiscard]] std::optional<double> parse_real(std::string_view text);
+
+/// The whole of `text` as an integer, or nothing (also when it does not fit 64 bits).
+[[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+}  // namespace quasimc

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "quasimc/base/parallel.h"
+#include "quasimc/base/version.h"
+#include "quasimc/io/line_scanner.h"
+#include "quasimc/io/options.h"
+#include "quasimc/io/units.h"
+#include "quasimc/io/write_result.h"
+
+namespace quasimc {
+namespace {
+
+std::string line(std::string_view subject, const std::string& text) {
+    return fmt::format("{:<10}{}\n", subject, text);
+}
+
+std::string scene_line(const Scene& scene) {
+    std::string bands;
+    for (const Band& band : scene.bands()) {
+        bands += fmt::format("{}{} [{}]", bands.empty() ? "" : ", ", band.name, band.unit);
+    }
+    const Cell& cell = scene.cell();
+    const std::string_view repeated = !cell.periodic() ? ""
+                                      : cell.along_x && cell.along_y
+                                          ? ", repeated along both horizontal axes"
+                                          : ", repeated along one horizontal axis";
+    return line(
+        "scene", fmt::format(
+                     "{} organs, {} triangles{}; bands {}", scene.organs().size(),
+                     scene.triangles().size(), repeated, bands));
+}
+
+std::string run_line(const RunSpec& spec, const Result& result) {
+    const OptionValue from = find_option("trace_from")->get(spec);
+    return line(
+        "run", fmt::format(
+                   "{} from {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
+                   std::get<std::string>(from), result.paths, result.replicates, spec.seed,
+                   thread_count(spec.threads)));
+}
+
+std::string time_line(const Result& result) {
+    const double all = static_cast<double>(result.paths) * result.replicates;
+    return line(
+        "time", fmt::format(
+                    "{:.3g} s ({:.3g} s of CPU), {:.3g} million paths/s, {:.3g} rays per path",
+                    result.trace_seconds, result.trace_cpu_seconds,
+                    all / std::max(result.trace_seconds, 1e-9) / 1e6,
+                    static_cast<double>(result.rays) / all));
+}
+
+std::string with_error(const Estimate& e) {
+    return std::isfinite(e.standard_error)
+               ? fmt::format("{:.6g} +- {:.2g}", e.mean, e.standard_error)
+               : fmt::format("{:.6g}", e.mean);
+}
+
+/// The relative standard errors of the absorbed flux of the organs that were hit, all bands.
+struct Errors {
+    std::vector<double> relative;
+    std::size_t unseen = 0;  ///< organs of which some band was never hit
+    double worst = 0;
+    std::int64_t worst_id = 0;
+};
+
+Errors errors_of(const Scene& scene, const Result& result) {
+    Errors errors;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        bool seen = true;
+        for (std::size_t b = 0; b < scene.bands().size(); ++b) {
+            const Estimate& e = result.at(i, Quantity::absorbed_flux, b);
+            if (!std::isfinite(e.standard_error) || e.mean == 0) {
+                seen = false;
+                continue;
+            }
+            const double relative = e.standard_error / e.mean;
+            errors.relative.push_back(relative);
+            if (relative >= errors.worst) {
+                errors.worst = relative;
+                errors.worst_id = scene.organs()[i].id;
+            }
+        }
+        errors.unseen += seen ? 0 : 1;
+    }
+    return errors;
+}
+
+std::string error_line(const Scene& scene, const Result& result) {
+    Errors errors = errors_of(scene, result);
+    if (errors.relative.empty()) {
+        return line("errors", "no organ has a standard error of the light it absorbs");
+    }
+    const auto middle =
+        errors.relative.begin() + static_cast<std::ptrdiff_t>(errors.relative.size() / 2);
+    std::nth_element(errors.relative.begin(), middle, errors.relative.end());
+    const std::string unseen =
+        errors.unseen > 0
+            ? fmt::format("; {} organs without one (black sides, or nothing hit)", errors.unseen)
+            : "";
+    return line(
+        "errors", fmt::format(
+                      "relative standard error of the absorbed flux: median {:.2g} %, "
+                      "worst {:.2g} % (organ {}){}",
+                      100 * *middle, 100 * errors.worst, errors.worst_id, unseen));
+}
+
+std::string energy_lines(const Scene& scene, const Result& result) {
+    constexpr std::size_t kMostBands = 4;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(result.budget.size(), kMostBands); ++b) {
+        const BandBudget& budget = result.budget[b];
+        const Band& band = scene.bands()[b];
+        text += line(
+            "energy",
+            fmt::format(
+                "{} [{}]: {:.6g} emitted; organs {}, ground {}, escaped {:.6g}{}, cut off {:.3g}",
+                band.name, flux_unit(band.unit, scene.length_unit()), budget.emitted,
+                with_error(budget.absorbed_by_organs), with_error(budget.absorbed_by_ground),
+                budget.escaped.mean, result.escaped_is_remainder ? " (the rest)" : "",
+                budget.cut_off.mean));
+    }
+    if (result.budget.size() > kMostBands) {
+        text += line("", fmt::format("... and {} more bands", result.budget.size() - kMostBands));
+    }
+    return text;
+}
+
+std::string target_line(const RunSpec& spec, const Result& result) {
+    if (spec.target_error <= 0) {
+        return "";
+    }
+    return line(
+        "target", fmt::format(
+                      "{} % error or less: {} by {:.3g} % of the organs ({:.3g} % asked)",
+                      100 * spec.target_error,
+                      result.stop == StopReason::target_reached ? "reached" : "NOT reached",
+                      100 * result.fraction_at_target, 100 * spec.target_fraction));
+}
+
+std::string written_line(const std::vector<std::string>& written) {
+    if (written.empty()) {
+        return line("written", "nothing; name a file with --csv FILE, --json FILE or in [output]");
+    }
+    return line("written", fmt::format("{}", fmt::join(written, ", ")));
+}
+
+}  // namespace
+
+std::string summary(
+    const RunFile& run, const Result& result, const std::vector<std::string>& written) {
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    text += run_line(run.spec, result) + time_line(result) + target_line(run.spec, result);
+    text += energy_lines(run.scene, result) + error_line(run.scene, result);
+    return text + written_line(written);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quasimc/base/bounds.h"
+#include "quasimc/base/ids.h"
+#include "quasimc/base/orientation.h"
+#include "quasimc/geometry/cell.h"
+#include "quasimc/geometry/triangle.h"
+#include "quasimc/optics/material.h"
+
+namespace quasimc {
+
+/// A waveband. Amounts of different bands never mix, so each may have its own unit.
+struct Band {
+    std::string name;
+    std::string unit = "W m-2";  ///< of irradiance
+    friend bool operator==(const Band&, const Band&) = default;
+};
+
+/// What a person wants to find again in the results: plant=3, kind=leaf, any key.
+using Labels = std::vector<std::pair<std::string, std::string>>;
+
+/// What light is reported for: a leaf, an internode, the ground.
+struct Organ {
+    std::int64_t id = 0;  ///< the user's, unique in the scene
+    std::string name;
+    Labels labels;
+    bool is_ground = false;
+    /// One-sided, square scene units. 0 is allowed: nothing falls on the organ, its flux and
+    /// densities are 0.
+    double area = 0;
+    std::uint32_t first_element = 0, element_count = 0;
+    std::uint32_t first_triangle = 0, triangle_count = 0;
+};
+
+/// The part of an organ that is of one material; its triangles stand together.
+struct Element {
+    OrganIndex organ;
+    MaterialId material;
+    double area = 0;
+};
+
+/// Something that is allowed but probably not meant.
+struct Warning {
+    std::string place, text;
+};
+
+/// A scene that has passed every check. Coordinates are in the scene's unit with z up (see
+/// orientation). Organs stand in the order they were added, the ground, if any, last.
+class Scene {
+  public:
+    [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
+    [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
+    [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
+    [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+    /// Triangles of organ 0, organ 1, ...; within an organ those of its first element first.
+    [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// The element of each triangle.
+    [[nodiscard]] const std::vector<ElementIndex>& triangle_elements() const {
+        return triangle_elements_;
+    }
+    [[nodiscard]] const Material& material(const Element& e) const {
+        return materials_[e.material.value];
+    }
+    [[nodiscard]] const Cell& cell() const { return cell_; }
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+    [[nodiscard]] const Orientation& orientation() const { return orientation_; }
+    /// The unit of length, as a name for headers ("m").
+    [[nodiscard]] const std::string& length_unit() const { return length_unit_; }
+
+  private:
+    friend class SceneBuilder;
+    Scene() = default;
+
+    std::vector<Band> bands_;
+    std::vector<Organ> organs_;
+    std::vector<Element> elements_;
+    std::vector<Material> materials_;
+    std::vector<Triangle> triangles_;
+    std::vector<ElementIndex> triangle_elements_;
+    Cell cell_;
+    Bounds bounds_;
+    Orientation orientation_;
+    std::string length_unit_ = "m";
+};
+
+}  // namespace quasimc

@@ -1,0 +1,15 @@
+#include "quasimc/sources/source.h"
+
+#include "quasimc/base/checks.h"
+
+namespace quasimc {
+
+void Emitter::beam_origins(
+    std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const {
+    EXPECT(beam_direction().has_value());
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+        origins[i] = emit({u0[i], u1[i], 0, 0}).origin;
+    }
+}
+
+}  // namespace quasimc

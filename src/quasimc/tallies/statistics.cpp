@@ -1,0 +1,137 @@
+#include "quasimc/tallies/statistics.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "quasimc/base/checks.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// P(|T| < t) for integer degrees of freedom (Abramowitz and Stegun 26.7.3, 26.7.4).
+double student_t_inside(double t, unsigned df) {
+    const double theta = std::atan(t / std::sqrt(df));
+    const double c2 = std::cos(theta) * std::cos(theta);
+    const bool odd = df % 2 == 1;
+    double term = odd ? std::cos(theta) : 1;
+    double sum = df == 1 ? 0 : term;
+    for (unsigned k = odd ? 3 : 2; k + 2 <= df; k += 2) {
+        term *= c2 * (k - 1) / k;
+        sum += term;
+    }
+    const double with_sine = std::sin(theta) * sum;
+    return odd ? 2 / std::numbers::pi * (theta + with_sine) : with_sine;
+}
+
+/// For many degrees of freedom (Abramowitz and Stegun 26.7.5), z the normal quantile.
+double large_df_quantile(double z, double df) {
+    const double z3 = z * z * z;
+    const double z5 = z3 * z * z;
+    return z + (z3 + z) / (4 * df) + (5 * z5 + 16 * z3 + 3 * z) / (96 * df * df);
+}
+
+double bisect_quantile(double inside, unsigned df) {
+    double low = 0;
+    double high = 1;
+    while (student_t_inside(high, df) < inside && high < 1e12) {
+        high *= 2;
+    }
+    for (int i = 0; i < 200 && low < high; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (middle == low || middle == high) {
+            break;
+        }
+        (student_t_inside(middle, df) < inside ? low : high) = middle;
+    }
+    return high;
+}
+
+double normal_quantile(double p) {
+    double low = 0;
+    double high = 40;
+    for (int i = 0; i < 100; ++i) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < p ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The 0.975-quantile: of few degrees of freedom from a table, for there are millions of estimates.
+double interval_quantile(unsigned df) {
+    static const auto table = [] {
+        std::array<double, 64> quantiles{};
+        for (unsigned i = 1; i < quantiles.size(); ++i) {
+            quantiles[i] = student_t_quantile(0.975, i);
+        }
+        return quantiles;
+    }();
+    return df < table.size() ? table[df] : student_t_quantile(0.975, df);
+}
+
+Estimate with_interval(double mean, double standard_error, std::size_t replicates) {
+    const double half = interval_quantile(static_cast<unsigned>(replicates - 1)) * standard_error;
+    return {mean, standard_error, mean - half, mean + half};
+}
+
+double mean_of(std::span<const double> values) {
+    double sum = 0;
+    for (const double x : values) {
+        sum += x;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+double student_t_quantile(double p, unsigned df) {
+    EXPECT(p > 0 && p < 1 && df >= 1);
+    if (p < 0.5) {
+        return -student_t_quantile(1 - p, df);
+    }
+    constexpr unsigned kManyDegrees = 1000;
+    return df > kManyDegrees ? large_df_quantile(normal_quantile(p), df)
+                             : bisect_quantile(2 * p - 1, df);
+}
+
+Estimate estimate_mean(std::span<const double> values) {
+    EXPECT(!values.empty());
+    const double mean = mean_of(values);
+    if (values.size() < 2) {
+        return {mean, kNan, kNan, kNan};
+    }
+    double squares = 0;
+    for (const double x : values) {
+        squares += (x - mean) * (x - mean);
+    }
+    const auto n = static_cast<double>(values.size());
+    return with_interval(mean, std::sqrt(squares / (n - 1) / n), values.size());
+}
+
+Estimate estimate_ratio(std::span<const double> a, std::span<const double> b) {
+    EXPECT(a.size() == b.size() && !a.empty());
+    const double mean_b = mean_of(b);
+    if (mean_b == 0) {
+        return {kNan, kNan, kNan, kNan};
+    }
+    const double ratio = mean_of(a) / mean_b;
+    if (a.size() < 2) {
+        return {ratio, kNan, kNan, kNan};
+    }
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double residual = a[i] - ratio * b[i];
+        squares += residual * residual;
+    }
+    const auto n = static_cast<double>(a.size());
+    return with_interval(ratio, std::sqrt(squares / (n - 1) / n) / std::abs(mean_b), a.size());
+}
+
+Estimate estimate_unseen(double events, double most) {
+    return {0, kNan, 0, 3 * most / events};
+}
+
+}  // namespace quasimc

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+namespace quasimc {
+
+/// A number estimated from independent randomizations.
+struct Estimate {
+    double mean = 0;
+    double standard_error =
+        0;           ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
+    double low = 0;  ///< 95 % confidence interval
+    double high = 0;
+};
+
+/// Mean, standard error and 95 % Student t-interval of the mean of `values`, one per replicate (at
+/// least one; with one replicate error and interval are NaN).
+[[nodiscard]] Estimate estimate_mean(std::span<const double> values);
+
+/// The ratio of two means, `a[i]` and `b[i]` from the same replicate, with the standard error of
+/// the delta method: the errors of numerator and denominator are correlated, mostly to the good.
+/// NaN where the denominator is 0.
+[[nodiscard]] Estimate estimate_ratio(std::span<const double> a, std::span<const double> b);
+
+/// An amount of which nothing was seen in `events` independent tries, each of which could have
+/// brought `most`: 0, with the upper 95 % limit 3 most / events (rule of three: Hanley and
+/// Lippman-Hand 1983).
+[[nodiscard]] Estimate estimate_unseen(double events, double most);
+
+/// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
+[[nodiscard]] double student_t_quantile(double p, unsigned df);
+
+}  // namespace quasimc

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "quasimc/samplers/sampler.h"
+#include "quasimc/tallies/tally.h"
+#include "quasimc/tracing/run_spec.h"
+#include "quasimc/tracing/stage.h"
+
+namespace quasimc {
+
+/// The points a run traces at one go, the same in every replicate.
+struct Round {
+    std::uint64_t first = 0;  ///< points traced before
+    std::uint64_t count = 0;
+};
+
+/// What a worker keeps between blocks so that nothing is allocated on the way.
+struct Workspace {
+    explicit Workspace(std::size_t bands)
+        : weights(bands), products(bands), gathered(bands), fixed(bands) {}
+
+    std::vector<double> u0, u1, u2;     // coordinates of a block's points
+    std::vector<std::uint32_t> lights;  // the light each picks; empty if there is one
+    std::vector<std::uint32_t> order;   // in which to trace them
+    std::vector<std::uint32_t> keys, key_counts;
+    std::vector<double> weights, products, gathered;  // per band
+    std::vector<std::int64_t> fixed;                  // per band
+};
+
+/// A way to compute the light on the organs: what one path does, and what a tally then means.
+class Estimator {
+  public:
+    virtual ~Estimator() = default;
+    Estimator() = default;
+    Estimator(const Estimator&) = delete;
+    Estimator& operator=(const Estimator&) = delete;
+
+    /// Number of pieces a round of one replicate is cut into; does not depend on the number of
+    /// threads.
+    [[nodiscard]] virtual std::uint64_t blocks(const Round& round) const = 0;
+    /// Traces a piece; a pure function of its arguments but for the order of the additions to
+    /// `tally`.
+    virtual void trace(
+        const Round& round,
+        std::uint32_t replicate,
+        std::uint64_t block,
+        Workspace& workspace,
+        Tally& tally) const = 0;
+
+    /// What one unit in a cell of `element` stands for after `paths` points: flux in `band` for
+    /// direct and scattered light (direct light of a spectrum: times Stage::spectra), lit area for
+    /// the sunlit cell.
+    [[nodiscard]] virtual double flux_per_unit(
+        std::uint32_t element, std::size_t band, std::uint64_t paths) const = 0;
+    [[nodiscard]] virtual double sunlit_area_per_unit(
+        std::uint32_t element, std::uint64_t paths) const = 0;
+    /// The flux in `band` that a single one of `paths` points would have brought to `element`, had
+    /// it found light: what the upper bound for an element that received nothing is made of.
+    [[nodiscard]] virtual double flux_per_find(
+        std::uint32_t element, std::size_t band, std::uint64_t paths) const = 0;
+
+    [[nodiscard]] virtual double sunlit_area_per_find(
+        std::uint32_t element, std::uint64_t paths) const = 0;
+
+    /// Whether escaped and cut off light are counted on their own.
+    [[nodiscard]] virtual bool counts_escapes() const = 0;
+};
+
+/// The estimator of a specification.
+[[nodiscard]] std::unique_ptr<Estimator> make_estimator(
+    const Stage& stage, const Sampler& sampler, const RunSpec& spec);
+
+/// Light tracing (tracing/forward.cpp) and tracing from the organs (tracing/backward.cpp).
+[[nodiscard]] std::unique_ptr<Estimator> make_forward_estimator(
+    const Stage& stage, const Sampler& sampler, const RunSpec& spec);
+[[nodiscard]] std::unique_ptr<Estimator> make_backward_estimator(
+    const Stage& stage, const Sampler& sampler, const RunSpec& spec);
+
+[[nodiscard]] inline TallyLayout tally_layout(const Stage& stage) {
+    return {stage.scene().elements().size(), stage.spectra().size(), stage.bands()};
+}
+
+}  // namespace quasimc

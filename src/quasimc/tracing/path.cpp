@@ -1,0 +1,164 @@
+#include "quasimc/tracing/path.h"
+
+#include "quasimc/tracing/surface.h"
+
+namespace quasimc {
+namespace {
+
+/// A light path under way: the physics of light tracing.
+///
+/// At every hit the light that falls on the side is scored, in all bands; what the organ absorbs
+/// follows from it (TallyLayout). Then one number decides between the lobes of the material and the
+/// end of the path, so that a path lives on with the surface's albedo and carries on with its
+/// weight (Side::scatter). Fixed-point copies of the weights are made once for each flight, so that
+/// what leaves one surface is, to the last bit, what arrives at the next or escapes.
+class Follower {
+  public:
+    Follower(const PathRules& rules, const LightPath& path, Workspace& workspace, Tally& tally)
+        : rules_(rules),
+          stage_(*rules.stage),
+          path_(path),
+          direction_(path.direction),
+          weights_(workspace.weights),
+          fixed_(workspace.fixed),
+          tally_(tally) {}
+
+    std::uint64_t follow(const CastHit& first_hit, FirstHit first) {
+        std::uint64_t rays = 0;
+        CastHit next;
+        const CastHit* at = &first_hit;
+        for (std::uint32_t depth = 0; at->end == RayEnd::hit; ++rays) {
+            const Surface surface = surface_at(stage_, at->hit, direction_);
+            const Material& material = stage_.material(surface.element);
+            if (first == FirstHit::to_score) {
+                score(surface);
+            }
+            first = FirstHit::to_score;
+            if (!material.is_transparent()) {
+                ++depth;
+                if (!scatter(material.side(surface.upper), surface, depth)) {
+                    return rays;
+                }
+            }
+            const Vec3 place = place_of(stage_, at->hit);
+            next = stage_.caster().cast(place, direction_, surface.triangle);
+            at = &next;
+        }
+        leave(at->end);
+        return rays;
+    }
+
+  private:
+    /// Adds what falls on the surface.
+    void score(const Surface& surface) {
+        const TallyLayout& layout = tally_.layout();
+        if (!direct_) {
+            const std::size_t cells = layout.scattered(surface.element, !surface.upper);
+            rules_.scales.empty() ? tally_.add(cells, fixed_)
+                                  : add_weights(cells, rules_.scales[surface.element]);
+            return;
+        }
+        if (rules_.filter == PathFilter::delta_first) {
+            return;
+        }
+        tally_.add(
+            layout.direct(surface.element, !surface.upper, path_.light->spectrum),
+            to_fixed(path_.weight));
+        if (path_.light->lit_area > 0 && surface.cosine > 0) {
+            tally_.add(
+                layout.sunlit(surface.element),
+                to_fixed(path_.weight * path_.light->lit_area / surface.cosine));
+        }
+    }
+
+    /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
+    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
+        if (direct_) {
+            for (std::size_t b = 0; b < weights_.size(); ++b) {
+                weights_[b] = path_.light->start_weights[b] * path_.weight;
+            }
+        }
+        if (depth == rules_.max_depth) {
+            cut_off(side);
+            return false;
+        }
+        const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
+        const Draw draw{
+            rules_.sampler->number(rules_.stream, path_.point, dimension),
+            rules_.sampler->number(rules_.stream, path_.point, dimension + 1), rules_.enough};
+        const bool only_delta = direct_ && rules_.filter == PathFilter::delta_first;
+        const auto scattered = only_delta
+                                   ? side.scatter_delta(surface.normal, direction_, draw, weights_)
+                                   : side.scatter(surface.normal, direction_, draw, weights_);
+        if (!scattered) {
+            return false;
+        }
+        direction_ = scattered->wo;
+        direct_ = false;
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            fixed_[b] = to_fixed(weights_[b]);
+        }
+        if (rules_.filter == PathFilter::all) {
+            tally_.add(tally_.layout().scattered_out(), fixed_);
+        }
+        return true;
+    }
+
+    /// Ends the path at the user's limit: what the surface would have scattered is cut off.
+    void cut_off(const Side& side) {
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            weights_[b] *= side.albedo()[b];
+        }
+        if (rules_.filter == PathFilter::all) {
+            add_weights(tally_.layout().scattered_out(), 1);
+            add_weights(tally_.layout().cut_off(), 1);
+        }
+    }
+
+    /// The path has left the scene, or is lost between the layers of a periodic one.
+    void leave(RayEnd end) {
+        const TallyLayout& layout = tally_.layout();
+        if (rules_.filter == PathFilter::delta_first) {
+            return;
+        }
+        if (!direct_) {
+            tally_.add(end == RayEnd::lost ? layout.cut_off() : layout.escaped_scattered(), fixed_);
+        } else if (end == RayEnd::escaped) {
+            tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
+        } else {
+            for (std::size_t b = 0; b < weights_.size(); ++b) {
+                weights_[b] = path_.light->start_weights[b] * path_.weight;
+            }
+            add_weights(layout.cut_off(), 1);
+        }
+    }
+
+    void add_weights(std::size_t cells, double factor) {
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            tally_.add(cells + b, to_fixed(weights_[b] * factor));
+        }
+    }
+
+    const PathRules& rules_;
+    const Stage& stage_;
+    const LightPath& path_;
+    Vec3 direction_;
+    std::span<double> weights_;
+    std::span<std::int64_t> fixed_;
+    Tally& tally_;
+    bool direct_ = true;
+};
+
+}  // namespace
+
+std::uint64_t follow(
+    const PathRules& rules,
+    const LightPath& path,
+    const CastHit& at,
+    FirstHit first,
+    Workspace& workspace,
+    Tally& tally) {
+    return Follower(rules, path, workspace, tally).follow(at, first);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "quasimc/samplers/sampler.h"
+#include "quasimc/tallies/tally.h"
+#include "quasimc/tracing/estimator.h"
+#include "quasimc/tracing/stage.h"
+
+namespace quasimc {
+
+/// Which paths count.
+enum class PathFilter {
+    all,
+    /// Only those whose first scattering is by a lobe of one direction; light straight from the
+    /// source is not scored. What tracing from the organs can't find.
+    delta_first,
+};
+
+/// What all light paths of a block have in common.
+struct PathRules {
+    const Stage* stage = nullptr;
+    const Sampler* sampler = nullptr;
+    Stream stream;
+    std::uint32_t scatter_dimension = 0;  ///< of the first hit; two more for each further hit
+    std::uint32_t max_depth = 0;          ///< hits; 0: no limit
+    double enough = 1;                    ///< Draw::enough: sum of weights that roulette plays for
+    PathFilter filter = PathFilter::all;
+    std::span<const double> scales = {};  ///< factor on what each element scores; empty: 1
+};
+
+/// The light of one path, from its start at a source to its end. The weight of band b is
+/// start_weights[b] of its light at first and changes at every scattering.
+struct LightPath {
+    const Light* light = nullptr;
+    std::uint64_t point = 0;
+    Vec3 direction;
+    double weight = 1;  ///< Emission::weight
+};
+
+/// What of a path's first hit is still to be done.
+enum class FirstHit { to_score, scored };
+
+/// Scores `at`, the first hit of `path` or its escape, and all that follow. Returns the number of
+/// rays cast.
+/// @param first   whether light that came straight from the source is to be scored at `at`
+std::uint64_t follow(
+    const PathRules& rules,
+    const LightPath& path,
+    const CastHit& at,
+    FirstHit first,
+    Workspace& workspace,
+    Tally& tally);
+
+}  // namespace quasimc

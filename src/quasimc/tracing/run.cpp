@@ -1,0 +1,137 @@
+#include "quasimc/tracing/run.h"
+
+#include <atomic>
+#include <chrono>
+#include <ctime>
+
+#include "quasimc/base/parallel.h"
+#include "quasimc/samplers/catalogue.h"
+#include "quasimc/tallies/replicates.h"
+#include "quasimc/tracing/estimator.h"
+#include "quasimc/tracing/evaluate.h"
+#include "quasimc/tracing/rounds.h"
+#include "quasimc/tracing/stage.h"
+
+namespace quasimc {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Tells the caller how far the run is, a few times a second, from the caller's own thread only.
+class Reporter {
+  public:
+    Reporter(const std::function<void(const Progress&)>& tell, Clock::time_point start)
+        : tell_(tell), start_(start) {}
+
+    void begin_round(std::uint64_t blocks, double done_before, double share, double at_target) {
+        blocks_ = blocks;
+        done_ = 0;
+        before_ = done_before;
+        share_ = share;
+        at_target_ = at_target;
+    }
+    void block_done(unsigned worker) {
+        const std::uint64_t done = ++done_;
+        constexpr double kSecondsBetween = 0.2;
+        if (!tell_ || worker != 0 || seconds_since(start_) - last_ < kSecondsBetween) {
+            return;
+        }
+        last_ = seconds_since(start_);
+        const double fraction =
+            before_ + share_ * static_cast<double>(done) / static_cast<double>(blocks_);
+        tell_({fraction, last_, last_ / fraction, at_target_});
+    }
+
+  private:
+    const std::function<void(const Progress&)>& tell_;
+    Clock::time_point start_;
+    std::uint64_t blocks_ = 1;
+    std::atomic<std::uint64_t> done_{0};
+    double before_ = 0, share_ = 1, last_ = 0, at_target_ = 0;
+};
+
+/// Traces one round of every replicate.
+void trace_round(
+    const Estimator& estimator,
+    const Round& round,
+    std::vector<Workspace>& workspaces,
+    Replicates& replicates,
+    Reporter& reporter) {
+    const std::uint64_t blocks = estimator.blocks(round);
+    const auto workers = static_cast<unsigned>(workspaces.size());
+    parallel_blocks(blocks * replicates.count(), workers, [&](std::uint64_t i, unsigned worker) {
+        const auto replicate = static_cast<std::uint32_t>(i / blocks);
+        Tally& tally = replicates.tally_for(worker, replicate);
+        estimator.trace(round, replicate, i % blocks, workspaces[worker], tally);
+        reporter.block_done(worker);
+    });
+    replicates.collect();
+}
+
+}  // namespace
+
+Result run(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress) {
+    Faults faults;
+    check_run(scene, sources, spec, faults);
+    faults.throw_if_any();
+
+    const Clock::time_point start = Clock::now();
+    const Stage stage(
+        scene, sources, spec.window, RayCaster(scene.triangles(), scene.cell(), spec.engine));
+    if (stage.lights().empty()) {
+        throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
+    }
+    const auto sampler = make_sampler(spec.sampler);
+    const auto estimator = make_estimator(stage, *sampler, spec);
+    const double build_seconds = seconds_since(start);
+
+    const double cpu_before = cpu_seconds();
+    const unsigned threads = thread_count(spec.threads);
+    Replicates replicates(
+        tally_layout(stage), spec.replicates, threads, spec.tally_memory_mb * 1e6,
+        stage.ground_elements());
+    std::vector<Workspace> workspaces(threads, Workspace(stage.bands()));
+    Evaluation evaluation{stage, *estimator, replicates, 0, threads};
+    Reporter reporter(on_progress, start);
+    Rounds rounds(spec);
+    while (const auto round = rounds.next()) {
+        reporter.begin_round(
+            estimator->blocks(*round) * spec.replicates, rounds.fraction_before(), rounds.share(),
+            rounds.at_target());
+        trace_round(*estimator, *round, workspaces, replicates, reporter);
+        evaluation.paths = round->first + round->count;
+        rounds.finish(
+            seconds_since(start),
+            spec.target_error > 0 ? fraction_at_target(evaluation, spec.target_error) : 0);
+    }
+
+    Result result;
+    evaluate_organs(evaluation, ratio_bands(scene, spec), result);
+    result.budget = evaluate_budget(evaluation);
+    result.escaped_is_remainder = !estimator->counts_escapes();
+    result.paths = evaluation.paths;
+    result.replicates = spec.replicates;
+    result.rays = count_rays(replicates);
+    result.stop = rounds.stop();
+    result.fraction_at_target = rounds.at_target();
+    result.build_seconds = build_seconds;
+    result.trace_seconds = seconds_since(start) - build_seconds;
+    result.trace_cpu_seconds = cpu_seconds() - cpu_before;
+    return result;
+}
+
+}  // namespace quasimc

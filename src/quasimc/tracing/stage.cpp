@@ -1,0 +1,133 @@
+#include "quasimc/tracing/stage.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace quasimc {
+namespace {
+
+/// Per band, the flux of all lights.
+std::vector<double> total_flux(const std::vector<Light>& lights, double area, std::size_t bands) {
+    std::vector<double> flux(bands);
+    for (const Light& light : lights) {
+        for (std::size_t b = 0; b < bands; ++b) {
+            flux[b] += light.source->spectrum()[b] * light.emitter->flux() * area;
+        }
+    }
+    return flux;
+}
+
+/// Every band gives each light its share of the band's flux; the mean over the bands that have
+/// light.
+void set_probabilities(std::vector<Light>& lights, const std::vector<double>& flux, double area) {
+    double sum = 0;
+    for (Light& light : lights) {
+        light.before = sum;
+        for (std::size_t b = 0; b < flux.size(); ++b) {
+            const double own = light.source->spectrum()[b] * light.emitter->flux() * area;
+            light.probability += flux[b] > 0 ? own / flux[b] : 0;
+        }
+        sum += light.probability;
+    }
+    for (Light& light : lights) {
+        light.probability /= sum;
+        light.before /= sum;
+        for (std::size_t b = 0; b < flux.size(); ++b) {
+            const double own = light.source->spectrum()[b] * light.emitter->flux() * area;
+            light.start_weights.push_back(flux[b] > 0 ? own / flux[b] / light.probability : 0);
+        }
+    }
+}
+
+double sum_of(std::span<const double> values) {
+    double sum = 0;
+    for (const double x : values) {
+        sum += x;
+    }
+    return sum;
+}
+
+bool equal_to_rounding(const std::vector<double>& a, const std::vector<double>& b) {
+    constexpr double kRounding = 1e-14;
+    return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+        return std::abs(x - y) <= kRounding * std::max(x, y);
+    });
+}
+
+}  // namespace
+
+Stage::Stage(const Scene& scene, const Sources& sources, WindowShape window, RayCaster caster)
+    : scene_(&scene), caster_(std::move(caster)), aperture_(caster_.mesh(), scene.cell(), window) {
+    facets_.resize(caster_.mesh().triangle_count());
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+        const ElementIndex element = scene.triangle_elements()[caster_.source(i)];
+        facets_[i] = {element.value, scene.elements()[element.value].material.value};
+    }
+    for (const Element& element : scene.elements()) {
+        materials_.push_back(&scene.material(element));
+        ground_elements_ += scene.organs()[element.organ.value].is_ground ? 1 : 0;
+        has_transparent_ = has_transparent_ || materials_.back()->is_transparent();
+        has_delta_ = has_delta_ || materials_.back()->side(true).has_delta() ||
+                     materials_.back()->side(false).has_delta();
+    }
+    set_lights(sources);
+}
+
+void Stage::set_lights(const Sources& sources) {
+    double sun = 0;
+    for (const auto& source : sources) {
+        std::unique_ptr<Emitter> emitter = source->make_emitter(aperture_);
+        if (emitter && sum_of(source->spectrum()) > 0) {
+            Light& light = lights_.emplace_back();
+            light.source = source.get();
+            light.emitter = std::move(emitter);
+            if (source->is_directional()) {
+                sun += sum_of(source->spectrum());
+                sun_area_ += lights_.back().emitter->flux() * world_area();
+            }
+        }
+    }
+    flux_ = total_flux(lights_, world_area(), bands());
+    set_probabilities(lights_, flux_, world_area());
+    for (Light& light : lights_) {
+        if (light.source->is_directional()) {
+            light.sun_share = sum_of(light.source->spectrum()) / sun;
+            light.lit_area = light.sun_share / light.probability * light.emitter->flux() *
+                             world_area() / sun_area_;
+        }
+        const auto same = std::find_if(spectra_.begin(), spectra_.end(), [&](const auto& spectrum) {
+            return equal_to_rounding(spectrum, light.start_weights);
+        });
+        light.spectrum = static_cast<std::size_t>(same - spectra_.begin());
+        if (same == spectra_.end()) {
+            spectra_.push_back(light.start_weights);
+        } else {
+            light.start_weights = *same;
+        }
+    }
+}
+
+bool Stage::reaches_sky(const Vec3& place, const Vec3& direction, std::uint32_t self) const {
+    if (!has_transparent_) {
+        return !caster_.occluded(place, direction, self);
+    }
+    CastHit at = caster_.cast(place, direction, self);
+    while (at.end == RayEnd::hit && material(element(at.hit.triangle)).is_transparent()) {
+        const Hit& hit = at.hit;
+        at =
+            caster_.cast(caster_.mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
+    }
+    return at.end != RayEnd::hit;
+}
+
+std::size_t Stage::pick_light(double u) const {
+    std::size_t low = 0;
+    std::size_t high = lights_.size();
+    while (high - low > 1) {
+        const std::size_t middle = (low + high) / 2;
+        (u < lights_[middle].before ? high : low) = middle;
+    }
+    return low;
+}
+
+}  // namespace quasimc

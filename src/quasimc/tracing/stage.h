@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "quasimc/geometry/aperture.h"
+#include "quasimc/geometry/ray_caster.h"
+#include "quasimc/scene/scene.h"
+#include "quasimc/sources/source.h"
+#include "quasimc/tracing/run.h"
+
+namespace quasimc {
+
+/// A source on the stage. Weights are relative: in each band the flux of all sources is 1, shared
+/// out so that a path that picks a source with `probability` brings start_weights[b] to band b, on
+/// average 1.
+struct Light {
+    const Source* source = nullptr;
+    std::unique_ptr<Emitter> emitter;
+    double probability = 0;             ///< of being picked, over all lights
+    double before = 0;                  ///< sum of the probabilities of the lights before
+    std::vector<double> start_weights;  ///< per band
+    std::size_t spectrum = 0;           ///< lights with equal start weights share one
+    double sun_share = 0;  ///< share in the irradiance of all directional lights; 0 for others
+    double lit_area =
+        0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
+};
+
+/// What a triangle of the mesh belongs to.
+struct Facet {
+    std::uint32_t element = 0;
+    std::uint32_t material = 0;
+};
+
+/// A scene with its lights, ready to trace: what all estimators and threads share. Const after
+/// construction.
+class Stage {
+  public:
+    /// @param caster  of the scene's triangles and cell
+    Stage(const Scene& scene, const Sources& sources, WindowShape window, RayCaster caster);
+
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] const RayCaster& caster() const { return caster_; }
+    [[nodiscard]] std::size_t bands() const { return scene_->bands().size(); }
+    /// Square scene units per square local unit.
+    [[nodiscard]] double world_area() const { return aperture_.world_area(); }
+
+    /// Lights that send something into the scene, in the order of the sources.
+    [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
+    /// The light that a number in [0, 1) picks.
+    [[nodiscard]] std::size_t pick_light(double u) const;
+    /// The distinct start weights, [spectrum][band].
+    [[nodiscard]] const std::vector<std::vector<double>>& spectra() const { return spectra_; }
+    /// Flux of all sources into the scene, per band, irradiance unit x square scene unit.
+    [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
+
+    /// Area of all directional lights' emitters together, square scene units.
+    [[nodiscard]] double sun_area() const { return sun_area_; }
+
+    /// Element and material of a triangle of the caster's mesh.
+    [[nodiscard]] const Facet& facet(std::uint32_t mesh_triangle) const {
+        return facets_[mesh_triangle];
+    }
+    [[nodiscard]] std::uint32_t element(std::uint32_t mesh_triangle) const {
+        return facets_[mesh_triangle].element;
+    }
+    [[nodiscard]] const Material& material(std::uint32_t element) const {
+        return *materials_[element];
+    }
+    /// Whether light passes from `place` on triangle `self` of the mesh to infinity. Sensors let it
+    /// pass.
+    [[nodiscard]] bool reaches_sky(
+        const Vec3& place, const Vec3& direction, std::uint32_t self) const;
+    /// Elements of the ground, which stand last.
+    [[nodiscard]] std::size_t ground_elements() const { return ground_elements_; }
+    /// Whether some material scatters in one direction.
+    [[nodiscard]] bool has_delta() const { return has_delta_; }
+    /// Whether some material is a sensor that light passes.
+    [[nodiscard]] bool has_transparent() const { return has_transparent_; }
+
+  private:
+    void set_lights(const Sources& sources);
+
+    const Scene* scene_;
+    RayCaster caster_;
+    Aperture aperture_;
+    std::vector<Facet> facets_;
+    std::vector<const Material*> materials_;
+    std::vector<Light> lights_;
+    std::vector<std::vector<double>> spectra_;
+    std::vector<double> flux_;
+    double sun_area_ = 0;
+    std::size_t ground_elements_ = 0;
+    bool has_delta_ = false, has_transparent_ = false;
+};
+
+}  // namespace quasimc

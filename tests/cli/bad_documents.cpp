@@ -1,0 +1,89 @@
+#include "bad_inputs.h"
+
+namespace quasimc::test {
+namespace {
+
+const std::string kPaths = "paths = 256";
+
+/// x.x.x ... = 1
+std::string deep_key() {
+    constexpr int kDeep = 300;
+    std::string text = "x";
+    for (int i = 0; i < kDeep; ++i) {
+        text += ".x";
+    }
+    return text + " = 1";
+}
+
+const std::vector<BadInput> kTable{
+    {"Empty", "", "", "run.toml"},
+    {"OnlyBlanks", "", "  \n\n", "run.toml"},
+    {"NotToml", "", "this is no run file\n", "run.toml:1: "},
+    {"Binary", "", std::string("\x7F\x45LF\x02\x01\x00\x00\x00", 9), "run.toml:1: "},
+    {"NotUtf8", "", "title = \"\xFF\xFE\"\n", "run.toml:1: "},
+    {"Utf16", "",
+     std::string(
+         "\xFF\xFE"
+         "b\0a\0n\0d\0s\0",
+         12),
+     "run.toml:1: "},
+    {"Json", "", "{\"bands\": [\"PAR\"]}", "run.toml:1: "},
+    {"TruncatedText", "name = \"third\"", "name = \"third", "run.toml:21: "},
+    {"TruncatedList", "corners = [[0, 0, 5], [1, 0, 5], [0, 1, 5]]", "corners = [[0, 0, 5",
+     "run.toml:"},
+    {"DuplicateKey", kPaths, "paths = 256\npaths = 512", "run.toml:5: "},
+    {"DuplicateTable", "[output]", "[run]\n[output]", "run.toml:6: "},
+    {"DeepNesting", "format = 1", "x = " + std::string(5000, '[') + std::string(5000, ']'),
+     "run.toml:1: "},
+    {"DeepTables", "format = 1", deep_key(), "run.toml"},
+    {"Date", "format = 1", "title = 2020-01-01", "run.toml:1: title is a date"},
+    {"UnknownKey", "format = 1", "fromat = 1",
+     "run.toml:1: unknown key 'fromat'; did you mean 'format'?"},
+    {"UnknownSection", "[run]", "[runs]", "unknown key 'runs'; did you mean 'run'?"},
+    {"NewerFormat", "format = 1", "format = 2", "run.toml:1: format is 2"},
+    {"FormatOfAnotherType", "format = 1", "format = \"one\"", "run.toml:1: format is a text"},
+    {"NoBand", "bands = [\"PAR\"]", "bands = []", "no band is given"},
+    {"BandOfAnotherType", "bands = [\"PAR\"]", "bands = [1]", "run.toml:2: bands is an integer"},
+    {"TwoBandsOfOneName", "bands = [\"PAR\"]", "bands = [\"PAR\", \"PAR\"]", "PAR"},
+    {"BandWithAColon", "bands = [\"PAR\"]", "bands = [\"P:R\"]", "a name holds no ':'"},
+    {"UnknownUp", "format = 1", "up = \"x\"", "run.toml:1: up is 'x'"},
+    {"NorthUpwards", "format = 1", "north = [0, 0, 1]",
+     "run.toml:1: north is no horizontal direction"},
+    {"NorthOfTwoNumbers", "format = 1", "north = [0, 1]", "run.toml:1: north is a list of 2"},
+    {"RunNoTable", "[run]\npaths = 256\nreplicates = 3\n", "run = 3\n",
+     "run.toml:3: [run]: is an integer"},
+    {"PathsZero", kPaths, "paths = 0", "run.toml:4: [run]: paths is 0 (it takes 1 to 1073741824)"},
+    {"PathsNegative", kPaths, "paths = -1", "run.toml:4: [run]: paths is -1"},
+    {"PathsHuge", kPaths, "paths = 9223372036854775807",
+     "run.toml:4: [run]: paths is 9223372036854775807"},
+    {"PathsBeyondInteger", kPaths, "paths = 99999999999999999999", "run.toml:4: "},
+    {"PathsReal", kPaths, "paths = 256.0", "run.toml:4: [run]: paths is 256"},
+    {"PathsText", kPaths, "paths = \"many\"", "run.toml:4: [run]: paths is 'many'"},
+    {"PathsTable", kPaths, "paths = { a = 1 }", "run.toml:4: [run]: paths is a table"},
+    {"PathsNoPowerOfTwo", kPaths, "paths = 1000\nsampler = \"korobov\"",
+     "run.toml:4: paths: 1000 is not a power of two"},
+    {"UnknownSampler", kPaths, "sampler = \"sobel\"",
+     "run.toml:4: [run]: sampler is 'sobel' (no such choice); did you mean 'sobol'?"},
+    {"UnknownOption", kPaths, "path = 256",
+     "run.toml:4: [run]: unknown key 'path'; did you mean 'paths'?"},
+    {"TargetNan", kPaths, "target_error = nan", "run.toml:4: [run]: target_error is nan"},
+    {"TargetWithOneReplicate", "replicates = 3", "replicates = 1\ntarget_error = 0.1",
+     "needs at least 2 replicates"},
+    {"MaxSecondsInfinite", kPaths, "max_seconds = inf", "run.toml:4: [run]: max_seconds is inf"},
+    {"RatioOfUnknownBand", kPaths, "ratios = [\"R:FR\"]", "run.toml:4: ratios: 'R' is not a band"},
+    {"RatioOfOneBand", kPaths, "ratios = [\"PAR\"]", "run.toml:4: ratios: 'PAR' is not a ratio"},
+    {"OutputNoText", "csv = \"out.csv\"", "csv = 3", "run.toml:7: [output]: csv is an integer"},
+    {"OutputEmpty", "csv = \"out.csv\"", "csv = \"\"", "run.toml:7: [output]: csv is empty"},
+    {"OutputTwice", "csv = \"out.csv\"", "csv = \"out.json\"", "csv and json name the same file"},
+    {"OutputFolderMissing", "csv = \"out.csv\"", "csv = \"none/out.csv\"",
+     "none/out.csv: can't be written (No such file or directory)"},
+    {"OutputIsAFolder", "csv = \"out.csv\"", "csv = \".\"", "can't be written"},
+};
+
+}  // namespace
+
+std::vector<BadInput> bad_documents() {
+    return kTable;
+}
+
+}  // namespace quasimc::test

@@ -1,0 +1,78 @@
+// The bad inputs: each ends with exit status 1, a message that names the place, nothing on standard
+// output and no file written. Never a crash.
+
+#include <gtest/gtest.h>
+
+#include "bad_inputs.h"
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+std::vector<BadInput> all_bad_inputs() {
+    std::vector<BadInput> all = bad_documents();
+    for (const std::vector<BadInput>& more : {bad_scenes(), bad_geometry_files()}) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+}
+
+class BadInputTest : public ProgramTest, public ::testing::WithParamInterface<BadInput> {};
+
+TEST_P(BadInputTest, EndsWithAMessageThatNamesThePlace) {
+    const BadInput& bad = GetParam();
+    folder_.write(
+        "run.toml",
+        bad.find.empty() ? bad.replacement : replaced(good_run_file(), bad.find, bad.replacement));
+    if (!bad.file.empty()) {
+        folder_.write(bad.file, bad.bytes);
+    }
+    const Outcome outcome = run({"run", "run.toml"});
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(bad.message), std::string::npos)
+        << "expected: " << bad.message << "\nprinted: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    std::vector<std::string> files = new_files();
+    std::erase(files, bad.file);
+    EXPECT_TRUE(files.empty()) << ::testing::PrintToString(files);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table,
+    BadInputTest,
+    ::testing::ValuesIn(all_bad_inputs()),
+    [](const ::testing::TestParamInfo<BadInput>& input) { return input.param.name; });
+
+TEST(BadInputs, AreAHundredOrMore) {
+    EXPECT_GE(all_bad_inputs().size(), 100U);
+}
+
+// The negative control: what the table changes is good before.
+TEST_F(ProgramTest, TheGoodInputIsGood) {
+    const Outcome outcome = run({"run", "run.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(new_files(), (std::vector<std::string>{"out.csv", "out.json"}));
+}
+
+TEST_F(ProgramTest, AllFaultsOfAFileAreReportedAtOnce) {
+    std::string text = replaced(good_run_file(), "reflectance = 0.1", "reflectance = 2");
+    text = replaced(text, "direction = [0, 0, -1]", "direction = [0, 0]");
+    text = replaced(text, "paths = 256", "pahts = 3");
+    folder_.write("run.toml", text);
+    folder_.write("leaves.tri", "0 0 1 1 0 1 0 1\n1 2 3\n");
+    const std::string err = run({"run", "run.toml"}).err;
+    for (const char* place :
+         {"run.toml:4: ", "run.toml:11: ", "run.toml:15: ", "leaves.tri:1: ", "leaves.tri:2: "}) {
+        EXPECT_NE(err.find(place), std::string::npos) << place << "\n" << err;
+    }
+}
+
+TEST_F(ProgramTest, AMissingRunFileIsAnInputError) {
+    const Outcome outcome = run({"run", "none.toml"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "none.toml: can't be read (No such file or directory)\n");
+}
+
+}  // namespace
+}  // namespace quasimc::test

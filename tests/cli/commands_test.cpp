@@ -1,0 +1,228 @@
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "quasimc/base/version.h"
+
+namespace quasimc::test {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
+    const Outcome outcome = run({"run", "run.toml"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("3 organs"), std::string::npos) << outcome.out;
+    EXPECT_NE(folder_.read("out.csv").find("\n1,third,"), std::string::npos);
+    EXPECT_NE(folder_.read("out.json").find("\"organs_sha256\""), std::string::npos);
+}
+
+TEST_F(ProgramTest, RunGivesTheSameTableAgain) {
+    ASSERT_EQ(run({"run", "run.toml", "--csv", "a.csv", "--threads", "1"}).status, 0);
+    ASSERT_EQ(run({"run", "run.toml", "--csv", "b.csv", "--threads", "2"}).status, 0);
+    EXPECT_EQ(replaced(folder_.read("a.csv"), "threads = 1", "threads = 2"), folder_.read("b.csv"));
+}
+
+TEST_F(ProgramTest, TablesMayGoToStandardOutput) {
+    const Outcome outcome = run({"run", "run.toml", "--csv", "-"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.out.starts_with("# QuasiMC"));
+    EXPECT_EQ(outcome.out.find("energy    "), std::string::npos);
+    EXPECT_NE(outcome.err.find("energy    "), std::string::npos);
+}
+
+TEST_F(ProgramTest, TheRunFileMayComeFromStandardInput) {
+    const Outcome outcome = run({"run", "-"}, good_run_file());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(new_files(), (Arguments{"out.csv", "out.json"}));
+}
+
+TEST_F(ProgramTest, FlagsGoBeforeTheFile) {
+    ASSERT_EQ(
+        run({"run", "run.toml", "--paths", "512", "--seed=9", "--sampler", "korobov"}).status, 0);
+    const std::string table = folder_.read("out.csv");
+    EXPECT_NE(table.find("sampler = \"korobov\""), std::string::npos);
+    EXPECT_NE(table.find("paths = 512"), std::string::npos);
+    EXPECT_NE(table.find("seed = 9"), std::string::npos);
+}
+
+TEST_F(ProgramTest, BadValuesOfFlagsAreInputErrorsThatNameTheFlag) {
+    EXPECT_EQ(run({"run", "run.toml", "--paths", "many"}).status, 1);
+    EXPECT_NE(
+        run({"run", "run.toml", "--paths", "0"}).err.find("--paths: paths is 0"),
+        std::string::npos);
+    EXPECT_NE(run({"run", "run.toml", "--seed", "-1"}).err.find("--seed: "), std::string::npos);
+    EXPECT_NE(run({"run", "run.toml", "--sampler", ""}).err.find("--sampler: "), std::string::npos);
+    EXPECT_NE(
+        run({"run", "run.toml", "--max-seconds", "nan"}).err.find("--max-seconds: "),
+        std::string::npos);
+    EXPECT_TRUE(new_files().empty());
+}
+
+TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
+    const std::vector<Arguments> table{
+        {},
+        {"run"},
+        {"fly"},
+        {"run", "run.toml", "--wings"},
+        {"run", "run.toml", "--paths"},
+        {"run", "run.toml", "run.toml"},
+        {"run", "run.toml", "--from", "out.json"},
+        {"check"},
+        {"list", "apples"},
+        {"run", "run.toml", "--csv", "a", "--json", "a"},
+        {"--dump"},
+        {"export", "run.toml"}};
+    for (const Arguments& arguments : table) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err, "");
+    }
+}
+
+TEST_F(ProgramTest, HelpAndVersionGoToStandardOutput) {
+    EXPECT_EQ(run({"--version"}).out, "quasimc " + std::string(version()) + "\n");
+    for (const Arguments& arguments :
+         {Arguments{"--help"}, Arguments{"run", "--help"}, Arguments{"check", "-h"}}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.out.find("Usage: "), std::string::npos);
+        EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_NE(run({"run", "--help"}).out.find("--target-error"), std::string::npos);
+}
+
+TEST_F(ProgramTest, CheckFindsFaultsAndRunsNothing) {
+    EXPECT_EQ(run({"check", "run.toml"}).status, 0);
+    EXPECT_EQ(run({"check", "run.toml", "--paths", "0"}).status, 1);
+    folder_.write(
+        "run.toml", replaced(good_run_file(), "file = \"leaves.tri\"", "file = \"leaves.tro\""));
+    EXPECT_EQ(run({"check", "run.toml"}).status, 1);
+    EXPECT_TRUE(new_files().empty());
+}
+
+TEST_F(ProgramTest, CheckPrintsWarnings) {
+    folder_.write("leaves.tri", good_leaves() + good_leaves());
+    const Outcome outcome = run({"check", "run.toml"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+}
+
+TEST_F(ProgramTest, TheDumpedDefaultFileRuns) {
+    const Outcome dumped = run({"--dump-default"});
+    EXPECT_EQ(dumped.status, 0);
+    folder_.write("default.toml", dumped.out);
+    const Outcome outcome =
+        run({"run", "default.toml", "--paths", "256", "--csv", "a.csv", "--json", "a.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(ProgramTest, FromRepeatsARun) {
+    ASSERT_EQ(run({"run", "run.toml", "--seed", "5"}).status, 0);
+    const Outcome again =
+        run({"run", "--from", "out.json", "--csv", "again.csv", "--json", "again.json"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos) << again.out;
+    const auto organs = [](const std::string& text) {
+        return text.substr(text.find("\"organs\": ["));
+    };
+    EXPECT_EQ(organs(folder_.read("out.json")), organs(folder_.read("again.json")));
+    EXPECT_EQ(folder_.read("out.csv"), folder_.read("again.csv"));
+    // The result of a repetition can be repeated too.
+    EXPECT_NE(run({"run", "--from", "again.json"}).out.find("the same numbers"), std::string::npos);
+}
+
+TEST_F(ProgramTest, FromTellsOtherNumbers) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    EXPECT_NE(
+        run({"run", "--from", "out.json", "--seed", "99"}).out.find("OTHER numbers than"),
+        std::string::npos);
+}
+
+TEST_F(ProgramTest, FromRefusesAChangedInput) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    folder_.write("leaves.tri", good_leaves() + "\n");
+    const Outcome outcome = run({"run", "--from", "out.json"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("'leaves.tri'"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("changed"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ProgramTest, FromRefusesBrokenResults) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const std::string json = folder_.read("out.json");
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{1}, json.size() / 3, json.size() - 3}) {
+        folder_.write("out.json", json.substr(0, size));
+        EXPECT_EQ(run({"run", "--from", "out.json"}).status, 1);
+    }
+    EXPECT_EQ(run({"run", "--from", "leaves.tri"}).status, 1);
+    EXPECT_EQ(run({"run", "--from", "none.json"}).status, 1);
+}
+
+TEST_F(ProgramTest, AMissedTargetIsStatusFourAndResultsAreWritten) {
+    const Outcome outcome =
+        run({"run", "run.toml", "--target-error", "1e-9", "--max-paths", "512"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    EXPECT_NE(outcome.out.find("NOT reached"), std::string::npos);
+    EXPECT_EQ(new_files(), (Arguments{"out.csv", "out.json"}));
+}
+
+TEST_F(ProgramTest, AReachedTargetIsStatusZero) {
+    const Outcome outcome = run({"run", "run.toml", "--target-error", "0.5"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(ProgramTest, AnInterruptedRunLeavesNothing) {
+    folder_.write("out.csv", "old");
+    const std::string command = "cd '" + folder_.path().string() +
+                                "' && timeout -s INT 0.3 '" QUASIMC_PROGRAM
+                                "' run run.toml --paths 67108864 --replicates 1000 >/dev/null 2>&1";
+    EXPECT_NE(std::system(command.c_str()), 0);  // NOLINT(concurrency-mt-unsafe)
+    EXPECT_EQ(folder_.read("out.csv"), "old");
+    EXPECT_EQ(new_files(), (Arguments{"out.csv"}));
+}
+
+TEST_F(ProgramTest, AFullDiskIsAnInputError) {
+    EXPECT_EQ(run({"run", "run.toml", "--csv", "/dev/full"}).status, 1);
+}
+
+TEST_F(ProgramTest, ListsNameWhatThereIs) {
+    EXPECT_NE(run({"list", "samplers"}).out.find("sobol"), std::string::npos);
+    EXPECT_NE(run({"list", "models"}).out.find("phong"), std::string::npos);
+    EXPECT_NE(run({"list", "formats"}).out.find("ply"), std::string::npos);
+    EXPECT_NE(run({"list", "options"}).out.find("target_error"), std::string::npos);
+    EXPECT_NE(run({"list", "quantities"}).out.find("absorbed_flux"), std::string::npos);
+}
+
+TEST_F(ProgramTest, ExportWritesWhatCanBeReadAgain) {
+    ASSERT_EQ(run({"export", "run.toml", "all.tri"}).status, 0);
+    folder_.write("run.toml", replaced(good_run_file(), "leaves.tri", "all.tri"));
+    const Outcome outcome = run({"check", "run.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("4 organs"), std::string::npos) << outcome.out;
+    EXPECT_EQ(run({"export", "run.toml", "all.xyz"}).status, 1);
+}
+
+TEST_F(ProgramTest, TheFirstExampleRuns) {
+    folder_.write("leaves.toml", "");
+    const std::filesystem::path example =
+        std::filesystem::path(QUASIMC_SOURCE_DIR) / "examples/01-leaves";
+    for (const char* name : {"leaves.toml", "leaves.tri"}) {
+        std::filesystem::copy_file(
+            example / name, folder_.path() / name,
+            std::filesystem::copy_options::overwrite_existing);
+    }
+    const Outcome outcome = run({"run", "leaves.toml", "--paths", "4096"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("500 organs"), std::string::npos);
+    EXPECT_NE(folder_.read("leaves.csv").find("\n500,leaf 500,leaf,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,12 @@
+#include "fuzzing.h"
+#include "quasimc/io/run_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(data, data + size);
+    quasimc::InputFiles files("/fuzz", quasimc::fuzz::read_small_file);
+    try {
+        static_cast<void>(quasimc::read_run_text(text, "run.toml", files));
+    } catch (const quasimc::InputError&) {  // most inputs are faulty
+    }
+    return 0;
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "quasimc/base/input_error.h"
+#include "quasimc/io/formats.h"
+#include "quasimc/io/input_files.h"
+
+namespace quasimc::fuzz {
+
+/// A folder that holds one small file of each format and nothing else, so that a fuzzer never
+/// reaches the disk.
+inline std::string read_small_file(const std::filesystem::path& path) {
+    constexpr std::string_view kPly =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+        "0 0 0 1 0 0 0 1 0 3 0 1 2\n";
+    const std::string name = path.filename().string();
+    if (name == "a.tri") {
+        return "0 0 0 1 0 0 0 1 0\n0 0 1 1 0 1 0 1 1\n";
+    }
+    if (name == "a.obj") {
+        return "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng b\nusemtl c\nf 1 2 3\n";
+    }
+    if (name == "a.mtl") {
+        return "newmtl c\nKd 0.1 0.2 0.3\n";
+    }
+    if (name == "a.ply") {
+        return std::string(kPly);
+    }
+    throw InputError({{path.string(), "can't be read", "", ""}});
+}
+
+/// Gives bytes to the reader of a format.
+inline void read_geometry_bytes(
+    std::string_view format, const std::uint8_t* data, std::size_t size) {
+    const std::string bytes(data, data + size);
+    Reporter reporter{"file", {}, {}};
+    InputFiles files("/fuzz", read_small_file);
+    FormatContext context{reporter, files, ""};
+    static_cast<void>(find_format(format)->read(bytes, context));
+}
+
+}  // namespace quasimc::fuzz

@@ -1,0 +1,7 @@
+#include <iostream>
+
+#include <quasimc/quasimc.h>
+
+int main() {
+    std::cout << quasimc::version() << '\n';
+}

@@ -1,0 +1,164 @@
+// The same bits on any number of threads. A light that is slow at first makes whoever draws the
+// first block late, so that blocks end in another order than they began.
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "invariance/plot.h"
+
+namespace quasimc::test {
+namespace {
+
+/// Waits once.
+class FirstCallWaits {
+  public:
+    void wait() const {
+        if (!done_.exchange(true)) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        }
+    }
+
+  private:
+    mutable std::atomic<bool> done_{false};
+};
+
+class SlowEmitter final : public Emitter {
+  public:
+    explicit SlowEmitter(std::unique_ptr<Emitter> emitter) : emitter_(std::move(emitter)) {}
+    [[nodiscard]] double flux() const override { return emitter_->flux(); }
+    [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
+        first_.wait();
+        return emitter_->emit(u);
+    }
+    [[nodiscard]] std::optional<Vec3> beam_direction() const override {
+        return emitter_->beam_direction();
+    }
+    void beam_origins(
+        std::span<const double> u0,
+        std::span<const double> u1,
+        std::span<Vec3> origins) const override {
+        first_.wait();
+        emitter_->beam_origins(u0, u1, origins);
+    }
+
+  private:
+    std::unique_ptr<Emitter> emitter_;
+    FirstCallWaits first_;
+};
+
+/// A source that takes its time at the first path.
+class SlowSource final : public Source {
+  public:
+    explicit SlowSource(std::shared_ptr<const Source> source)
+        : Source(source->name(), {source->spectrum().begin(), source->spectrum().end()}),
+          source_(std::move(source)) {}
+    [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
+        return std::make_unique<SlowEmitter>(source_->make_emitter(aperture));
+    }
+    [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
+        first_.wait();
+        return source_->illuminate(point, u0, u1);
+    }
+    [[nodiscard]] double radiance(const Vec3& to_light) const override {
+        return source_->radiance(to_light);
+    }
+    [[nodiscard]] bool is_directional() const override { return source_->is_directional(); }
+    [[nodiscard]] double horizontal_irradiance() const override {
+        return source_->horizontal_irradiance();
+    }
+
+  private:
+    std::shared_ptr<const Source> source_;
+    FirstCallWaits first_;
+};
+
+Sources slow(const Sources& sources) {
+    Sources out;
+    for (const auto& source : sources) {
+        out.push_back(std::make_shared<SlowSource>(source));
+    }
+    return out;
+}
+
+class Threads : public BothWays {
+  protected:
+    /// Runs that differ in nothing but threads.
+    void expect_the_same_bits(const Scene& scene, const Sources& sources, RunSpec spec) const {
+        spec.trace_from = GetParam();
+        spec.replicates = 3;
+        spec.threads = 1;
+        const Result alone = run(scene, sources, spec);
+        for (const unsigned threads : {2U, 7U}) {
+            spec.threads = threads;
+            EXPECT_TRUE(have_the_same_bits(alone, run(scene, slow(sources), spec))) << threads;
+        }
+    }
+};
+
+constexpr std::uint64_t kPaths = 1U << 15U;  // several blocks
+
+TEST_P(Threads, DoNotChangeABitOfAResult) {
+    RunSpec spec;
+    spec.paths = kPaths;
+    spec.ratios = {"b0:b1"};
+    expect_the_same_bits(make_plot({}), plot_sources({}), spec);
+}
+
+TEST_P(Threads, DoNotChangeABitUnderASingleSun) {
+    RunSpec spec;
+    spec.paths = kPaths;
+    expect_the_same_bits(make_plot({}), {plot_sources({})[0]}, spec);
+}
+
+TEST_P(Threads, DoNotChangeABitInAPeriodicCell) {
+    RunSpec spec;
+    spec.paths = kPaths;
+    expect_the_same_bits(make_plot({.periodic = true}), plot_sources({}), spec);
+}
+
+TEST_P(Threads, DoNotChangeABitWhenTheyShareOneTally) {
+    RunSpec spec;
+    spec.paths = kPaths;
+    spec.tally_memory_mb = 0;
+    expect_the_same_bits(make_plot({}), plot_sources({}), spec);
+}
+
+TEST_P(Threads, DoNotChangeABitOfARunThatStopsAtATarget) {
+    RunSpec spec;
+    spec.paths = 1U << 12U;
+    spec.target_error = .05;
+    spec.target_fraction = .8;
+    const Scene scene = make_plot({});
+    expect_the_same_bits(scene, plot_sources({}), spec);
+    spec.trace_from = GetParam();
+    spec.replicates = 3;
+    EXPECT_GT(run(scene, plot_sources({}), spec).paths, spec.paths) << "one round proves nothing";
+}
+
+TEST_P(Threads, PrivateAndSharedTalliesHoldTheSame) {
+    RunSpec spec = spec_of(GetParam(), kPaths);
+    spec.replicates = 2;
+    const Scene scene = make_plot({});
+    const Result privately = run(scene, plot_sources({}), spec);
+    spec.tally_memory_mb = 0;
+    EXPECT_TRUE(have_the_same_bits(privately, run(scene, plot_sources({}), spec)));
+}
+
+/// A control: the comparison sees the smallest change.
+TEST(SameBits, AreNotFoundInRunsOfDifferentSeeds) {
+    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    const Scene scene = make_plot({});
+    const Result a = run(scene, plot_sources({}), spec);
+    Result b = a;
+    EXPECT_TRUE(have_the_same_bits(a, b));
+    b.values.back().mean = std::nextafter(b.values.back().mean, 1e9);
+    EXPECT_FALSE(have_the_same_bits(a, b));
+    spec.seed = 2;
+    EXPECT_FALSE(have_the_same_bits(a, run(scene, plot_sources({}), spec)));
+}
+
+QUASIMC_BOTH_WAYS(Threads);
+
+}  // namespace
+}  // namespace quasimc::test

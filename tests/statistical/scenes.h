@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/triangle.h"
+#include "quasimc/optics/material.h"
+#include "quasimc/scene/scene_builder.h"
+#include "quasimc/tracing/run.h"
+#include "support/statistics.h"
+
+// What the tests of whole runs have in common: short words for scenes, sources and runs.
+
+namespace quasimc::test {
+
+/// Independent randomizations of a run: Student's t at the level of one test (1e-6) is 6.0.
+inline constexpr std::uint32_t kReplicates = 32;
+
+/// The same on both sides and in all bands.
+[[nodiscard]] MaterialSpec matt(std::string name, double rho, double tau, std::size_t bands = 1);
+/// Light passes straight on, less what it loses.
+[[nodiscard]] MaterialSpec net(std::string name, const std::vector<double>& tau);
+/// Light passes as if nothing were there, and is counted.
+[[nodiscard]] MaterialSpec sensor(std::string name, std::size_t bands = 1);
+
+/// An organ of one material.
+[[nodiscard]] OrganSpec organ(
+    std::string name, std::string material, std::vector<Triangle> triangles);
+
+/// A horizontal ground at height 0.
+[[nodiscard]] GroundSpec ground(std::string material);
+
+/// A builder of a scene with bands "b0", "b1", ...
+[[nodiscard]] SceneBuilder make_builder(std::size_t bands = 1);
+
+/// The horizontal rectangle [x0, x1] x [y0, y1] at height z, upper side up.
+[[nodiscard]] std::vector<Triangle> floor_of(double x0, double x1, double y0, double y1, double z);
+
+/// The same triangles, upper side down.
+[[nodiscard]] std::vector<Triangle> turned_over(std::vector<Triangle> triangles);
+
+/// A sun at a zenith angle, west of the scene: its light travels towards +x. Irradiance per band on
+/// the plane that faces it.
+[[nodiscard]] std::shared_ptr<const Source> sun(
+    double zenith_deg, const std::vector<double>& facing);
+/// A uniform sky; irradiance per band on the horizontal.
+[[nodiscard]] std::shared_ptr<const Source> sky(const std::vector<double>& horizontal);
+
+/// A run in one thread with `paths` points in each of kReplicates replicates.
+[[nodiscard]] RunSpec spec_of(TraceFrom from, std::uint64_t paths);
+
+/// A claim of a test about one number.
+struct Claim {
+    std::string what;  ///< names the line in docs/validation
+    double expected = 0;
+    double resolution = 0;  ///< the largest half-width of the interval at the test's level
+    unsigned family = 1;    ///< claims that share the level of one test (Sidak)
+};
+
+/// Whether a measurement bears the claim out, as `agrees` has it; notes both for docs/validation.
+///
+/// The standard error counts as at least 1e-6 of the expected value: triangles are traced in single
+/// precision, and the window of a beam is larger than the scene by 2^-20, so that a few paths in a
+/// million miss what seems to be certain.
+[[nodiscard]] ::testing::AssertionResult holds(const Claim& claim, Measured m);
+[[nodiscard]] ::testing::AssertionResult holds(const Claim& claim, const Estimate& estimate);
+
+/// Tests that are run in both directions of tracing.
+class BothWays : public ::testing::TestWithParam<TraceFrom> {
+  protected:
+    [[nodiscard]] bool from_sources() const { return GetParam() == TraceFrom::sources; }
+    [[nodiscard]] Result trace(
+        const Scene& scene, const Sources& sources, std::uint64_t paths) const {
+        return run(scene, sources, spec_of(GetParam(), paths));
+    }
+};
+
+/// "FromSources" or "FromOrgans".
+[[nodiscard]] std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info);
+
+}  // namespace quasimc::test
+
+/// Runs the tests of a suite of BothWays in both directions.
+#define QUASIMC_BOTH_WAYS(suite)                                                        \
+    INSTANTIATE_TEST_SUITE_P(                                                           \
+        BothWays, suite,                                                                \
+        ::testing::Values(::quasimc::TraceFrom::sources, ::quasimc::TraceFrom::organs), \
+        ::quasimc::test::name_of)

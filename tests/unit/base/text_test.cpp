@@ -1,0 +1,93 @@
+#include "quasimc/base/text.h"
+
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace quasimc {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+constexpr std::array<std::string_view, 4> kModels{"lambertian", "phong", "blinn_phong", "mirror"};
+
+TEST(NearestWord, FindsAWordWithOneSlip) {
+    EXPECT_EQ(nearest_word("lambertan", kModels), "lambertian");    // a letter left out
+    EXPECT_EQ(nearest_word("lambertiann", kModels), "lambertian");  // one too many
+    EXPECT_EQ(nearest_word("lambartian", kModels), "lambertian");   // a wrong one
+    EXPECT_EQ(nearest_word("lamberitan", kModels), "lambertian");   // two exchanged
+    EXPECT_EQ(nearest_word("mirorr", kModels), "mirror");
+}
+
+TEST(NearestWord, LooksPastCase) {
+    EXPECT_EQ(nearest_word("MIRROR", kModels), "mirror");
+    EXPECT_EQ(nearest_word("par", Words{"PAR", "NIR"}), "PAR");
+}
+
+TEST(NearestWord, FindsTheNearestOfSeveral) {
+    EXPECT_EQ(nearest_word("leaf_c", Words{"leaf_ab", "leaf_b", "stem"}), "leaf_b");
+    EXPECT_EQ(nearest_word("leafs", Words{"leaves", "leaf"}), "leaf");
+}
+
+TEST(NearestWord, IsEmptyWhenNoneIsNear) {
+    EXPECT_EQ(nearest_word("chlorophyll", kModels), "");
+    EXPECT_EQ(nearest_word("", kModels), "");
+    EXPECT_EQ(nearest_word("mirror", Words{}), "");
+}
+
+TEST(NearestWord, DoesNotChangeEveryLetterOfAShortWord) {
+    EXPECT_EQ(nearest_word("xy", Words{"ab"}), "");
+    EXPECT_EQ(nearest_word("x", Words{"b"}), "");
+}
+
+TEST(NearestWord, GivesUpOnTextThatIsNoWord) {
+    EXPECT_EQ(nearest_word(std::string(100000, 'a'), Words{"aaa"}), "");
+}
+
+TEST(DidYouMean, NamesTheNearestWord) {
+    EXPECT_EQ(did_you_mean("miror", kModels), "did you mean 'mirror'?");
+}
+
+TEST(DidYouMean, ListsAllWordsWhenNoneIsNear) {
+    EXPECT_EQ(did_you_mean("glossy", kModels), "use one of lambertian, phong, blinn_phong, mirror");
+}
+
+TEST(DidYouMean, IsSilentWithoutCandidates) {
+    EXPECT_EQ(did_you_mean("glossy", Words{}), "");
+}
+
+TEST(Shortest, IsAsPeopleWriteNumbers) {
+    EXPECT_EQ(shortest(0.1), "0.1");
+    EXPECT_EQ(shortest(1e-5), "1e-05");
+    EXPECT_EQ(shortest(-3), "-3");
+    EXPECT_EQ(shortest(0.1 + 0.2), "0.30000000000000004");
+    EXPECT_EQ(shortest(std::numeric_limits<double>::quiet_NaN()), "nan");
+    EXPECT_EQ(shortest(-std::numeric_limits<double>::infinity()), "-inf");
+}
+
+RC_GTEST_PROP(Shortest, ReadsBackAsTheSameNumber, (double value)) {
+    RC_ASSERT(std::strtod(shortest(value).c_str(), nullptr) == value);
+}
+
+TEST(Trimmed, TakesBlanksFromBothEndsOnly) {
+    EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
+    EXPECT_EQ(trimmed("ab"), "ab");
+    EXPECT_EQ(trimmed(" \n "), "");
+    EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(Trimmed, LeavesBytesBeyondAsciiAlone) {
+    EXPECT_EQ(trimmed(" \xC3\xA9 "), "\xC3\xA9");
+}
+
+TEST(Joined, PutsTheSeparatorBetweenItems) {
+    EXPECT_EQ(joined(Words{"a", "b", "c"}, ", "), "a, b, c");
+    EXPECT_EQ(joined(Words{"a"}, ", "), "a");
+    EXPECT_EQ(joined(Words{}, ", "), "");
+}
+
+}  // namespace
+}  // namespace quasimc

@@ -1,0 +1,94 @@
+#include "quasimc/geometry/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "geometry_testing.h"
+#include "quasimc/geometry/shapes.h"
+
+namespace quasimc {
+
+namespace {
+
+using test::Random;
+
+double reach(const std::vector<Vec3>& points, const Vec3& direction) {
+    double furthest = -INFINITY;
+    for (const Vec3& p : points) {
+        furthest = std::max(furthest, dot(p, direction));
+    }
+    return furthest;
+}
+
+std::vector<Vec3> vertices(const LocalMesh& mesh) {
+    std::vector<Vec3> points;
+    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            points.push_back(mesh.vertex(i, corner));
+        }
+    }
+    return points;
+}
+
+/// Whether the outline reaches as far as the mesh in every direction.
+::testing::AssertionResult reaches_as_far(
+    const std::vector<Vec3>& outline, const LocalMesh& mesh, Random& random) {
+    const auto all = vertices(mesh);
+    for (int i = 0; i < 200; ++i) {
+        Vec3 d = random.direction();
+        d = i < 3 ? Vec3{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0} : d;
+        if (reach(outline, d) != reach(all, d)) {
+            return ::testing::AssertionFailure() << "along " << d.x << " " << d.y << " " << d.z;
+        }
+    }
+    return ::testing::AssertionSuccess();
+}
+
+TEST(OutlinePoints, ReachAsFarAsTheMesh) {
+    Random random(71);
+    for (const std::size_t count : {1U, 2U, 10U, 1000U, 20000U}) {
+        for (const double size : {0.01, 0.3}) {
+            const LocalMesh mesh = make_local_mesh(test::random_soup(count, size, random));
+            EXPECT_TRUE(reaches_as_far(outline_points(mesh), mesh, random)) << count;
+        }
+    }
+}
+
+TEST(OutlinePoints, OfRoundAndOfFlatScenesReachAsFarAsTheMesh) {
+    Random random(72);
+    const LocalMesh round = make_local_mesh(make_sphere({1, 2, 3}, 2, 4));
+    EXPECT_TRUE(reaches_as_far(outline_points(round), round, random));
+    auto flat = test::random_soup(2000, 0.02, random);
+    for (Triangle& t : flat) {
+        for (Vec3& corner : t) {
+            corner.z = 5;
+        }
+    }
+    const LocalMesh mesh = make_local_mesh(flat);
+    const auto outline = outline_points(mesh);
+    EXPECT_TRUE(reaches_as_far(outline, mesh, random));
+    EXPECT_LT(outline.size(), 2000U);
+}
+
+TEST(OutlinePoints, AreFewOfALargeScene) {
+    Random random(73);
+    const LocalMesh mesh = make_local_mesh(test::random_soup(100000, 0.01, random));
+    EXPECT_LT(outline_points(mesh).size(), 75000U);  // of 300000
+}
+
+TEST(OutlinePoints, ComparisonOfReachNoticesAMissingCorner) {
+    Random random(74);
+    const LocalMesh mesh = make_local_mesh(test::random_soup(100, 0.1, random));
+    auto outline = outline_points(mesh);
+    const auto furthest = std::max_element(
+        outline.begin(), outline.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+    outline.erase(furthest);
+    EXPECT_FALSE(reaches_as_far(outline, mesh, random));
+}
+
+}  // namespace
+
+}  // namespace quasimc

@@ -1,0 +1,122 @@
+#include "quasimc/io/formats.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "io_testing.h"
+#include "quasimc/io/line_scanner.h"
+
+namespace quasimc::test {
+namespace {
+
+/// Two materials, three organs (two of one name), up y, numbers with many digits, a ground.
+std::string scene_text() {
+    RunText text;
+    text.top = "bands = ['PAR']\nup = 'y'\n";
+    text.materials += "[[material]]\nname = 'soil'\nreflectance = 0.2\n";
+    text.organs =
+        "[[organ]]\nid = 5\nname = 'leaf'\nmaterial = 'leaf'\nshape = 'disk'\ncenter = [0.1, 2, "
+        "0.3]\n"
+        "normal = [0.3, 1, 0.2]\nradius = 0.7\n"
+        "[[organ]]\nid = 3\nname = 'leaf'\nmaterial = 'soil'\nshape = 'triangle'\n"
+        "corners = [[0, 1, 0], [0, 1, 1e-7], [1e7, 1, 0]]\n";
+    text.rest = "[ground]\nmaterial = 'soil'\n";
+    return text.text();
+}
+
+std::string written(const FormatEntry& format, const Scene& scene) {
+    std::string bytes;
+    format.write(scene, [&](std::string_view piece) { bytes += piece; });
+    return bytes;
+}
+
+/// The same scene read back from a file, as "each", "groups" or "one".
+RunFile read_back(const FormatEntry& format, const std::string& bytes) {
+    RunText text;
+    text.top = "bands = ['PAR']\nup = 'y'\n";
+    text.materials += "[[material]]\nname = 'soil'\nreflectance = 0.2\n";
+    text.organs =
+        "[[geometry]]\nfile = 'a'\nmaterials = { '0' = 'leaf', '1' = 'soil' }\nmaterial = "
+        "'leaf'\nformat = '" +
+        std::string(format.name) + "'\n";
+    return read_text(text.text(), {{"a", bytes}});
+}
+
+TEST(Formats, EveryOneReadsBackTheTrianglesItWrote) {
+    const Scene scene = read_text(scene_text()).scene;
+    for (const FormatEntry& format : format_table()) {
+        const RunFile run = read_back(format, written(format, scene));
+        EXPECT_EQ(run.scene.triangles(), scene.triangles()) << format.name;
+    }
+}
+
+TEST(Formats, ThoseWithGroupsReadBackOrgansAndMaterials) {
+    const Scene scene = read_text(scene_text()).scene;
+    for (const FormatEntry& format : format_table()) {
+        if (format.organs != "groups") {
+            continue;
+        }
+        const Scene back = read_back(format, written(format, scene)).scene;
+        ASSERT_EQ(back.organs().size(), scene.organs().size()) << format.name;
+        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+            EXPECT_DOUBLE_EQ(back.organs()[i].area, scene.organs()[i].area) << format.name;
+            EXPECT_EQ(
+                back.material(back.elements()[i]).name(),
+                scene.material(scene.elements()[i]).name())
+                << format.name;
+        }
+    }
+}
+
+TEST(Formats, PlyKeepsIds) {
+    const Scene scene = read_text(scene_text()).scene;
+    const Scene back = read_back(*find_format("ply"), written(*find_format("ply"), scene)).scene;
+    EXPECT_EQ(back.organs()[0].id, 5);
+    EXPECT_EQ(back.organs()[1].id, 3);
+}
+
+TEST(Formats, AreToldByTheExtensionWhateverItsCase) {
+    EXPECT_EQ(format_of_path("a/b.OBJ")->name, "obj");
+    EXPECT_EQ(format_of_path("a.b.tri")->name, "tri");
+    EXPECT_EQ(format_of_path("a.stl"), nullptr);
+    EXPECT_EQ(format_of_path("obj"), nullptr);
+    EXPECT_EQ(format_of_path("a."), nullptr);
+}
+
+TEST(Formats, HaveNamesAndExtensionsOfTheirOwn) {
+    std::set<std::string_view> names, extensions;
+    for (const FormatEntry& format : format_table()) {
+        EXPECT_TRUE(names.insert(format.name).second);
+        EXPECT_EQ(find_format(format.name), &format);
+        std::string_view rest = format.extensions;
+        for (std::string_view e = take_word(rest); !e.empty(); e = take_word(rest)) {
+            EXPECT_TRUE(extensions.insert(e).second) << e;
+        }
+    }
+}
+
+TEST(LineScanner, TakesLinesWithAndWithoutCarriageReturns) {
+    LineScanner scanner(
+        "\xEF\xBB\xBF"
+        "a\r\n\nb");
+    ASSERT_TRUE(scanner.next());
+    EXPECT_EQ(scanner.line(), "a");
+    ASSERT_TRUE(scanner.next());
+    EXPECT_EQ(scanner.line(), "");
+    ASSERT_TRUE(scanner.next());
+    EXPECT_EQ(scanner.line(), "b");
+    EXPECT_EQ(scanner.number(), 3U);
+    EXPECT_FALSE(scanner.next());
+}
+
+TEST(IsUtf8, TellsTextFromBytes) {
+    EXPECT_TRUE(is_utf8("leaf"));
+    EXPECT_TRUE(is_utf8("Bl\xC3\xA4tter \xE2\x82\xAC \xF0\x9F\x8C\xBF"));
+    for (const char* bytes : {"Bl\xE4tter", "\xC3", "\xC0\x80", "\xF5\x80\x80\x80", "\x80"}) {
+        EXPECT_FALSE(is_utf8(bytes));
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,55 @@
+#include "quasimc/io/input_files.h"
+
+#include <gtest/gtest.h>
+
+#include "quasimc/base/input_error.h"
+#include "quasimc/io/sha256.h"
+#include "support/temporary_folder.h"
+
+namespace quasimc::test {
+namespace {
+
+TEST(Sha256, HasTheValueOfTheStandard) {
+    // FIPS 180-4, example "abc"
+    EXPECT_EQ(
+        sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Sha256, TakesBytesInPieces) {
+    Sha256 digest;
+    digest.add("a");
+    digest.add("");
+    digest.add("bc");
+    EXPECT_EQ(digest.hex(), sha256_hex("abc"));
+}
+
+class InputFilesTest : public FolderTest {};
+
+TEST_F(InputFilesTest, ReadsPathsFromItsFolderAndNotesEachFileOnce) {
+    folder_.write("sub/a.tri", "abc");
+    InputFiles files(folder_.path());
+    EXPECT_EQ(files.read("sub/a.tri"), "abc");
+    EXPECT_EQ(files.read("sub/../sub/a.tri"), "abc");
+    ASSERT_EQ(files.files().size(), 1U);
+    EXPECT_EQ(files.files()[0].path, "sub/a.tri");
+    EXPECT_EQ(files.files()[0].resolved, (folder_.path() / "sub/a.tri").string());
+    EXPECT_EQ(files.files()[0].sha256, sha256_hex("abc"));
+}
+
+TEST_F(InputFilesTest, ReadsAbsolutePathsAndBytesAsTheyAre) {
+    const std::string bytes("\0\r\n\xff", 4);
+    const std::string path = folder_.write("b", bytes).string();
+    InputFiles files("/nowhere");
+    EXPECT_EQ(files.read(path), bytes);
+}
+
+TEST_F(InputFilesTest, RefusesWhatIsNoFile) {
+    InputFiles files(folder_.path());
+    for (const char* path : {"", "none", ".", "/dev/zero", "none/none"}) {
+        EXPECT_THROW(static_cast<void>(files.read(path)), InputError) << path;
+    }
+    EXPECT_TRUE(files.files().empty());
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,114 @@
+#include "quasimc/io/read_result.h"
+
+#include <gtest/gtest.h>
+
+#include "io_testing.h"
+#include "quasimc/base/input_error.h"
+#include "quasimc/io/options.h"
+#include "quasimc/io/write_result.h"
+#include "quasimc/tracing/run.h"
+#include "support/temporary_folder.h"
+
+namespace quasimc::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run of two leaves from a file, done.
+class StoredRunTest : public FolderTest {
+  protected:
+    void SetUp() override {
+        RunText text;
+        text.run = "[run]\npaths = 256\nreplicates = 3\nseed = 11\n";
+        text.organs = "[[geometry]]\nfile = 'leaves.tri'\nmaterial = 'leaf'\n";
+        text.rest = "[output]\ncsv = 'a.csv'\n";
+        folder_.write("here/run.toml", text.text());
+        folder_.write("here/leaves.tri", "0 0 0 1 0 0 0 1 0\n0.2 0 1 1 0 1.3 0 1 1\n");
+        const RunFile run = read_run_file((folder_.path() / "here/run.toml").string());
+        std::string json;
+        digest_ = write_json(
+            run, quasimc::run(run.scene, run.sources, run.spec),
+            [&](std::string_view piece) { json += piece; });
+        result_ = folder_.write("here/a.json", json);
+    }
+
+    [[nodiscard]] std::string faults(const fs::path& path) const {
+        try {
+            static_cast<void>(read_result_file(path.string()));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    fs::path result_;
+    std::string digest_;
+};
+
+TEST_F(StoredRunTest, GivesTheSameNumbersAgain) {
+    const StoredRun stored = read_result_file(result_.string());
+    EXPECT_EQ(stored.organs_sha256, digest_);
+    const Result again = quasimc::run(stored.run.scene, stored.run.sources, stored.run.spec);
+    EXPECT_EQ(digest_of_organs(stored.run, again), digest_);
+}
+
+TEST_F(StoredRunTest, KeepsOptionsAndForgetsOutputs) {
+    const StoredRun stored = read_result_file(result_.string());
+    EXPECT_EQ(stored.run.spec.paths, 256U);
+    EXPECT_EQ(stored.run.spec.seed, 11U);
+    EXPECT_FALSE(stored.run.output.csv);
+    EXPECT_EQ(stored.run.inputs.size(), 2U);
+}
+
+TEST_F(StoredRunTest, OptionsFromOutsideGoBeforeIt) {
+    EXPECT_EQ(read_result_file(result_.string(), {{"seed", "12", "--seed"}}).run.spec.seed, 12U);
+}
+
+TEST_F(StoredRunTest, FindsItsInputsBesideItOrWhereTheyWere) {
+    fs::create_directory(folder_.path() / "there");
+    fs::rename(result_, folder_.path() / "there/a.json");
+    EXPECT_EQ(faults(folder_.path() / "there/a.json"), "");
+    fs::rename(folder_.path() / "here", folder_.path() / "gone");
+    EXPECT_NE(faults(folder_.path() / "there/a.json").find("can't be read"), std::string::npos);
+    fs::copy(folder_.path() / "gone/leaves.tri", folder_.path() / "there/leaves.tri");
+    EXPECT_EQ(faults(folder_.path() / "there/a.json"), "");
+}
+
+TEST_F(StoredRunTest, RefusesAnInputThatHasChanged) {
+    folder_.write("here/leaves.tri", "0 0 0 1 0 0 0 1 0\n");
+    const std::string text = faults(result_);
+    EXPECT_NE(text.find("leaves.tri"), std::string::npos) << text;
+    EXPECT_NE(text.find("changed"), std::string::npos) << text;
+}
+
+TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
+    const auto faults_of_text = [&](const std::string& text) {
+        return faults(folder_.write("b.json", text));
+    };
+    EXPECT_NE(faults_of_text("").find("not JSON"), std::string::npos);
+    EXPECT_NE(faults_of_text("{ \"format\": ").find("not JSON"), std::string::npos);
+    EXPECT_NE(faults_of_text("[]").find("is no result of QuasiMC"), std::string::npos);
+    EXPECT_NE(faults_of_text("{}").find("is no result of QuasiMC"), std::string::npos);
+    EXPECT_NE(
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})")
+            .find("format_version"),
+        std::string::npos);
+    EXPECT_NE(
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 1})").find("holds no run"),
+        std::string::npos);
+    EXPECT_NE(
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 1, "run": {"a": null}})")
+            .find("unknown key 'a'"),
+        std::string::npos);
+    const std::string json = folder_.read("here/a.json");
+    EXPECT_NE(faults_of_text(json.substr(0, json.size() / 2)).find("not JSON"), std::string::npos);
+}
+
+TEST_F(StoredRunTest, RefusesDeepNesting) {
+    std::string text = R"({"format": "quasimc-result", "format_version": 1, "run": {"a": )";
+    text += std::string(100000, '[') + std::string(100000, ']') + "}}";
+    EXPECT_NE(faults(folder_.write("b.json", text)).find("nested too deeply"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,328 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "io_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+RunText with_organ(const std::string& keys) {
+    RunText text;
+    text.organs = "[[organ]]\nmaterial = 'leaf'\n" + keys;
+    return text;
+}
+
+struct GoodShape {
+    std::string keys;
+    double area;
+    double tolerance;
+};
+
+std::string flat_patch() {
+    std::string text = "patches = [[";
+    for (int i = 0; i < 16; ++i) {
+        text += "[" + std::to_string(i / 4) + ", " + std::to_string(i % 4) + ", 1], ";
+    }
+    return text + "]]\n";
+}
+
+TEST(OrganKeys, EveryShapeHasItsArea) {
+    const double pi = std::numbers::pi;
+    const std::vector<GoodShape> table{
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n", 2, 1e-12},
+        {"shape = 'parallelogram'\ncorner = [0, 0, 1]\nedge_a = [2, 0, 0]\nedge_b = [1, 3, 0]\n", 6,
+         1e-12},
+        {"shape = 'rhombus'\nbase = [0, 0, 1]\nlength = [4, 0, 0]\nup = [0, 0, 1]\nwidth = 1\n", 2,
+         1e-12},
+        {"shape = 'polygon'\ncorners = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [1, 0.5, 1], [0, 2, 1]]\n",
+         2.5, 1e-12},
+        {"shape = 'bezier'\n" + flat_patch(), 9, 1e-9},
+        {"shape = 'bezier'\nflatness = 0.01\n" + flat_patch(), 9, 1e-9},
+        {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 0.5\n", 2 * pi, 1e-9},
+        {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 0.5\nsides = "
+         "500\ncapped = true\n",
+         2.5 * pi, 1e-3},
+        {"shape = 'disk'\ncenter = [0, 0, 1]\nnormal = [0, 0, 1]\nradius = 2\nsides = 5\n", 4 * pi,
+         1e-9},
+        {"shape = 'sphere'\ncenter = [0, 0, 1]\nradius = 0.5\nlevels = 2\n", pi, 1e-9},
+        {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]\nfaces = [[0, 1, "
+         "2, 3]]\n",
+         4, 1e-12},
+    };
+    for (const GoodShape& good : table) {
+        const RunFile run = read_text(with_organ(good.keys).text());
+        EXPECT_NEAR(run.scene.organs()[0].area, good.area, good.tolerance) << good.keys;
+    }
+}
+
+TEST(OrganKeys, IdNameAndLabelsComeBack) {
+    const RunFile run =
+        read_text(with_organ("id = -7\nname = 'tip'\nlabels = { plant = 3, kind = 'leaf' }\n"
+                             "shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n")
+                      .text());
+    const Organ& organ = run.scene.organs()[0];
+    EXPECT_EQ(organ.id, -7);
+    EXPECT_EQ(organ.name, "tip");
+    EXPECT_EQ(organ.labels, (Labels{{"plant", "3"}, {"kind", "leaf"}}));
+}
+
+TEST(OrganKeys, TransformScalesThenTurnsThenMoves) {
+    const RunFile run =
+        read_text(with_organ("shape = 'triangle'\ncorners = [[1, 0, 0], [2, 0, 0], [1, 1, 0]]\n"
+                             "transform = { translate = [10, 20, 30], scale = 2, rotate = { axis = "
+                             "[0, 0, 5], angle_deg = 90 } }\n")
+                      .text());
+    const Triangle& t = run.scene.triangles()[0];
+    EXPECT_NEAR(t[0].x, 10, 1e-12);
+    EXPECT_NEAR(t[0].y, 22, 1e-12);
+    EXPECT_NEAR(t[0].z, 30, 1e-12);
+    EXPECT_NEAR(t[1].y, 24, 1e-12);
+    EXPECT_NEAR(t[2].x, 8, 1e-12);
+}
+
+TEST(OrganKeys, AYUpFileIsTurnedUpright) {
+    RunText text = with_organ("shape = 'triangle'\ncorners = [[0, 5, 0], [0, 5, 1], [1, 5, 0]]\n");
+    text.top += "up = 'y'\n";
+    const Scene scene = read_text(text.text()).scene;
+    EXPECT_EQ(scene.triangles()[0][0], (Vec3{0, 0, 5}));
+    EXPECT_GT(area_vector(scene.triangles()[0]).z, 0);
+}
+
+struct BadOrgan {
+    std::string keys, problem;
+};
+
+TEST(OrganKeys, RefuseWhatIsWrong) {
+    const std::string triangle =
+        "shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n";
+    const std::string cylinder = "shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\n";
+    const std::vector<BadOrgan> table{
+        {"", "shape is missing"},
+        {"shape = 'cube'\n", "shape is 'cube'"},
+        {"shape = 'triangel'\n", "did you mean 'triangle'?"},
+        {"shape = 'triangle'\n", "corners is missing"},
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1]]\n", "2 corners"},
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2]]\n",
+         "corners[2] is a list of 2"},
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, nan]]\n",
+         "corners[2] is nan"},
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, '3']]\n",
+         "corners[2] is a text"},
+        {"shape = 'triangle'\ncorners = 3\n", "corners is an integer"},
+        {"shape = 'triangle'\ncorners = [[0, 0, 1], [1e300, 1, 1], [2, 2, 1]]\n", "organ"},
+        {triangle + "radius = 3\n", "unknown key 'radius'"},
+        {triangle + "id = 1.5\n", "id is a number"},
+        {triangle + "name = 3\n", "name is an integer"},
+        {triangle + "labels = 'leaf'\n", "labels is a text"},
+        {triangle + "labels = { plant = 1.5 }\n", "label plant is a number"},
+        {triangle + "transform = { scale = 0 }\n", "scale is 0"},
+        {triangle + "transform = { scale = -1 }\n", "scale is -1"},
+        {triangle + "transform = { rotate = { axis = [0, 0, 0], angle_deg = 3 } }\n",
+         "axis is [0, 0, 0]"},
+        {triangle + "transform = { rotate = { axis = [0, 0, 1] } }\n", "angle_deg is missing"},
+        {triangle + "transform = { move = [0, 0, 1] }\n", "unknown key 'move'"},
+        {triangle + "transform = 3\n", "transform: is an integer"},
+        {"shape = 'polygon'\ncorners = [[0, 0, 1], [2, 0, 1]]\n",
+         "2 corners (a polygon has 3 to 1024)"},
+        {"shape = 'rhombus'\nbase = [0, 0, 1]\nlength = [4, 0, 0]\nup = [1, 0, 0]\nwidth = 1\n",
+         "up points along length"},
+        {"shape = 'rhombus'\nbase = [0, 0, 1]\nlength = [4, 0, 0]\nup = [0, 0, 1]\nwidth = 0\n",
+         "width is 0"},
+        {"shape = 'bezier'\n", "patches is missing"},
+        {"shape = 'bezier'\npatches = [[[0, 0, 0]]]\n", "patches[0] has 1 points"},
+        {"shape = 'bezier'\npatches = [3]\n", "patches[0] is an integer"},
+        {"shape = 'bezier'\nflatness = 0\n" + flat_patch(), "flatness is 0"},
+        {cylinder, "radius is missing"},
+        {cylinder + "radius = -1\n", "radius is -1"},
+        {cylinder + "radius = 1\nsides = 2\n", "sides is 2"},
+        {cylinder + "radius = 1\nsides = 1000000000\n", "sides is 1000000000"},
+        {cylinder + "radius = 1\ncapped = 1\n", "capped is an integer"},
+        {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 0]\nradius = 1\n",
+         "axis is [0, 0, 0]"},
+        {"shape = 'disk'\ncenter = [0, 0, 0]\nnormal = [0, 0, 0]\nradius = 1\n",
+         "normal is [0, 0, 0]"},
+        {"shape = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nlevels = 50\n", "levels is 50"},
+        {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = []\n",
+         "faces is missing or no list"},
+        {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1]]\n",
+         "faces[0]"},
+        {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1, 3]]\n",
+         "names a vertex that does not exist"},
+        {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1, -1]]\n",
+         "names a vertex"},
+    };
+    for (const BadOrgan& bad : table) {
+        const auto faults = faults_of(with_organ(bad.keys).text());
+        EXPECT_TRUE(mentions(faults, bad.problem)) << bad.problem << "\n"
+                                                   << ::testing::PrintToString(faults);
+        EXPECT_EQ(faults.size(), 1U) << bad.problem << "\n" << ::testing::PrintToString(faults);
+    }
+}
+
+TEST(OrganKeys, RefuseTwoOrgansOfOneId) {
+    RunText text;
+    text.organs += "id = 4\n" + text.organs + "id = 4\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "4"));
+}
+
+RunText with_geometry(const std::string& keys) {
+    RunText text;
+    text.organs = "[[geometry]]\n" + keys;
+    return text;
+}
+
+const std::string kTwoTriangles = "0 0 0 1 0 0 0 1 0\n# comment\n0 0 1 1 0 1 0 1 1\n";
+
+TEST(GeometryKeys, EachTriangleIsAnOrgan) {
+    const RunFile run = read_text(
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\nname = 'leaf'\nfirst_id = 10\n"
+                      "labels = { kind = 'leaf' }\n")
+            .text(),
+        {{"a.tri", kTwoTriangles}});
+    ASSERT_EQ(run.scene.organs().size(), 2U);
+    EXPECT_EQ(run.scene.organs()[1].id, 11);
+    EXPECT_EQ(run.scene.organs()[1].name, "leaf 2");
+    EXPECT_EQ(run.scene.organs()[1].labels, (Labels{{"kind", "leaf"}}));
+}
+
+TEST(GeometryKeys, TheWholeFileMayBeOneOrgan) {
+    const RunFile run = read_text(
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\norgans = 'one'\nname = 'tree'\n"
+                      "transform = { scale = 2 }\n")
+            .text(),
+        {{"a.tri", kTwoTriangles}});
+    ASSERT_EQ(run.scene.organs().size(), 1U);
+    EXPECT_EQ(run.scene.organs()[0].name, "tree");
+    EXPECT_DOUBLE_EQ(run.scene.organs()[0].area, 4);
+}
+
+TEST(GeometryKeys, FaultsOfTheBuilderNameTheLineOfTheFile) {
+    const auto faults = faults_of(
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\n").text(),
+        {{"a.tri", "0 0 0 1 0 0 0 1 0\n\n0 0 0 1 0 0 2e40 0 0\n"}});
+    EXPECT_TRUE(mentions(faults, "a.tri:3")) << ::testing::PrintToString(faults);
+}
+
+TEST(GeometryKeys, FaultsOfTheFileNameItsLine) {
+    const auto faults = faults_of(
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\n").text(),
+        {{"a.tri", "0 0 0 1 0 0 0 1 0\n0 0 0 1 0 0 2\n"}});
+    EXPECT_EQ(
+        faults, (std::vector<std::string>{
+                    "a.tri:2: 7 numbers (a line holds nine numbers: x y z of three corners)"}));
+}
+
+const std::string kObj =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng one\nusemtl green\nf 1 2 3\ng two\nusemtl brown\nf "
+    "1 3 2\n";
+const std::string kMtl = "newmtl green\nKd 0.1 0.2 0.3\nnewmtl brown\nKd 0.3 0.2 0.1\n";
+
+TEST(GeometryKeys, GroupsAreOrgans) {
+    const RunFile run = read_text(
+        with_geometry(
+            "file = 'a.obj'\nname = 'tree'\nmaterials = { green = 'leaf', brown = 'leaf' }\n")
+            .text(),
+        {{"a.obj", kObj}, {"a.mtl", kMtl}});
+    ASSERT_EQ(run.scene.organs().size(), 2U);
+    EXPECT_EQ(run.scene.organs()[0].name, "tree one");
+    EXPECT_TRUE(run.warnings.empty() || run.warnings[0].text.find("Kd") == std::string::npos);
+}
+
+TEST(GeometryKeys, AMaterialOfTheRunGoesBeforeTheLibrary) {
+    RunText text = with_geometry("file = 'a.obj'\n");
+    text.materials +=
+        "[[material]]\nname = 'green'\nreflectance = 0.05\n[[material]]\nname = "
+        "'brown'\nreflectance = 0.5\n";
+    const RunFile run = read_text(text.text(), {{"a.obj", kObj}, {"a.mtl", kMtl}});
+    EXPECT_DOUBLE_EQ(run.scene.material(run.scene.elements()[0]).side(true).absorptance()[0], 0.95);
+}
+
+TEST(GeometryKeys, TheLibraryIsTheLastResortAndWarns) {
+    const RunFile run = read_text(
+        with_geometry("file = 'sub/a.obj'\n").text(), {{"sub/a.obj", kObj}, {"sub/a.mtl", kMtl}});
+    EXPECT_NEAR(
+        run.scene.material(run.scene.elements()[0]).side(true).absorptance()[0], 0.8, 1e-12);
+    std::vector<std::string> warnings;
+    for (const Warning& warning : run.warnings) {
+        warnings.push_back(warning.text);
+    }
+    EXPECT_TRUE(mentions(warnings, "its diffuse colour gives reflectance 0.2"));
+    EXPECT_EQ(run.inputs.size(), 2U);
+}
+
+TEST(GeometryKeys, TheMaterialKeyIsForWhatIsNotKnownAndWarns) {
+    const RunFile run = read_text(
+        with_geometry("file = 'a.obj'\nmaterial = 'leaf'\n").text(),
+        {{"a.obj", kObj}, {"a.mtl", kMtl}});
+    std::vector<std::string> warnings;
+    for (const Warning& warning : run.warnings) {
+        warnings.push_back(warning.text);
+    }
+    EXPECT_TRUE(
+        mentions(warnings, "material 'green' of a.obj is not in the run file; 'leaf' is used"));
+}
+
+TEST(GeometryKeys, RefuseWhatIsWrong) {
+    const FakeFiles files{
+        {"a.tri", kTwoTriangles},
+        {"b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\n"},
+        {"empty.tri", ""},
+        {"a.dat", kTwoTriangles}};
+    const std::vector<BadOrgan> table{
+        {"material = 'leaf'\n", "file is missing"},
+        {"file = 3\nmaterial = 'leaf'\n", "file is an integer"},
+        {"file = ''\nmaterial = 'leaf'\n", "file is empty"},
+        {"file = 'none.tri'\nmaterial = 'leaf'\n",
+         "file 'none.tri' can't be read (No such file or directory)"},
+        {"file = 'a.dat'\nmaterial = 'leaf'\n",
+         "the format of 'a.dat' can't be told from its name"},
+        {"file = 'a.tri'\nformat = 'stl'\nmaterial = 'leaf'\n", "format is 'stl'"},
+        {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
+        {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},
+        {"file = 'a.tri'\nmaterial = 3\n", "material is an integer"},
+        {"file = 'a.tri'\nmaterial = 'leaf'\norgans = 'all'\n", "organs is 'all'"},
+        {"file = 'a.tri'\nmaterial = 'leaf'\nfirst_id = 'a'\n", "first_id is a text"},
+        {"file = 'a.tri'\nmaterial = 'leaf'\nscale = 3\n", "unknown key 'scale'"},
+        {"file = 'empty.tri'\nmaterial = 'leaf'\n", "file 'empty.tri' holds no triangle"},
+        {"file = 'b.obj'\n", "material 'wood' of b.obj is not in the run file"},
+        {"file = 'b.obj'\nmaterials = 'leaf'\n", "materials is a text"},
+        {"file = 'b.obj'\nmaterials = { wood = 3 }\n", "materials.wood is an integer"},
+    };
+    for (const BadOrgan& bad : table) {
+        const auto faults = faults_of(with_geometry(bad.keys).text(), files);
+        EXPECT_TRUE(mentions(faults, bad.problem)) << bad.problem << "\n"
+                                                   << ::testing::PrintToString(faults);
+        EXPECT_EQ(faults.size(), 1U) << bad.problem << "\n" << ::testing::PrintToString(faults);
+    }
+}
+
+TEST(GroundAndCellKeys, RefuseWhatIsWrong) {
+    const std::vector<BadOrgan> table{
+        {"[ground]\n", "material is missing"},
+        {"[ground]\nmaterial = 'soil'\n", "soil"},
+        {"[ground]\nmaterial = 'leaf'\nheight = inf\n", "height is inf"},
+        {"[ground]\nmaterial = 'leaf'\nx = [0, 1]\n", "y is missing"},
+        {"[ground]\nmaterial = 'leaf'\nx = [1, 0]\ny = [0, 1]\n", "low must be less than high"},
+        {"[ground]\nmaterial = 'leaf'\nfile = 'x.tri'\n", "can't be read"},
+        {"[ground]\nmaterial = 'leaf'\nfile = 'x.tri'\nheight = 3\n", "unknown key 'height'"},
+        {"[cell]\n", "it repeats along no axis"},
+        {"[cell]\nx = [0, 0]\n", "low must be less than high"},
+        {"[cell]\nx = 3\n", "x is no pair of numbers"},
+        {"[cell]\nx = [0, nan]\n", "x is nan"},
+        {"[cell]\nz = [0, 1]\nx = [0, 1]\n", "unknown key 'z'"},
+        {"cell = 3\n", ""},
+    };
+    for (const BadOrgan& bad : table) {
+        RunText text;
+        text.rest = bad.keys;
+        const auto faults = faults_of(text.text());
+        EXPECT_TRUE(mentions(faults, bad.problem)) << bad.problem << "\n"
+                                                   << ::testing::PrintToString(faults);
+        EXPECT_FALSE(faults.empty()) << bad.keys;
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,174 @@
+#include "quasimc/io/write_result.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "io_testing.h"
+#include "quasimc/io/line_scanner.h"
+#include "quasimc/io/units.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Two organs with names that need care, two bands, one ratio.
+RunFile small_run() {
+    RunText text;
+    text.top = "title = \"a,\\nb\"\nbands = ['R', 'FR']\nlength_unit = 'cm'\n";
+    text.run = "[run]\nratios = ['R:FR']\n";
+    text.organs =
+        "[[organ]]\nname = 'a \"b\", #c'\nlabels = { plant = 1, area = 'x' }\nmaterial = "
+        "'leaf'\nshape = 'triangle'\n"
+        "corners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n"
+        "[[organ]]\nname = 'd'\nlabels = { kind = 'leaf' }\nmaterial = 'leaf'\nshape = 'triangle'\n"
+        "corners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n";
+    return read_text(text.text());
+}
+
+/// Estimate i is i with error i / 10; organ 1 was never hit.
+Result small_result() {
+    Result result;
+    result.bands = 2;
+    result.ratios = 1;
+    for (int i = 0; i < 24; ++i) {
+        const double x = i;
+        result.values.push_back(
+            i < 12 ? Estimate{x, x / 10, x - 1, x + 1} : Estimate{0, kNan, 0, 0.25});
+    }
+    result.sunlit_fraction = {{0.5, 0.1, 0.4, 0.6}, {0, kNan, 0, 0.1}};
+    result.ratio_values = {{1.25, 0.01, 1.2, 1.3}, {kNan, kNan, kNan, kNan}};
+    result.budget.resize(2);
+    result.budget[1].emitted = 7;
+    result.paths = 4;
+    result.replicates = 8;
+    return result;
+}
+
+std::string csv_text() {
+    std::string text;
+    write_csv(small_run(), small_result(), [&](std::string_view piece) { text += piece; });
+    return text;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    LineScanner scanner(text);
+    while (scanner.next()) {
+        lines.emplace_back(scanner.line());
+    }
+    return lines;
+}
+
+/// The lines that are no comments.
+std::vector<std::string> table_of(const std::string& text) {
+    std::vector<std::string> lines = lines_of(text);
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with('#'); });
+    return lines;
+}
+
+TEST(WriteCsv, HasAHeaderLineAndARowForEachOrgan) {
+    const std::vector<std::string> table = table_of(csv_text());
+    ASSERT_EQ(table.size(), 3U);
+    EXPECT_TRUE(
+        table[0].starts_with("id,name,plant,label_area,kind,area,absorbed_flux_R,absorbed_flux_R_"
+                             "se,absorbed_flux_R_high,"));
+    EXPECT_TRUE(
+        table[0].ends_with(",sunlit_fraction,sunlit_fraction_se,sunlit_fraction_high,ratio_R:FR,"
+                           "ratio_R:FR_se,ratio_R:FR_high"));
+    // absorbed_flux_density_R is value 2 of the first organ
+    EXPECT_TRUE(table[1].starts_with("1,\"a \"\"b\"\", #c\",1,x,,2,0,0,1,2,0.2,3,")) << table[1];
+    EXPECT_TRUE(table[1].ends_with(",0.5,0.1,0.6,1.25,0.01,1.3"));
+}
+
+TEST(WriteCsv, LeavesErrorsEmptyWhereNothingWasHit) {
+    const std::vector<std::string> table = table_of(csv_text());
+    EXPECT_TRUE(table[2].starts_with("2,d,,,leaf,0.5,0,,0.25,0,,0.25,")) << table[2];
+    EXPECT_TRUE(table[2].ends_with(",0,,0.1,,,"));
+}
+
+TEST(WriteCsv, NamesTheUnitOfEveryColumn) {
+    const std::vector<std::string> lines = lines_of(csv_text());
+    EXPECT_TRUE(mentions(lines, "# column area [cm2]"));
+    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [W m-2 cm2]: "));
+    EXPECT_TRUE(mentions(lines, "# column incident_upper_FR [W m-2]: "));
+    EXPECT_TRUE(mentions(lines, "# column ratio_R:FR [1]: "));
+}
+
+TEST(WriteCsv, SaysWhereItCameFrom) {
+    const std::vector<std::string> lines = lines_of(csv_text());
+    EXPECT_TRUE(mentions(lines, "# title: a, b"));
+    EXPECT_TRUE(mentions(lines, "seed = 1"));
+    EXPECT_TRUE(
+        mentions(lines, "# source: directional: directional, light travels along (0, 0, -1)"));
+    EXPECT_TRUE(mentions(lines, "# axes: up z, north (0, 1, 0); length unit cm"));
+}
+
+TEST(WriteCsv, EveryLineBeforeTheHeaderIsAComment) {
+    const std::vector<std::string> lines = lines_of(csv_text());
+    bool table_began = false;
+    for (const std::string& line : lines) {
+        table_began = table_began || line.starts_with("id,");
+        EXPECT_EQ(line.starts_with('#'), !table_began) << line;
+    }
+}
+
+nlohmann::ordered_json json_of(const RunFile& run, const Result& result) {
+    std::string text;
+    write_json(run, result, [&](std::string_view piece) { text += piece; });
+    return nlohmann::ordered_json::parse(text);
+}
+
+TEST(WriteJson, HoldsTheOrgansWithTheirEstimates) {
+    const auto json = json_of(small_run(), small_result());
+    const auto& organ = json["organs"][0];
+    EXPECT_EQ(organ["name"], "a \"b\", #c");
+    EXPECT_EQ(organ["labels"]["plant"], "1");
+    EXPECT_EQ(organ["absorbed_flux_density"]["R"]["mean"], 2.0);
+    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["standard_error"], 0.3);
+    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["low"], 2.0);
+    EXPECT_EQ(organ["ratios"]["R:FR"]["mean"], 1.25);
+    EXPECT_TRUE(json["organs"][1]["absorbed_flux"]["R"]["standard_error"].is_null());
+    EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["high"], 0.1);
+    EXPECT_EQ(json["energy"]["FR"]["emitted"], 7.0);
+}
+
+TEST(WriteJson, HoldsTheWholeRunFile) {
+    const auto json = json_of(small_run(), small_result());
+    EXPECT_EQ(json["run"]["run"]["paths"], 65536);
+    EXPECT_EQ(json["run"]["organ"].size(), 2U);
+    EXPECT_EQ(json["run"]["organ"][1]["corners"][1][0], 1);
+    EXPECT_EQ(json["format"], "quasimc-result");
+}
+
+TEST(WriteJson, DigestTellsResultsApart) {
+    const RunFile run = small_run();
+    Result result = small_result();
+    const std::string digest = digest_of_organs(run, result);
+    EXPECT_EQ(json_of(run, result)["organs_sha256"], digest);
+    EXPECT_EQ(digest_of_organs(run, result), digest);
+    result.values[3].mean = std::nextafter(result.values[3].mean, 9.0);
+    EXPECT_NE(digest_of_organs(run, result), digest);
+}
+
+TEST(Summary, IsShortAndTellsTheEnergy) {
+    const std::string text = summary(small_run(), small_result(), {"a.csv"});
+    EXPECT_LE(lines_of(text).size(), 12U) << text;
+    EXPECT_NE(text.find("FR [W m-2 cm2]: 7 emitted"), std::string::npos) << text;
+    EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
+}
+
+TEST(FluxUnit, TakesTheAreaOutWhereItCan) {
+    EXPECT_EQ(flux_unit("W m-2", "m"), "W");
+    EXPECT_EQ(flux_unit("umol m-2 s-1", "m"), "umol s-1");
+    EXPECT_EQ(flux_unit("W m-2", "cm"), "W m-2 cm2");
+    EXPECT_EQ(flux_unit("W cm-2", "cm"), "W");
+    EXPECT_EQ(flux_unit("m-2", "m"), "1");
+    EXPECT_EQ(flux_unit("W", "m"), "W m2");
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,136 @@
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+Scene make_leaf(std::size_t bands = 1) {
+    SceneBuilder builder = make_builder(bands);
+    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
+    return std::move(builder).build();
+}
+
+/// The faults of a run of one leaf under a sun.
+std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(0, {1})}) {
+    const Scene scene = make_leaf();
+    Faults faults;
+    check_run(scene, sources, spec, faults);
+    try {
+        faults.throw_if_any();
+        return {};
+    } catch (const InputError& error) {
+        return error.faults();
+    }
+}
+
+TEST(CheckRun, FindsNothingInAGoodSpecification) {
+    EXPECT_TRUE(faults_of({}).empty());
+    RunSpec spec;
+    spec.paths = 1000;
+    spec.ratios = {"b0:b0"};
+    spec.max_paths = 1000;
+    spec.target_error = .5;
+    spec.target_fraction = 1;
+    EXPECT_TRUE(faults_of(spec).empty());
+}
+
+TEST(CheckRun, FindsEachFaultAndSaysWhere) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    struct Case {
+        std::string place;
+        std::function<void(RunSpec&)> spoil;
+    };
+    const std::vector<Case> cases{
+        {"sampler", [](RunSpec& s) { s.sampler = "soboll"; }},
+        {"sampler", [](RunSpec& s) { s.sampler = ""; }},
+        {"paths", [](RunSpec& s) { s.paths = 0; }},
+        {"paths", [](RunSpec& s) { s.paths = (std::uint64_t{1} << 30U) + 1; }},
+        {"paths",
+         [](RunSpec& s) {
+             s.sampler = "korobov";
+             s.paths = 1000;
+         }},
+        {"replicates", [](RunSpec& s) { s.replicates = 0; }},
+        {"replicates", [](RunSpec& s) { s.replicates = 10001; }},
+        {"threads", [](RunSpec& s) { s.threads = 5000; }},
+        {"roulette_weight", [](RunSpec& s) { s.roulette_weight = -.1; }},
+        {"roulette_weight", [](RunSpec& s) { s.roulette_weight = kNan; }},
+        {"target_error", [](RunSpec& s) { s.target_error = -1; }},
+        {"target_error", [](RunSpec& s) { s.target_error = 1; }},
+        {"target_error", [](RunSpec& s) { s.target_error = kNan; }},
+        {"target_error",
+         [](RunSpec& s) {
+             s.target_error = .1;
+             s.replicates = 1;
+         }},
+        {"target_fraction", [](RunSpec& s) { s.target_fraction = 0; }},
+        {"target_fraction", [](RunSpec& s) { s.target_fraction = 1.01; }},
+        {"max_seconds", [](RunSpec& s) { s.max_seconds = -1; }},
+        {"max_seconds", [](RunSpec& s) { s.max_seconds = kNan; }},
+        {"max_seconds", [](RunSpec& s) { s.max_seconds = INFINITY; }},
+        {"max_paths", [](RunSpec& s) { s.max_paths = 100; }},
+        {"tally_memory_mb", [](RunSpec& s) { s.tally_memory_mb = -1; }},
+        {"ratios", [](RunSpec& s) { s.ratios = {"b0"}; }},
+        {"ratios", [](RunSpec& s) { s.ratios = {"b0:b0:b0"}; }},
+        {"ratios", [](RunSpec& s) { s.ratios = {"b0:far-red"}; }},
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        RunSpec spec;
+        cases[i].spoil(spec);
+        const std::vector<Fault> faults = faults_of(spec);
+        ASSERT_EQ(faults.size(), 1U) << "case " << i;
+        EXPECT_EQ(faults[0].place, cases[i].place) << "case " << i;
+        EXPECT_FALSE(faults[0].problem.empty());
+    }
+}
+
+TEST(CheckRun, SuggestsTheNearestName) {
+    RunSpec spec;
+    spec.sampler = "halten";
+    EXPECT_NE(faults_of(spec)[0].suggestion.find("halton"), std::string::npos);
+    spec = {};
+    spec.sampler = "korobov";
+    spec.paths = 1000;
+    EXPECT_NE(faults_of(spec)[0].suggestion.find("1024"), std::string::npos);
+    spec = {};
+    spec.ratios = {"b0:b01"};
+    EXPECT_NE(faults_of(spec)[0].suggestion.find("b0"), std::string::npos);
+}
+
+TEST(CheckRun, FindsFaultsOfSources) {
+    EXPECT_EQ(faults_of({}, {}).size(), 1U);
+    EXPECT_EQ(faults_of({}, {sun(0, {0}), sky({0})}).size(), 1U) << "dark";
+    EXPECT_EQ(faults_of({}, {sun(0, {1}), sky({-1})}).size(), 1U);
+    EXPECT_EQ(faults_of({}, {sun(0, {INFINITY})}).size(), 1U);
+    EXPECT_EQ(faults_of({}, {sun(0, {std::nan("")})}).size(), 1U);
+    const std::vector<Fault> faults = faults_of({}, {sun(0, {1}), sky({1, 2})});
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults[0].place.find("sky"), std::string::npos);
+}
+
+TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {
+    RunSpec spec;
+    spec.sampler = "sobel";
+    spec.replicates = 0;
+    spec.ratios = {"x:y"};
+    try {
+        (void)run(make_leaf(), {sun(0, {1, 1})}, spec);
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.faults().size(), 5U);
+    }
+}
+
+TEST(CheckRun, LightThatReachesNothingIsAnError) {
+    // The leaf lies edge-on to the sun.
+    EXPECT_THROW((void)run(make_leaf(), {sun(90, {1})}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,132 @@
+// How often the 95 % intervals of a run hold the truth, over many seeds.
+//
+// The truth is a run of so many paths that its own error is a twentieth of those of the runs on
+// trial. Intervals of totals, one per run, are independent; those of the organs of one run are not,
+// so each run counts as one observation: the part of its organs that it has right. Student's t is
+// exact for replicates that are normally distributed. Those of an organ that a run hits a few dozen
+// times are skewed, so that the coverage of organs may be a little less.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+Scene make_stand() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(matt("soil", .2, 0));
+    for (const Triangle& t : random_leaves(10, .6, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {t}));
+    }
+    GroundSpec soil = ground("soil");
+    soil.height = -.4;
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
+Sources make_sources() {
+    return {sun(30, {1}), sky({.5})};
+}
+
+struct Trial {
+    TraceFrom from;
+    const char* sampler;
+};
+
+class Coverage : public ::testing::TestWithParam<Trial> {
+  protected:
+    [[nodiscard]] RunSpec spec() const {
+        RunSpec spec;
+        spec.trace_from = GetParam().from;
+        spec.sampler = GetParam().sampler;
+        spec.threads = 1;
+        spec.paths = 1 << 10;
+        return spec;
+    }
+};
+
+bool holds_truth(const Estimate& interval, double truth) {
+    return interval.low <= truth && truth <= interval.high;
+}
+
+TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
+    const Scene scene = make_stand();
+    const Sources sources = make_sources();
+    RunSpec truth_spec = spec_of(GetParam().from, 1 << 16);
+    truth_spec.seed = 12345;
+    const Result truth = run(scene, sources, truth_spec);
+
+    constexpr int kSeeds = 600;
+    RunSpec trial = spec();
+    std::vector<double> organs_right;
+    int total_right = 0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        trial.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, sources, trial);
+        int right = 0;
+        for (std::size_t i = 0; i < result.organs(); ++i) {
+            right += holds_truth(
+                         result.at(i, Quantity::absorbed_flux, 0),
+                         truth.at(i, Quantity::absorbed_flux, 0).mean)
+                         ? 1
+                         : 0;
+        }
+        organs_right.push_back(right / static_cast<double>(result.organs()));
+        total_right +=
+            holds_truth(
+                result.budget[0].absorbed_by_organs, truth.budget[0].absorbed_by_organs.mean)
+                ? 1
+                : 0;
+    }
+    // 600 totals scatter by .009; at the level of a test that is .045.
+    EXPECT_TRUE(agrees(measured_fraction(total_right, kSeeds, .95), .95, .05));
+    const Measured organs = measured(organs_right);
+    EXPECT_GT(organs.mean, .93);
+    EXPECT_LT(organs.mean, .97);
+    EXPECT_LT(organs.standard_error, .004);
+    RecordProperty("totals", std::to_string(total_right / static_cast<double>(kSeeds)));
+    RecordProperty("organs", std::to_string(organs.mean));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryWay,
+    Coverage,
+    ::testing::Values(
+        Trial{TraceFrom::sources, "monte_carlo"},
+        Trial{TraceFrom::sources, "sobol"},
+        Trial{TraceFrom::sources, "korobov"},
+        Trial{TraceFrom::organs, "monte_carlo"},
+        Trial{TraceFrom::organs, "sobol"}),
+    [](const auto& trial) {
+        return std::string(
+                   trial.param.from == TraceFrom::sources ? "FromSources_" : "FromOrgans_") +
+               trial.param.sampler;
+    });
+
+/// A control: intervals of two standard errors, as if there were many replicates, are too short.
+TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
+    const Scene scene = make_stand();
+    const Sources sources = make_sources();
+    const double truth =
+        run(scene, sources, spec_of(TraceFrom::sources, 1 << 16)).budget[0].absorbed_by_organs.mean;
+    constexpr int kSeeds = 3000;
+    RunSpec spec;
+    spec.threads = 1;
+    spec.replicates = 3;
+    spec.paths = 256;
+    int right = 0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        spec.seed = static_cast<std::uint64_t>(seed);
+        const Estimate total = run(scene, sources, spec).budget[0].absorbed_by_organs;
+        right += std::abs(total.mean - truth) <= 1.96 * total.standard_error ? 1 : 0;
+    }
+    EXPECT_FALSE(agrees(measured_fraction(right, kSeeds, .95), .95, .05));
+}
+
+}  // namespace
+}  // namespace quasimc::test

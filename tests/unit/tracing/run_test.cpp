@@ -1,0 +1,205 @@
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/shapes.h"
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+/// A grey leaf above a grey ground.
+Scene make_leaf(double rho = .4, double tau = .2) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", rho, tau));
+    builder.add_material(matt("soil", .3, 0));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
+    GroundSpec soil = ground("soil");
+    soil.extent = {{-1, -1, 2, 2}};
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
+/// A uniform sky in which every 512th look takes three milliseconds.
+class TiredSky final : public Source {
+  public:
+    TiredSky() : Source("tired", {1}), sky_(make_uniform_sky("sky", {1})) {}
+    [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
+        return sky_->make_emitter(aperture);
+    }
+    [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
+        constexpr unsigned kBetween = 512;
+        if (++looks_ % kBetween == 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        }
+        return sky_->illuminate(point, u0, u1);
+    }
+    [[nodiscard]] double radiance(const Vec3& to_light) const override {
+        return sky_->radiance(to_light);
+    }
+    [[nodiscard]] bool is_directional() const override { return false; }
+    [[nodiscard]] double horizontal_irradiance() const override { return 1; }
+
+  private:
+    std::shared_ptr<const Source> sky_;
+    mutable std::atomic<unsigned> looks_{0};
+};
+
+/// A run of half a second or more on two threads.
+RunSpec long_run() {
+    RunSpec spec;
+    spec.trace_from = TraceFrom::organs;
+    spec.threads = 2;
+    spec.paths = 1U << 14U;
+    spec.replicates = 10;
+    return spec;
+}
+
+TEST(Progress, IsToldFromTheCallingThreadAlone) {
+    const auto caller = std::this_thread::get_id();
+    int calls = 0;
+    double before = 0;
+    const auto listen = [&](const Progress& progress) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        EXPECT_GT(progress.fraction, before);
+        EXPECT_LE(progress.fraction, 1);
+        EXPECT_GT(progress.seconds, 0);
+        EXPECT_GE(progress.expected_seconds, progress.seconds);
+        before = progress.fraction;
+        ++calls;
+    };
+    (void)run(make_leaf(), {std::make_shared<TiredSky>()}, long_run(), listen);
+    EXPECT_GT(calls, 0);
+}
+
+TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
+    const auto listen = [](const Progress&) { throw std::runtime_error("enough"); };
+    EXPECT_THROW(
+        (void)run(make_leaf(), {std::make_shared<TiredSky>()}, long_run(), listen),
+        std::runtime_error);
+}
+
+TEST(Run, StopsWhenTheTargetIsReached) {
+    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    spec.target_error = .01;
+    spec.target_fraction = 1;
+    const Result result = run(make_leaf(), {sky({1})}, spec);
+    EXPECT_EQ(result.stop, StopReason::target_reached);
+    EXPECT_EQ(result.fraction_at_target, 1);
+    EXPECT_GT(result.paths, 256U);
+    for (const std::size_t organ : {0U, 1U}) {
+        const Estimate& absorbed = result.at(organ, Quantity::absorbed_flux, 0);
+        EXPECT_LE(absorbed.standard_error, .01 * absorbed.mean);
+    }
+}
+
+TEST(Run, SaysWhyItMissedTheTarget) {
+    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    spec.target_error = 1e-9;
+    spec.max_paths = 1000;
+    Result result = run(make_leaf(), {sky({1})}, spec);
+    EXPECT_EQ(result.stop, StopReason::path_limit);
+    EXPECT_EQ(result.paths, 512U);
+    spec.max_seconds = 1e-9;
+    result = run(make_leaf(), {sky({1})}, spec);
+    EXPECT_EQ(result.stop, StopReason::time_is_up);
+    EXPECT_EQ(result.paths, 256U);
+}
+
+class RunBothWays : public BothWays {};
+
+/// Rounds that double give what one long run gives, with as sharp an error.
+TEST_P(RunBothWays, RoundsAddUp) {
+    RunSpec spec = spec_of(GetParam(), 512);
+    spec.max_paths = 8192;
+    const Result rounds = run(make_leaf(), {sun(20, {1}), sky({1})}, spec);
+    EXPECT_EQ(rounds.paths, 8192U);
+    spec.paths = 8192;
+    spec.seed = 2;
+    const Result once = run(make_leaf(), {sun(20, {1}), sky({1})}, spec);
+    for (const std::size_t organ : {0U, 1U}) {
+        const Estimate& a = rounds.at(organ, Quantity::incident_scattered, 0);
+        const Estimate& b = once.at(organ, Quantity::incident_scattered, 0);
+        EXPECT_TRUE(agrees(
+            measured(a, kReplicates), measured(b, kReplicates), .15 * b.mean,
+            sidak_level(kLevel, 2)));
+        EXPECT_LT(a.standard_error, 3 * b.standard_error);
+    }
+}
+
+TEST_P(RunBothWays, ThreadsAreAsManyAsTheMachineHasUnlessToldOtherwise) {
+    RunSpec spec = spec_of(GetParam(), 1024);
+    const Estimate one = run(make_leaf(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
+    spec.threads = 0;
+    const Estimate all = run(make_leaf(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
+    EXPECT_EQ(one.mean, all.mean);
+    EXPECT_EQ(one.standard_error, all.standard_error);
+}
+
+TEST_P(RunBothWays, AnotherSeedGivesOtherNumbers) {
+    RunSpec spec = spec_of(GetParam(), 1024);
+    const Scene scene = make_leaf();
+    const double first = run(scene, {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0).mean;
+    EXPECT_EQ(first, run(scene, {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0).mean);
+    spec.seed = 2;
+    EXPECT_NE(first, run(scene, {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0).mean);
+}
+
+TEST_P(RunBothWays, WithADepthOfOneNothingIsScattered) {
+    RunSpec spec = spec_of(GetParam(), 1024);
+    spec.max_depth = 1;
+    const Result result = run(make_leaf(), {sun(0, {1})}, spec);
+    for (const std::size_t organ : {0U, 1U}) {
+        EXPECT_EQ(result.at(organ, Quantity::incident_scattered, 0).mean, 0);
+        EXPECT_GT(result.at(organ, Quantity::incident_direct, 0).mean, 0);
+    }
+}
+
+/// All that would have been scattered is cut off.
+TEST(Run, ReportsWhatADepthOfOneCutsOff) {
+    RunSpec spec = spec_of(TraceFrom::sources, 1024);
+    spec.max_depth = 1;
+    const Result result = run(make_leaf(.4, .2), {sun(0, {1})}, spec);
+    const BandBudget& budget = result.budget[0];
+    EXPECT_NEAR(
+        budget.cut_off.mean,
+        .6 / .4 * budget.absorbed_by_organs.mean + .3 / .7 * budget.absorbed_by_ground.mean,
+        1e-7 * budget.emitted);
+    EXPECT_NEAR(budget.roulette.mean, 0, 1e-7) << "the fixed point of the tallies";
+}
+
+TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .4, .2));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
+    const Scene scene = std::move(builder).build();
+    const auto below = make_directional_source("below", {0, .6, .8}, {1});
+    const Result result = trace(scene, {below}, 1024);
+    EXPECT_EQ(result.at(0, Quantity::incident_upper, 0).mean, 0);
+    // Windows are larger than the scene by a millionth.
+    EXPECT_NEAR(result.at(0, Quantity::incident_lower, 0).mean, .8, 1e-5);
+}
+
+/// A band for which there is no light is dark, and nothing is divided by zero.
+TEST_P(RunBothWays, ABandWithoutLightIsDark) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .4, .2, 2));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
+    const Result result = trace(std::move(builder).build(), {sun(0, {0, 1}), sky({0, 2})}, 1024);
+    for (const QuantityEntry& entry : quantity_table()) {
+        EXPECT_EQ(result.at(0, entry.quantity, 0).mean, 0) << entry.name;
+        EXPECT_EQ(result.at(0, entry.quantity, 0).high, 0) << entry.name;
+    }
+    EXPECT_EQ(result.budget[0].emitted, 0);
+    EXPECT_EQ(result.budget[0].closure_error, 0);
+    EXPECT_GT(result.at(0, Quantity::absorbed_flux, 1).mean, 0);
+}
+
+QUASIMC_BOTH_WAYS(RunBothWays);
+
+}  // namespace
+}  // namespace quasimc::test

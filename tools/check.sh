@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# All that continuous integration does, in its order, stopping at the first failure.
+#   tools/check.sh               every step
+#   tools/check.sh format tidy   these steps
+set -euo pipefail
+
+cd "$(dirname "$0")/.."
+
+all_steps=(format layers scripts test install tidy docs asan tsan fuzz)
+
+jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+
+our_sources() {
+    find . -path ./build -prune -o \( -name '*.h' -o -name '*.cpp' \) -print | sort
+}
+
+first_of() {
+    local name
+    for name in "$@"; do
+        if command -v "$name" >/dev/null; then
+            echo "$name"
+            return
+        fi
+    done
+    echo "none of $* is installed (./dev setup check)" >&2
+    return 1
+}
+
+step_format() {
+    local clang_format
+    clang_format=$(first_of clang-format-14 clang-format)
+    our_sources | xargs "$clang_format" --dry-run -Werror
+}
+
+step_layers() {
+    tools/check_layers.py
+}
+
+step_scripts() {
+    shellcheck dev tools/check.sh .ci/run
+    python3 -m unittest discover -s tools -p '*_test.py'
+}
+
+step_test() {
+    ./dev test
+}
+
+# The tests that build a stranger's project against the installed package.
+step_install() {
+    ./dev test -L install --no-tests=error
+}
+
+step_tidy() {
+    cmake --preset dev >/dev/null
+    tools/tidy.py --build build/dev
+}
+
+step_docs() {
+    ./dev docs
+}
+
+# Builds a group of tests (tests/CMakeLists.txt) under a preset and runs those of a label.
+sanitized() {
+    local preset=$1 group=$2
+    shift 2
+    cmake --preset "$preset" >/dev/null
+    cmake --build "build/$preset" --target "quasimc_tests_$group"
+    ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@"
+}
+
+# Slow tests are statistics, and prove no more under a sanitizer than the quick ones do.
+step_asan() {
+    sanitized asan quick -LE slow -E '_NOT_BUILT$'
+}
+
+step_tsan() {
+    sanitized tsan threads -L threads
+}
+
+# A short run of each fuzzer; its corpus is replayed by the ordinary tests as well.
+step_fuzz() {
+    local fuzzer name
+    [[ -f tests/fuzz/CMakeLists.txt ]] || return 0
+    cmake --preset fuzz >/dev/null
+    cmake --build build/fuzz
+    for fuzzer in build/fuzz/bin/quasimc_fuzz_*; do
+        name=${fuzzer##*/quasimc_fuzz_}
+        mkdir -p "build/fuzz/corpus/$name"
+        "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-10}" -timeout=10 -rss_limit_mb=2048 \
+            -print_final_stats=0 -verbosity=0 \
+            "build/fuzz/corpus/$name" "tests/fuzz/corpus/$name"
+    done
+}
+
+selected=("$@")
+if [[ $# -eq 0 ]]; then
+    selected=("${all_steps[@]}")
+fi
+for step in "${selected[@]}"; do
+    if ! declare -F "step_$step" >/dev/null; then
+        echo "tools/check.sh: no such step: $step (${all_steps[*]})" >&2
+        exit 2
+    fi
+done
+
+for step in "${selected[@]}"; do
+    printf '\n=== %s\n' "$step"
+    start=$SECONDS
+    status=0
+    # A fresh shell: "set -e" is not in force in a function called from a condition.
+    (
+        set -euo pipefail
+        "step_$step"
+    ) &
+    wait $! || status=$?
+    printf '=== %s: %d s\n' "$step" $((SECONDS - start))
+    if [[ $status -ne 0 ]]; then
+        printf '\ntools/check.sh: step "%s" failed (status %d). Again: tools/check.sh %s\n' \
+            "$step" "$status" "$step" >&2
+        exit 1
+    fi
+done
+printf '\nAll passed: %s\n' "${selected[*]}"

@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Checks the shape of the source: layers, fences around libraries, silence of the engine, sizes.
+
+The layers stand in src/quasimc/layers.txt.  Every fault is printed as "file:line: problem", and
+the exit status is 1 if there was one.  File sizes are hints and never fail.
+"""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+# The start of an include -> where alone it may stand (a folder ends in "/").
+FENCES = {
+    "toml++/": ["src/quasimc/io/", "tests/"],
+    "nlohmann/": ["src/quasimc/io/", "tests/"],
+    "openssl/": ["src/quasimc/io/", "tests/"],
+    "CLI/": ["apps/", "bench/"],
+    "pybind11/": ["python/"],
+    "embree3/": ["src/quasimc/geometry/embree.cpp", "bench/"],
+    "embree4/": ["src/quasimc/geometry/embree.cpp", "bench/"],
+    "tbb/": ["src/quasimc/geometry/embree.cpp"],
+}
+
+# Headers so slow to compile that they stay out of ours.
+SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/")
+
+# The engine, layers 0 to 3, knows nothing of files, terminals and pipes, and never exits.
+ENGINE_LAYERS = range(0, 4)
+ENGINE_HEADERS = {"iostream", "fstream", "filesystem", "cstdio", "stdio.h", "unistd.h"}
+ENGINE_CALLS = re.compile(r"\b(std::(cout|cerr|clog|exit|quick_exit|abort)\b|printf\s*\(|fopen\s*\()")
+ENGINE_EXCEPTIONS = {"src/quasimc/base/checks.h"}  # EXPECT and ENSURE end the program
+
+FILE_LINES_HINT = 300
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def read_layers(root):
+    """The layer of each module, and the set of modules in no order."""
+    layers = {}
+    for line in (root / "src/quasimc/layers.txt").read_text().splitlines():
+        words = line.split()
+        if words and not line.startswith("#"):
+            layers.update({name: int(words[0]) for name in words[1:]})
+    return layers
+
+
+def read_links(root, layers):
+    """For each module: the modules it links, and those of them that its users see (PUBLIC)."""
+    every, public = {}, {}
+    for module in layers:
+        path = root / "src/quasimc" / module / "CMakeLists.txt"
+        if not path.exists():
+            continue
+        every[module], public[module] = set(), set()
+        scope = None
+        for word in re.findall(r"[\w+.]+", re.sub(r"#.*", "", path.read_text())):
+            if word in ("NAME", "SOURCES", "PUBLIC", "PRIVATE", "DEFINITIONS"):
+                scope = word
+            elif word in layers and scope in ("PUBLIC", "PRIVATE"):
+                every[module].add(word)
+                if scope == "PUBLIC":
+                    public[module].add(word)
+    return every, public
+
+
+def reachable(module, every, public):
+    """The modules whose headers a module's sources may include: links, and what those publish."""
+    seen, todo = set(), list(every.get(module, ()))
+    while todo:
+        name = todo.pop()
+        if name not in seen:
+            seen.add(name)
+            todo.extend(public.get(name, ()))
+    return seen
+
+
+def module_of(path, layers):
+    """The module a file belongs to; None for tests, benchmarks and the public header."""
+    parts = path.parts
+    if parts[0] in ("apps", "python"):
+        return parts[0]
+    if parts[:2] == ("src", "quasimc") and len(parts) > 3 and parts[2] in layers:
+        return parts[2]
+    return None
+
+
+class Checker:
+    def __init__(self, root):
+        self.root = root
+        self.layers = read_layers(root)
+        self.every, self.public = read_links(root, self.layers)
+        self.faults = []
+        self.hints = []
+
+    def fault(self, path, line, problem):
+        self.faults.append(f"{path}:{line}: {problem}")
+
+    def check_own_include(self, path, line, module, target):
+        parts = target.split("/")
+        if path.parts[0] in ("tests", "bench") and (self.root / path.parts[0] / target).exists():
+            return
+        if parts[0] != "quasimc":
+            if path.parts[0] == "src" or "/" in target:
+                self.fault(path, line, f'include "{target}" from src/, as "quasimc/<module>/..."')
+            return
+        if module is None or len(parts) < 3:
+            if module is not None and self.layers[module] < self.layers["apps"]:
+                self.fault(path, line, f'"{target}" is for users; include the module\'s header')
+            return
+        other = parts[1]
+        if other == module:
+            return
+        if other not in self.layers:
+            self.fault(path, line, f'"{target}": no module {other} in src/quasimc/layers.txt')
+        elif self.layers[other] >= self.layers[module]:
+            self.fault(
+                path,
+                line,
+                f"{module} (layer {self.layers[module]}) includes {other} "
+                f"(layer {self.layers[other]}); only lower layers may be included",
+            )
+        elif module in self.every and other not in reachable(module, self.every, self.public):
+            self.fault(path, line, f"{module} includes {other} but its CMakeLists.txt does not link it")
+
+    def check_fences(self, path, line, target):
+        name = str(path)
+        for start, places in FENCES.items():
+            if not target.startswith(start):
+                continue
+            allowed = any(name.startswith(p) if p.endswith("/") else name == p for p in places)
+            if not allowed:
+                self.fault(path, line, f"<{target}> may be included only by {' or '.join(places)}")
+            if path.suffix == ".h" and start in SOURCES_ONLY and path.parts[0] != "bench":
+                self.fault(path, line, f"<{target}> is slow to compile; include it in a .cpp")
+
+    def check_file(self, path):
+        text = (self.root / path).read_text(encoding="utf-8")
+        lines = text.splitlines()
+        module = module_of(path, self.layers)
+        engine = (
+            module is not None
+            and self.layers[module] in ENGINE_LAYERS
+            and str(path) not in ENGINE_EXCEPTIONS
+        )
+        for number, content in enumerate(lines, 1):
+            match = INCLUDE.match(content)
+            if match and match.group(1) == '"':
+                self.check_own_include(path, number, module, match.group(2))
+            if match:
+                self.check_fences(path, number, match.group(2))
+                if engine and match.group(2) in ENGINE_HEADERS:
+                    self.fault(path, number, f"the engine does not use <{match.group(2)}>")
+            code = re.sub(r'//.*|"(\\.|[^"\\])*"', "", content)
+            call = ENGINE_CALLS.search(code) if engine else None
+            if call:
+                self.fault(path, number, f"the engine neither prints nor exits: {call.group(0)}")
+        if len(lines) > FILE_LINES_HINT:
+            self.hints.append(f"{path}: {len(lines)} lines; usually at most {FILE_LINES_HINT}")
+        if path.suffix == ".cpp" and not self.is_listed(path):
+            self.fault(path, 1, "not listed in the CMakeLists.txt of its folder")
+        if path.suffix == ".h" and "#pragma once" not in text:
+            self.fault(path, 1, "no #pragma once")
+
+    def is_listed(self, path):
+        cmake = (self.root / path).parent / "CMakeLists.txt"
+        pattern = rf"(?<![\w/]){re.escape(path.name)}(?!\w)"
+        return not cmake.exists() or re.search(pattern, cmake.read_text(encoding="utf-8"))
+
+    def run(self):
+        for folder in ("src", "apps", "python", "tests", "bench"):
+            for path in sorted((self.root / folder).rglob("*")):
+                if path.suffix in (".h", ".cpp"):
+                    self.check_file(path.relative_to(self.root))
+        return self.faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
+    checker = Checker(parser.parse_args().root)
+    checker.run()
+    for hint in checker.hints:
+        print(f"hint: {hint}")
+    for fault in checker.faults:
+        print(fault, file=sys.stderr)
+    print(f"layers: {len(checker.faults)} faults, {len(checker.hints)} hints")
+    return 1 if checker.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+"""check_layers.py on small trees: what it must find, and what it must leave alone."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import check_layers
+
+TREE = {
+    "src/quasimc/layers.txt": "# the layers\n0 base\n1 geometry optics\n4 io\n6 apps python\n",
+    "src/quasimc/geometry/CMakeLists.txt": "quasimc_module(NAME geometry SOURCES a.cpp PUBLIC base)\n",
+    "src/quasimc/base/vec3.h": "#pragma once\n",
+    "src/quasimc/geometry/a.cpp": '#include "quasimc/base/vec3.h"\n#include <vector>\n',
+    "src/quasimc/io/read_toml.cpp": "#include <fstream>\n#include <toml++/toml.h>\n",
+    "tests/support/agrees.h": "#pragma once\n",
+    "tests/unit/base/vec3_test.cpp": '#include "quasimc/base/vec3.h"\n#include "support/agrees.h"\n',
+}
+
+
+def faults_with(path, text):
+    """The faults of the good tree with one file more, or other."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in {**TREE, path: text}.items():
+            file = Path(folder) / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(content)
+        return check_layers.Checker(Path(folder)).run()
+
+
+class CheckLayers(unittest.TestCase):
+    def test_a_good_tree_has_no_faults(self):
+        self.assertEqual(faults_with("src/quasimc/base/vec3.h", "#pragma once\n"), [])
+
+    def assert_one_fault(self, path, text, words):
+        faults = faults_with(path, text)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(words, faults[0])
+        self.assertTrue(faults[0].startswith(f"{path}:"), faults[0])
+
+    def test_a_higher_layer_is_refused(self):
+        text = '#include "quasimc/geometry/a.h"\n'
+        self.assert_one_fault("src/quasimc/base/b.cpp", text, "only lower layers")
+
+    def test_a_neighbour_is_refused(self):
+        text = '#include "quasimc/optics/bsdf.h"\n'
+        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "only lower layers")
+
+    def test_an_unlinked_module_is_refused(self):
+        path = "src/quasimc/geometry/CMakeLists.txt"
+        faults = faults_with(path, "quasimc_module(NAME geometry SOURCES a.cpp)\n")
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn("does not link it", faults[0])
+
+    def test_a_library_outside_its_fence_is_refused(self):
+        text = "#include <nlohmann/json.hpp>\n"
+        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "only by src/quasimc/io/")
+
+    def test_a_slow_header_in_a_header_is_refused(self):
+        text = "#pragma once\n#include <toml++/toml.h>\n"
+        self.assert_one_fault("src/quasimc/io/toml.h", text, "slow to compile")
+
+    def test_an_engine_that_prints_is_refused(self):
+        text = 'void f() { std::printf("x"); }\n'
+        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "neither prints nor exits")
+
+    def test_printing_in_a_comment_is_left_alone(self):
+        self.assertEqual(faults_with("src/quasimc/geometry/a.cpp", "// std::cout\n"), [])
+
+    def test_a_relative_include_is_refused(self):
+        self.assert_one_fault("src/quasimc/geometry/a.cpp", '#include "a.h"\n', "from src/")
+
+    def test_a_source_that_is_not_built_is_refused(self):
+        self.assert_one_fault("src/quasimc/geometry/b.cpp", "\n", "not listed")
+
+    def test_a_header_without_a_guard_is_refused(self):
+        self.assert_one_fault("src/quasimc/base/b.h", "int f();\n", "#pragma once")
+
+
+if __name__ == "__main__":
+    unittest.main()
