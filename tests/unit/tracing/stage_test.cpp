@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "statistical/scenes.h"
@@ -113,7 +115,8 @@ TEST(Stage, LightPassesSensorsOnItsWayToTheSky) {
         const Staged staged(std::move(scene), {sky({1})});
         const Stage& stage = staged.stage;
         const Vec3 place = stage.caster().mesh().point(0, .3, .3);
-        return stage.reaches_sky(place, normalized({.1, .2, 1}), 0);
+        return stage.reaches(
+            place, normalized({.1, .2, 1}), std::numeric_limits<double>::infinity(), 0);
     };
     EXPECT_TRUE(reaches(make_layer(1)));
     EXPECT_TRUE(reaches(make_layer(
