@@ -50,4 +50,15 @@ double diffuse_fraction_spitters_daily(double clearness) {
     return k < 0.75 ? 1.33 - 1.46 * k : 0.23;
 }
 
+double diffuse_fraction(DiffuseModel model, double clearness, double sine) {
+    switch (model) {
+        case DiffuseModel::reindl:
+            return diffuse_fraction_reindl(clearness, sine);
+        case DiffuseModel::spitters:
+            return diffuse_fraction_spitters(clearness, sine);
+        default:
+            return diffuse_fraction_erbs(clearness);
+    }
+}
+
 }  // namespace quasimc
