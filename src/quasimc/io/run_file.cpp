@@ -97,9 +97,11 @@ Sections read_sections(
     Sections sections;
     read_format_version(top);
     sections.title = top.text("title").value_or("");
-    RunFileContext context{&top.reporter(), &files, read_bands(top), read_orientation(top), {}};
+    RunFileContext context{
+        &top.reporter(), &files, read_bands(top), read_orientation(top), {},
+        top.text("length_unit").value_or("m")};
     SceneBuilder builder(context.bands, context.orientation);
-    builder.set_length_unit(top.text("length_unit").value_or("m"));
+    builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
     sections.output = read_output(top, files);

@@ -31,6 +31,7 @@ struct RunFileContext {
     std::vector<Band> bands;
     Orientation orientation;
     std::set<std::string> materials;  ///< names stated
+    std::string length_unit = "m";
 };
 
 // run_file_options.cpp

@@ -46,5 +46,8 @@ struct Irradiance {
 // run_file_sky.cpp
 [[nodiscard]] std::optional<NotedSource> read_uniform_sky(
     TableReader& table, const std::string& name, const RunFileContext& context);
+// run_file_lamps.cpp: of every type of lamp
+[[nodiscard]] std::optional<NotedSource> read_lamp(
+    TableReader& table, const std::string& name, const RunFileContext& context);
 
 }  // namespace quasimc
