@@ -39,10 +39,14 @@ struct Facet {
 class Stage {
   public:
     /// @param caster  of the scene's triangles and cell
-    Stage(const Scene& scene, const Sources& sources, WindowShape window, RayCaster caster);
+    Stage(
+        const Scene& scene,
+        const Sources& sources,
+        WindowShape window,
+        std::shared_ptr<const RayCaster> caster);
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
-    [[nodiscard]] const RayCaster& caster() const { return caster_; }
+    [[nodiscard]] const RayCaster& caster() const { return *caster_; }
     [[nodiscard]] std::size_t bands() const { return scene_->bands().size(); }
     /// Square scene units per square local unit.
     [[nodiscard]] double world_area() const { return aperture_.world_area(); }
@@ -84,7 +88,7 @@ class Stage {
     void set_lights(const Sources& sources);
 
     const Scene* scene_;
-    RayCaster caster_;
+    std::shared_ptr<const RayCaster> caster_;
     Aperture aperture_;
     std::vector<Facet> facets_;
     std::vector<const Material*> materials_;
