@@ -94,6 +94,7 @@ def main():
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.program).exists():
         sys.exit(f"{arguments.program}: not there; run ./dev build first, or name it with --program")
+    arguments.out.mkdir(parents=True, exist_ok=True)
 
     depths = leaf_depths(HERE.parent / "01-leaves/leaves.tri")
     results = {}

@@ -26,3 +26,4 @@
 #include "quasimc/tracing/result.h"
 #include "quasimc/tracing/run.h"
 #include "quasimc/tracing/run_spec.h"
+#include "quasimc/tracing/simulator.h"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace quasimc {
 
@@ -12,6 +14,17 @@ void parallel_blocks(
     std::uint64_t blocks,
     unsigned workers,
     const std::function<void(std::uint64_t block, unsigned worker)>& work);
+
+/// Bytes that a core takes from memory at a time.
+inline constexpr std::size_t kCacheLine = 64;
+
+/// Sets the size of an empty vector and lets so much room follow that what the next allocation
+/// holds lies in other cache lines (two, because they are fetched in pairs).
+template <typename T>
+void resize_apart(std::vector<T>& values, std::size_t size) {
+    values.reserve(size + 2 * kCacheLine / sizeof(T));
+    values.resize(size);
+}
 
 /// `asked` threads, or as many as this process may run at once when `asked` is 0.
 [[nodiscard]] unsigned thread_count(unsigned asked);

@@ -15,6 +15,7 @@ struct Cell {
     double size_x = 1, size_y = 1;  ///< the periods, > 0
 
     [[nodiscard]] bool periodic() const { return along_x || along_y; }
+    friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// Triangles of which every place in the cell is covered as in the infinite scene: triangles that

@@ -159,7 +159,8 @@ class PlyReader {
                 fmt::format("a list has 0 to {}", kMostCorners)};
         }
         items_.clear();
-        for (double i = 0; i < count; ++i) {
+        const auto items = static_cast<std::size_t>(std::ceil(count));
+        for (std::size_t i = 0; i < items; ++i) {
             items_.push_back(value(element, property.type));
         }
         return 0;

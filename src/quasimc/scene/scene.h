@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -59,7 +60,11 @@ class Scene {
     [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
     [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
     /// Triangles of organ 0, organ 1, ...; within an organ those of its first element first.
-    [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+    [[nodiscard]] const std::vector<Triangle>& triangles() const { return *triangles_; }
+    /// The same, for who keeps them longer than the scene. Copies of a scene share them.
+    [[nodiscard]] std::shared_ptr<const std::vector<Triangle>> shared_triangles() const {
+        return triangles_;
+    }
     /// The element of each triangle.
     [[nodiscard]] const std::vector<ElementIndex>& triangle_elements() const {
         return triangle_elements_;
@@ -81,7 +86,7 @@ class Scene {
     std::vector<Organ> organs_;
     std::vector<Element> elements_;
     std::vector<Material> materials_;
-    std::vector<Triangle> triangles_;
+    std::shared_ptr<std::vector<Triangle>> triangles_ = std::make_shared<std::vector<Triangle>>();
     std::vector<ElementIndex> triangle_elements_;
     Cell cell_;
     Bounds bounds_;

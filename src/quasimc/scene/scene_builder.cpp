@@ -53,7 +53,7 @@ class SceneBuilder::Assembly {
   public:
     Assembly(Scene& scene, std::size_t triangles)
         : scene_(scene), element_of_(scene.materials_.size(), kNone) {
-        scene_.triangles_.reserve(triangles);
+        scene_.triangles_->reserve(triangles);
         scene_.triangle_elements_.reserve(triangles);
     }
 
@@ -64,7 +64,7 @@ class SceneBuilder::Assembly {
         organ.name = std::move(spec.name);
         organ.labels = std::move(spec.labels);
         organ.first_element = static_cast<std::uint32_t>(scene_.elements_.size());
-        organ.first_triangle = static_cast<std::uint32_t>(scene_.triangles_.size());
+        organ.first_triangle = static_cast<std::uint32_t>(scene_.triangles_->size());
         for (const std::uint32_t part : add_elements(spec, materials)) {
             append_part(std::move(spec.parts[part].triangles), element_of_[materials[part].value]);
         }
@@ -74,7 +74,7 @@ class SceneBuilder::Assembly {
         const std::size_t elements = scene_.elements_.size();
         organ.element_count = static_cast<std::uint32_t>(elements) - organ.first_element;
         organ.triangle_count =
-            static_cast<std::uint32_t>(scene_.triangles_.size()) - organ.first_triangle;
+            static_cast<std::uint32_t>(scene_.triangles_->size()) - organ.first_triangle;
         for (std::size_t e = organ.first_element; e < elements; ++e) {
             organ.area += scene_.elements_[e].area;
         }
@@ -111,10 +111,10 @@ class SceneBuilder::Assembly {
         scene_.elements_[element].area += area(triangles);
         scene_.triangle_elements_.insert(
             scene_.triangle_elements_.end(), triangles.size(), ElementIndex{element});
-        if (scene_.triangles_.empty() && triangles.size() == scene_.triangles_.capacity()) {
-            scene_.triangles_ = std::move(triangles);  // a scene of one mesh is not copied
+        if (scene_.triangles_->empty() && triangles.size() == scene_.triangles_->capacity()) {
+            *scene_.triangles_ = std::move(triangles);  // a scene of one mesh is not copied
         } else {
-            scene_.triangles_.insert(scene_.triangles_.end(), triangles.begin(), triangles.end());
+            scene_.triangles_->insert(scene_.triangles_->end(), triangles.begin(), triangles.end());
         }
     }
 

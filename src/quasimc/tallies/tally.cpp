@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "quasimc/base/checks.h"
+#include "quasimc/base/parallel.h"
 
 namespace quasimc {
 
 Tally::Tally(const TallyLayout& layout, std::size_t shared_elements, std::span<std::int64_t> shared)
-    : layout_(layout),
-      shared_cells_(shared_elements * layout.stride()),
-      shared_(shared),
-      own_(layout.cells() - shared_cells_) {
+    : layout_(layout), shared_cells_(shared_elements * layout.stride()), shared_(shared) {
+    resize_apart(own_, layout.cells() - shared_cells_);
     EXPECT(shared_elements == 0 || shared.size() == layout.cells());
     EXPECT(shared_elements <= layout.elements);
 }

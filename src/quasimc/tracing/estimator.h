@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "quasimc/base/parallel.h"
 #include "quasimc/samplers/sampler.h"
 #include "quasimc/tallies/tally.h"
 #include "quasimc/tracing/run_spec.h"
@@ -17,10 +18,15 @@ struct Round {
     std::uint64_t count = 0;
 };
 
-/// What a worker keeps between blocks so that nothing is allocated on the way.
-struct Workspace {
-    explicit Workspace(std::size_t bands)
-        : weights(bands), products(bands), gathered(bands), fixed(bands) {}
+/// What a worker keeps between blocks so that nothing is allocated on the way. Its own alone: no
+/// cache line is shared with another worker's.
+struct alignas(2 * kCacheLine) Workspace {
+    explicit Workspace(std::size_t bands) {
+        resize_apart(weights, bands);
+        resize_apart(products, bands);
+        resize_apart(gathered, bands);
+        resize_apart(fixed, bands);
+    }
 
     std::vector<double> u0, u1, u2;     // coordinates of a block's points
     std::vector<std::uint32_t> lights;  // the light each picks; empty if there is one

@@ -5,11 +5,11 @@
 #include <ctime>
 
 #include "quasimc/base/parallel.h"
-#include "quasimc/samplers/catalogue.h"
 #include "quasimc/tallies/replicates.h"
 #include "quasimc/tracing/estimator.h"
 #include "quasimc/tracing/evaluate.h"
 #include "quasimc/tracing/rounds.h"
+#include "quasimc/tracing/simulator.h"
 #include "quasimc/tracing/stage.h"
 
 namespace quasimc {
@@ -85,18 +85,24 @@ Result run(
     const Sources& sources,
     const RunSpec& spec,
     const std::function<void(const Progress&)>& on_progress) {
+    return Simulator().run(scene, sources, spec, on_progress);
+}
+
+Result Simulator::run(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress) {
     Faults faults;
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
 
     const Clock::time_point start = Clock::now();
-    const Stage stage(
-        scene, sources, spec.window, RayCaster(scene.triangles(), scene.cell(), spec.engine));
+    const Stage stage(scene, sources, spec.window, caster_for(scene, spec.engine));
     if (stage.lights().empty()) {
         throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
     }
-    const auto sampler = make_sampler(spec.sampler);
-    const auto estimator = make_estimator(stage, *sampler, spec);
+    const auto estimator = make_estimator(stage, sampler_for(spec.sampler), spec);
     const double build_seconds = seconds_since(start);
 
     const double cpu_before = cpu_seconds();
@@ -104,7 +110,11 @@ Result run(
     Replicates replicates(
         tally_layout(stage), spec.replicates, threads, spec.tally_memory_mb * 1e6,
         stage.ground_elements());
-    std::vector<Workspace> workspaces(threads, Workspace(stage.bands()));
+    std::vector<Workspace> workspaces;
+    workspaces.reserve(threads);
+    for (unsigned i = 0; i < threads; ++i) {
+        workspaces.emplace_back(stage.bands());
+    }
     Evaluation evaluation{stage, *estimator, replicates, 0, threads};
     Reporter reporter(on_progress, start);
     Rounds rounds(spec);

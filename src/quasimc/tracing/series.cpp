@@ -17,6 +17,7 @@
 
 #include "quasimc/base/checks.h"
 #include "quasimc/tracing/series_sum.h"
+#include "quasimc/tracing/simulator.h"
 
 namespace quasimc {
 namespace {
@@ -143,7 +144,7 @@ class SeriesRun {
     Result trace_one(std::size_t i) {
         RunSpec spec = spec_;
         spec.seed = seed_of(spec_.seed, summary_.traced);
-        Result result = quasimc::run(scene_, moments_[i].sources, spec, progress_of(i));
+        Result result = simulator_.run(scene_, moments_[i].sources, spec, progress_of(i));
         ++summary_.traced;
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
@@ -188,6 +189,7 @@ class SeriesRun {
     const std::vector<Moment>& moments_;
     const RunSpec& spec_;
     const SeriesEvents& events_;
+    Simulator simulator_;
     Clock::time_point start_ = Clock::now();
     std::vector<MomentPlan> plans_;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced

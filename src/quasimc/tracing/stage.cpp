@@ -56,11 +56,15 @@ bool equal_to_rounding(const std::vector<double>& a, const std::vector<double>& 
 
 }  // namespace
 
-Stage::Stage(const Scene& scene, const Sources& sources, WindowShape window, RayCaster caster)
-    : scene_(&scene), caster_(std::move(caster)), aperture_(caster_.mesh(), scene.cell(), window) {
-    facets_.resize(caster_.mesh().triangle_count());
+Stage::Stage(
+    const Scene& scene,
+    const Sources& sources,
+    WindowShape window,
+    std::shared_ptr<const RayCaster> caster)
+    : scene_(&scene), caster_(std::move(caster)), aperture_(caster_->mesh(), scene.cell(), window) {
+    facets_.resize(caster_->mesh().triangle_count());
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
-        const ElementIndex element = scene.triangle_elements()[caster_.source(i)];
+        const ElementIndex element = scene.triangle_elements()[caster_->source(i)];
         facets_[i] = {element.value, scene.elements()[element.value].material.value};
     }
     for (const Element& element : scene.elements()) {
@@ -115,16 +119,16 @@ void Stage::set_lights(const Sources& sources) {
 bool Stage::reaches(
     const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
     if (!has_transparent_) {
-        return !caster_.occluded(place, direction, self, distance);
+        return !caster_->occluded(place, direction, self, distance);
     }
-    CastHit at = caster_.cast(place, direction, self);
+    CastHit at = caster_->cast(place, direction, self);
     double left = distance;
     while (at.end == RayEnd::hit && at.hit.t < left &&
            material(element(at.hit.triangle)).is_transparent()) {
         const Hit& hit = at.hit;
         left -= hit.t;
-        at =
-            caster_.cast(caster_.mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
+        at = caster_->cast(
+            caster_->mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
     }
     return at.end != RayEnd::hit || at.hit.t >= left;
 }

@@ -45,10 +45,14 @@ struct Facet {
 class Stage {
   public:
     /// @param caster  of the scene's triangles and cell
-    Stage(const Scene& scene, const Sources& sources, WindowShape window, RayCaster caster);
+    Stage(
+        const Scene& scene,
+        const Sources& sources,
+        WindowShape window,
+        std::shared_ptr<const RayCaster> caster);
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
-    [[nodiscard]] const RayCaster& caster() const { return caster_; }
+    [[nodiscard]] const RayCaster& caster() const { return *caster_; }
     [[nodiscard]] std::size_t bands() const { return scene_->bands().size(); }
     /// Square scene units per square local unit.
     [[nodiscard]] double world_area() const { return aperture_.world_area(); }
@@ -79,7 +83,7 @@ class Stage {
     /// (local units; infinite: the sky). Sensors let it pass.
     [[nodiscard]] bool reaches(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
-    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_.mesh().to_world(local); }
+    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
     /// Elements of the ground, which stand last.
     [[nodiscard]] std::size_t ground_elements() const { return ground_elements_; }
     /// Whether some material scatters in one direction.
@@ -91,7 +95,7 @@ class Stage {
     void set_lights(const Sources& sources);
 
     const Scene* scene_;
-    RayCaster caster_;
+    std::shared_ptr<const RayCaster> caster_;
     Aperture aperture_;
     std::vector<Facet> facets_;
     std::vector<const Material*> materials_;

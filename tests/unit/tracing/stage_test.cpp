@@ -40,7 +40,7 @@ struct Staged {
               scene,
               sources,
               WindowShape::silhouette,
-              RayCaster(scene.triangles(), scene.cell(), Engine::embree)) {}
+              std::make_shared<RayCaster>(scene.triangles(), scene.cell(), Engine::embree)) {}
     Staged(const Staged&) = delete;
     Staged& operator=(const Staged&) = delete;
 };

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "quasimc/geometry/ray_caster.h"
+#include "quasimc/samplers/sampler.h"
+#include "quasimc/tracing/run.h"
+
+namespace quasimc {
+
+/// Runs one after the other, as growth or the hours of a day ask for: keeps what the next run can
+/// use again. The acceleration structure serves as long as triangles, cell and engine stay the same
+/// (whatever happens to optics, sources or the specification), the sampler's tables as long as its
+/// name does. A result is bit for bit that of quasimc::run.
+class Simulator {
+  public:
+    /// As quasimc::run. Not for several threads at a time.
+    /// @throws InputError  for a specification that can't be run: every fault at once
+    [[nodiscard]] Result run(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::function<void(const Progress&)>& on_progress = {});
+
+    /// How often an acceleration structure had to be built.
+    [[nodiscard]] std::size_t builds() const { return builds_; }
+
+  private:
+    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
+    [[nodiscard]] const Sampler& sampler_for(const std::string& name);
+
+    std::shared_ptr<const RayCaster> caster_;
+    std::shared_ptr<const std::vector<Triangle>> triangles_;  // of caster_, with cell and engine:
+    Cell cell_;
+    Engine engine_ = Engine::embree;
+    std::unique_ptr<Sampler> sampler_;
+    std::string sampler_name_;
+    std::size_t builds_ = 0;
+};
+
+}  // namespace quasimc
