@@ -125,7 +125,7 @@ std::vector<Lighting> all_lamps() {
         {.4, .5, 1.6}, {.1, 0, -1}, {.kind = Opening::Kind::rectangle, .length = 1, .width = .5},
         cosine_pattern());
     const auto tube = lamp(
-        {.5, -1, .5}, {1, 0, 0}, {.kind = Opening::Kind::line, .length = 1.5}, tube_pattern());
+        {.5, .2, 1.3}, {1, .3, 0}, {.kind = Opening::Kind::line, .length = 1.5}, tube_pattern());
     const auto disk =
         lamp({.5, .5, 2}, down, {.kind = Opening::Kind::disk, .radius = .3}, cosine_pattern());
     return {

@@ -17,6 +17,7 @@
 #include "quasimc/io/input_files.h"
 #include "quasimc/io/run_file.h"
 #include "quasimc/io/table_reader.h"
+#include "quasimc/io/time_series.h"
 #include "quasimc/scene/scene_builder.h"
 
 namespace quasimc {
@@ -70,6 +71,12 @@ struct SourceList {
     std::vector<std::string> notes;
 };
 [[nodiscard]] SourceList read_sources(TableReader& top, const RunFileContext& context);
+
+// run_file_time.cpp
+/// [place] and [time]: the moments of the run, each with the lamps and its own daylight. Nothing if
+/// there is no [time], or after a fault.
+[[nodiscard]] std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const Sources& lamps);
 
 // run_file_shapes.cpp
 /// The triangles of a table with `shape = ...`; empty when it has faults (reported).

@@ -57,8 +57,8 @@ SourceList read_sources(TableReader& top, const RunFileContext& context) {
             list.notes.push_back(std::move(source->note));
         }
     }
-    if (tables.empty()) {
-        top.fault("no source of light is given", "", "add a [[source]]");
+    if (tables.empty() && top.any("time") == nullptr) {
+        top.fault("no source of light is given", "", "add a [[source]] or [time]");
     }
     return list;
 }

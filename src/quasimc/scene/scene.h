@@ -20,6 +20,7 @@ namespace quasimc {
 struct Band {
     std::string name;
     std::string unit = "W m-2";  ///< of irradiance
+    double from_nm = 0, to_nm = 0;  ///< wavelengths; 0: those that the name stands for, if any
     friend bool operator==(const Band&, const Band&) = default;
 };
 

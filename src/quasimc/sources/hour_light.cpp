@@ -180,7 +180,7 @@ HourSources make_hour_sources(
     const bool has_beam = light.daylight.direct > 0;
     const SkyEntry* sky = find_sky(has_beam ? how.sky : how.overcast_sky);
     EXPECT(sky != nullptr);
-    if (sky->needs_sun && !SunPath::is_up(sun)) {
+    if (sky->needs != SkyNeeds::nothing && !SunPath::is_up(sun)) {
         sky = find_sky("cie_overcast");
     }
     SkyState state = how.state;
@@ -194,7 +194,7 @@ HourSources make_hour_sources(
     }
     hour.sources.push_back(make_sky("sky", sky->make(state), std::move(spectrum)));
     hour.shapes += std::string(sky->name);
-    if (sky->needs_sun) {
+    if (sky->needs != SkyNeeds::nothing) {
         hour.shapes += " " + shortest(sun.azimuth_deg) + " " + shortest(sun.elevation_deg) + " " +
                        shortest(state.direct_normal) + " " + shortest(state.diffuse_horizontal);
     }
