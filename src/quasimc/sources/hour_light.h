@@ -37,7 +37,7 @@ struct SunPath {
 /// What was measured, mean over the time, in one unit. Enough of it to tell direct from diffuse
 /// light, or global light alone.
 struct Reading {
-    std::optional<double> global, direct_horizontal, beam_normal, diffuse;
+    std::optional<double> global = {}, direct_horizontal = {}, beam_normal = {}, diffuse = {};
 };
 
 /// What is odd about a reading, and was settled so that the global light is kept.
