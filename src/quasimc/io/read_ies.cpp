@@ -90,8 +90,8 @@ std::optional<std::string> find_tilt(LineScanner& scanner) {
     return std::nullopt;
 }
 
-/// TILT=INCLUDE: how the lamp's output depends on its tilt. The file's intensities are those of the
-/// luminaire as it was measured, so the factors do not count here, but they must be passed over.
+/// TILT=INCLUDE: how much a lamp emits that is tilted. Whoever uses the file states what the lamp
+/// emits, so the factors (here, or in the file that TILT names) do not count.
 void skip_tilt(Numbers& numbers) {
     numbers.next("the lamp's position in the luminaire");
     const double pairs = numbers.next("the number of tilt angles");
@@ -168,10 +168,6 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     }
     if (*tilt == "INCLUDE") {
         skip_tilt(numbers);
-    } else if (*tilt != "NONE") {
-        reporter.warnings.push_back(
-            {reporter.place(scanner.number()),
-             "TILT=" + one_line(*tilt) + ": factors of another file, which do not count here"});
     }
     numbers.next("the number of lamps");
     numbers.next("the lumens of a lamp");

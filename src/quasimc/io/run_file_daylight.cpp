@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -80,13 +81,17 @@ std::optional<DaylightSpectra> read_spectra(TimeContext& context, const std::str
     if (own.faults.empty() && columns.nm.size() < 2) {
         own.fault(0, "holds no spectrum", "at least two rows are needed");
     }
-    const bool good = own.faults.empty();
-    context.table->reporter().add(own);
-    if (!good) {
-        return std::nullopt;
+    if (own.faults.empty()) {
+        Spectrum direct(columns.nm, columns.direct);
+        Spectrum diffuse(columns.nm, columns.diffuse);
+        const SpectralSpan all = span_of(LightUnit::full_spectrum);
+        if (direct.within(all) > 0 && diffuse.within(all) > 0) {
+            return DaylightSpectra(std::move(direct), std::move(diffuse));
+        }
+        own.fault(0, "has no light", "direct and diffuse must have some from 280 to 4000 nm");
     }
-    return DaylightSpectra(
-        Spectrum(columns.nm, columns.direct), Spectrum(columns.nm, columns.diffuse));
+    context.table->reporter().add(own);
+    return std::nullopt;
 }
 
 /// The name of a sky of the catalogue.

@@ -184,14 +184,14 @@ class Selection {
 std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std::string& path) {
     TableReader& table = *context.table;
     const bool looks_epw = path.ends_with(".epw") || path.ends_with(".EPW");
-    const std::string kind =
-        table.choice("weather_format", kKinds).value_or(looks_epw ? "epw" : "csv");
-    const bool is_epw = kind == "epw" || (table.any("weather_format") == nullptr && looks_epw);
+    const bool is_epw =
+        table.choice("weather_format", kKinds).value_or(looks_epw ? "epw" : "csv") == "epw";
+    const WeatherColumns columns = is_epw ? WeatherColumns() : read_columns(context);
     Reporter own{path, {}, {}};
     WeatherFile file;
     try {
         const std::string text = context.run->files->read(path);
-        file = is_epw ? read_epw(text, own) : read_weather_csv(text, read_columns(context), own);
+        file = is_epw ? read_epw(text, own) : read_weather_csv(text, columns, own);
     } catch (const InputError& error) {
         own.faults.add(error);
     }
