@@ -134,8 +134,8 @@ std::vector<Lighting> all_lamps() {
         {"a panel", {panel}},
         {"a tube", {tube}},
         {"a sphere amid the leaves",
-         {lamp({.5, .5, .5}, down, {.kind = Opening::Kind::sphere, .radius = .1},
-               cosine_pattern())}},
+         {lamp(
+             {.5, .5, .5}, down, {.kind = Opening::Kind::sphere, .radius = .1}, cosine_pattern())}},
         {"lamps and a sun", {panel, disk, sun(25, {1, .8, .5})}}};
 }
 

@@ -104,8 +104,7 @@ TEST_P(Lamps, ASphereInABoxLosesNothing) {
     const Result result = trace(scene, {lamp}, 1 << 14);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_TRUE(holds(
-            {"sphere lamp in a grey box", 1, 1e-2, 6},
-            result.at(i, Quantity::absorbed_flux, 0)));
+            {"sphere lamp in a grey box", 1, 1e-2, 6}, result.at(i, Quantity::absorbed_flux, 0)));
     }
 }
 

@@ -159,15 +159,16 @@ std::string civil_time_text(const CivilTime& time) {
     // Rounded to the second; a time that was computed is some 1e-5 s off.
     const int second = static_cast<int>(std::lround(time.second));
     const int offset = static_cast<int>(std::lround(60 * std::abs(time.utc_offset_hours)));
-    const CivilTime shown_time = second == 60 && time.second < 60 ? later(time, 60 - time.second + 0.001) : time;
-    std::string text = fmt::format(
-        "{}T{:02d}:{:02d}", date_text(shown_time), shown_time.hour, shown_time.minute);
+    const CivilTime shown_time =
+        second == 60 && time.second < 60 ? later(time, 60 - time.second + 0.001) : time;
+    std::string text =
+        fmt::format("{}T{:02d}:{:02d}", date_text(shown_time), shown_time.hour, shown_time.minute);
     if (second != 0 && (second != 60 || time.second >= 60)) {
         text += fmt::format(":{:02d}", second);
     }
-    return text + fmt::format(
-                      "{}{:02d}:{:02d}", time.utc_offset_hours < 0 ? '-' : '+', offset / 60,
-                      offset % 60);
+    return text +
+           fmt::format(
+               "{}{:02d}:{:02d}", time.utc_offset_hours < 0 ? '-' : '+', offset / 60, offset % 60);
 }
 
 }  // namespace quasimc

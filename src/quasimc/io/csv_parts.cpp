@@ -127,7 +127,8 @@ std::string csv_organ_columns(const RunFile& run) {
 std::string csv_error_columns() {
     return "# column ..._se: standard error of the number before it; empty where it can't be told "
            "(nothing was hit)\n"
-           "# column ..._high: upper end of the 95 % confidence interval; a bound where nothing was "
+           "# column ..._high: upper end of the 95 % confidence interval; a bound where nothing "
+           "was "
            "hit\n";
 }
 

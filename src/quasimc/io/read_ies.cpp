@@ -113,8 +113,7 @@ void set_opening(double width, double length, IesFile& file) {
 }
 
 bool ascends(const std::vector<double>& angles) {
-    return std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<>()) ==
-           angles.end();
+    return std::adjacent_find(angles.begin(), angles.end(), std::greater_equal<>()) == angles.end();
 }
 
 void check_angles(const PhotometricWeb& web, Numbers& numbers) {
@@ -133,13 +132,11 @@ void check_angles(const PhotometricWeb& web, Numbers& numbers) {
                 "the horizontal angles go from {} to {}", shortest(horizontal.front()),
                 shortest(horizontal.back())),
             "they ascend from 0 to 0, 90, 180 or 360");
-    } else if (std::any_of(web.candela.begin(), web.candela.end(), [](double x) {
-                   return x < 0;
-               })) {
+    } else if (std::any_of(
+                   web.candela.begin(), web.candela.end(), [](double x) { return x < 0; })) {
         numbers.fail("an intensity is negative", "0 or more");
-    } else if (std::all_of(web.candela.begin(), web.candela.end(), [](double x) {
-                   return x == 0;
-               })) {
+    } else if (std::all_of(
+                   web.candela.begin(), web.candela.end(), [](double x) { return x == 0; })) {
         numbers.fail("all intensities are 0", "the luminaire is dark");
     }
 }

@@ -11,9 +11,9 @@ namespace quasimc {
 
 /// A photometric file (docs/formats/ies.md): how a luminaire shines, and the size of its opening.
 struct IesFile {
-    PhotometricWeb web;  ///< ballast factor and multiplier included
+    PhotometricWeb web;                ///< ballast factor and multiplier included
     double length_m = 0, width_m = 0;  ///< of the opening, along and across the 0 degree plane
-    double radius_m = 0;  ///< of a round opening; then length and width are 0
+    double radius_m = 0;               ///< of a round opening; then length and width are 0
     double input_watts = 0;
 };
 

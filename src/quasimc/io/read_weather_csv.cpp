@@ -71,8 +71,7 @@ class TableOfWeather {
             for (const std::string_view part : kReadingNames) {
                 const auto found = std::find(names_.begin(), names_.end(), part);
                 if (found != names_.end()) {
-                    light_[std::string(part)] =
-                        static_cast<std::size_t>(found - names_.begin());
+                    light_[std::string(part)] = static_cast<std::size_t>(found - names_.begin());
                 }
             }
         }
@@ -121,8 +120,8 @@ class TableOfWeather {
             const auto value = parse_real(field);
             if (!value || !std::isfinite(*value)) {
                 reporter_.fault(
-                    record.line, fmt::format("{} is {}", part, shown(field)),
-                    "it must be a number", "or name it in missing_values");
+                    record.line, fmt::format("{} is {}", part, shown(field)), "it must be a number",
+                    "or name it in missing_values");
                 return;
             }
             *part_of(record.reading, part) = *value;
@@ -137,7 +136,8 @@ class TableOfWeather {
             const double apart = seconds_between(i - 1, i);
             if (apart < 0.5) {
                 reporter_.fault(
-                    file_.records[i].line, apart < -0.5 ? "goes back in time" : "the same time again",
+                    file_.records[i].line,
+                    apart < -0.5 ? "goes back in time" : "the same time again",
                     "rows are in the order of time",
                     "clocks that change in autumn need an offset to UTC in each time");
             }
@@ -163,8 +163,7 @@ class TableOfWeather {
 
     [[nodiscard]] double seconds_between(std::size_t a, std::size_t b) const {
         constexpr double kDay = 86400;
-        return kDay *
-               (julian_day(file_.records[b].start) - julian_day(file_.records[a].start));
+        return kDay * (julian_day(file_.records[b].start) - julian_day(file_.records[a].start));
     }
 
     LineScanner scanner_;

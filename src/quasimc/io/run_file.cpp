@@ -48,8 +48,9 @@ OutputSpec read_output(TableReader& top, const InputFiles& files) {
     output.csv = read_path("csv");
     output.json = read_path("json");
     output.days = read_path("days");
-    const bool are_same = (output.csv && (output.csv == output.json || output.csv == output.days)) ||
-                          (output.json && output.json == output.days);
+    const bool are_same =
+        (output.csv && (output.csv == output.json || output.csv == output.days)) ||
+        (output.json && output.json == output.days);
     if (are_same) {
         table.fault("two of csv, json and days name the same file");
     }
@@ -104,9 +105,8 @@ Sections read_sections(
     Sections sections;
     read_format_version(top);
     sections.title = top.text("title").value_or("");
-    RunFileContext context{
-        &top.reporter(), &files, read_bands(top), read_orientation(top), {},
-        top.text("length_unit").value_or("m")};
+    RunFileContext context{&top.reporter(),       &files, read_bands(top),
+                           read_orientation(top), {},     top.text("length_unit").value_or("m")};
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);

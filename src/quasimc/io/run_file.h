@@ -35,9 +35,9 @@ struct RunFile {
     Sources sources;  ///< with [time]: those that shine at all times
     RunSpec spec;
     std::optional<TimeSeries> series;  ///< of a run with [time]
-    OutputSpec output;              ///< paths from the folder of the run file resolved
-    std::vector<InputFile> inputs;  ///< the run file first
-    std::string folder;             ///< that the paths in the run file are relative to
+    OutputSpec output;                 ///< paths from the folder of the run file resolved
+    std::vector<InputFile> inputs;     ///< the run file first
+    std::string folder;                ///< that the paths in the run file are relative to
     std::vector<std::string>
         source_notes;               ///< per source: name, kind, direction, irradiance in words
     std::vector<Warning> warnings;  ///< of the readers and of lint()

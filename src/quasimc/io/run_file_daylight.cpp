@@ -35,9 +35,10 @@ void read_spectrum_row(
     for (const std::string& field : split_fields(line, ',')) {
         values.push_back(parse_real(trimmed(field)).value_or(NAN));
     }
-    const bool is_row = values.size() == 3 && std::all_of(values.begin(), values.end(), [](double x) {
-                            return std::isfinite(x) && x >= 0;
-                        });
+    const bool is_row =
+        values.size() == 3 && std::all_of(values.begin(), values.end(), [](double x) {
+            return std::isfinite(x) && x >= 0;
+        });
     if (!is_row) {
         reporter.fault(
             number, "is no row of a spectrum",

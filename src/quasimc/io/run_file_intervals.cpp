@@ -93,8 +93,8 @@ std::vector<Interval> read_times(TimeContext& context) {
     const double minutes = table.real("duration_minutes", {0, 1440}).value_or(0);
     const auto readings = read_amounts(table, texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        const auto time = parse_civil_time(
-            texts[i], context.utc_offset_hours, place, table.reporter().faults);
+        const auto time =
+            parse_civil_time(texts[i], context.utc_offset_hours, place, table.reporter().faults);
         if (time) {
             intervals.push_back(
                 {*time, 60 * minutes,
@@ -118,8 +118,7 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
     const double days = std::round(seconds_from(span.first, span.last) / kDay);
     const double each = (span.to_hour - span.from_hour) * 3600 / step;
     if (days * each > static_cast<double>(kMostMoments)) {
-        table.fault(
-            fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
+        table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
         return intervals;
     }
     for (double day = 0; day < days; ++day) {
@@ -176,8 +175,8 @@ std::optional<TimeSpan> read_span(TimeContext& context) {
 std::vector<Interval> read_intervals(TimeContext& context) {
     TableReader& table = *context.table;
     const bool has_times = table.any("times") != nullptr;
-    const bool has_span = table.any("day") != nullptr || table.any("from") != nullptr ||
-                          table.any("to") != nullptr;
+    const bool has_span =
+        table.any("day") != nullptr || table.any("from") != nullptr || table.any("to") != nullptr;
     if (has_times == has_span) {
         table.fault(
             has_times ? "times and a day or period are given" : "the times are missing", "",

@@ -24,9 +24,9 @@ struct LengthUnit {
     double metres;
 };
 constexpr std::array kLengthUnits{
-    LengthUnit{"m", 1},         LengthUnit{"cm", 0.01},   LengthUnit{"mm", 0.001},
-    LengthUnit{"dm", 0.1},      LengthUnit{"km", 1000},   LengthUnit{"ft", 0.3048},
-    LengthUnit{"in", 0.0254},   LengthUnit{"um", 1e-6},   LengthUnit{"inch", 0.0254}};
+    LengthUnit{"m", 1},       LengthUnit{"cm", 0.01}, LengthUnit{"mm", 0.001},
+    LengthUnit{"dm", 0.1},    LengthUnit{"km", 1000}, LengthUnit{"ft", 0.3048},
+    LengthUnit{"in", 0.0254}, LengthUnit{"um", 1e-6}, LengthUnit{"inch", 0.0254}};
 
 /// Keys that state what a lamp emits, and the unit of the irradiance that belongs to each.
 struct FluxKey {
@@ -143,7 +143,8 @@ bool read_spot(TableReader& table, const RunFileContext& context, LampSpec& lamp
     if ((table.any("exponent") != nullptr) == (table.any("cone_deg") != nullptr)) {
         table.fault(
             "its beam is not stated in one way", "",
-            "give cone_deg (angle from the axis at which the light ends; soft_from_deg: at which it "
+            "give cone_deg (angle from the axis at which the light ends; soft_from_deg: at which "
+            "it "
             "begins to fall) or exponent (intensity goes as cos^exponent)");
         return false;
     }
@@ -230,8 +231,7 @@ bool read_ies_lamp(TableReader& table, const RunFileContext& context, LampSpec& 
     if (!is_point && file->radius_m > 0) {
         lamp.opening = {Opening::Kind::disk, 0, 0, unit * file->radius_m};
     } else if (!is_point && file->length_m * file->width_m > 0) {
-        lamp.opening = {
-            Opening::Kind::rectangle, unit * file->length_m, unit * file->width_m, 0};
+        lamp.opening = {Opening::Kind::rectangle, unit * file->length_m, unit * file->width_m, 0};
     }
     lamp.pattern = web_pattern(std::move(file->web));
     return is_placed;

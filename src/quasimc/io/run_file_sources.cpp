@@ -18,10 +18,14 @@ struct SourceKind {
 // To add a kind of source to the run file: a function in a file of its own, declared in
 // run_file_source_kinds.h, a row here, a section in docs/formats/run-file.md.
 constexpr std::array kKinds{
-    SourceKind{"directional", read_directional}, SourceKind{"uniform_sky", read_uniform_sky},
-    SourceKind{"point", read_lamp},              SourceKind{"spot", read_lamp},
-    SourceKind{"rectangle", read_lamp},          SourceKind{"disk", read_lamp},
-    SourceKind{"line", read_lamp},               SourceKind{"sphere", read_lamp},
+    SourceKind{"directional", read_directional},
+    SourceKind{"uniform_sky", read_uniform_sky},
+    SourceKind{"point", read_lamp},
+    SourceKind{"spot", read_lamp},
+    SourceKind{"rectangle", read_lamp},
+    SourceKind{"disk", read_lamp},
+    SourceKind{"line", read_lamp},
+    SourceKind{"sphere", read_lamp},
     SourceKind{"ies", read_lamp}};
 
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {

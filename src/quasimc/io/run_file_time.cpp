@@ -33,11 +33,10 @@ class SeriesBuilder {
     void add(const Interval& interval) {
         const SunPath path =
             sun_path(rules_.place, interval.start, interval.seconds, rules_.sun_step);
-        const HourLight light =
-            interval.reading
-                ? measured_light(
-                      path, *interval.reading, rules_.unit, rules_.model, rules_.how.spectra)
-                : clear_light(path, rules_.air);
+        const HourLight light = interval.reading ? measured_light(
+                                                       path, *interval.reading, rules_.unit,
+                                                       rules_.model, rules_.how.spectra)
+                                                 : clear_light(path, rules_.air);
         note(light.note, interval);
         if (light.fault != ReadingFault::none) {
             report(light.fault, path, interval);
@@ -62,10 +61,14 @@ class SeriesBuilder {
     }
 
     TimeSeries finish() {
-        warn(direct_too_large_, "times have more direct light than light in all, by a tenth at "
-                                "most: it counts as direct");
-        warn(sun_too_low_, "times have direct light with the sun too low for it: it counts as "
-                           "diffuse");
+        warn(
+            direct_too_large_,
+            "times have more direct light than light in all, by a tenth at "
+            "most: it counts as direct");
+        warn(
+            sun_too_low_,
+            "times have direct light with the sun too low for it: it counts as "
+            "diffuse");
         return std::move(series_);
     }
 
@@ -80,14 +83,12 @@ class SeriesBuilder {
         if (note == ReadingNote::none) {
             return;
         }
-        Noted& noted =
-            note == ReadingNote::sun_too_low ? sun_too_low_ : direct_too_large_;
+        Noted& noted = note == ReadingNote::sun_too_low ? sun_too_low_ : direct_too_large_;
         noted.first = noted.count++ == 0 ? interval.place : noted.first;
     }
     void warn(const Noted& noted, std::string_view text) {
         if (noted.count > 0) {
-            reporter_.warnings.push_back(
-                {noted.first, fmt::format("{} {}", noted.count, text)});
+            reporter_.warnings.push_back({noted.first, fmt::format("{} {}", noted.count, text)});
         }
     }
 
@@ -181,8 +182,8 @@ std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
                           "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
     words.push_back(fmt::format(
-        "sky: {}; without direct light {}; sun every {} min", rules.how.sky,
-        rules.how.overcast_sky, shortest(rules.sun_step / 60)));
+        "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
+        shortest(rules.sun_step / 60)));
     return words;
 }
 

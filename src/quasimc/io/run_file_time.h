@@ -16,9 +16,9 @@ namespace quasimc {
 /// A stretch of time whose light is to be computed.
 struct Interval {
     CivilTime start;
-    double seconds = 0;               ///< 0: an instant
-    std::optional<Reading> reading;   ///< nothing: a clear sky
-    std::string place;                ///< where it is stated, for messages
+    double seconds = 0;              ///< 0: an instant
+    std::optional<Reading> reading;  ///< nothing: a clear sky
+    std::string place;               ///< where it is stated, for messages
 };
 
 /// The times asked for, before weather fills them.

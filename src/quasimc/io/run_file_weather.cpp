@@ -98,7 +98,8 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
 /// The records asked for. Those that are missing, and holes between records, are faults or skipped.
 class Selection {
   public:
-    Selection(TimeContext& context, std::string file, const std::optional<TimeSpan>& span, bool skips)
+    Selection(
+        TimeContext& context, std::string file, const std::optional<TimeSpan>& span, bool skips)
         : context_(context), file_(std::move(file)), span_(span), skips_(skips) {
         if (span) {
             end_ = span->first;
@@ -153,8 +154,7 @@ class Selection {
         }
         if (asked > 0) {
             note_gap(
-                record.line,
-                fmt::format("{} rows are missing from {}", shortest(asked), first));
+                record.line, fmt::format("{} rows are missing from {}", shortest(asked), first));
         }
     }
 

@@ -50,7 +50,8 @@ SummedUnit summed_unit(const std::string& unit) {
     constexpr std::string_view kPerSecond = " s-1";
     const std::size_t per_second = unit.find(kPerSecond);
     if (unit.starts_with("umol ") && per_second != std::string::npos) {
-        return {unit.substr(1, per_second - 1) + unit.substr(per_second + kPerSecond.size()), kMicro};
+        return {
+            unit.substr(1, per_second - 1) + unit.substr(per_second + kPerSecond.size()), kMicro};
     }
     return {unit + " s", 1};
 }

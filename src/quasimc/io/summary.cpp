@@ -184,8 +184,7 @@ std::string series_summary(
                      series.days.size(), summary.traced));
     text += line(
         "run", fmt::format(
-                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
-                   run.spec.sampler,
+                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays", run.spec.sampler,
                    run.spec.trace_from == TraceFrom::sources ? "from sources" : "from organs",
                    run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
     if (run.spec.target_error > 0) {

@@ -11,7 +11,7 @@ namespace quasimc {
 
 /// What a moment of a series was made from, for headers.
 struct MomentNotes {
-    std::string time;   ///< its beginning, "2024-06-21T12:00+02:00"
+    std::string time;  ///< its beginning, "2024-06-21T12:00+02:00"
     double seconds = 0;
     SunPosition sun;    ///< in the middle of the time that it is up
     Vec3 to_sun;        ///< unit, the file's axes

@@ -24,8 +24,8 @@ struct WeatherRecord {
 
 /// A weather file.
 struct WeatherFile {
-    std::optional<Place> place;               ///< if the file tells it
-    std::optional<double> utc_offset_hours;   ///< of its clock
+    std::optional<Place> place;              ///< if the file tells it
+    std::optional<double> utc_offset_hours;  ///< of its clock
     /// Whether its months are of different years (a typical year), so that only month, day and
     /// hour count.
     bool is_typical_year = false;

@@ -45,8 +45,6 @@ class SeriesJson {
 
 /// What a person wants to know at once of a series.
 [[nodiscard]] std::string series_summary(
-    const RunFile& run,
-    const SeriesSummary& summary,
-    const std::vector<std::string>& written);
+    const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written);
 
 }  // namespace quasimc

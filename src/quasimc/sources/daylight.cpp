@@ -36,10 +36,10 @@ struct NamedSpan {
 };
 // Red and far red: the bands of Smith (1982) for the ratio R:FR.
 constexpr std::array kNamed{
-    NamedSpan{"par", 400, 700},     NamedSpan{"red", 655, 665},  NamedSpan{"r", 655, 665},
-    NamedSpan{"far_red", 725, 735}, NamedSpan{"fr", 725, 735},   NamedSpan{"nir", 700, 2500},
-    NamedSpan{"blue", 400, 500},    NamedSpan{"b", 400, 500},    NamedSpan{"green", 500, 600},
-    NamedSpan{"g", 500, 600},       NamedSpan{"uv", 300, 400},   NamedSpan{"solar", 280, 4000}};
+    NamedSpan{"par", 400, 700},     NamedSpan{"red", 655, 665}, NamedSpan{"r", 655, 665},
+    NamedSpan{"far_red", 725, 735}, NamedSpan{"fr", 725, 735},  NamedSpan{"nir", 700, 2500},
+    NamedSpan{"blue", 400, 500},    NamedSpan{"b", 400, 500},   NamedSpan{"green", 500, 600},
+    NamedSpan{"g", 500, 600},       NamedSpan{"uv", 300, 400},  NamedSpan{"solar", 280, 4000}};
 
 }  // namespace
 

@@ -26,9 +26,9 @@ struct Daylight {
 
 /// Turns daylight into irradiances of bands, and amounts of any unit into daylight.
 ///
-/// By default direct light has the direct spectrum of ASTM G173-03 and both together the global one,
-/// whatever their shares; so the light of the sky is the rest: blue under a clear sky, like global
-/// light under clouds. No sky is bluer than the one of the standard itself (diffuse fraction
+/// By default direct light has the direct spectrum of ASTM G173-03 and both together the global
+/// one, whatever their shares; so the light of the sky is the rest: blue under a clear sky, like
+/// global light under clouds. No sky is bluer than the one of the standard itself (diffuse fraction
 /// 0.117, from its tilted plane). With spectra of one's own, direct and diffuse light have these.
 class DaylightSpectra {
   public:

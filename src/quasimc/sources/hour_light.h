@@ -44,16 +44,16 @@ struct Reading {
 enum class ReadingNote {
     none,
     more_direct_than_global,  ///< by a tenth or less: all light is then direct
-    sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than outside
-                  ///< the atmosphere: it counts as diffuse
+    sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than
+                  ///< outside the atmosphere: it counts as diffuse
 };
 /// What is wrong with a reading.
 enum class ReadingFault { none, incomplete, direct_exceeds_global, light_at_night };
 
 /// Daylight of an hour: suns and one sky.
 struct HourLight {
-    Daylight daylight;             ///< mean over the hour, full spectrum
-    std::vector<double> facing;    ///< of each step of the path: irradiance facing the sun, W m-2
+    Daylight daylight;           ///< mean over the hour, full spectrum
+    std::vector<double> facing;  ///< of each step of the path: irradiance facing the sun, W m-2
     ReadingNote note = ReadingNote::none;
     ReadingFault fault = ReadingFault::none;
 };
@@ -73,9 +73,9 @@ struct HourLight {
 struct DaylightSources {
     std::vector<SpectralSpan> bands;
     DaylightSpectra spectra;
-    std::string sky = "perez";                 ///< of sky_catalogue()
-    std::string overcast_sky = "cie_overcast"; ///< when there is no direct light
-    SkyState state;                            ///< what the sky's model asks for besides the sun
+    std::string sky = "perez";                  ///< of sky_catalogue()
+    std::string overcast_sky = "cie_overcast";  ///< when there is no direct light
+    SkyState state;                             ///< what the sky's model asks for besides the sun
     Orientation orientation;
 };
 

@@ -4,8 +4,8 @@
 // start either by the lamp's pattern, or, when the lamp stands outside the sphere about an open
 // scene, uniformly in the cone that the sphere fills as seen from the place. A fixed lattice of
 // trial starts tells which of the two has the smaller second moment; it also gives flux(), which
-// only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on to
-// where it enters it: the ray engine works in single precision about the scene.
+// only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on
+// to where it enters it: the ray engine works in single precision about the scene.
 
 #include "quasimc/sources/lamp.h"
 
@@ -37,8 +37,7 @@ class LampEmitter final : public Emitter {
         open_y_ = !cell.along_y;
         ball_ = {box_.center(), 0.5 * length(box_.size())};
         const bool can_aim =
-            !cell.periodic() &&
-            length(body_.center - ball_.center) > ball_.radius + body_.radius();
+            !cell.periodic() && length(body_.center - ball_.center) > ball_.radius + body_.radius();
         choose(can_aim);
         flux_ = fraction_ / aperture.world_area();
     }
@@ -175,8 +174,7 @@ class Lamp final : public Source {
         auto emitter = std::make_unique<LampEmitter>(local, pattern_, aperture);
         return emitter->flux() > 0 ? std::move(emitter) : nullptr;
     }
-    [[nodiscard]] Illumination illuminate(
-        const Vec3& point, double u0, double u1) const override {
+    [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         const LampBody::Sight seen =
             by_area_ ? body_.seen_by_area(point, u0, u1) : body_.seen_from(point, u0, u1);
         if (seen.factor == 0) {

@@ -27,18 +27,19 @@ struct Opening {
 /// Where a lamp stands and how it shines. World coordinates, z up.
 struct LampSpec {
     std::string name;
-    Vec3 position;  ///< of the opening's center
+    Vec3 position;                                  ///< of the opening's center
     Frame axes{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};  ///< x, y, z of the lamp; it aims along z
     Opening opening;
     Pattern pattern = isotropic_pattern();  ///< every place of the opening shines alike
-    std::vector<double> flux;  ///< per band, irradiance unit x square scene unit
+    std::vector<double> flux;               ///< per band, irradiance unit x square scene unit
 };
 
 /// A lamp. It is light and no body: it casts no shadow, and light passes through it. In a periodic
 /// scene it repeats with the cell (and is then traced from the sources only).
 ///
-/// Light tracing sends paths either by the lamp's pattern or into the cone that the scene's bounding
-/// sphere fills, whichever wastes less; flux() of its emitter is the light that goes there.
+/// Light tracing sends paths either by the lamp's pattern or into the cone that the scene's
+/// bounding sphere fills, whichever wastes less; flux() of its emitter is the light that goes
+/// there.
 [[nodiscard]] std::shared_ptr<const Source> make_lamp(LampSpec spec);
 
 /// The right-handed frame that aims along `aim` (not zero) with its x axis towards `along`, as far

@@ -32,8 +32,7 @@ LampBody::Sight line_seen_from(const LampBody& body, const Vec3& point, double u
     const double low = std::atan((-half - foot) / away);
     const double high = std::atan((half - foot) / away);
     const double along = foot + away * std::tan(low + u * (high - low));
-    LampBody::Sight sight =
-        sight_of(point, {body.center + along * body.axes.n, body.axes});
+    LampBody::Sight sight = sight_of(point, {body.center + along * body.axes.n, body.axes});
     sight.factor = (high - low) / (body.opening.length * away);
     return sight;
 }
@@ -85,8 +84,7 @@ class SphericalRectangle {
         const double a = u0 * solid_angle_ + k_;
         const double f = (std::cos(a) * b0_ - b1_) / std::sin(a);
         const double c = std::clamp(std::copysign(1 / std::hypot(f, b0_), f), -1.0, 1.0);
-        const double x =
-            std::clamp(-c * z_ / std::sqrt(std::max(1 - c * c, 0x1p-104)), x0_, x1_);
+        const double x = std::clamp(-c * z_ / std::sqrt(std::max(1 - c * c, 0x1p-104)), x0_, x1_);
         const double d = std::hypot(x, z_);
         const double h0 = y0_ / std::hypot(d, y0_);
         const double h1 = y1_ / std::hypot(d, y1_);
@@ -100,8 +98,7 @@ class SphericalRectangle {
     double b0_ = 0, b1_ = 0, k_ = 0, solid_angle_ = 0;
 };
 
-LampBody::Sight rectangle_seen_from(
-    const LampBody& body, const Vec3& point, double u0, double u1) {
+LampBody::Sight rectangle_seen_from(const LampBody& body, const Vec3& point, double u0, double u1) {
     const Opening& opening = body.opening;
     const Vec3 offset = to_axes(body.axes, body.center - point);
     const double area = opening.length * opening.width;
@@ -110,8 +107,8 @@ LampBody::Sight rectangle_seen_from(
     if (offset.z >= 0) {
         return {};  // behind it
     }
-    if (dot(offset, offset) > kFar * (area + opening.length * opening.length +
-                                      opening.width * opening.width)) {
+    if (dot(offset, offset) >
+        kFar * (area + opening.length * opening.length + opening.width * opening.width)) {
         return body.seen_by_area(point, u0, u1);
     }
     const SphericalRectangle seen(
@@ -147,14 +144,12 @@ LampBody::Place LampBody::place(double u0, double u1) const {
             return {center + (u0 - 0.5) * opening.length * axes.n, axes};
         case Opening::Kind::rectangle:
             return {
-                center + (u0 - 0.5) * opening.length * axes.s +
-                    (u1 - 0.5) * opening.width * axes.t,
+                center + (u0 - 0.5) * opening.length * axes.s + (u1 - 0.5) * opening.width * axes.t,
                 axes};
         case Opening::Kind::disk: {
             const double r = opening.radius * std::sqrt(u0);
             const double around = 2 * pi * u1;
-            return {
-                center + r * std::cos(around) * axes.s + r * std::sin(around) * axes.t, axes};
+            return {center + r * std::cos(around) * axes.s + r * std::sin(around) * axes.t, axes};
         }
         case Opening::Kind::sphere: {
             const Vec3 normal = direction_in_cone(axes.n, u0, u1);

@@ -23,8 +23,8 @@ struct LampBody {
         Vec3 to_light;  ///< unit
         double distance = 0;
         Frame axes;         ///< of the pattern there
-        double factor = 0;  ///< times the intensity towards the point: irradiance facing it over the
-                            ///< density of the draw; 0: nothing can be seen
+        double factor = 0;  ///< times the intensity towards the point: irradiance facing it over
+                            ///< the density of the draw; 0: nothing can be seen
     };
     /// Draws a place as seen from `point`: rectangles and spheres uniformly in solid angle, lines
     /// uniformly in the angle at the point (their irradiance is bounded as near as one likes),

@@ -169,7 +169,8 @@ Pattern spot_pattern(double inner, double outer) {
 
 Pattern tube_pattern() {
     return {
-        [](double theta, double) { return std::sin(theta); }, refined({0, pi}, kLongestStep, 1),
+        [](double theta, double) { return std::sin(theta); },
+        refined({0, pi}, kLongestStep, 1),
         {0, 2 * pi}};
 }
 

@@ -12,18 +12,20 @@ namespace quasimc {
 /// where the lamp aims, x its zero azimuth.
 ///
 /// Directions are drawn from a table of cells that are uniform in solid angle, in proportion to the
-/// light in each, and weighted by what the intensity there differs from the cell's mean: continuous,
-/// without a bias of the table.
+/// light in each, and weighted by what the intensity there differs from the cell's mean:
+/// continuous, without a bias of the table.
 class Pattern {
   public:
     /// Intensity, in any unit, at angle `theta` from the axis (0 to pi) and azimuth `phi` (0 to
     /// 2 pi).
     using Intensity = std::function<double(double theta, double phi)>;
 
-    /// @param thetas  ascending, within 0 to pi, between which the intensity is smooth; outside them
+    /// @param thetas  ascending, within 0 to pi, between which the intensity is smooth; outside
+    /// them
     ///                it is 0
     /// @param phis    ascending, from 0 to 2 pi; {0, 2 pi} if the azimuth doesn't matter
-    Pattern(Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis);
+    Pattern(
+        Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis);
 
     /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
     [[nodiscard]] double total() const { return total_; }
@@ -39,7 +41,7 @@ class Pattern {
     [[nodiscard]] std::size_t columns() const { return phis_.size() - 1; }
 
     Intensity intensity_;
-    std::vector<double> rows_;   // (1 - cos theta) / 2 at the borders of the rows of cells
+    std::vector<double> rows_;  // (1 - cos theta) / 2 at the borders of the rows of cells
     std::vector<double> phis_;
     std::vector<double> until_;  // share of the light in the rows up to each
     std::vector<double> mass_;   // [row][column] share of the light in the cell

@@ -35,8 +35,7 @@ double folded(double phi_deg, double last_deg) {
 
 double intensity_of(const PhotometricWeb& web, double theta, double phi) {
     const Place v = place_in(web.vertical_deg, theta * 180 / pi);
-    const Place h = place_in(
-        web.horizontal_deg, folded(phi * 180 / pi, web.horizontal_deg.back()));
+    const Place h = place_in(web.horizontal_deg, folded(phi * 180 / pi, web.horizontal_deg.back()));
     const std::size_t rows = web.vertical_deg.size();
     const auto at = [&](std::size_t column) {
         const double* candela = &web.candela[column * rows + v.interval];

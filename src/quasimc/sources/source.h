@@ -62,8 +62,8 @@ class Source {
     Source& operator=(const Source&) = delete;
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which plane,
-    /// the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
+    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
+    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
     [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
 
     /// Null when no light of this source enters the aperture.

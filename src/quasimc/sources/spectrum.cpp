@@ -9,17 +9,17 @@
 namespace quasimc {
 namespace {
 
-constexpr double kPlanck = 6.62607015e-34;     // J s
-constexpr double kLight = 299792458;           // m s-1
-constexpr double kAvogadro = 6.02214076e23;    // mol-1
+constexpr double kPlanck = 6.62607015e-34;   // J s
+constexpr double kLight = 299792458;         // m s-1
+constexpr double kAvogadro = 6.02214076e23;  // mol-1
 constexpr double kLumensPerWatt = 683;
 
 constexpr double kPhotopicStart = 380;
 constexpr double kPhotopicStep = 10;
 constexpr std::array<double, 41> kPhotopic{
-    3.9e-5,  1.2e-4,  3.96e-4, .00121, .004,    .0116,   .023,    .038,  .06,    .09098, .13902,
-    .20802,  .323,    .503,    .71,    .862,    .954,    .99495,  .995,  .952,   .87,    .757,
-    .631,    .503,    .381,    .265,   .175,    .107,    .061,    .032,  .017,   .00821, .004102,
+    3.9e-5,  1.2e-4,  3.96e-4, .00121,   .004,   .0116,  .023,   .038,   .06,  .09098, .13902,
+    .20802,  .323,    .503,    .71,      .862,   .954,   .99495, .995,   .952, .87,    .757,
+    .631,    .503,    .381,    .265,     .175,   .107,   .061,   .032,   .017, .00821, .004102,
     .002091, .001047, .00052,  .0002492, .00012, .00006, .00003, .000015};
 
 /// The factor on the irradiance at a wavelength.

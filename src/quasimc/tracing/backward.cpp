@@ -2,8 +2,8 @@
 //
 // At a point of the organ, and at every hit of a path that starts there, one direction to a light
 // is drawn and tested (next-event estimation). Light that comes by a lobe of one direction can't be
-// found so. From a sky it is found by the paths that a mirror sends there; from a sun or a lamp only
-// from its own side, so a light path follows each point's where a scene has such lobes
+// found so. From a sky it is found by the paths that a mirror sends there; from a sun or a lamp
+// only from its own side, so a light path follows each point's where a scene has such lobes
 // (PathFilter::delta_first). The two sets of paths are disjoint by their first scattering and
 // together complete.
 //
@@ -320,8 +320,8 @@ class BackwardEstimator final : public Estimator {
         }
     }
 
-    /// A light path for what points can't find: light of a sun or a lamp whose first scattering is in
-    /// one direction.
+    /// A light path for what points can't find: light of a sun or a lamp whose first scattering is
+    /// in one direction.
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Workspace& workspace, Tally& tally) const {
         const double u0 = number(stream, index, 0);
@@ -335,14 +335,15 @@ class BackwardEstimator final : public Estimator {
             number(stream, index, 1), is_beam ? 0 : number(stream, index, 2),
             is_beam ? 0 : number(stream, index, 3)};
         const Emission emission = light.emitter->emit(u);
-        const PathRules rules{&stage_,
-                              &sampler_,
-                              stream,
-                              start_dimensions_,
-                              spec_.max_depth,
-                              enough_,
-                              PathFilter::delta_first,
-                              companion_scale_};
+        const PathRules rules{
+            &stage_,
+            &sampler_,
+            stream,
+            start_dimensions_,
+            spec_.max_depth,
+            enough_,
+            PathFilter::delta_first,
+            companion_scale_};
         const CastHit at = stage_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         return 1 + follow(
                        rules, {&light, index, emission.direction, emission.weight}, at,
@@ -357,8 +358,8 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     std::uint32_t light_dimensions_ = 2;
-    std::uint32_t start_dimensions_ = 2;  // of a companion: 2 if all lights are beams
-    bool hides_from_mirrors_ = false;     // some light is a sun or a lamp
+    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all lights are beams
+    bool hides_from_mirrors_ = false;      // some light is a sun or a lamp
     std::vector<double> companion_scale_;  // by element: from flux per light path to cell units
     double reference_area_ = 0;
 };

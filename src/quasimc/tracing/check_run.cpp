@@ -126,8 +126,7 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
 }
 
 /// An infinity of lamps, of which points on the organs would have to pick one.
-void check_lamps(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     const bool has_lamp = std::any_of(
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
     if (has_lamp && scene.cell().periodic() && spec.trace_from == TraceFrom::organs) {

@@ -92,7 +92,8 @@ class SeriesRun {
     SeriesSummary run() {
         for (std::size_t i = 0; i < moments_.size(); ++i) {
             trace(i);
-            const bool ends_day = i + 1 == moments_.size() || moments_[i + 1].day != moments_[i].day;
+            const bool ends_day =
+                i + 1 == moments_.size() || moments_[i + 1].day != moments_[i].day;
             if (ends_day) {
                 finish_day(i);
             }

@@ -43,11 +43,11 @@ struct SeriesEvents {
 
 /// What is known of a series at its end.
 struct SeriesSummary {
-    SeriesSum total;             ///< over all days
-    std::size_t traced = 0;      ///< moments that were traced; the others are dark or scaled
-    std::size_t at_target = 0;   ///< of those, moments that reached the target error, if one was set
+    SeriesSum total;            ///< over all days
+    std::size_t traced = 0;     ///< moments that were traced; the others are dark or scaled
+    std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
     std::uint64_t rays = 0;
-    double seconds = 0;          ///< wall
+    double seconds = 0;  ///< wall
 };
 
 /// Which moment's trace serves a moment, and the factor on its light.

@@ -23,8 +23,8 @@ class SeriesAdder {
     /// Of one value.
     struct Cell {
         double mean = 0, variance = 0;
-        double spread = 0;  ///< sum of variance^2 / degrees of freedom
-        double unseen = 0;  ///< upper bounds of what was not seen
+        double spread = 0;        ///< sum of variance^2 / degrees of freedom
+        double unseen = 0;        ///< upper bounds of what was not seen
         bool is_unknown = false;  ///< some part has no error that could be told
     };
     std::vector<Cell> cells_;

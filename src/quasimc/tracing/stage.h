@@ -79,8 +79,8 @@ class Stage {
     [[nodiscard]] const Material& material(std::uint32_t element) const {
         return *materials_[element];
     }
-    /// Whether light passes between `place` on triangle `self` of the mesh and what is at `distance`
-    /// (local units; infinite: the sky). Sensors let it pass.
+    /// Whether light passes between `place` on triangle `self` of the mesh and what is at
+    /// `distance` (local units; infinite: the sky). Sensors let it pass.
     [[nodiscard]] bool reaches(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }

@@ -160,19 +160,18 @@ TEST(RunFileLamps, FluxGoesWithTheUnitOfLength) {
     const RunFile run = read_text(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cm'\n"));
     const Illumination seen = run.sources[0]->illuminate({0, 0, 0}, .5, .5);
     EXPECT_NEAR(run.sources[0]->spectrum()[0] * seen.weight, 1 / (4 * pi), 1e-9);
-    EXPECT_TRUE(mentions(
-        faults_of(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cubit'\n")), "cubit"));
+    EXPECT_TRUE(
+        mentions(faults_of(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cubit'\n")), "cubit"));
 }
 
 TEST(RunFileLamps, SayWhatIsWrong) {
     const std::string point = "type = 'point'\nposition = [0, 0, 3]\n";
     EXPECT_TRUE(mentions(faults_of(with_lamp(point)), "what it emits is missing"));
-    EXPECT_TRUE(mentions(
-        faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")), "both power and"));
+    EXPECT_TRUE(
+        mentions(faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")), "both power and"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp(point + "photon_flux = 2\n")), "of irradiance in umol m-2 s-1"));
-    EXPECT_TRUE(mentions(
-        faults_of(with_lamp(point + "power = 2\nradius = 1\n")), "radius"));
+    EXPECT_TRUE(mentions(faults_of(with_lamp(point + "power = 2\nradius = 1\n")), "radius"));
     const std::string spot = "type = 'spot'\nposition = [0, 0, 3]\npower = 1\n";
     EXPECT_TRUE(mentions(faults_of(with_lamp(spot)), "cone_deg"));
     EXPECT_TRUE(mentions(
@@ -180,8 +179,7 @@ TEST(RunFileLamps, SayWhatIsWrong) {
     EXPECT_TRUE(mentions(
         faults_of(with_lamp(spot + "cone_deg = 10\naim = [0, 0, 0]\n")), "points nowhere"));
     EXPECT_TRUE(mentions(
-        faults_of(with_lamp(
-            "type = 'line'\nfrom = [1, 0, 3]\nto = [1, 0, 3]\npower = 1\n")),
+        faults_of(with_lamp("type = 'line'\nfrom = [1, 0, 3]\nto = [1, 0, 3]\npower = 1\n")),
         "the same place"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp("type = 'disk'\nposition = [0, 0, 3]\nradius = 0\npower = 1\n")),

@@ -104,8 +104,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     const RunFile run = read_text(text.text(), files);
     EXPECT_NEAR(on_the_horizontal(run.series->moments[0]), .5 * 400 + .5 * 100, 1e-6);
     const auto bad = faults_of(
-        text.text(),
-        {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
+        text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
     EXPECT_EQ(bad.size(), 3U);
     EXPECT_TRUE(mentions(bad, "does not grow"));
     EXPECT_TRUE(mentions(
@@ -117,9 +116,9 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
 
 TEST(RunFileTime, LampsShineAtAllTimes) {
     RunText text;
-    text.sources =
-        "[[source]]\ntype = 'point'\nposition = [0, 0, 3]\npower = 9\n";
-    text.rest = std::string(kPlace) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
+    text.sources = "[[source]]\ntype = 'point'\nposition = [0, 0, 3]\npower = 9\n";
+    text.rest =
+        std::string(kPlace) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
     const RunFile run = read_text(text.text());
     EXPECT_EQ(run.sources.size(), 1U);
     EXPECT_EQ(run.series->moments[0].sources.size(), 1U);
@@ -139,19 +138,19 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(mentions(faults("from = '2024-06-21'\nutc_offset_hours = 1\n"), "to"));
     EXPECT_TRUE(mentions(
         faults("day = '2023-02-29'\nutc_offset_hours = 1\n"), "month 2 of 2023 has 28 days"));
-    EXPECT_TRUE(mentions(faults("day = '2024-06-21'\nutc_offset_hours = 15\n"), "utc_offset_hours"));
+    EXPECT_TRUE(
+        mentions(faults("day = '2024-06-21'\nutc_offset_hours = 15\n"), "utc_offset_hours"));
     EXPECT_TRUE(mentions(faults("times = ['2024-06-21T12:00']\n"), "has no time zone"));
     EXPECT_TRUE(mentions(faults("times = []\n"), "times is empty"));
     EXPECT_TRUE(mentions(
         faults("times = ['2024-06-21T12:00Z']\nglobal = [1, 2]\n"), "global has 2 values"));
-    EXPECT_TRUE(mentions(
-        faults("times = ['2024-06-21T12:00Z']\ndiffuse = 5\n"), "is not known"));
-    EXPECT_TRUE(mentions(
-        faults("times = ['2024-06-21T12:00Z']\nsky = 'cloudy'\n"), "sky is 'cloudy'"));
-    EXPECT_TRUE(mentions(
-        faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "no pair"));
-    EXPECT_TRUE(mentions(
-        faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
+    EXPECT_TRUE(mentions(faults("times = ['2024-06-21T12:00Z']\ndiffuse = 5\n"), "is not known"));
+    EXPECT_TRUE(
+        mentions(faults("times = ['2024-06-21T12:00Z']\nsky = 'cloudy'\n"), "sky is 'cloudy'"));
+    EXPECT_TRUE(
+        mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "no pair"));
+    EXPECT_TRUE(
+        mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the place is missing"));
     EXPECT_TRUE(mentions(
@@ -166,8 +165,8 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     const std::string svalbard = "[place]\nlatitude_deg = 78.2\nlongitude_deg = 15.6\n";
     const std::string day = "day = '2024-12-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(mentions(faults_of(with_time(day, svalbard)), "dark at all these times"));
-    const RunFile summer =
-        read_text(with_time("day = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n", svalbard));
+    const RunFile summer = read_text(
+        with_time("day = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n", svalbard));
     for (const Moment& moment : summer.series->moments) {
         EXPECT_FALSE(moment.sources.empty());
     }
@@ -186,7 +185,8 @@ std::string day_table(int from_hour = 0, int to_hour = 24) {
     std::string text = "time,global,diffuse\n";
     for (int i = 2 * from_hour; i < 2 * to_hour; ++i) {
         const double hour = (i + .5) / 2;
-        const double light = std::max(0.0, 600 * std::cos((hour - 12.6) / 24 * 2 * std::numbers::pi) - 100);
+        const double light =
+            std::max(0.0, 600 * std::cos((hour - 12.6) / 24 * 2 * std::numbers::pi) - 100);
         text += fmt::format(
             "2024-06-21T{:02d}:{:02d}+01:00,{:.2f},{:.2f}\n", i / 2, i % 2 * 30, light, .3 * light);
     }
@@ -249,7 +249,8 @@ TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
 
 std::string epw_text(double zone = 1) {
     std::string text = fmt::format(
-        "LOCATION,Wageningen,-,NLD,test,0,51.97,5.67,{},7.0\nDATA PERIODS,1,1,Data,Sunday,1/1,12/31\n",
+        "LOCATION,Wageningen,-,NLD,test,0,51.97,5.67,{},7.0\nDATA "
+        "PERIODS,1,1,Data,Sunday,1/1,12/31\n",
         zone);
     for (const int month : {6, 7}) {
         for (int hour = 1; hour <= 24; ++hour) {
@@ -277,11 +278,9 @@ TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"w.epw", epw_text()}}), "no light of the times asked for"));
     text.rest = "[time]\nweather = 'w.epw'\nutc_offset_hours = 2\nday = '2024-06-21'\n";
-    EXPECT_TRUE(mentions(
-        faults_of(text.text(), {{"w.epw", epw_text()}}), "1 hours ahead of UTC"));
+    EXPECT_TRUE(mentions(faults_of(text.text(), {{"w.epw", epw_text()}}), "1 hours ahead of UTC"));
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
-    EXPECT_TRUE(mentions(
-        faults_of(text.text(), {{"w.epw", epw_text(13)}}), "below the horizon"));
+    EXPECT_TRUE(mentions(faults_of(text.text(), {{"w.epw", epw_text(13)}}), "below the horizon"));
 }
 
 /// Overcast hours differ by a factor only.

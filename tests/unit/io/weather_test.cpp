@@ -53,9 +53,9 @@ std::string record(
 }
 
 TEST(Epw, GivesPlaceClockAndTheHourBeforeEachRecord) {
-    const ReadWeather read = epw(
-        std::string(kHead) + record(1999, 6, 21, 12, "500", "120") +
-        record(1999, 6, 21, 24, "0", "0"));
+    const ReadWeather read =
+        epw(std::string(kHead) + record(1999, 6, 21, 12, "500", "120") +
+            record(1999, 6, 21, 24, "0", "0"));
     EXPECT_TRUE(read.faults.empty());
     EXPECT_EQ(read.file.place->latitude_deg, 51.97);
     EXPECT_EQ(read.file.place->longitude_deg, 5.67);
@@ -72,9 +72,9 @@ TEST(Epw, GivesPlaceClockAndTheHourBeforeEachRecord) {
 }
 
 TEST(Epw, NotesMissingValuesAndYearsThatAreMixed) {
-    const ReadWeather read = epw(
-        std::string(kHead) + record(1999, 1, 31, 12, "9999", "120") +
-        record(1985, 2, 1, 12, "500", "99999"));
+    const ReadWeather read =
+        epw(std::string(kHead) + record(1999, 1, 31, 12, "9999", "120") +
+            record(1985, 2, 1, 12, "500", "99999"));
     EXPECT_TRUE(read.faults.empty());
     EXPECT_TRUE(read.file.records[0].is_missing);
     EXPECT_TRUE(read.file.records[1].is_missing);
@@ -116,9 +116,9 @@ TEST(Epw, RefusesOtherFiles) {
 }
 
 TEST(WeatherTable, ReadsItsColumnsByName) {
-    const ReadWeather read = csv(
-        "# a station\ntime,wind,global,diffuse\n"
-        "2024-06-21T12:00+01:00,3,600,150\n2024-06-21T12:30+01:00,3,650,160\n");
+    const ReadWeather read =
+        csv("# a station\ntime,wind,global,diffuse\n"
+            "2024-06-21T12:00+01:00,3,600,150\n2024-06-21T12:30+01:00,3,650,160\n");
     EXPECT_TRUE(read.faults.empty());
     ASSERT_EQ(read.file.records.size(), 2U);
     EXPECT_EQ(read.file.records[0].start, (CivilTime{2024, 6, 21, 11, 30, 0, 1}));
@@ -145,9 +145,9 @@ TEST(WeatherTable, FollowsTheNamesStampAndMarksThatAreStated) {
 }
 
 TEST(WeatherTable, ReportsEveryBadRow) {
-    const ReadWeather read = csv(
-        "time,global\n2024-06-21T12:00Z,600,7\nnoon,600\n2024-06-21T13:00Z,much\n"
-        "2024-02-30T13:00Z,1\n2024-06-21T13:00,1\n2024-06-21T14:00Z,1\n");
+    const ReadWeather read =
+        csv("time,global\n2024-06-21T12:00Z,600,7\nnoon,600\n2024-06-21T13:00Z,much\n"
+            "2024-02-30T13:00Z,1\n2024-06-21T13:00,1\n2024-06-21T14:00Z,1\n");
     EXPECT_EQ(read.faults.size(), 5U);
     EXPECT_TRUE(mentions(read.faults, "w.csv:2: 3 fields (there are 2 columns)"));
     EXPECT_TRUE(mentions(read.faults, "'noon' is not a time"));
@@ -156,13 +156,13 @@ TEST(WeatherTable, ReportsEveryBadRow) {
 }
 
 TEST(WeatherTable, RefusesTimesThatGoBack) {
-    const ReadWeather autumn = csv(
-        "time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:45+02:00,1\n"
-        "2024-10-27T02:15+02:00,1\n2024-10-27T02:15+02:00,1\n");
+    const ReadWeather autumn =
+        csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:45+02:00,1\n"
+            "2024-10-27T02:15+02:00,1\n2024-10-27T02:15+02:00,1\n");
     EXPECT_TRUE(mentions(autumn.faults, "goes back in time"));
     EXPECT_TRUE(mentions(autumn.faults, "the same time again"));
-    EXPECT_TRUE(csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:30+01:00,1\n")
-                    .faults.empty())
+    EXPECT_TRUE(
+        csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:30+01:00,1\n").faults.empty())
         << "the hour that comes twice, told apart by its offset";
 }
 
@@ -179,8 +179,9 @@ TEST(WeatherTable, SaysWhatItLacks) {
 }
 
 TEST(Fields, AreSplitWithQuotes) {
-    EXPECT_EQ(split_fields("a,\"b,c\",,\"d\"\"e\"", ','),
-              (std::vector<std::string>{"a", "b,c", "", "d\"e"}));
+    EXPECT_EQ(
+        split_fields("a,\"b,c\",,\"d\"\"e\"", ','),
+        (std::vector<std::string>{"a", "b,c", "", "d\"e"}));
     EXPECT_EQ(split_fields("", ','), std::vector<std::string>{""});
 }
 

@@ -26,8 +26,7 @@ TEST(Spectrum, IntegratesItsStraightLinesExactly) {
     // Photons of a flat spectrum: as of its middle wavelength.
     const Spectrum flat({400, 700}, {1, 1});
     EXPECT_NEAR(
-        flat.within({400, 700, SpectralSpan::Count::photons}), 300 * photons_per_joule(550),
-        1e-9);
+        flat.within({400, 700, SpectralSpan::Count::photons}), 300 * photons_per_joule(550), 1e-9);
 }
 
 /// 1 W of 555 nm is 4.64 umol s-1 and 683 lm.
@@ -52,8 +51,7 @@ TEST(Daylight, HasTheKnownConversions) {
     const DaylightSpectra spectra;
     const Daylight light = spectra.from_fraction(1000, LightUnit::full_spectrum, .2);
     const auto amount = [&](LightUnit unit) {
-        return spectra.direct(span_of(unit)) * light.direct +
-               spectra.diffuse(span_of(unit), light);
+        return spectra.direct(span_of(unit)) * light.direct + spectra.diffuse(span_of(unit), light);
     };
     EXPECT_NEAR(amount(LightUnit::full_spectrum), 1000, 1e-9);
     EXPECT_NEAR(amount(LightUnit::ppfd) / amount(LightUnit::par), 4.57, .04);

@@ -40,8 +40,8 @@ TEST(SunPath, LooksAtTheMiddlesOfItsSteps) {
     const SunPath hour = sun_path(kWageningen, june(9), 3600, 300);
     ASSERT_EQ(hour.steps.size(), 12U);
     EXPECT_NEAR(
-        hour.steps[3].elevation_deg, sun_position(kWageningen, {2024, 6, 21, 9, 17, 30, 1}).elevation_deg,
-        1e-6);
+        hour.steps[3].elevation_deg,
+        sun_position(kWageningen, {2024, 6, 21, 9, 17, 30, 1}).elevation_deg, 1e-6);
     EXPECT_EQ(sun_path(kWageningen, june(9), 0, 300).steps.size(), 1U);
     const SunPath still = sun_path(kWageningen, june(9), 3600, 0);
     ASSERT_EQ(still.steps.size(), 1U);
@@ -91,9 +91,8 @@ TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
             const HourLight light =
                 measured(path, {.direct_horizontal = 300 * path.mean_sine(), .diffuse = 100});
             const DaylightSources how = to_sources();
-            const double expected =
-                how.spectra.direct(how.bands[0]) * light.daylight.direct +
-                how.spectra.diffuse(how.bands[0], light.daylight);
+            const double expected = how.spectra.direct(how.bands[0]) * light.daylight.direct +
+                                    how.spectra.diffuse(how.bands[0], light.daylight);
             EXPECT_NEAR(
                 on_the_horizontal(make_hour_sources(path, light, how)), expected, 1e-6 * expected);
         }
@@ -118,8 +117,7 @@ TEST(MeasuredLight, TellsWhatCantBe) {
 TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
     const SunPath dawn = sun_path(kWageningen, june(4), 3600, 300);
     const double most = dawn.outside() * dawn.mean_sine();
-    const HourLight light =
-        measured(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
+    const HourLight light = measured(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
     EXPECT_EQ(light.note, ReadingNote::sun_too_low);
     EXPECT_EQ(light.daylight.direct, 0);
     EXPECT_NEAR(light.daylight.diffuse, 2 * most + 10, 1e-9);
@@ -159,8 +157,8 @@ TEST(ClearLight, ShinesAllDayAndNotAtAllAtThePoles) {
 
 TEST(HourSources, AreSunsAndOneSky) {
     const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
-    const HourSources clear =
-        make_hour_sources(path, measured(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
+    const HourSources clear = make_hour_sources(
+        path, measured(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
     ASSERT_EQ(clear.sources.size(), 13U);
     for (std::size_t i = 0; i < 12; ++i) {
         EXPECT_TRUE(clear.sources[i]->is_directional());

@@ -24,8 +24,7 @@ LampSpec lamp_of(Opening opening, Pattern pattern) {
     return spec;
 }
 LampSpec rectangle() {
-    return lamp_of(
-        {.kind = Opening::Kind::rectangle, .length = 2, .width = .6}, cosine_pattern());
+    return lamp_of({.kind = Opening::Kind::rectangle, .length = 2, .width = .6}, cosine_pattern());
 }
 LampSpec disk() {
     return lamp_of({.kind = Opening::Kind::disk, .radius = .5}, cosine_pattern());
@@ -45,8 +44,7 @@ double irradiance(const Source& lamp, const Vec3& place, const Vec3& n) {
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
         for (int j = 0; j < kSide; ++j) {
-            const Illumination seen =
-                lamp.illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
+            const Illumination seen = lamp.illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
             sum += seen.weight > 0 ? seen.weight * std::max(0.0, dot(seen.to_light, n)) : 0;
         }
     }
@@ -69,8 +67,7 @@ TEST(Lamp, ADiskLightsThePlaceBelowItsCenterByTheClosedForm) {
     const auto lamp = make_lamp(disk());
     const double exitance = 1 / (pi * .25);
     for (const double h : {.2, .5, 3.0}) {
-        EXPECT_NEAR(
-            irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * .25 / (.25 + h * h), 1e-3);
+        EXPECT_NEAR(irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * .25 / (.25 + h * h), 1e-3);
     }
     EXPECT_EQ(irradiance(*lamp, {0, 0, .5}, {0, 0, -1}), 0) << "behind it";
 }
@@ -86,8 +83,7 @@ TEST(Lamp, ARectangleLightsThePlaceBelowItsCenterByTheClosedForm) {
                                b / std::hypot(1, b) * std::atan(a / std::hypot(1, b)));
         const double exitance = 1 / 1.2;
         EXPECT_NEAR(
-            irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * factor,
-            2e-4 * exitance * factor)
+            irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * factor, 2e-4 * exitance * factor)
             << h;
     }
 }
@@ -108,8 +104,7 @@ TEST(Lamp, ASphereLightsAsItsCenterWould) {
     const auto lamp = make_lamp(ball());
     for (const double distance : {.51, 1.0, 40.0}) {
         const Vec3 n = normalized({-1, 2, .5});
-        EXPECT_NEAR(
-            irradiance(*lamp, -distance * n, n) * 4 * pi * distance * distance, 1, 1e-4);
+        EXPECT_NEAR(irradiance(*lamp, -distance * n, n) * 4 * pi * distance * distance, 1, 1e-4);
     }
     EXPECT_EQ(irradiance(*lamp, {0, .1, 0}, {0, 0, 1}), 0) << "inside";
 }
@@ -171,8 +166,9 @@ TEST(Lamp, SendsWhatIsSeenOfIt) {
     far.axes = lamp_axes(-far.position, {1, 0, 0});
     LampSpec beside = ball();
     beside.position = {2, 0, -.5};
-    for (const LampSpec& spec : {rectangle(), disk(), ball(), tube(), slanted, far, beside,
-                                 lamp_of({}, isotropic_pattern())}) {
+    for (const LampSpec& spec :
+         {rectangle(), disk(), ball(), tube(), slanted, far, beside,
+          lamp_of({}, isotropic_pattern())}) {
         expect_same_flux_on_the_floor(spec);
     }
 }

@@ -50,8 +50,7 @@ Pattern uneven() {
         [](double theta, double phi) {
             return phi > 4 ? 0 : std::sin(theta) * (1.5 + std::cos(phi)) + .1;
         },
-        refined({.2, 1, 2.5}, .05, 4),
-        refined({0, 1, 4, 2 * pi}, .2, 2)};
+        refined({.2, 1, 2.5}, .05, 4), refined({0, 1, 4, 2 * pi}, .2, 2)};
 }
 
 class EveryPattern : public ::testing::TestWithParam<std::pair<std::string, Pattern>> {};

@@ -1,10 +1,9 @@
 #include "quasimc/tracing/stage.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
-
-#include <limits>
 
 #include <gtest/gtest.h>
 
