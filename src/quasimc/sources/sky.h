@@ -18,8 +18,8 @@ using Radiance = std::function<double(const Vec3& to_light)>;
 /// How the radiance of a sky is spread over the upper hemisphere, without its amount. Immutable.
 struct SkyShape {
     Radiance radiance;
-    /// Borders of cells inside which the radiance is smooth; none if it is smooth everywhere but
-    /// at the horizon. Azimuths from the x axis towards y, radians; sines of elevation, 0 to 1.
+    /// Borders of cells inside which the radiance is smooth; none if it is smooth everywhere above
+    /// the horizon. Azimuths from the x axis towards y, radians; sines of elevation, 0 to 1.
     std::vector<double> azimuths, sines;
 };
 
@@ -33,11 +33,14 @@ struct SkyState {
     double distance_au = 1;           ///< of the sun
 };
 
+/// What a model asks for of a SkyState.
+enum class SkyNeeds { nothing, sun, sun_and_type, sun_and_turbidity, sun_and_weather };
+
 /// One row of the table of models.
 struct SkyEntry {
     std::string_view name;
     std::string_view summary;  ///< one line
-    bool needs_sun;
+    SkyNeeds needs;
     /// @param state  fields within their ranges
     SkyShape (*make)(const SkyState& state);
 };
@@ -52,17 +55,29 @@ struct SkyEntry {
 [[nodiscard]] SkyShape cie_clear_shape(const Vec3& to_sun);
 /// The general skies of CIE S 011 / ISO 15469. @param type  1 to 15
 [[nodiscard]] SkyShape cie_general_shape(int type, const Vec3& to_sun);
-/// Perez, Seals and Michalsky 1993. @throws InputError  if the irradiances are not possible
+/// The all-weather sky of Perez, Seals and Michalsky 1993.
+/// @throws InputError  if the sun is below the horizon or the irradiances are not possible
 [[nodiscard]] SkyShape perez_shape(const SkyState& state);
-/// Luminance of Preetham, Shirley and Smits 1999. @param turbidity  1.7 to 10
+/// What the all-weather sky goes by.
+struct PerezWeather {
+    double clearness = 1;   ///< epsilon: 1 overcast, over 6.2 clear
+    double brightness = 0;  ///< Delta: diffuse light through the sun's air mass, over that of space
+};
+/// @throws InputError  as perez_shape
+[[nodiscard]] PerezWeather perez_weather(const SkyState& state);
+/// Luminance of Preetham, Shirley and Smits 1999.
 [[nodiscard]] SkyShape preetham_shape(double turbidity, const Vec3& to_sun);
+/// Below the lowest the fit gives a zenith of negative luminance.
+inline constexpr double kLowestTurbidity = 1.7;
+inline constexpr double kHighestTurbidity = 10;
 
 /// A sky of such a shape at infinity.
 /// @param horizontal_irradiance  per band, on the horizontal: exact, whatever the shape
 [[nodiscard]] std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance);
 
-/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-9.
+/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-9 (1e-6 if it has
+/// edges that its borders do not name).
 [[nodiscard]] double horizontal_irradiance(const SkyShape& shape);
 
 /// The sun as a disk of uniform radiance, of which `angular_radius_deg` is seen (solar_radius_deg).

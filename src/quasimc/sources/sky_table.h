@@ -19,6 +19,8 @@ struct SkyTable {
     [[nodiscard]] double at(std::size_t azimuth, std::size_t elevation) const {
         return radiance[elevation * azimuths + azimuth];
     }
+    /// The radiance of the cell that a direction (unit, z up) points to.
+    [[nodiscard]] double towards(const Vec3& to_light) const;
 };
 
 [[nodiscard]] SkyShape table_shape(SkyTable table);
