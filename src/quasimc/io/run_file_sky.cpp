@@ -136,6 +136,12 @@ std::optional<NotedSource> read_sky(
         "irradiance_horizontal",
         read_per_band(table, "irradiance_horizontal", context.bands, TableReader::kNotNegative));
     if (!model) {
+        // Which keys are meant can't be told.
+        for (const std::string_view key :
+             {"time", "delta_t_s", "azimuth_deg", "elevation_deg", "cie_type", "turbidity",
+              "direct_normal", "diffuse_horizontal", "file", "format", "values"}) {
+            static_cast<void>(table.any(key));
+        }
         return std::nullopt;
     }
     std::optional<StatedShape> sky;
