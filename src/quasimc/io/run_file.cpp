@@ -105,8 +105,15 @@ Sections read_sections(
     Sections sections;
     read_format_version(top);
     sections.title = top.text("title").value_or("");
-    RunFileContext context{&top.reporter(),       &files, read_bands(top),
-                           read_orientation(top), {},     top.text("length_unit").value_or("m")};
+    RunFileContext context{
+        .reporter = &top.reporter(),
+        .files = &files,
+        .bands = read_bands(top),
+        .orientation = read_orientation(top),
+        .materials = {},
+        .place = read_place(top),
+        .sun = {},
+        .length_unit = top.text("length_unit").value_or("m")};
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);

@@ -1,4 +1,4 @@
-#include "quasimc/io/run_file_time.h"
+#include "quasimc/io/run_file_sections.h"
 
 namespace quasimc {
 

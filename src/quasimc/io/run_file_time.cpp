@@ -202,13 +202,12 @@ void check_light(const TimeSeries& series, TableReader& table) {
 
 std::optional<TimeSeries> read_time(
     TableReader& top, const RunFileContext& run, const Sources& lamps) {
-    const std::optional<Place> place = read_place(top);
     const Node* node = top.any("time");
     if (node == nullptr) {
         return std::nullopt;
     }
     TableReader table(*node, "[time]", top.reporter());
-    TimeContext context{&table, &run, place, table.real("utc_offset_hours", {-14, 14})};
+    TimeContext context{&table, &run, run.place, table.real("utc_offset_hours", {-14, 14})};
     const bool has_weather = table.any("weather") != nullptr;
     const std::vector<Interval> intervals =
         has_weather ? read_weather(context) : read_intervals(context);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The parts of [time] and [place], each read by a function of its own. Included by the
+// The parts of [time], each read by a function of its own. Included by the
 // run_file_*.cpp of time only.
 
 #include <optional>
@@ -36,10 +36,6 @@ struct TimeContext {
     std::optional<Place> place;
     std::optional<double> utc_offset_hours;
 };
-
-// run_file_place.cpp
-/// [place]; nothing if it is absent or has faults.
-[[nodiscard]] std::optional<Place> read_place(TableReader& top);
 
 // run_file_intervals.cpp
 /// day, or from and to, and hours. Nothing if neither is given or after a fault.
