@@ -31,6 +31,16 @@ irradiance_facing = 1       # on a plane that faces it; or irradiance_horizontal
 type = "uniform_sky"
 irradiance_horizontal = [0.5]
 
+# [[source]]                # example of a lamp; see docs/formats/run-file.md for the others
+# type = "point"
+# position = [0, 0, 3]
+# power = 60                # W, or photon_flux in umol s-1 for bands in umol m-2 s-1
+
+# [time]                    # example: sun and sky of every hour of a day; needs [place]
+# day = "2024-06-21"        # or from and to, or times, or weather = "file.epw"
+# utc_offset_hours = 1
+# sun_step_minutes = 5
+
 [[material]]                # example
 name = "leaf"
 reflectance = 0.1           # one number for all bands, or one for each: [0.1, 0.45]

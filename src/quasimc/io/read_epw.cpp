@@ -65,6 +65,17 @@ class EpwReader {
         return *value;
     }
 
+    /// A whole number of a field; 0 after a fault.
+    int whole(const std::vector<std::string>& fields, std::size_t i, std::string_view what) {
+        const double value = number(fields, i, what);
+        constexpr double kMost = 10000;
+        if (value != std::floor(value) || std::abs(value) > kMost) {
+            fault(fmt::format("{} is {}", what, shortest(value)), "it must be a whole number");
+            return 0;
+        }
+        return static_cast<int>(value);
+    }
+
     void read_location(const std::vector<std::string>& fields) {
         constexpr std::size_t kLatitude = 6, kLongitude = 7, kZone = 8, kElevation = 9;
         Place place;
@@ -99,9 +110,9 @@ class EpwReader {
         }
         const std::size_t before = reporter_.faults.size();
         CivilTime day;
-        day.year = static_cast<int>(number(fields, kYear, "year"));
-        day.month = static_cast<int>(number(fields, kMonth, "month"));
-        day.day = static_cast<int>(number(fields, kDay, "day"));
+        day.year = whole(fields, kYear, "year");
+        day.month = whole(fields, kMonth, "month");
+        day.day = whole(fields, kDay, "day");
         day.utc_offset_hours = offset_;
         check_time(day, reporter_.place(scanner_.number()), reporter_.faults);
         const double hour = number(fields, kHour, "hour");

@@ -16,6 +16,7 @@ namespace quasimc {
 namespace {
 
 constexpr double kMostAngles = 10000;
+constexpr std::size_t kMostIntensities = 1000000;
 constexpr double kMetresPerFoot = 0.3048;
 
 /// The numbers of the file, one after the other, over its lines.
@@ -173,6 +174,11 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
         count_of(numbers.next("the number of vertical angles"), "vertical angles", numbers);
     const std::size_t columns =
         count_of(numbers.next("the number of horizontal angles"), "horizontal angles", numbers);
+    if (rows * columns > kMostIntensities) {
+        numbers.fail(
+            fmt::format("{} intensities", rows * columns),
+            fmt::format("at most {}", kMostIntensities));
+    }
     const double type = numbers.next("the photometric type");
     if (type != 1) {
         numbers.fail(

@@ -142,7 +142,12 @@ class Selection {
     /// Tells of steps that are asked for between the record before and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
         constexpr double kDay = 86400;
+        constexpr double kMostSteps = 1e6;
         const double length = end_ ? kDay * (julian_day(next) - julian_day(*end_)) : 0;
+        if (length > kMostSteps * record.seconds) {
+            note_gap(record.line, "more than a million rows are missing");
+            return;
+        }
         double asked = 0;
         std::string first;
         for (double at = 0; at < length - 1; at += record.seconds) {
