@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::int64_t kMostCells = 4096;  // along one side
+constexpr std::int64_t kMostCells = 1 << 20;
 
 /// Reads the numbers of a sky line by line.
 class SkyFile {
@@ -60,14 +60,14 @@ class SkyFile {
         }
         const auto azimuths = parse_integer(take_word(line_));
         const auto elevations = parse_integer(take_word(line_));
-        const auto is_good = [](const std::optional<std::int64_t>& n) {
-            return n && *n >= 1 && *n <= kMostCells;
-        };
-        if (!is_good(azimuths) || !is_good(elevations) || !take_word(line_).empty()) {
+        const bool is_good = azimuths && elevations && *azimuths >= 1 && *elevations >= 1 &&
+                             *azimuths <= kMostCells && *elevations <= kMostCells &&
+                             *azimuths * *elevations <= kMostCells;
+        if (!is_good || !take_word(line_).empty()) {
             fault(
                 "does not tell the size of the table",
                 fmt::format(
-                    "the first line is the numbers of azimuths and of elevations, 1 to {}",
+                    "the first line is the numbers of azimuths and of elevations, at most {} cells",
                     kMostCells));
             return false;
         }

@@ -13,9 +13,9 @@ enum class SkyFileFormat {
     cells,  ///< "azimuths elevations", then a line of values for each ring, from the horizon up;
             ///< the first value of a ring is that of the cell that begins in the north, the others
             ///< follow clockwise
-    vlab,  ///< "azimuths elevations", then a line "azimuth elevation value" for each cell, azimuth
-           ///< by azimuth; the angles don't count: the first azimuth begins in the north and they
-           ///< run over west, as the original program has it
+    vlab,   ///< "azimuths elevations", then a line "azimuth elevation value" for each cell, azimuth
+            ///< by azimuth; the angles don't count: the first azimuth begins in the north and they
+            ///< run over west, as the original program has it
 };
 /// What a value of a cell is.
 enum class SkyValues {

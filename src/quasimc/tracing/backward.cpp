@@ -321,7 +321,9 @@ class BackwardEstimator final : public Estimator {
     /// The sky that a mirror shows in direction `to_light`.
     void add_sky(const Vec3& to_light, Workspace& workspace) const {
         for (const Light& light : stage_.lights()) {
-            const double radiance = light.source->radiance(to_light) * light.probability;
+            const double radiance = light.is_found_by_chance()
+                                        ? light.source->radiance(to_light) * light.probability
+                                        : 0;
             for (std::size_t b = 0; radiance > 0 && b < workspace.weights.size(); ++b) {
                 workspace.gathered[b] +=
                     workspace.weights[b] * light.start_weights[b] * radiance * scale_of(light);

@@ -30,7 +30,7 @@ struct Light {
 
     /// Whether paths that leave the scene find it by chance, as they do a sky.
     [[nodiscard]] bool is_found_by_chance() const {
-        return !source->is_directional() && !source->is_lamp();
+        return !source->is_sun() && !source->is_lamp();
     }
 };
 

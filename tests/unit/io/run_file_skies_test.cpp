@@ -73,13 +73,14 @@ TEST(RunFileSun, BelowTheHorizonGivesNoLightAndSaysSo) {
     night.replace(night.find("12:00:00"), 8, "23:30:00");
     const RunFile run = read_text(with_sources(night + sky("cie_overcast")));
     EXPECT_EQ(run.sources[0]->spectrum()[0], 0);
-    ASSERT_EQ(run.warnings.size(), 1);
-    EXPECT_NE(
-        run.warnings[0].text.find("the sun is below the horizon and gives no light"),
-        std::string::npos);
+    std::vector<std::string> warnings;
+    for (const Warning& warning : run.warnings) {
+        warnings.push_back(warning.text);
+    }
+    EXPECT_TRUE(mentions(warnings, "the sun is below the horizon and gives no light"));
     EXPECT_TRUE(mentions(
         faults_of(with_sources(night + sky("cie_clear"))),
-        "the sun is below the horizon (azimuth 335"));
+        "the sun is below the horizon (azimuth "));
 }
 
 TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
@@ -87,7 +88,7 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
         std::string source = kSun;
         const std::size_t at = source.find("2024");
         source.replace(at, source.find('\n', at) - at, time);
-        return faults_of(with_sources(source));
+        return faults_of(with_sources(source + sky("cie_overcast")));
     };
     EXPECT_TRUE(mentions(faults_with_time("2024-06-21T12:00:00"), "has no time zone"));
     EXPECT_TRUE(mentions(faults_with_time("'2023-02-29T12:00Z'"), "month 2 of 2023 has 28 days"));
@@ -144,7 +145,7 @@ TEST(RunFileSky, MayHaveASunOfItsOwn) {
 TEST(RunFileSky, TellsAllThatIsWrong) {
     EXPECT_TRUE(
         mentions(faults_of(with_sources(sky("cie_clear"))), "where the sun stands is missing"));
-    EXPECT_TRUE(mentions(faults_of(with_sources(sky("clear"))), "did you mean 'cie_clear'?"));
+    EXPECT_TRUE(mentions(faults_of(with_sources(sky("cie_cler"))), "did you mean 'cie_clear'?"));
     EXPECT_TRUE(
         mentions(faults_of(with_sources(kSun + sky("cie_general"))), "cie_type is missing"));
     EXPECT_TRUE(mentions(
@@ -165,7 +166,7 @@ const std::string kTable = sky("table", "file = 'sky.txt'\n");
 
 TEST(RunFileSky, MayBeATable) {
     // Four azimuths from north over east; the east is bright.
-    const FakeFiles files{{"/run/sky.txt", "# a sky\n4 2\n1 9 1 1\n1 9 1 1 # the upper ring\n"}};
+    const FakeFiles files{{"sky.txt", "# a sky\n4 2\n1 9 1 1\n1 9 1 1 # the upper ring\n"}};
     const RunFile run = read_text(with_sources(kTable), files);
     const auto towards = [](double azimuth_deg) { return Orientation().towards(azimuth_deg, 30); };
     EXPECT_NEAR(
@@ -178,7 +179,7 @@ TEST(RunFileSky, MayBeATable) {
 
 TEST(RunFileSky, TablesHaveTheirFaultsToldByLine) {
     const auto faults_with = [](const std::string& text, const std::string& more = "") {
-        return faults_of(with_sources(kTable + more), {{"/run/sky.txt", text}});
+        return faults_of(with_sources(kTable + more), {{"sky.txt", text}});
     };
     EXPECT_TRUE(mentions(faults_with(""), "sky.txt: is empty"));
     EXPECT_TRUE(mentions(faults_with("4\n"), "sky.txt:1: does not tell the size"));
@@ -192,8 +193,9 @@ TEST(RunFileSky, TablesHaveTheirFaultsToldByLine) {
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "format = 'radiance'\n"), "format is"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "values = 'light'\n"), "values is"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kTable)), "sky.txt"));
-    EXPECT_TRUE(
-        mentions(faults_with("2 1\n0 0 1\n0 1\n", "format = 'vlab'\n"), "sky.txt:3: is no cell"));
+    const std::string vlab = "format = 'vlab'\n";
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 1\n", vlab), "sky.txt:3: a value is missing"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 up 1\n", vlab), "sky.txt:3: is no cell"));
 }
 
 /// Azimuth by azimuth, over west, from the horizon up, whatever angles are written.
