@@ -55,6 +55,8 @@ void settle_place(const WeatherFile& file, TimeContext& context) {
     }
     if (file.utc_offset_hours) {
         context.utc_offset_hours = file.utc_offset_hours;
+    } else if (!context.utc_offset_hours) {
+        context.utc_offset_hours = file.records.front().start.utc_offset_hours;
     }
     if (file.place && context.place) {
         constexpr double kNear = 0.5;
