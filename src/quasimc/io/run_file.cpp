@@ -48,12 +48,14 @@ OutputSpec read_output(TableReader& top, const InputFiles& files) {
     output.csv = read_path("csv");
     output.json = read_path("json");
     output.days = read_path("days");
-    const bool are_same =
-        (output.csv && (output.csv == output.json || output.csv == output.days)) ||
-        (output.json && output.json == output.days);
-    if (are_same) {
-        table.fault("two of csv, json and days name the same file");
-    }
+    const auto check_apart = [&](const auto& a, const auto& b, std::string_view names) {
+        if (a && a == b) {
+            table.fault(fmt::format("{} name the same file", names));
+        }
+    };
+    check_apart(output.csv, output.json, "csv and json");
+    check_apart(output.csv, output.days, "csv and days");
+    check_apart(output.json, output.days, "json and days");
     if (output.days && top.any("time") == nullptr) {
         table.fault_at("days", "days without [time]", "sums over days need times");
     }
