@@ -28,6 +28,9 @@ inline std::string read_small_file(const std::filesystem::path& path) {
     if (name == "a.mtl") {
         return "newmtl c\nKd 0.1 0.2 0.3\n";
     }
+    if (name == "sky.txt") {
+        return "2 2\n0 0 1\n0 0 2\n0 0 3\n0 0 4\n";
+    }
     if (name == "a.ply") {
         return std::string(kPly);
     }

@@ -97,7 +97,14 @@ Sections read_sections(
     Sections sections;
     read_format_version(top);
     sections.title = top.text("title").value_or("");
-    RunFileContext context{&top.reporter(), &files, read_bands(top), read_orientation(top), {}};
+    RunFileContext context{
+        .reporter = &top.reporter(),
+        .files = &files,
+        .bands = read_bands(top),
+        .orientation = read_orientation(top),
+        .materials = {},
+        .place = read_place(top),
+        .sun = {}};
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(top.text("length_unit").value_or("m"));
     read_run_options(top, sections.options);

@@ -55,7 +55,10 @@ class BackwardEstimator final : public Estimator {
         const auto& lights = stage.lights();
         light_dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0U : 2U;
         for (const Light& light : lights) {
-            has_sun_ = has_sun_ || light.source->is_directional();
+            if (!light.is_found_by_chance()) {
+                hides_from_mirrors_ = true;
+                start_dimensions_ = light.emitter->beam_direction() ? start_dimensions_ : 4U;
+            }
         }
         for (const Element& element : stage.scene().elements()) {
             const double own = stage.scene().organs()[element.organ.value].area;
@@ -129,7 +132,7 @@ class BackwardEstimator final : public Estimator {
     [[nodiscard]] double organ_area(std::uint32_t element) const {
         return stage_.scene().organs()[stage_.scene().elements()[element].organ.value].area;
     }
-    [[nodiscard]] bool needs_companion() const { return has_sun_ && stage_.has_delta(); }
+    [[nodiscard]] bool needs_companion() const { return hides_from_mirrors_ && stage_.has_delta(); }
 
     [[nodiscard]] double number(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
@@ -314,7 +317,9 @@ class BackwardEstimator final : public Estimator {
     /// The sky that a mirror shows in direction `to_light`.
     void add_sky(const Vec3& to_light, Workspace& workspace) const {
         for (const Light& light : stage_.lights()) {
-            const double radiance = light.source->radiance(to_light) * light.probability;
+            const double radiance = light.is_found_by_chance()
+                                        ? light.source->radiance(to_light) * light.probability
+                                        : 0;
             for (std::size_t b = 0; radiance > 0 && b < workspace.weights.size(); ++b) {
                 workspace.gathered[b] +=
                     workspace.weights[b] * light.start_weights[b] * radiance * scale_of(light);
@@ -328,21 +333,24 @@ class BackwardEstimator final : public Estimator {
         const Stream& stream, std::uint64_t index, Workspace& workspace, Tally& tally) const {
         const double u0 = number(stream, index, 0);
         const Light& light = stage_.lights()[stage_.pick_light(u0)];
-        if (!light.source->is_directional()) {
+        if (light.is_found_by_chance()) {
             return 0;
         }
+        const bool is_beam = light.emitter->beam_direction().has_value();
         const std::array<double, 4> u{
             std::clamp((u0 - light.before) / light.probability, 0.0, 0x1.fffffffffffffp-1),
-            number(stream, index, 1), 0, 0};
+            number(stream, index, 1), is_beam ? 0 : number(stream, index, 2),
+            is_beam ? 0 : number(stream, index, 3)};
         const Emission emission = light.emitter->emit(u);
-        const PathRules rules{&stage_,
-                              &sampler_,
-                              stream,
-                              2,
-                              spec_.max_depth,
-                              enough_,
-                              PathFilter::delta_first,
-                              companion_scale_};
+        const PathRules rules{
+            &stage_,
+            &sampler_,
+            stream,
+            start_dimensions_,
+            spec_.max_depth,
+            enough_,
+            PathFilter::delta_first,
+            companion_scale_};
         const CastHit at = stage_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         return 1 + follow(
                        rules, {&light, index, emission.direction, emission.weight}, at,
@@ -357,7 +365,8 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     std::uint32_t light_dimensions_ = 2;
-    bool has_sun_ = false;
+    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all lights are beams
+    bool hides_from_mirrors_ = false;      // some light is a sun
     std::vector<double> companion_scale_;  // by element: from flux per light path to cell units
     double reference_area_ = 0;
 };

@@ -96,7 +96,7 @@ void Stage::set_lights(const Sources& sources) {
             Light& light = lights_.emplace_back();
             light.source = source.get();
             light.emitter = std::move(emitter);
-            if (source->is_directional()) {
+            if (source->is_sun()) {
                 sun += sum_of(source->spectrum());
                 sun_area_ += lights_.back().emitter->flux() * world_area();
             }
@@ -105,10 +105,12 @@ void Stage::set_lights(const Sources& sources) {
     flux_ = total_flux(lights_, world_area(), bands());
     set_probabilities(lights_, flux_, world_area());
     for (Light& light : lights_) {
-        if (light.source->is_directional()) {
+        if (light.source->is_sun()) {
             light.sun_share = sum_of(light.source->spectrum()) / sun;
+            // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.
+            const double radiance = light.source->illuminate({}, 0.5, 0.5).weight;
             light.lit_area = light.sun_share / light.probability * light.emitter->flux() *
-                             world_area() / sun_area_;
+                             world_area() / sun_area_ / radiance;
         }
         const auto same = std::find_if(spectra_.begin(), spectra_.end(), [&](const auto& spectrum) {
             return equal_to_rounding(spectrum, light.start_weights);

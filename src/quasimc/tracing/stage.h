@@ -26,6 +26,9 @@ struct Light {
     double sun_share = 0;  ///< share in the irradiance of all directional lights; 0 for others
     double lit_area =
         0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
+
+    /// Whether paths that leave the scene find it by chance, as they do a sky.
+    [[nodiscard]] bool is_found_by_chance() const { return !source->is_sun(); }
 };
 
 /// What a triangle of the mesh belongs to.
