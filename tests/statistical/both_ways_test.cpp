@@ -14,6 +14,7 @@
 
 #include "quasimc/optics/catalogue.h"
 #include "quasimc/samplers/catalogue.h"
+#include "quasimc/sources/lamp.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -106,6 +107,37 @@ std::vector<Lighting> all_lighting() {
         {"three suns", {noon, morning, evening}},
         {"a sky", {dome}},
         {"sun and sky", {noon, dome}}};
+}
+
+/// Lamps above, beside and amid the stand, with light of the sun.
+std::vector<Lighting> all_lamps() {
+    const auto lamp = [](const Vec3& position, const Vec3& aim, Opening opening, Pattern pattern) {
+        LampSpec spec;
+        spec.name = "lamp";
+        spec.position = position;
+        spec.axes = lamp_axes(aim, {1, 0, 0});
+        spec.opening = opening;
+        spec.pattern = std::move(pattern);
+        spec.flux = {1, .8, .5};
+        return make_lamp(std::move(spec));
+    };
+    const Vec3 down{0, 0, -1};
+    const auto panel = lamp(
+        {.4, .5, 1.6}, {.1, 0, -1}, {.kind = Opening::Kind::rectangle, .length = 1, .width = .5},
+        cosine_pattern());
+    const auto tube = lamp(
+        {.5, .2, 1.3}, {1, .3, 0}, {.kind = Opening::Kind::line, .length = 1.5}, tube_pattern());
+    const auto disk =
+        lamp({.5, .5, 2}, down, {.kind = Opening::Kind::disk, .radius = .3}, cosine_pattern());
+    return {
+        {"a point", {lamp({.5, .5, 1.8}, down, {}, isotropic_pattern())}},
+        {"a far spot", {lamp({8, 3, 9}, {-8, -3, -9}, {}, spot_pattern(.02, .2))}},
+        {"a panel", {panel}},
+        {"a tube", {tube}},
+        {"a sphere amid the leaves",
+         {lamp(
+             {.5, .5, .5}, down, {.kind = Opening::Kind::sphere, .radius = .1}, cosine_pattern())}},
+        {"lamps and a sun", {panel, disk, sun(25, {1, .8, .5})}}};
 }
 
 /// Thirty leaves, three of them sensors if asked for, above a ground.
@@ -219,6 +251,11 @@ TEST(ForwardAndBackward, AgreeOnPathsThatAreCutOff) {
 
 TEST(ForwardAndBackward, AgreeAroundAndOnSensors) {
     expect_agreement({mixed_by_band().leaf, {}, 6}, spec_of({}, 1 << 12));
+}
+
+TEST(ForwardAndBackward, AgreeUnderLamps) {
+    expect_agreement({uneven_leaf()}, spec_of({}, 1 << 13), all_lamps());
+    expect_agreement({mixed_by_side().leaf, {}, 6}, spec_of({}, 1 << 13), all_lamps());
 }
 
 /// A control: leaves that reflect and transmit a tenth more must be noticed.

@@ -49,13 +49,14 @@ bool read_date(Cursor& cursor, CivilTime& time) {
     const auto month = cursor.number();
     const bool second = cursor.skip("-");
     const auto day = cursor.number();
-    if (!year || !month || !day || !first || !second) {
+    const bool is_date = year && month && day && first && second;
+    if (!is_date || *year >= 1e6 || *month >= 100 || *day >= 100) {
         return false;
     }
     time.year = static_cast<int>(is_bc ? -*year : *year);
     time.month = static_cast<int>(*month);
     time.day = static_cast<int>(*day);
-    return *year < 1e6 && *month < 100 && *day < 100;
+    return true;
 }
 
 bool read_clock(Cursor& cursor, CivilTime& time) {

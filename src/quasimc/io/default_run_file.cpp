@@ -47,6 +47,15 @@ irradiance_facing = 1       # or irradiance_horizontal
 type = "sky"
 model = "cie_clear"         # quasimc list skies
 irradiance_horizontal = [0.2]
+# [[source]]                # example of a lamp; see docs/formats/run-file.md for the others
+# type = "point"
+# position = [0, 0, 3]
+# power = 60                # W, or photon_flux in umol s-1 for bands in umol m-2 s-1
+
+# [time]                    # example: sun and sky of every hour of a day; needs [place]
+# day = "2024-06-21"        # or from and to, or times, or weather = "file.epw"
+# utc_offset_hours = 1
+# sun_step_minutes = 5
 
 [[material]]                # example
 name = "leaf"

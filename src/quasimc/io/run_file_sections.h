@@ -17,6 +17,7 @@
 #include "quasimc/io/input_files.h"
 #include "quasimc/io/run_file.h"
 #include "quasimc/io/table_reader.h"
+#include "quasimc/io/time_series.h"
 #include "quasimc/scene/scene_builder.h"
 #include "quasimc/sources/civil_time.h"
 
@@ -41,6 +42,7 @@ struct RunFileContext {
     std::set<std::string> materials;  ///< names stated
     std::optional<Place> place;       ///< [place]
     std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::string length_unit = "m";
 };
 
 // run_file_place.cpp
@@ -84,6 +86,12 @@ struct SourceList {
 };
 /// Sets context.sun.
 [[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
+
+// run_file_time.cpp
+/// [time]: the moments of the run, each with the lamps and its own daylight. Nothing if there is
+/// none, or after a fault.
+[[nodiscard]] std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const Sources& lamps);
 
 // run_file_shapes.cpp
 /// The triangles of a table with `shape = ...`; empty when it has faults (reported).

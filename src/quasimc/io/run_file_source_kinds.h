@@ -69,5 +69,8 @@ struct StatedShape {
     TableReader& table, const std::string& name, const RunFileContext& context);
 [[nodiscard]] std::optional<NotedSource> read_uniform_sky(
     TableReader& table, const std::string& name, const RunFileContext& context);
+// run_file_lamps.cpp: of every type of lamp
+[[nodiscard]] std::optional<NotedSource> read_lamp(
+    TableReader& table, const std::string& name, const RunFileContext& context);
 
 }  // namespace quasimc

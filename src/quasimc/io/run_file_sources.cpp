@@ -18,8 +18,17 @@ struct SourceKind {
 // To add a kind of source to the run file: a function in a file of its own, declared in
 // run_file_source_kinds.h, a row here, a section in docs/formats/run-file.md.
 constexpr std::array kKinds{
-    SourceKind{"directional", read_directional}, SourceKind{"sun", read_sun},
-    SourceKind{"sky", read_sky}, SourceKind{"uniform_sky", read_uniform_sky}};
+    SourceKind{"directional", read_directional},
+    SourceKind{"sun", read_sun},
+    SourceKind{"sky", read_sky},
+    SourceKind{"uniform_sky", read_uniform_sky},
+    SourceKind{"point", read_lamp},
+    SourceKind{"spot", read_lamp},
+    SourceKind{"rectangle", read_lamp},
+    SourceKind{"disk", read_lamp},
+    SourceKind{"line", read_lamp},
+    SourceKind{"sphere", read_lamp},
+    SourceKind{"ies", read_lamp}};
 
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
     std::array<std::string_view, kKinds.size()> names;
@@ -71,8 +80,8 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
             list.notes.push_back(std::move(source->note));
         }
     }
-    if (tables.empty()) {
-        top.fault("no source of light is given", "", "add a [[source]]");
+    if (tables.empty() && top.any("time") == nullptr) {
+        top.fault("no source of light is given", "", "add a [[source]] or [time]");
     }
     return list;
 }

@@ -173,6 +173,9 @@ class ForwardEstimator final : public Estimator {
             const Emission emission = light.emitter->emit(
                 {workspace.u0[i], workspace.u1[i], sampler_.number(stream, point, 2),
                  sampler_.number(stream, point, 3)});
+            if (emission.weight == 0) {
+                continue;  // to where the lamp doesn't shine
+            }
             tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
             const CastHit at =
                 stage_.caster().cast(emission.origin, emission.direction, kNoTriangle);
