@@ -191,8 +191,7 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
         const Sight sight = look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
-        if (cosine == 0 || sight.factor == 0 ||
-            !stage_.counts(point.element, std::abs(cosine))) {
+        if (cosine == 0 || sight.factor == 0 || !stage_.counts(point.element, std::abs(cosine))) {
             return 0;
         }
         if (!stage_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
