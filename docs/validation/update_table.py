@@ -19,6 +19,9 @@ TITLES = {
     "Layers": "Layers: nets, infinite sheets, periodic cells",
     "Solids": "Closed bodies",
     "UnderSkies": "Skies and the disk of the sun",
+    "Lamps": "Lamps",
+    "PeriodicLamps": "Lamps over periodic scenes",
+    "Day": "Days",
     "Canopies": "Black and white canopies",
     "TurbidMedium": "Leaves that scatter, against the turbid medium",
 }

@@ -47,6 +47,7 @@ irradiance_facing = 1       # or irradiance_horizontal
 type = "sky"
 model = "cie_clear"         # quasimc list skies
 irradiance_horizontal = [0.2]
+
 # [[source]]                # example of a lamp; see docs/formats/run-file.md for the others
 # type = "point"
 # position = [0, 0, 3]

@@ -121,13 +121,12 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
         table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
         return intervals;
     }
-    for (double day = 0; day < days; ++day) {
-        const double midnight = day * kDay;
-        for (double at = span.from_hour * 3600; at < span.to_hour * 3600 - kSlack; at += step) {
-            const CivilTime start = later(span.first, midnight + at);
-            intervals.push_back(
-                {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.place()});
-        }
+    const auto a_day = static_cast<int>(std::ceil(each - kSlack));
+    for (int i = 0; i < static_cast<int>(days) * a_day; ++i) {
+        const double at = span.from_hour * 3600 + i % a_day * step;
+        const CivilTime start = later(span.first, i / a_day * kDay + at);
+        intervals.push_back(
+            {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.place()});
     }
     return intervals;
 }

@@ -55,6 +55,8 @@ void settle_place(const WeatherFile& file, TimeContext& context) {
     }
     if (file.utc_offset_hours) {
         context.utc_offset_hours = file.utc_offset_hours;
+    } else if (!context.utc_offset_hours) {
+        context.utc_offset_hours = file.records.front().start.utc_offset_hours;
     }
     if (file.place && context.place) {
         constexpr double kNear = 0.5;
@@ -148,18 +150,18 @@ class Selection {
             note_gap(record.line, "more than a million rows are missing");
             return;
         }
-        double asked = 0;
+        // A second of slack: times are computed.
+        const auto steps = static_cast<int>(std::ceil((length - 1) / record.seconds));
+        int asked = 0;
         std::string first;
-        for (double at = 0; at < length - 1; at += record.seconds) {
-            const CivilTime start = later(*end_, at);
+        for (int i = 0; i < steps; ++i) {
+            const CivilTime start = later(*end_, i * record.seconds);
             if (is_asked(start, record.seconds)) {
-                first = asked == 0 ? civil_time_text(start) : first;
-                asked += 1;
+                first = asked++ == 0 ? civil_time_text(start) : first;
             }
         }
         if (asked > 0) {
-            note_gap(
-                record.line, fmt::format("{} rows are missing from {}", shortest(asked), first));
+            note_gap(record.line, fmt::format("{} rows are missing from {}", asked, first));
         }
     }
 

@@ -23,7 +23,9 @@ Spectrum reference_sky() {
     std::vector<double> nm;
     std::vector<double> values;
     const Spectrum& global = reference_global();
-    for (double x = global.low_nm(); x <= global.high_nm(); x += 1) {
+    const int last = static_cast<int>(global.high_nm());
+    for (int i = static_cast<int>(global.low_nm()); i <= last; ++i) {
+        const double x = i;
         nm.push_back(x);
         values.push_back(global.at(x) - std::cos(incidence) * reference_direct().at(x));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "quasimc/base/checks.h"
@@ -86,10 +87,12 @@ double SunPath::outside() const {
 }
 
 SunPath sun_path(const Place& place, const CivilTime& start, double seconds, double step) {
-    const double pieces = step > 0 ? std::max(1.0, std::round(seconds / step)) : 1;
+    const std::int64_t pieces =
+        step > 0 ? std::max<std::int64_t>(1, std::llround(seconds / step)) : 1;
     SunPath path;
-    for (double i = 0; i < pieces; ++i) {
-        path.steps.push_back(sun_position(place, later(start, (i + 0.5) / pieces * seconds)));
+    for (std::int64_t i = 0; i < pieces; ++i) {
+        const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(pieces);
+        path.steps.push_back(sun_position(place, later(start, part * seconds)));
     }
     return path;
 }

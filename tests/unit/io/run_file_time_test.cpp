@@ -205,6 +205,12 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         "weather = 'w.csv'\nstamp = 'start'\nday = '2024-06-21'\nhours = [10, 12]\n",
         {{"w.csv", day_table()}});
     EXPECT_EQ(some.moments.size(), 4U);
+    EXPECT_EQ(some.notes[0].time, "2024-06-21T10:00+01:00") << "on the clock of the rows";
+    EXPECT_EQ(
+        series_of(
+            "weather = 'w.csv'\nstamp = 'start'\nday = '2024-06-21'\n", {{"w.csv", day_table()}})
+            .moments.size(),
+        48U);
     EXPECT_TRUE(mentions(
         faults_of(
             with_time("weather = 'w.csv'\nday = '2024-06-23'\nutc_offset_hours = 1\n"),

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+/// The good run file at two hours of each of two days.
+std::string run_file_of_days() {
+    return good_run_file() +
+           "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+           "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\nutc_offset_hours = 1\n"
+           "hours = [11, 13]\nsky = \"uniform\"\nsun_step_minutes = 20\n";
+}
+
+class TimesTest : public ProgramTest {
+  protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        folder_.write("days.toml", run_file_of_days());
+    }
+};
+
+/// Lines of a table that are neither comments nor the header.
+std::ptrdiff_t rows(const std::string& table) {
+    const std::size_t header = table.find("id,name");
+    const auto begin = table.begin() + static_cast<std::ptrdiff_t>(table.find('\n', header)) + 1;
+    return std::count(begin, table.end(), '\n');
+}
+
+TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
+    const Outcome outcome =
+        run({"run", "days.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
+    const std::string times = folder_.read("t.csv");
+    EXPECT_EQ(rows(times), 4 * 3);
+    EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
+    EXPECT_NE(times.find("\n2024-06-21T12:00+01:00,1,third,"), std::string::npos);
+    EXPECT_NE(
+        times.find("# moment: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
+    const std::string days = folder_.read("d.csv");
+    EXPECT_EQ(rows(days), 2 * 3);
+    EXPECT_NE(days.find("\n2024-06-21,7200,1,third,"), std::string::npos);
+    EXPECT_NE(days.find("[J m-2 d-1]"), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
+}
+
+TEST_F(TimesTest, AreRepeatedFromTheirResult) {
+    ASSERT_EQ(run({"run", "days.toml", "--json", "r.json", "--threads", "1"}).status, 0);
+    const Outcome outcome = run({"run", "--from", "r.json", "--threads", "2"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("the same numbers as in"), std::string::npos) << outcome.out;
+    const Outcome other = run({"run", "--from", "r.json", "--seed", "5"});
+    EXPECT_NE(other.out.find("OTHER numbers than in"), std::string::npos) << other.out;
+}
+
+TEST_F(TimesTest, DaysNeedTimes) {
+    const Outcome outcome = run({"run", "run.toml", "--days", "d.csv"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("--days: the run has no [time]"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run({"run", "days.toml", "--days", "a.csv", "--csv", "a.csv"}).status, 2);
+}
+
+TEST_F(TimesTest, CheckCountsThem) {
+    const Outcome outcome = run({"check", "days.toml"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("4 times of 2 days"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace quasimc::test
