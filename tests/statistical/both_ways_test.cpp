@@ -1,10 +1,11 @@
-// Tracing from the sources and tracing from the organs must give the same light on every organ, for
-// every sampler, every model of every lobe, and every kind of source.
+// Tracing from the sources, from lit surfaces and from the organs must give the same light on every
+// organ, for every sampler, every model of every lobe, and every kind of source.
 //
 // Each combination compares totals (sharp), each organ (blunt, but it finds light in wrong places),
 // and the scatter of the organs' differences in units of their errors, whose square must be 1 on
 // average: a bias that no organ alone could show makes it larger.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -162,10 +163,13 @@ Scene make_stand(const StandSpec& spec) {
     return std::move(builder).build();
 }
 
-/// Traces in both directions, with seeds of their own.
+/// What is compared with tracing from the organs.
+constexpr std::array kForward{TraceFrom::sources, TraceFrom::lit_surfaces};
+
+/// Traces forward and from the organs, with seeds of their own.
 std::pair<Result, Result> trace_both_ways(
-    const Scene& scene, const Sources& sources, RunSpec spec) {
-    spec.trace_from = TraceFrom::sources;
+    const Scene& scene, const Sources& sources, RunSpec spec, TraceFrom from) {
+    spec.trace_from = from;
     const Result forward = run(scene, sources, spec);
     spec.trace_from = TraceFrom::organs;
     spec.seed += 1000;
@@ -181,16 +185,19 @@ TEST_P(ForwardAndBackward, AgreeWithEverySamplerAndSource) {
     const Scene scene = make_stand({GetParam().leaf});
     const auto lighting = all_lighting();
     const auto samplers = sampler_catalogue();
-    Comparison comparison(static_cast<unsigned>(lighting.size() * samplers.size()));
+    Comparison comparison(
+        static_cast<unsigned>(kForward.size() * lighting.size() * samplers.size()));
     RunSpec spec = spec_of({}, 1 << 12);
-    for (const Lighting& lights : lighting) {
-        for (const SamplerEntry& sampler : samplers) {
-            SCOPED_TRACE(fmt::format("{}, {}", lights.name, sampler.name));
-            spec.sampler = sampler.name;
-            ++spec.seed;
-            const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec);
-            EXPECT_TRUE(comparison.totals_agree(forward, backward));
-            EXPECT_TRUE(comparison.organs_agree(forward, backward));
+    for (const TraceFrom from : kForward) {
+        for (const Lighting& lights : lighting) {
+            for (const SamplerEntry& sampler : samplers) {
+                SCOPED_TRACE(fmt::format("{}, {}", lights.name, sampler.name));
+                spec.sampler = sampler.name;
+                ++spec.seed;
+                const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec, from);
+                EXPECT_TRUE(comparison.totals_agree(forward, backward));
+                EXPECT_TRUE(comparison.organs_agree(forward, backward));
+            }
         }
     }
     EXPECT_TRUE(comparison.are_sharp(kTotals, kOrgans));
@@ -203,12 +210,14 @@ void expect_agreement(
     const RunSpec& spec,
     const std::vector<Lighting>& lighting = all_lighting()) {
     const Scene scene = make_stand(stand);
-    Comparison comparison(static_cast<unsigned>(lighting.size()));
-    for (const Lighting& lights : lighting) {
-        SCOPED_TRACE(lights.name);
-        const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec);
-        EXPECT_TRUE(comparison.totals_agree(forward, backward));
-        EXPECT_TRUE(comparison.organs_agree(forward, backward));
+    Comparison comparison(static_cast<unsigned>(kForward.size() * lighting.size()));
+    for (const TraceFrom from : kForward) {
+        for (const Lighting& lights : lighting) {
+            SCOPED_TRACE(lights.name);
+            const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec, from);
+            EXPECT_TRUE(comparison.totals_agree(forward, backward));
+            EXPECT_TRUE(comparison.organs_agree(forward, backward));
+        }
     }
     EXPECT_TRUE(comparison.are_sharp(kTotals, kOrgans));
 }

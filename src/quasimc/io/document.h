@@ -15,9 +15,10 @@ struct Node {
     using List = std::vector<Node>;
     using Table = std::vector<Member>;  ///< in the order of the file
 
-    /// What no run file uses: null.
+    /// A date or time, kept as its text (TableReader::time_text); or what no run file uses: null.
     struct Other {
         std::string type;
+        std::string text = {};
     };
 
     std::variant<bool, std::int64_t, double, std::string, List, Table, Other> value;

@@ -42,6 +42,9 @@ Json to_json(const Node& node) {
     if (const auto* real = node.as<double>()) {
         return *real;
     }
+    if (const auto* other = node.as<Node::Other>(); other != nullptr && !other->text.empty()) {
+        return other->text;
+    }
     const auto* boolean = node.as<bool>();
     return boolean ? Json(*boolean) : Json();
 }

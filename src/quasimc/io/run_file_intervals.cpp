@@ -22,7 +22,7 @@ double seconds_from(const CivilTime& a, const CivilTime& b) {
 
 /// A date of [time], at midnight; nothing after a fault.
 std::optional<CivilTime> read_date(TimeContext& context, std::string_view key) {
-    const std::optional<std::string> text = context.table->text(key);
+    const std::optional<std::string> text = context.table->time_text(key);
     if (!text) {
         return std::nullopt;
     }
@@ -89,7 +89,7 @@ std::vector<Interval> read_times(TimeContext& context) {
     const Node* node = table.any("times");
     const std::string place = table.reporter().place(node->line);
     const std::vector<std::string> texts =
-        table.texts("times").value_or(std::vector<std::string>());
+        table.time_texts("times").value_or(std::vector<std::string>());
     const double minutes = table.real("duration_minutes", {0, 1440}).value_or(0);
     const auto readings = read_amounts(table, texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {

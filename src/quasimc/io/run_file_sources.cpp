@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -52,25 +53,26 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     return source;
 }
 
+bool is_sun(const Node& source) {
+    const Node* type = source.find("type");
+    const auto* text = type == nullptr ? nullptr : type->as<std::string>();
+    return text != nullptr && *text == "sun";
+}
+
 }  // namespace
 
 SourceList read_sources(TableReader& top, RunFileContext& context) {
     const std::vector<const Node*> tables = top.tables("source");
-    std::vector<std::optional<NotedSource>> sources(tables.size());
     // The suns first: skies are brighter around them.
-    const auto is_sun = [](const Node& node) {
-        const Node* type = node.find("type");
-        const auto* text = type == nullptr ? nullptr : type->as<std::string>();
-        return text != nullptr && *text == "sun";
-    };
-    for (const bool suns : {true, false}) {
-        for (std::size_t i = 0; i < tables.size(); ++i) {
-            if (is_sun(*tables[i]) == suns) {
-                sources[i] = read_source(*tables[i], context);
-                if (sources[i] && !context.sun) {
-                    context.sun = sources[i]->sun;
-                }
-            }
+    std::vector<std::size_t> order(tables.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(
+        order.begin(), order.end(), [&](std::size_t i) { return is_sun(*tables[i]); });
+    std::vector<std::optional<NotedSource>> sources(tables.size());
+    for (const std::size_t i : order) {
+        sources[i] = read_source(*tables[i], context);
+        if (sources[i] && !context.sun) {
+            context.sun = sources[i]->sun;
         }
     }
     SourceList list;

@@ -11,7 +11,7 @@ namespace {
 
 std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
-    const std::optional<std::string> text = table.text("time");
+    const std::optional<std::string> text = table.time_text("time");
     if (!context.place) {
         table.fault_at(
             "time", "time without [place]", "the sun stands elsewhere at every place",

@@ -29,6 +29,15 @@ std::optional<double> number_of(const Node& node) {
     return real ? std::optional(*real) : std::nullopt;
 }
 
+/// A time as a text or as a date-time of TOML.
+std::optional<std::string> time_of(const Node& node) {
+    if (const auto* other = node.as<Node::Other>(); other != nullptr && !other->text.empty()) {
+        return other->text;
+    }
+    const auto* text = node.as<std::string>();
+    return text ? std::optional(*text) : std::nullopt;
+}
+
 }  // namespace
 
 std::string Reporter::place(std::uint32_t line) const {
@@ -74,6 +83,40 @@ std::optional<std::string> TableReader::text(std::string_view key) {
     }
     wrong_type(key, *node, "a text");
     return std::nullopt;
+}
+
+std::optional<std::string> TableReader::time_text(std::string_view key) {
+    const Node* node = any(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const std::optional<std::string> text = time_of(*node);
+    if (!text) {
+        wrong_type(key, *node, "a time as 2024-06-21T12:00:00+02:00");
+    }
+    return text;
+}
+
+std::optional<std::vector<std::string>> TableReader::time_texts(std::string_view key) {
+    const Node* node = any(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const auto* list = node->as<Node::List>();
+    if (list == nullptr) {
+        wrong_type(key, *node, "a list of times");
+        return std::nullopt;
+    }
+    std::vector<std::string> result;
+    for (const Node& item : *list) {
+        const std::optional<std::string> text = time_of(item);
+        if (!text) {
+            wrong_type(key, item, "times only");
+            return std::nullopt;
+        }
+        result.push_back(*text);
+    }
+    return result;
 }
 
 std::optional<bool> TableReader::boolean(std::string_view key) {

@@ -46,6 +46,10 @@ class TableReader {
     /// The value of a key, of whatever type, or null.
     [[nodiscard]] const Node* any(std::string_view key);
     [[nodiscard]] std::optional<std::string> text(std::string_view key);
+    /// A time as a text or as a date-time of TOML, in the words of ISO 8601.
+    [[nodiscard]] std::optional<std::string> time_text(std::string_view key);
+    /// A list of such times.
+    [[nodiscard]] std::optional<std::vector<std::string>> time_texts(std::string_view key);
     [[nodiscard]] std::optional<bool> boolean(std::string_view key);
     [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, Range range);
     [[nodiscard]] std::optional<double> real(std::string_view key, Range range = kFinite);

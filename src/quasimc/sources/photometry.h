@@ -11,7 +11,7 @@ struct PhotometricWeb {
     std::vector<double> vertical_deg;    ///< from the aim (0) to behind (180), ascending
     std::vector<double> horizontal_deg;  ///< from the lamp's x axis, ascending from 0; to 0, 90,
                                          ///< 180 or 360, which tells the symmetry
-    std::vector<double> candela;  ///< [horizontal][vertical]
+    std::vector<double> candela;         ///< [horizontal][vertical]
 };
 
 /// The pattern of a web: bilinear in the two angles, mirrored as its symmetry says, 0 beyond its

@@ -43,4 +43,12 @@ void SkySum::add_sky(const SkyShape& shape, double horizontal_irradiance) {
     horizontal_irradiance_ += horizontal_irradiance;
 }
 
+void SkySum::add(const SkySum& other, double factor) {
+    EXPECT(other.table_.radiance.size() == table_.radiance.size());
+    for (std::size_t i = 0; i < table_.radiance.size(); ++i) {
+        table_.radiance[i] += factor * other.table_.radiance[i];
+    }
+    horizontal_irradiance_ += factor * other.horizontal_irradiance_;
+}
+
 }  // namespace quasimc

@@ -25,7 +25,7 @@ struct SkyTable {
 
 [[nodiscard]] SkyShape table_shape(SkyTable table);
 
-/// Light of a period: one sky and the suns that stood in it.
+/// Skies added up in the cells of one table.
 class SkySum {
   public:
     /// @param azimuths, elevations  cells of the table that sums the skies
@@ -35,6 +35,9 @@ class SkySum {
     /// radiance of each cell counts, and the sum is exact on the horizontal.
     void add_sky(const SkyShape& shape, double horizontal_irradiance);
 
+    /// Adds `factor` times another sum of as many cells.
+    void add(const SkySum& other, double factor);
+
     /// All skies added so far. Their irradiance on the horizontal is horizontal_irradiance().
     [[nodiscard]] const SkyTable& table() const { return table_; }
     [[nodiscard]] double horizontal_irradiance() const { return horizontal_irradiance_; }
@@ -42,12 +45,6 @@ class SkySum {
   private:
     SkyTable table_;
     double horizontal_irradiance_ = 0;
-};
-
-/// A beam of the sun at one moment.
-struct SunBeam {
-    Vec3 to_sun;                     ///< unit, z up
-    std::vector<double> irradiance;  ///< per band, on a plane that faces it
 };
 
 }  // namespace quasimc

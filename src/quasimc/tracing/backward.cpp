@@ -15,8 +15,10 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "quasimc/tracing/estimator.h"
+#include "quasimc/tracing/next_event.h"
 #include "quasimc/tracing/organ_points.h"
 #include "quasimc/tracing/path.h"
 #include "quasimc/tracing/surface.h"
@@ -50,10 +52,10 @@ class BackwardEstimator final : public Estimator {
                 reference_area_ += all[i].area;
             }
         }
+        next_event_.emplace(stage, sampler, kGain * reference_area_);
         const std::uint64_t share = std::max<std::uint64_t>(1, spec.paths / organs());
         points_per_organ_ = std::bit_floor(share);
         const auto& lights = stage.lights();
-        light_dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0U : 2U;
         for (const Light& light : lights) {
             if (!light.is_found_by_chance()) {
                 hides_from_mirrors_ = true;
@@ -139,38 +141,6 @@ class BackwardEstimator final : public Estimator {
         return sampler_.number(stream, point, dimension);
     }
 
-    /// A light and a direction to it. `factor` times start weights and cosine is what it brings, in
-    /// cell units.
-    struct Sight {
-        const Light* light = nullptr;
-        Vec3 to_light;
-        double factor = 0;
-        double distance = 0;  // local units
-    };
-    [[nodiscard]] Sight look(
-        const Stream& stream,
-        std::uint64_t point,
-        std::uint32_t dimension,
-        const Vec3& place) const {
-        double u0 = 0;
-        double u1 = 0;
-        if (light_dimensions_ > 0) {
-            u0 = number(stream, point, dimension);
-            u1 = number(stream, point, dimension + 1);
-        }
-        const Light& light = stage_.lights()[stage_.pick_light(u0)];
-        u0 = std::clamp((u0 - light.before) / light.probability, 0.0, 1.0);
-        const Illumination seen = light.source->illuminate(stage_.to_world(place), u0, u1);
-        return {
-            &light, seen.to_light, seen.weight * scale_of(light),
-            seen.distance * stage_.caster().mesh().scale};
-    }
-
-    /// Irradiance of spectrum 1 in cell units, over the probability of the light.
-    [[nodiscard]] double scale_of(const Light& light) const {
-        return kGain * reference_area_ / (light.emitter->flux() * stage_.world_area());
-    }
-
     std::uint64_t trace_point(
         const Stream& stream,
         std::uint64_t organ_index,
@@ -189,10 +159,9 @@ class BackwardEstimator final : public Estimator {
     }
 
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
-        const Sight sight = look(stream, point.index, 2, point.place);
+        const Sight sight = next_event_->look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
-        if (cosine == 0 || sight.factor == 0 ||
-            !stage_.counts(point.element, std::abs(cosine))) {
+        if (cosine == 0 || sight.factor == 0 || !stage_.counts(point.element, std::abs(cosine))) {
             return 0;
         }
         if (!stage_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
@@ -214,7 +183,7 @@ class BackwardEstimator final : public Estimator {
     /// sides.
     std::uint64_t score_scattered(
         const Stream& stream, const Point& point, Workspace& workspace, Tally& tally) const {
-        const std::uint32_t dimension = 2 + light_dimensions_;
+        const std::uint32_t dimension = 2 + next_event_->dimensions();
         const double side = 2 * number(stream, point.index, dimension);
         const bool lower = side >= 1;
         const Vec3 normal = lower ? -point.up : point.up;
@@ -263,7 +232,7 @@ class BackwardEstimator final : public Estimator {
             ++rays;
             if (at.end != RayEnd::hit) {
                 if (by_delta && at.end == RayEnd::escaped) {
-                    add_sky(away, workspace);
+                    next_event_->add_sky(away, workspace);
                 }
                 return rays;
             }
@@ -277,9 +246,9 @@ class BackwardEstimator final : public Estimator {
             if (is_last) {
                 return rays;
             }
-            const Sight sight = look(stream, point.index, dimension, place);
-            rays += add_light(sight, surface, place, -away, workspace);
-            dimension += light_dimensions_;
+            const Sight sight = next_event_->look(stream, point.index, dimension, place);
+            rays += next_event_->add_light(sight, surface, place, -away, workspace);
+            dimension += next_event_->dimensions();
             const auto from = material.gather(
                 surface.normal, surface.upper, -away,
                 {number(stream, point.index, dimension), number(stream, point.index, dimension + 1),
@@ -292,42 +261,6 @@ class BackwardEstimator final : public Estimator {
             ++depth;
             by_delta = from->delta;
             away = -from->wi;
-        }
-    }
-
-    /// What a light sends by the surface along `out`. Returns the rays cast.
-    std::uint64_t add_light(
-        const Sight& sight,
-        const Surface& surface,
-        const Vec3& place,
-        const Vec3& out,
-        Workspace& workspace) const {
-        const bool same_side = dot(sight.to_light, surface.normal) > 0;
-        const bool arrives_upper = same_side == surface.upper;
-        const Material& material = stage_.material(surface.element);
-        if (material.side(arrives_upper).lobes().empty() || sight.factor == 0 ||
-            !stage_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
-            return 0;
-        }
-        for (std::size_t b = 0; b < workspace.weights.size(); ++b) {
-            workspace.products[b] = workspace.weights[b] * sight.light->start_weights[b];
-        }
-        material.add_reflected(
-            surface.normal, surface.upper, out, -sight.to_light, sight.factor, workspace.products,
-            workspace.gathered);
-        return 1;
-    }
-
-    /// The sky that a mirror shows in direction `to_light`.
-    void add_sky(const Vec3& to_light, Workspace& workspace) const {
-        for (const Light& light : stage_.lights()) {
-            const double radiance = light.is_found_by_chance()
-                                        ? light.source->radiance(to_light) * light.probability
-                                        : 0;
-            for (std::size_t b = 0; radiance > 0 && b < workspace.weights.size(); ++b) {
-                workspace.gathered[b] +=
-                    workspace.weights[b] * light.start_weights[b] * radiance * scale_of(light);
-            }
         }
     }
 
@@ -368,11 +301,11 @@ class BackwardEstimator final : public Estimator {
     std::vector<std::uint32_t> measured_;  // organs that points are placed on
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
-    std::uint32_t light_dimensions_ = 2;
     std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all lights are beams
     bool hides_from_mirrors_ = false;      // some light is a sun or a lamp
     std::vector<double> companion_scale_;  // by element: from flux per light path to cell units
     double reference_area_ = 0;
+    std::optional<NextEvent> next_event_;
 };
 
 }  // namespace

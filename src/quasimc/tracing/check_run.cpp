@@ -160,8 +160,15 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
 
 std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
-    return spec.trace_from == TraceFrom::organs ? make_backward_estimator(stage, sampler, spec)
-                                                : make_forward_estimator(stage, sampler, spec);
+    switch (spec.trace_from) {
+        case TraceFrom::organs:
+            return make_backward_estimator(stage, sampler, spec);
+        case TraceFrom::lit_surfaces:
+            return make_lit_surfaces_estimator(stage, sampler, spec);
+        case TraceFrom::sources:
+            break;
+    }
+    return make_forward_estimator(stage, sampler, spec);
 }
 
 }  // namespace quasimc

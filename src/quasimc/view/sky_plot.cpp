@@ -85,20 +85,11 @@ class SkyPlot {
     }
 
     void draw_letters() {
-        const double dot = dot_size();
-        const double out = radius_ + 0.75 * kMargin * dot;
+        const double out = radius_ + 0.75 * kMargin * dot_size();
         for (const Letter& letter : kLetters) {
-            const double left = middle_ - out * std::sin(letter.azimuth) - 2.5 * dot;
-            const double top = middle_ - out * std::cos(letter.azimuth) - 3.5 * dot;
-            for (std::size_t row = 0; row < letter.dots.size(); ++row) {
-                for (std::size_t column = 0; column < letter.dots[row].size(); ++column) {
-                    if (letter.dots[row][column] == '#') {
-                        fill(
-                            left + dot * static_cast<double>(column),
-                            top + dot * static_cast<double>(row), dot);
-                    }
-                }
-            }
+            draw_letter(
+                letter, middle_ - out * std::sin(letter.azimuth),
+                middle_ - out * std::cos(letter.azimuth));
         }
     }
 
@@ -143,11 +134,22 @@ class SkyPlot {
             picture_.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y)) = color;
         }
     }
-    void fill(double left, double top, double size) {
-        for (double y = top; y < top + size; y += 1) {
-            for (double x = left; x < left + size; x += 1) {
-                put(x, y, kInk);
+    /// About a middle.
+    void draw_letter(const Letter& letter, double x, double y) {
+        const double dot = dot_size();
+        for (std::size_t row = 0; row < letter.dots.size(); ++row) {
+            for (std::size_t column = 0; column < letter.dots[row].size(); ++column) {
+                if (letter.dots[row][column] == '#') {
+                    fill(
+                        x + dot * (static_cast<double>(column) - 2.5),
+                        y + dot * (static_cast<double>(row) - 3.5), static_cast<int>(dot));
+                }
             }
+        }
+    }
+    void fill(double left, double top, int size) {
+        for (int i = 0; i < size * size; ++i) {
+            put(left + i % size, top + i / size, kInk);
         }
     }
     void draw_circle(double x, double y, double radius, std::uint8_t color) {
