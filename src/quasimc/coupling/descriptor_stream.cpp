@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "quasimc/coupling/messages.h"
@@ -88,13 +89,18 @@ void DescriptorStream::write_all(std::string_view bytes) {
 }
 
 void DescriptorStream::check() {
-    // What was sent before the end may still lie there; it is dropped with the rest.
     std::array<pollfd, 2> ends{{{in_, POLLRDHUP, 0}, {out_, 0, 0}}};
     if (::poll(ends.data(), ends.size(), 0) <= 0) {
         return;
     }
-    if ((ends[0].revents & (POLLHUP | POLLRDHUP | POLLERR)) != 0 ||
-        (ends[1].revents & (POLLHUP | POLLERR)) != 0) {
+    if ((ends[1].revents & (POLLHUP | POLLERR)) != 0) {
+        gone("it no longer reads our answers");
+    }
+    // An end that comes after further messages (a recorded conversation) is none yet.
+    int unread = 0;
+    const bool has_more =
+        buffer_.size() > taken_ || (::ioctl(in_, FIONREAD, &unread) == 0 && unread > 0);
+    if ((ends[0].revents & (POLLHUP | POLLRDHUP | POLLERR)) != 0 && !has_more) {
         gone("it has closed the line during a computation");
     }
 }

@@ -45,7 +45,7 @@ void PlantLight::answer(
         notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
     } else if (!shapes.empty()) {
         unshaded_ = trace_unshaded(pass, shapes, check);
-        light_ = trace(pass, std::move(shapes), check);
+        light_ = trace(pass, std::move(shapes), simulator_, check);
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
@@ -131,7 +131,10 @@ std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
 }
 
 StepLight PlantLight::trace(
-    const Pass& pass, std::vector<PlacedShape> shapes, const std::function<void()>& check) {
+    const Pass& pass,
+    std::vector<PlacedShape> shapes,
+    Simulator& simulator,
+    const std::function<void()>& check) {
     StepLight light;
     light.organs.assign(pass.queries.size(), kNoOrgan);
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
@@ -149,7 +152,7 @@ StepLight PlantLight::trace(
         const Sources& sources = lighting_.sources[light.results.size()];
         light.scene.emplace(build_plant_scene(spec_, some, pass, std::move(parts)));
         light.results.push_back(
-            quasimc::run(*light.scene, sources, run, [&](const Progress&) { check(); }));
+            simulator.run(*light.scene, sources, run, [&](const Progress&) { check(); }));
     };
     if (spec_.one_ray_per_spectrum) {
         trace_some(bands, std::move(shapes));
@@ -176,7 +179,8 @@ StepLight PlantLight::trace_unshaded(
     std::copy_if(
         shapes.begin(), shapes.end(), std::back_inserter(sensors),
         [](const PlacedShape& shape) { return shape.is_sensor; });
-    return is_asked && !sensors.empty() ? trace(pass, std::move(sensors), check) : unshaded_;
+    return is_asked && !sensors.empty() ? trace(pass, std::move(sensors), unshaded_simulator_, check)
+                                          : unshaded_;
 }
 
 void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<double>& values) const {

@@ -11,6 +11,7 @@
 #include "quasimc/coupling/session.h"
 #include "quasimc/coupling/specification.h"
 #include "quasimc/coupling/step_light.h"
+#include "quasimc/tracing/simulator.h"
 
 namespace quasimc {
 
@@ -45,6 +46,7 @@ class PlantLight {
     [[nodiscard]] StepLight trace(
         const Pass& pass,
         std::vector<PlacedShape> shapes,
+        Simulator& simulator,
         const std::function<void()>& check);
     /// Sensors alone: what they would see with nothing in the way.
     [[nodiscard]] StepLight trace_unshaded(
@@ -63,6 +65,7 @@ class PlantLight {
     OrganShapes shapes_;
     std::optional<SkyOfDay> sky_;
     Lighting lighting_;
+    Simulator simulator_, unshaded_simulator_;
     StepLight light_, unshaded_;
     std::uint64_t steps_ = 0;
 };
