@@ -75,6 +75,8 @@ class Source {
     /// Whether its light comes from one direction (a point of the sky), so that no ray finds it by
     /// chance.
     [[nodiscard]] virtual bool is_directional() const = 0;
+    /// Whether what it lights straight counts as sunlit.
+    [[nodiscard]] virtual bool is_sun() const { return is_directional(); }
     /// Irradiance on the horizontal, upper side, for a spectrum of 1.
     [[nodiscard]] virtual double horizontal_irradiance() const = 0;
 

@@ -85,7 +85,7 @@ void Stage::set_lights(const Sources& sources) {
             Light& light = lights_.emplace_back();
             light.source = source.get();
             light.emitter = std::move(emitter);
-            if (source->is_directional()) {
+            if (source->is_sun()) {
                 sun += sum_of(source->spectrum());
                 sun_area_ += lights_.back().emitter->flux() * world_area();
             }
@@ -94,7 +94,7 @@ void Stage::set_lights(const Sources& sources) {
     flux_ = total_flux(lights_, world_area(), bands());
     set_probabilities(lights_, flux_, world_area());
     for (Light& light : lights_) {
-        if (light.source->is_directional()) {
+        if (light.source->is_sun()) {
             light.sun_share = sum_of(light.source->spectrum()) / sun;
             light.lit_area = light.sun_share / light.probability * light.emitter->flux() *
                              world_area() / sun_area_;

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "quasimc/base/vec3.h"
+
+namespace quasimc {
+
+/// A function on the upper hemisphere, of the unit direction towards a place of it.
+using HemisphereFunction = std::function<double(const Vec3&)>;
+
+/// The upper hemisphere cut into cells by circles of equal elevation and of equal azimuth.
+struct HemisphereGrid {
+    std::vector<double> azimuths;  ///< borders, radians from x towards y; the last is 2 pi past the
+                                   ///< first
+    std::vector<double> sines;     ///< borders, of elevation: 0 to 1
+
+    [[nodiscard]] std::size_t columns() const { return azimuths.size() - 1; }
+    [[nodiscard]] std::size_t rows() const { return sines.size() - 1; }
+    [[nodiscard]] std::size_t cells() const { return columns() * rows(); }
+    /// Solid angle of a cell.
+    [[nodiscard]] double solid_angle(std::size_t row, std::size_t column) const {
+        return (sines[row + 1] - sines[row]) * (azimuths[column + 1] - azimuths[column]);
+    }
+};
+
+/// A grid fine enough for the skies of all models, that has a border at each of the given places
+/// and wherever a coordinate changes its sign.
+[[nodiscard]] HemisphereGrid make_hemisphere_grid(
+    std::span<const double> azimuths, std::span<const double> sines);
+
+/// The integral over each cell, [row * columns + column], by adaptive Gaussian quadrature: the sum
+/// is good to a relative 1e-9 for what is smooth inside cells, and to 1e-6 if it has edges there.
+[[nodiscard]] std::vector<double> cell_integrals(
+    const HemisphereGrid& grid, const HemisphereFunction& f);
+
+/// The direction at an azimuth and a sine of elevation.
+[[nodiscard]] Vec3 hemisphere_direction(double azimuth, double sine);
+
+/// Draws directions cell by cell: a cell in proportion to its share, uniformly inside (in solid
+/// angle). The map of the unit square is continuous along each row of cells, and keeps the
+/// regularity of a point set: nothing is rejected.
+class HemisphereSampler {
+  public:
+    /// @param shares  of the cells, not negative, not all 0
+    HemisphereSampler(HemisphereGrid grid, std::span<const double> shares);
+
+    struct Sample {
+        Vec3 direction;
+        double pdf = 0;  ///< per steradian
+    };
+    /// @param u0  picks the elevation, u1 the azimuth
+    [[nodiscard]] Sample sample(double u0, double u1) const;
+
+  private:
+    HemisphereGrid grid_;
+    std::vector<double> row_ends_;     // sums of shares up to and with each row, the last is 1
+    std::vector<double> column_ends_;  // [row][column], the same inside each row
+};
+
+}  // namespace quasimc
