@@ -15,6 +15,7 @@
 #include <sys/sem.h>
 #include <sys/shm.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "quasimc/coupling/messages.h"
@@ -43,7 +44,7 @@ class DescriptorMaster : public Master {
             throw MasterError("the first byte is no sign");
         }
     }
-    void await_last_sign() override { await_sign(); }
+    void await_last_sign() override { DescriptorMaster::await_sign(); }
     void write(std::string_view text) override {
         while (!text.empty()) {
             const ssize_t count = ::write(out_, text.data(), text.size());
@@ -204,7 +205,7 @@ class SemaphoreMaster : public Master {
     /// The simulators sleep for a second and then look; we look until it is so.
     void await_sign() override {
         const auto until = std::chrono::steady_clock::now() + kPatience;
-        while (::semctl(set_, 1, GETVAL) != 0) {
+        while (!has_signed()) {
             check_alive();
             if (std::chrono::steady_clock::now() > until) {
                 throw MasterError("no sign");
@@ -212,8 +213,11 @@ class SemaphoreMaster : public Master {
             ::usleep(1000);
         }
     }
+    [[nodiscard]] bool has_signed() const override { return ::semctl(set_, 1, GETVAL) == 0; }
+    [[nodiscard]] std::optional<long> semaphore_key() const override { return key_; }
     void await_last_sign() override {}
     void tell() override {
+        told_ = true;
         sembuf give{0, 1, 0};
         ::semop(set_, &give, 1);
     }
@@ -241,6 +245,9 @@ class SemaphoreMaster : public Master {
     }
 
   private:
+    /// The program may end after its last answer.
+    [[nodiscard]] bool has_answer() const { return ::semctl(set_, 1, GETVAL) > 0 && told_; }
+
     void make_semaphores() {
         for (key_ = 4L * ::getpid(); set_ < 0; key_ += set_ < 0 ? 65536 : 0) {
             set_ = ::semget(static_cast<key_t>(key_), 2, IPC_CREAT | IPC_EXCL | 0600);
@@ -255,9 +262,9 @@ class SemaphoreMaster : public Master {
     }
     void check_alive() {
         siginfo_t ending{};
-        if (::waitid(P_PID, static_cast<id_t>(process_->pid()), &ending,
-                     WEXITED | WNOHANG | WNOWAIT) == 0 &&
-            ending.si_pid != 0 && ::semctl(set_, 1, GETVAL) == 0) {
+        const auto id = static_cast<id_t>(process_->pid());
+        const int options = WEXITED | WNOHANG | WNOWAIT;
+        if (::waitid(P_PID, id, &ending, options) == 0 && ending.si_pid != 0 && !has_answer()) {
             throw MasterError("the program has ended");
         }
     }
@@ -265,6 +272,7 @@ class SemaphoreMaster : public Master {
     std::filesystem::path folder_;
     long key_ = 0;
     int set_ = -1;
+    bool told_ = false;
 };
 
 class FileMaster final : public SemaphoreMaster {

@@ -31,6 +31,8 @@ class Master {
     virtual void start(const std::vector<std::string>& words) = 0;
     /// Waits for the sign that it is there.
     virtual void await_sign() = 0;
+    /// Whether the sign was given; for semaphores, which keep it.
+    [[nodiscard]] virtual bool has_signed() const { return false; }
     /// Writes a text without telling that it is there (pipes and sockets: there is no difference).
     virtual void write(std::string_view text) = 0;
     virtual void tell() = 0;
@@ -38,6 +40,8 @@ class Master {
     virtual std::string read() = 0;
     /// The byte with which the program says good-bye, where there is one.
     virtual void await_last_sign() = 0;
+    /// Of the semaphores, where there are any.
+    [[nodiscard]] virtual std::optional<long> semaphore_key() const { return std::nullopt; }
     /// Removes what a real simulator removes in the end.
     virtual void clean_up() = 0;
 

@@ -8,6 +8,7 @@
 
 #include "quasimc/base/text.h"
 #include "quasimc/coupling/directive_table.h"
+#include "quasimc/coupling/lighting.h"
 #include "quasimc/io/line_scanner.h"
 
 namespace quasimc {
@@ -162,7 +163,7 @@ void read_sky(Values& values, DirectiveContext& context) {
     sky_of(context).weather = *chosen == 1 ? Weather::clear : Weather::overcast;
 }
 
-/// The cells of a sky: a line with their numbers, then azimuth, elevation and radiance of each.
+/// The cells of a sky, azimuth by azimuth from the horizon up: a line with their numbers, then azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_sky_table(Values& numbers) {
     const auto azimuths = numbers.integer("the number of azimuths", {1, kLongestCount});
     const auto elevations = numbers.integer("the number of elevations", {1, kLongestCount});
@@ -170,9 +171,9 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
     if (!azimuths || !elevations) {
         return std::nullopt;
     }
-    SkyTable table{
-        static_cast<std::size_t>(*azimuths), static_cast<std::size_t>(*elevations), {}};
-    const std::size_t cells = table.azimuths * table.elevations;
+    SkyTable table =
+        plant_sky_table(static_cast<std::size_t>(*azimuths), static_cast<std::size_t>(*elevations));
+    const std::size_t cells = table.radiance.size();
     if (static_cast<double>(cells) > kMostCells) {
         numbers.fault(fmt::format("{} cells", cells), "at most a million are read");
         return std::nullopt;
@@ -186,7 +187,8 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
         if (!radiance) {
             return std::nullopt;
         }
-        table.radiance.push_back(*radiance);
+        const std::size_t azimuth = i / table.elevations, elevation = i % table.elevations;
+        table.radiance[elevation * table.azimuths + azimuth] = *radiance;
         sum += *radiance;
     }
     if (!(sum > 0)) {

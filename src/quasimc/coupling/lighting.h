@@ -29,20 +29,13 @@ struct Lighting {
 /// How the specification's axes lie: y up, north against x.
 [[nodiscard]] Orientation plant_orientation();
 
+/// A table of radiance without light, with cells as sky files have them: azimuths from -180 degrees
+/// on, where 0 is south and 90 west.
+[[nodiscard]] SkyTable plant_sky_table(std::size_t azimuths, std::size_t elevations);
+
 /// The light of a specification.
 /// @param sky  the sky of the day as it is now, if the specification has one
 [[nodiscard]] Lighting make_lighting(
     const Specification& spec, const std::optional<SkyOfDay>& sky);
-
-/// Where the sun stands: unit vector, z up, and its elevation.
-struct SunPlace {
-    Vec3 to_sun;
-    double elevation = 0;  ///< radians
-};
-
-/// The sun at a standard time of the zone whose meridian, a multiple of 15 degrees, is the nearest.
-/// Declination and equation of time as in Preetham, Shirley and Smits (1999), appendix A.6, with
-/// longitudes counted to the east.
-[[nodiscard]] SunPlace sun_place(const SkyOfDay& sky, double hour);
 
 }  // namespace quasimc

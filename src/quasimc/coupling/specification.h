@@ -15,6 +15,7 @@
 #include "quasimc/io/input_files.h"
 #include "quasimc/optics/material.h"
 #include "quasimc/scene/scene.h"
+#include "quasimc/sources/sky_table.h"
 #include "quasimc/tracing/result.h"
 #include "quasimc/tracing/run_spec.h"
 
@@ -57,13 +58,6 @@ struct SkyOfDay {
     double day = 172;                       ///< of the year, from 1
     bool with_sun = true;                   ///< whether a clear sky has its sun
     friend bool operator==(const SkyOfDay&, const SkyOfDay&) = default;
-};
-
-/// Radiance in cells of equal angles, [azimuth * elevations + elevation]; azimuth cell 0 begins at
-/// -180 degrees from south, turning to the west; elevation cell 0 lies on the horizon.
-struct SkyTable {
-    std::size_t azimuths = 0, elevations = 0;
-    std::vector<double> radiance;
 };
 
 /// A surface of the surface list in the frame of an organ: x along heading x up, y along heading, z
@@ -121,7 +115,7 @@ struct Specification {
 
     std::vector<StatedLight> lights;  ///< any light switches the sky off
     std::optional<SkyOfDay> sky;
-    std::optional<SkyTable> sky_table;
+    std::optional<SkyTable> sky_table;  ///< z up
     bool has_uniform_sky = false;
 
     std::vector<StatedSurface> surfaces;
