@@ -50,6 +50,7 @@ height = 0
 id = 1
 name = "leaf 1"
 labels = { plant = "1", kind = "leaf" }
+measured = true             # false: it shades, but paths traced from organs spare it
 material = "leaf"
 shape = "rhombus"
 base = [0, 0, 0.5]

@@ -149,6 +149,12 @@ std::vector<Option> make_table() {
         choice_option<Engine>(
             {"engine", "", "ray engine; brute_force is slow and serves to check the other"},
             &RunSpec::engine, {{"embree", Engine::embree}, {"brute_force", Engine::brute_force}}),
+        choice_option<DirectLight>(
+            {"direct_light", "",
+             "light straight from the sources is counted on organs, or ignored: scattered light "
+             "alone"},
+            &RunSpec::direct_light,
+            {{"counted", DirectLight::counted}, {"ignored", DirectLight::ignored}}),
         real_option(
             {"target_error", "",
              "relative standard error of the absorbed flux to reach, 0.01 for 1 %; 0: none"},

@@ -72,6 +72,8 @@ Json parse_head(const std::string& text, const std::string& path) {
         refuse(
             path, fmt::format("byte {}: not JSON", error.byte),
             "a result that `quasimc run --json` wrote is needed");
+    } catch (const Json::out_of_range&) {
+        refuse(path, "it has a number too large to hold", "no result has");
     }
 }
 

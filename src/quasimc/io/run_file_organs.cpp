@@ -86,6 +86,9 @@ void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder
             fmt::format("organ '{}'", organ.name.empty() ? std::to_string(*organ.id) : organ.name));
     }
     organ.labels = read_labels(table);
+    organ.measured = table.boolean("measured").value_or(true);
+    organ.field_of_view_deg =
+        table.real("field_of_view_deg", {0, 90}).value_or(organ.field_of_view_deg);
     const auto material = table.required("material", table.text("material"));
     std::vector<Triangle> triangles = read_shape(table);
     if (const auto transform = read_transform(table)) {

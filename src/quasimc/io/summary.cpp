@@ -113,6 +113,13 @@ std::string energy_lines(const Scene& scene, const Result& result) {
     for (std::size_t b = 0; b < std::min(result.budget.size(), kMostBands); ++b) {
         const BandBudget& budget = result.budget[b];
         const Band& band = scene.bands()[b];
+        if (std::isnan(budget.escaped.mean)) {
+            text += line(
+                "energy", fmt::format(
+                              "{} [{}]: {:.6g} emitted; not all organs are measured", band.name,
+                              flux_unit(band.unit, scene.length_unit()), budget.emitted));
+            continue;
+        }
         text += line(
             "energy",
             fmt::format(

@@ -32,6 +32,11 @@ struct Organ {
     std::string name;
     Labels labels;
     bool is_ground = false;
+    /// Whether its light is asked for. Tracing from organs computes the others' as NaN; tracing
+    /// from sources gets them for nothing.
+    bool measured = true;
+    /// Of a sensor: cosine of the largest angle from the normal at which light is counted.
+    double least_cosine = 0;
     /// One-sided, square scene units. 0 is allowed: nothing falls on the organ, its flux and
     /// densities are 0.
     double area = 0;

@@ -63,6 +63,8 @@ class SceneBuilder::Assembly {
         organ.id = *spec.id;
         organ.name = std::move(spec.name);
         organ.labels = std::move(spec.labels);
+        organ.measured = spec.measured;
+        organ.least_cosine = least_cosine(spec.field_of_view_deg);
         organ.first_element = static_cast<std::uint32_t>(scene_.elements_.size());
         organ.first_triangle = static_cast<std::uint32_t>(scene_.triangles_->size());
         for (const std::uint32_t part : add_elements(spec, materials)) {
@@ -170,6 +172,7 @@ Scene SceneBuilder::build() && {
     if (faults.size() == before) {
         check_images(cell_, organs_, faults);
     }
+    check_fields_of_view(organs_, materials_, organ_faults);
     organ_faults.finish();
     check_whole(organs_, bounds, faults);
     const std::vector<MaterialId> part_materials =

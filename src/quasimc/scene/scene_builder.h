@@ -26,6 +26,11 @@ struct OrganSpec {
     std::string name = {};                ///< default: "organ <id>"
     Labels labels = {};
     std::vector<OrganPart> parts = {};
+    /// Whether its light is asked for (Organ::measured).
+    bool measured = true;
+    /// Half angle, degrees from the normal of either side, within which light is counted; 0 to 90.
+    /// Less than 90 is for sensors: organs of transparent materials only.
+    double field_of_view_deg = 90;
     /// Where it was stated, for messages ("leaves.toml:12"); default: its name.
     std::string place = {};
 };

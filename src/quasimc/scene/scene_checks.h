@@ -41,6 +41,16 @@ class OrganFaults {
 /// Adds the faults of wavebands: none, no name, names that are not unique.
 void check_bands(const std::vector<Band>& bands, Faults& faults);
 
+/// Adds a fault for each organ whose field of view is no angle up to 90 degrees, or narrower though
+/// it is made of more than transparent materials.
+void check_fields_of_view(
+    std::span<const OrganSpec> organs,
+    std::span<const std::pair<MaterialSpec, std::string>> materials,
+    OrganFaults& faults);
+
+/// Organ::least_cosine of a half angle.
+[[nodiscard]] double least_cosine(double field_of_view_deg);
+
 /// Adds a fault if north is not a horizontal direction.
 void check_north(const Orientation& orientation, Faults& faults);
 

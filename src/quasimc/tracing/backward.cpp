@@ -42,29 +42,32 @@ class BackwardEstimator final : public Estimator {
           sampler_(sampler),
           spec_(spec),
           enough_(spec.roulette_weight * static_cast<double>(stage.bands())),
-          organs_(stage.scene().organs().size()),
           organ_points_(stage) {
-        const std::uint64_t share = std::max<std::uint64_t>(1, spec.paths / organs_);
+        const std::vector<Organ>& all = stage.scene().organs();
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            if (measures(all[i])) {
+                measured_.push_back(i);
+                reference_area_ += all[i].area;
+            }
+        }
+        const std::uint64_t share = std::max<std::uint64_t>(1, spec.paths / organs());
         points_per_organ_ = std::bit_floor(share);
         const auto& lights = stage.lights();
         light_dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0U : 2U;
         for (const Light& light : lights) {
             has_sun_ = has_sun_ || light.source->is_directional();
         }
-        for (const Organ& organ : stage.scene().organs()) {
-            reference_area_ += organ.area;
-        }
         for (const Element& element : stage.scene().elements()) {
             const double own = stage.scene().organs()[element.organ.value].area;
             companion_scale_.push_back(
-                own > 0 ? kGain * reference_area_ / (own * static_cast<double>(organs_)) : 0);
+                own > 0 ? kGain * reference_area_ / (own * static_cast<double>(organs())) : 0);
         }
     }
 
     [[nodiscard]] std::uint64_t blocks(const Round& round) const override {
         const std::uint64_t each = points(round.count);
         const std::uint64_t own =
-            each >= kBlock ? organs_ * (each / kBlock) : (organs_ * each + kBlock - 1) / kBlock;
+            each >= kBlock ? organs() * (each / kBlock) : (organs() * each + kBlock - 1) / kBlock;
         return own * (needs_companion() ? 2 : 1);
     }
 
@@ -80,12 +83,13 @@ class BackwardEstimator final : public Estimator {
         const std::uint64_t piece = companion ? block - own : block;
         std::uint64_t rays = 0;
         const std::uint64_t begin = piece * kBlock;
-        const std::uint64_t end = std::min(begin + kBlock, organs_ * each);
+        const std::uint64_t end = std::min(begin + kBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
-            const std::uint64_t organ = i / each;
+            const std::uint64_t organ = measured_[i / each];
             const Stream stream{
-                spec_.seed, (companion ? organs_ : 0) + organ + 1, replicate, first, each};
+                spec_.seed, (companion ? stage_.scene().organs().size() : 0) + organ + 1, replicate,
+                first, each};
             rays += companion ? trace_companion(stream, first + i % each, workspace, tally)
                               : trace_point(stream, organ, first + i % each, workspace, tally);
         }
@@ -113,9 +117,11 @@ class BackwardEstimator final : public Estimator {
         std::uint32_t element, std::uint64_t paths) const override {
         return organ_area(element) / static_cast<double>(points(paths));
     }
+    [[nodiscard]] bool measures(const Organ& organ) const override { return organ.measured; }
     [[nodiscard]] bool counts_escapes() const override { return false; }
 
   private:
+    [[nodiscard]] std::uint64_t organs() const { return measured_.size(); }
     /// Points per organ after `paths` of the run.
     [[nodiscard]] std::uint64_t points(std::uint64_t paths) const {
         return paths / spec_.paths * points_per_organ_;
@@ -179,7 +185,10 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
         const Sight sight = look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
-        if (cosine == 0 || !stage_.reaches_sky(point.place, sight.to_light, point.triangle)) {
+        if (cosine == 0 || !stage_.counts(point.element, std::abs(cosine))) {
+            return 0;
+        }
+        if (!stage_.reaches_sky(point.place, sight.to_light, point.triangle)) {
             return 1;
         }
         const TallyLayout& layout = tally.layout();
@@ -202,14 +211,16 @@ class BackwardEstimator final : public Estimator {
         const double side = 2 * number(stream, point.index, dimension);
         const bool lower = side >= 1;
         const Vec3 normal = lower ? -point.up : point.up;
+        // Of the square of the sine; less than 1 for sensors with a narrow field of view.
+        const double part = 1 - std::pow(stage_.least_cosine(point.element), 2);
         const Vec3 away = cosine_direction(
-            normal, lower ? side - 1 : side, number(stream, point.index, dimension + 1));
+            normal, part * (lower ? side - 1 : side), number(stream, point.index, dimension + 1));
         std::fill(workspace.weights.begin(), workspace.weights.end(), 1.0);
         std::fill(workspace.gathered.begin(), workspace.gathered.end(), 0.0);
         const std::uint64_t rays = gather(stream, point, away, dimension + 2, workspace);
         for (std::size_t b = 0; b < workspace.fixed.size(); ++b) {
             // pi for the cosine law, 2 for the choice of a side.
-            workspace.fixed[b] = to_fixed(2 * std::numbers::pi * workspace.gathered[b]);
+            workspace.fixed[b] = to_fixed(2 * std::numbers::pi * part * workspace.gathered[b]);
         }
         tally.add(tally.layout().scattered(point.element, lower), workspace.fixed);
         return rays;
@@ -342,7 +353,7 @@ class BackwardEstimator final : public Estimator {
     const Sampler& sampler_;
     const RunSpec& spec_;
     double enough_;
-    std::uint64_t organs_;
+    std::vector<std::uint32_t> measured_;  // organs that points are placed on
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     std::uint32_t light_dimensions_ = 2;

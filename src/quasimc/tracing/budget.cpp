@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "quasimc/tracing/evaluate.h"
 
@@ -40,6 +42,12 @@ Flows flows_of(const Evaluation& evaluation, std::uint32_t replicate, std::size_
     if (!evaluation.estimator.counts_escapes()) {
         flows.emitted = evaluation.stage.flux()[band];
         flows.roulette = 0;
+        const std::vector<Organ>& all = evaluation.stage.scene().organs();
+        if (!std::all_of(all.begin(), all.end(), [&](const Organ& organ) {
+                return evaluation.estimator.measures(organ);
+            })) {
+            flows.organs = flows.ground = std::numeric_limits<double>::quiet_NaN();
+        }
         flows.escaped = flows.emitted - flows.organs - flows.ground;
         return flows;
     }

@@ -98,6 +98,16 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
+void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const auto is_measured = [](const Organ& organ) { return organ.measured; };
+    if (spec.trace_from == TraceFrom::organs &&
+        std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
+        faults.add(
+            {"trace_from", "no organ is measured", "there is nothing to trace from",
+             "leave measured = false out for the organs whose light you want"});
+    }
+}
+
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
         faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
@@ -132,6 +142,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_sampler(spec, faults);
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
+    check_organs(scene, spec, faults);
 }
 
 std::unique_ptr<Estimator> make_estimator(

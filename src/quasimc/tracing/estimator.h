@@ -71,6 +71,8 @@ class Estimator {
     [[nodiscard]] virtual double sunlit_area_per_find(
         std::uint32_t element, std::uint64_t paths) const = 0;
 
+    /// Whether it computes the light of an organ.
+    [[nodiscard]] virtual bool measures(const Organ&) const { return true; }
     /// Whether escaped and cut off light are counted on their own.
     [[nodiscard]] virtual bool counts_escapes() const = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "quasimc/base/parallel.h"
 
@@ -59,7 +60,8 @@ class OrganReader {
         const TallyLayout& layout = evaluation_.replicates.layout();
         const std::span<const std::int64_t> cells = evaluation_.replicates.cells(replicate);
         Incident sum;
-        for (std::size_t s = 0; s < layout.spectra; ++s) {
+        const bool counted = evaluation_.direct_light == DirectLight::counted;
+        for (std::size_t s = 0; counted && s < layout.spectra; ++s) {
             const double weight = evaluation_.stage.spectra()[s][band] * unit;
             sum.direct_upper += from_fixed(cells[layout.direct(element, false, s)]) * weight;
             sum.direct_lower += from_fixed(cells[layout.direct(element, true, s)]) * weight;
@@ -117,6 +119,10 @@ class OrganEvaluator {
         const std::vector<std::pair<std::size_t, std::size_t>>& ratios,
         Result& result) {
         const Organ& organ = evaluation_.stage.scene().organs()[index];
+        if (!evaluation_.estimator.measures(organ)) {
+            leave_out(index, ratios.size(), result);
+            return;
+        }
         for (std::size_t b = 0; b < result.bands; ++b) {
             evaluate_band(organ, index, b, result);
         }
@@ -130,6 +136,18 @@ class OrganEvaluator {
     }
 
   private:
+    /// An organ that nobody asked for.
+    static void leave_out(std::size_t index, std::size_t ratios, Result& result) {
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        constexpr Estimate kUnknown{kNone, kNone, kNone, kNone};
+        const std::size_t values = kQuantities * result.bands;
+        std::fill_n(&result.values[index * values], values, kUnknown);
+        std::fill_n(result.ratio_values.begin() + index * ratios, ratios, kUnknown);
+        if (!result.sunlit_fraction.empty()) {
+            result.sunlit_fraction[index] = kUnknown;
+        }
+    }
+
     void evaluate_band(const Organ& organ, std::size_t index, std::size_t band, Result& result) {
         const OrganReader reader(evaluation_, organ);
         // An organ of no area receives nothing.
@@ -197,6 +215,9 @@ void for_each_block(const Evaluation& evaluation, const Work& work) {
 /// any light is.
 bool is_at_target(const Evaluation& evaluation, std::size_t index, double target) {
     const Organ& organ = evaluation.stage.scene().organs()[index];
+    if (!evaluation.estimator.measures(organ)) {
+        return true;
+    }
     const OrganReader reader(evaluation, organ);
     std::vector<double> absorbed(evaluation.replicates.count());
     for (std::size_t b = 0; b < evaluation.stage.bands(); ++b) {

@@ -13,6 +13,7 @@ struct Evaluation {
     const Replicates& replicates;
     std::uint64_t paths = 0;
     unsigned threads = 1;
+    DirectLight direct_light = DirectLight::counted;
 };
 
 /// Fills values, sunlit_fraction and ratio_values of the result.

@@ -230,9 +230,12 @@ class ForwardEstimator final : public Estimator {
                 const bool lower = facing.along[lane] >= 0;
                 const double lit =
                     light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
-                tally.add_two(
-                    facet.element, layout.direct(0, lower, light.spectrum), to_fixed(1),
-                    layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : lit));
+                if (stage_.counts(
+                        facet.element, 1 / static_cast<double>(facing.inverse_cosine[lane]))) {
+                    tally.add_two(
+                        facet.element, layout.direct(0, lower, light.spectrum), to_fixed(1),
+                        layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : lit));
+                }
                 if (workspace.u2[group.points[lane]] >=
                     survival[2 * facet.material + (lower ? 1 : 0)]) {
                     continue;

@@ -52,6 +52,9 @@ class Follower {
     /// Adds what falls on the surface.
     void score(const Surface& surface) {
         const TallyLayout& layout = tally_.layout();
+        if (!stage_.counts(surface.element, surface.cosine)) {
+            return;
+        }
         if (!direct_) {
             const std::size_t cells = layout.scattered(surface.element, !surface.upper);
             rules_.scales.empty() ? tally_.add(cells, fixed_)

@@ -115,7 +115,7 @@ Result Simulator::run(
     for (unsigned i = 0; i < threads; ++i) {
         workspaces.emplace_back(stage.bands());
     }
-    Evaluation evaluation{stage, *estimator, replicates, 0, threads};
+    Evaluation evaluation{stage, *estimator, replicates, 0, threads, spec.direct_light};
     Reporter reporter(on_progress, start);
     Rounds rounds(spec);
     while (const auto round = rounds.next()) {

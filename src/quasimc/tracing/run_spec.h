@@ -15,6 +15,12 @@ enum class TraceFrom {
     organs,   ///< from points on each organ, light sampled at every hit: few or small organs, sky
 };
 
+/// What becomes of light that falls on an organ straight from a source.
+enum class DirectLight {
+    counted,
+    ignored,  ///< it is scattered as always, but is no part of any organ's numbers
+};
+
 /// How a run is done: everything but scene and sources. The table of options in io/options.cpp
 /// gives each field its key, flag, range and words.
 struct RunSpec {
@@ -31,6 +37,7 @@ struct RunSpec {
     double roulette_weight = 1;
     WindowShape window = WindowShape::silhouette;
     Engine engine = Engine::embree;
+    DirectLight direct_light = DirectLight::counted;
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band

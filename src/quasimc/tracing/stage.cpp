@@ -74,7 +74,18 @@ Stage::Stage(
         has_delta_ = has_delta_ || materials_.back()->side(true).has_delta() ||
                      materials_.back()->side(false).has_delta();
     }
+    set_fields_of_view();
     set_lights(sources);
+}
+
+void Stage::set_fields_of_view() {
+    for (const Organ& organ : scene_->organs()) {
+        has_narrow_ = has_narrow_ || organ.least_cosine > 0;
+    }
+    for (std::size_t e = 0; has_narrow_ && e < scene_->elements().size(); ++e) {
+        const OrganIndex organ = scene_->elements()[e].organ;
+        least_cosine_.push_back(scene_->organs()[organ.value].least_cosine);
+    }
 }
 
 void Stage::set_lights(const Sources& sources) {

@@ -73,6 +73,16 @@ class Stage {
     [[nodiscard]] const Material& material(std::uint32_t element) const {
         return *materials_[element];
     }
+    /// Whether an element counts light that comes at this cosine from its normal: all but sensors
+    /// with a narrow field of view do.
+    [[nodiscard]] bool counts(std::uint32_t element, double cosine) const {
+        return !has_narrow_ || cosine >= least_cosine_[element];
+    }
+    /// Cosine of the largest angle at which an element counts light; 0 if it counts all.
+    [[nodiscard]] double least_cosine(std::uint32_t element) const {
+        return has_narrow_ ? least_cosine_[element] : 0;
+    }
+    [[nodiscard]] bool has_narrow() const { return has_narrow_; }
     /// Whether light passes from `place` on triangle `self` of the mesh to infinity. Sensors let it
     /// pass.
     [[nodiscard]] bool reaches_sky(
@@ -85,6 +95,7 @@ class Stage {
     [[nodiscard]] bool has_transparent() const { return has_transparent_; }
 
   private:
+    void set_fields_of_view();
     void set_lights(const Sources& sources);
 
     const Scene* scene_;
@@ -97,7 +108,8 @@ class Stage {
     std::vector<double> flux_;
     double sun_area_ = 0;
     std::size_t ground_elements_ = 0;
-    bool has_delta_ = false, has_transparent_ = false;
+    std::vector<double> least_cosine_;  // by element; empty if no sensor is narrow
+    bool has_delta_ = false, has_transparent_ = false, has_narrow_ = false;
 };
 
 }  // namespace quasimc

@@ -100,6 +100,7 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
         faults_of_text(R"({"format": "quasimc-result", "format_version": 1, "run": {"a": null}})")
             .find("unknown key 'a'"),
         std::string::npos);
+    EXPECT_NE(faults_of_text(R"({"format": 1e999})").find("too large"), std::string::npos);
     const std::string json = folder_.read("here/a.json");
     EXPECT_NE(faults_of_text(json.substr(0, json.size() / 2)).find("not JSON"), std::string::npos);
 }
