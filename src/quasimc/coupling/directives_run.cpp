@@ -65,7 +65,8 @@ void read_one_ray(Values& values, DirectiveContext& context) {
 }
 
 void read_ignore_direct(Values& values, DirectiveContext& context) {
-    context.spec.ignores_direct_light = values.yes_no().value_or(false);
+    const bool ignores = values.yes_no().value_or(false);
+    context.spec.run.direct_light = ignores ? DirectLight::ignored : DirectLight::counted;
 }
 
 void read_roulette(Values& values, DirectiveContext& context) {

@@ -69,6 +69,7 @@ void read_ground(Values& values, DirectiveContext& context) {
     const auto material = values.at_end() ? std::optional<std::int64_t>(0)
                                           : values.integer("the number of its material", {0, 1e6});
     if (height && material) {
+        context.ground_place = values.place();
         context.spec.ground = StatedGround{*height, static_cast<std::size_t>(*material)};
     }
 }

@@ -144,7 +144,12 @@ StepLight PlantLight::trace(
     run.seed += steps_;
     if (spec_.sensor_half_angle_deg) {
         run.trace_from = TraceFrom::organs;
-        run.paths = std::min(run.paths * shapes.size(), kMostPaths);
+        const auto sensors = std::count_if(
+            shapes.begin(), shapes.end(), [](const PlacedShape& s) { return s.is_sensor; });
+        run.paths = std::min(run.paths * static_cast<std::uint64_t>(sensors), kMostPaths);
+        if (sensors == 0) {
+            return light;  // nothing asks
+        }
     }
     std::vector<std::size_t> bands(spec_.band_count());
     std::iota(bands.begin(), bands.end(), std::size_t{0});

@@ -32,6 +32,8 @@ class PlantLight {
     /// The light of the last step.
     [[nodiscard]] const StepLight& last() const { return light_; }
     [[nodiscard]] const Specification& specification() const { return spec_; }
+    /// How often an acceleration structure had to be built.
+    [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
 
   private:
     void apply_settings(const Pass& pass);

@@ -72,6 +72,12 @@ Scene build_plant_scene(
         OrganSpec organ;
         organ.id = static_cast<std::int64_t>(placed.query) + 1;
         organ.name = pass.queries[placed.query].organ;
+        if (placed.is_sensor) {
+            organ.field_of_view_deg = *spec.sensor_half_angle_deg;
+        } else {
+            // Where sensors ask, the organs themselves need no rays.
+            organ.measured = !spec.sensor_half_angle_deg;
+        }
         organ.parts.push_back(
             {placed.is_sensor ? materials.sensor(builder)
                               : materials.name_of(placed.shape.materials, builder),

@@ -124,7 +124,7 @@ class SpecificationReader {
         }
         if (spec_.ground && spec_.ground->material >= spec_.materials.size()) {
             faults.add(
-                {context_.file,
+                {context_.ground_place,
                  fmt::format("the ground is of material {}", spec_.ground->material),
                  fmt::format("there are materials 0 to {}", spec_.materials.size() - 1), ""});
         }

@@ -101,7 +101,6 @@ struct Specification {
     RunSpec run;
     std::optional<double> ray_density;  ///< paths per unit of the domain's area, instead of a count
     bool one_ray_per_spectrum = true;
-    bool ignores_direct_light = false;
     /// Organs that ask are sensors, which light passes; nothing: they are part of the scene.
     std::optional<double> sensor_half_angle_deg;
 
