@@ -171,13 +171,14 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
     if (!azimuths || !elevations) {
         return std::nullopt;
     }
+    const double cell_count = static_cast<double>(*azimuths) * static_cast<double>(*elevations);
+    if (cell_count > kMostCells) {
+        numbers.fault(fmt::format("{} cells", cell_count), "at most a million are read");
+        return std::nullopt;
+    }
     SkyTable table =
         plant_sky_table(static_cast<std::size_t>(*azimuths), static_cast<std::size_t>(*elevations));
     const std::size_t cells = table.radiance.size();
-    if (static_cast<double>(cells) > kMostCells) {
-        numbers.fault(fmt::format("{} cells", cells), "at most a million are read");
-        return std::nullopt;
-    }
     double sum = 0;
     for (std::size_t i = 0; i < cells; ++i) {
         const std::string cell = fmt::format("cell {} of {}", i + 1, cells);
