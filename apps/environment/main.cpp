@@ -6,8 +6,9 @@
 #include <memory>
 #include <new>
 
-#include <fmt/format.h>
 #include <unistd.h>
+
+#include <fmt/format.h>
 
 #include "quasimc/base/version.h"
 #include "quasimc/coupling/environment.h"
@@ -60,7 +61,8 @@ int main(int argc, char** argv) {
         return kInternalError;
     } catch (const std::exception& error) {
         std::fprintf(
-            stderr, "QuasiMC: internal error: %s\nThis is a fault of the program; please report it.\n",
+            stderr,
+            "QuasiMC: internal error: %s\nThis is a fault of the program; please report it.\n",
             error.what());
         return kInternalError;
     }

@@ -67,8 +67,7 @@ void bench_steps(benchmark::State& state) {
     const auto leaves = static_cast<std::size_t>(state.range(0));
     const auto paths = static_cast<std::uint64_t>(state.range(1));
     Notices silent([](const std::string&) {});
-    PlantLight light(
-        specification(paths, static_cast<std::uint32_t>(state.range(2))), silent);
+    PlantLight light(specification(paths, static_cast<std::uint32_t>(state.range(2))), silent);
     MessageParser parser(usual_format());
     const std::string even = leaves_message(leaves, 0), odd = leaves_message(leaves, 1);
     double whole = 0, tracing = 0, text = 0;

@@ -1,15 +1,16 @@
-// Either side is killed at every point of a conversation: the other side's process ends, and nothing
-// of ours is left.
+// Either side is killed at every point of a conversation: the other side's process ends, and
+// nothing of ours is left.
 
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <functional>
 
+#include <unistd.h>
+
 #include <sys/ipc.h>
 #include <sys/prctl.h>
 #include <sys/sem.h>
-#include <unistd.h>
 
 #include "conversation.h"
 
@@ -88,8 +89,10 @@ struct Traces {
 
 /// Plays the simulator in a process of its own, which kills itself at a point. Returns the traces
 /// it left; its program is then our child.
-Traces play_and_die(const std::function<std::unique_ptr<Master>()>& make, std::size_t point,
-                    const std::function<void(Master&, std::size_t)>& go_to) {
+Traces play_and_die(
+    const std::function<std::unique_ptr<Master>()>& make,
+    std::size_t point,
+    const std::function<void(Master&, std::size_t)>& go_to) {
     std::array<int, 2> line{};
     EXPECT_EQ(::pipe(line.data()), 0);
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);

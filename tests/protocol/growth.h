@@ -17,8 +17,8 @@ inline std::string growing_leaves(int count, int step) {
         text += fmt::format(
             "{} E(1)P({:g},{:g})\n {:g} {:g} {:g}\n {:g} 0.5 {:g}\n {:g} 0 {:g}\n {:g} -0.866025 "
             "{:g}\n",
-            50 * i, size, 2 * size, 3 * c * std::sqrt(i % 97), 0.002 * i,
-            3 * s * std::sqrt(i % 97), 0.866025 * c, 0.866025 * s, -s, c, 0.5 * c, 0.5 * s);
+            50 * i, size, 2 * size, 3 * c * std::sqrt(i % 97), 0.002 * i, 3 * s * std::sqrt(i % 97),
+            0.866025 * c, 0.866025 * s, -s, c, 0.5 * c, 0.5 * s);
     }
     return text + fmt::format("Control: 5 {}\n", step);
 }

@@ -1,6 +1,7 @@
+#include "growth.h"
+
 #include "captures.h"
 #include "conversation.h"
-#include "growth.h"
 
 namespace quasimc::test {
 namespace {

@@ -9,14 +9,15 @@
 #include <sstream>
 
 #include <fcntl.h>
-#include <netinet/in.h>
 #include <poll.h>
+#include <unistd.h>
+
+#include <netinet/in.h>
 #include <sys/ipc.h>
 #include <sys/sem.h>
 #include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "quasimc/coupling/messages.h"
 
@@ -106,8 +107,8 @@ class PipeMaster final : public DescriptorMaster {
         }
         std::vector<std::string> arguments{"-e", "comm.e"};
         arguments.insert(arguments.end(), words.begin(), words.end());
-        process_ = std::make_unique<Process>(
-            QUASIMC_ENVIRONMENT, arguments, folder_, to[0], from[1]);
+        process_ =
+            std::make_unique<Process>(QUASIMC_ENVIRONMENT, arguments, folder_, to[0], from[1]);
         ::close(to[0]);
         ::close(from[1]);
         out_ = to[1];
@@ -127,8 +128,8 @@ class SocketMaster final : public DescriptorMaster {
         }
     }
     void start(const std::vector<std::string>& words) override {
-        std::vector<std::string> arguments{"-k", std::to_string(port_), "-host", "localhost",
-                                           "-e", "comm.e"};
+        std::vector<std::string> arguments{
+            "-k", std::to_string(port_), "-host", "localhost", "-e", "comm.e"};
         arguments.insert(arguments.end(), words.begin(), words.end());
         process_ = std::make_unique<Process>(QUASIMC_ENVIRONMENT, arguments, folder_);
     }
@@ -317,8 +318,8 @@ class FileMaster final : public SemaphoreMaster {
 class MemoryMaster final : public SemaphoreMaster {
   public:
     explicit MemoryMaster(const std::filesystem::path& folder) : SemaphoreMaster(folder) {
-        id_ = ::shmget(static_cast<key_t>(key() - 1), kToField + kFromField,
-                       IPC_CREAT | IPC_EXCL | 0600);
+        id_ = ::shmget(
+            static_cast<key_t>(key() - 1), kToField + kFromField, IPC_CREAT | IPC_EXCL | 0600);
         void* place = ::shmat(id_, nullptr, 0);
         if (id_ < 0 || place == reinterpret_cast<void*>(-1)) {
             throw MasterError("no shared memory");
@@ -367,10 +368,14 @@ std::string Master::read_all_chunks() {
 std::unique_ptr<Master> make_master(
     Transport transport, Client client, const std::filesystem::path& folder) {
     switch (transport) {
-        case Transport::pipes: return std::make_unique<PipeMaster>(folder);
-        case Transport::files: return std::make_unique<FileMaster>(client, folder);
-        case Transport::memory: return std::make_unique<MemoryMaster>(folder);
-        case Transport::sockets: break;
+        case Transport::pipes:
+            return std::make_unique<PipeMaster>(folder);
+        case Transport::files:
+            return std::make_unique<FileMaster>(client, folder);
+        case Transport::memory:
+            return std::make_unique<MemoryMaster>(folder);
+        case Transport::sockets:
+            break;
     }
     return std::make_unique<SocketMaster>(folder);
 }

@@ -17,9 +17,9 @@ class MasterError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A plant simulator's side of the line, as libs of cpfg and lpfg play it: starts the program, hands
-/// over texts, takes replies. Made, used and destroyed in one process; if that dies, its semaphores
-/// and files stay as those of a real simulator do.
+/// A plant simulator's side of the line, as libs of cpfg and lpfg play it: starts the program,
+/// hands over texts, takes replies. Made, used and destroyed in one process; if that dies, its
+/// semaphores and files stay as those of a real simulator do.
 class Master {
   public:
     virtual ~Master() = default;

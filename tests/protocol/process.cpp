@@ -7,9 +7,10 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <unistd.h>
+
 #include <sys/syscall.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 namespace quasimc::test {
 namespace {

@@ -64,8 +64,7 @@ TEST_P(Transports, BringEachStepItsLight) {
 std::string row_of_leaves(int first, int count) {
     std::string text;
     for (int i = first; i < first + count; ++i) {
-        text += fmt::format(
-            "{} E(1,)P(0.2,0.5)\n {} 1 0\n 0 0 -1\n -1 0 0\n 0 1 0\n", 50 * i, i);
+        text += fmt::format("{} E(1,)P(0.2,0.5)\n {} 1 0\n 0 0 -1\n -1 0 0\n 0 1 0\n", 50 * i, i);
     }
     return text;
 }
@@ -73,7 +72,8 @@ std::string row_of_leaves(int first, int count) {
 TEST_P(Transports, TakeAndGiveChunks) {
     folder_.write("light.qmc", kBlackLeaves + "quantities: absorbed_flux_density\n");
     folder_.write(
-        "comm.e", comm_text(GetParam()) + fmt::format("communication type: {} 3\n", name_of(GetParam())));
+        "comm.e",
+        comm_text(GetParam()) + fmt::format("communication type: {} 3\n", name_of(GetParam())));
     const auto master = started();
     master->send(row_of_leaves(0, 3) + "Control: 1 0\n");
     EXPECT_EQ(master->read(), "Control: 5\n");
@@ -95,7 +95,10 @@ TEST_P(Transports, CarryAThousandAnswers) {
         const int count = std::min(kChunk, kLeaves - i);
         const bool is_last = i + count == kLeaves;
         master->send(
-            row_of_leaves(i, count) + fmt::format("Control: {} 0\n", is_last ? 4 : i == 0 ? 1 : 0));
+            row_of_leaves(i, count) + fmt::format(
+                                          "Control: {} 0\n", is_last  ? 4
+                                                             : i == 0 ? 1
+                                                                      : 0));
         const std::string reply = master->read_all_chunks();
         if (!is_last) {
             EXPECT_EQ(reply, "Control: 5\n");

@@ -104,27 +104,23 @@ constexpr std::array kEntries{
     CommEntry{"interpreted modules", ignore},  // strings are read whenever they come
     CommEntry{"when interpret", ignore},
     CommEntry{
-        "verbose",
-        [](const CommLine& line, Reading& reading) {
-            reading.file.verbose = trimmed(line.value) == "on";
-        }},
+        "verbose", [](const CommLine& line,
+                      Reading& reading) { reading.file.verbose = trimmed(line.value) == "on"; }},
     CommEntry{"strings only", ignore},
     CommEntry{"binary data", read_binary},
     CommEntry{"remote host", ignore},
 };
 
 void read_line(const CommLine& line, Reading& reading, Notices& notices) {
-    const auto* entry = std::find_if(kEntries.begin(), kEntries.end(), [&](const CommEntry& e) {
-        return e.name == line.name;
-    });
+    const auto* entry = std::find_if(
+        kEntries.begin(), kEntries.end(), [&](const CommEntry& e) { return e.name == line.name; });
     if (entry != kEntries.end()) {
         entry->read(line, reading);
         return;
     }
     std::array<std::string_view, kEntries.size()> names;
-    std::transform(kEntries.begin(), kEntries.end(), names.begin(), [](const CommEntry& e) {
-        return e.name;
-    });
+    std::transform(
+        kEntries.begin(), kEntries.end(), names.begin(), [](const CommEntry& e) { return e.name; });
     notices.once(fmt::format(
         "{}: {} is not known and skipped; {}", line.place, shown(line.name),
         did_you_mean(line.name, names)));

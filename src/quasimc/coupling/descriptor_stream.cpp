@@ -7,8 +7,9 @@
 #include <system_error>
 
 #include <poll.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <sys/ioctl.h>
 
 #include "quasimc/coupling/messages.h"
 

@@ -150,8 +150,7 @@ std::string Values::rest() {
 void Values::fault(std::string problem, std::string why, std::string suggestion) {
     if (!failed_) {
         faults_->add(
-            {place_, fmt::format("{}: {}", what_, problem), std::move(why),
-             std::move(suggestion)});
+            {place_, fmt::format("{}: {}", what_, problem), std::move(why), std::move(suggestion)});
     }
     failed_ = true;
 }

@@ -38,7 +38,11 @@ class Values {
   public:
     /// @param what  the directive as messages call it
     Values(
-        std::string place, std::string what, std::string_view text, Faults& faults, Notices& notices);
+        std::string place,
+        std::string what,
+        std::string_view text,
+        Faults& faults,
+        Notices& notices);
 
     /// The next word, or "" at the end. Words stand between blanks, commas, semicolons and colons.
     std::string_view word();

@@ -74,8 +74,7 @@ void read_light_line(Values& line, DirectiveContext& context) {
         line.fault(fmt::format("the weight is {}", shortest(weight)), "it must be 0 or more");
         return;
     }
-    add_light(
-        count == 4 ? Vec3{n[0], n[1], n[2]} : travel_from(n[0], n[1]), weight, line, context);
+    add_light(count == 4 ? Vec3{n[0], n[1], n[2]} : travel_from(n[0], n[1]), weight, line, context);
 }
 
 void read_light_file(Values& values, DirectiveContext& context) {
@@ -163,7 +162,8 @@ void read_sky(Values& values, DirectiveContext& context) {
     sky_of(context).weather = *chosen == 1 ? Weather::clear : Weather::overcast;
 }
 
-/// The cells of a sky, azimuth by azimuth from the horizon up: a line with their numbers, then azimuth, elevation and radiance of each.
+/// The cells of a sky, azimuth by azimuth from the horizon up: a line with their numbers, then
+/// azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_sky_table(Values& numbers) {
     const auto azimuths = numbers.integer("the number of azimuths", {1, kLongestCount});
     const auto elevations = numbers.integer("the number of elevations", {1, kLongestCount});

@@ -45,8 +45,8 @@ void read_spectrum(Values& values, DirectiveContext& context) {
     }
 }
 
-/// One band of a material: reflectance, its exponent, transmittance, its exponent, and a number that
-/// is not used.
+/// One band of a material: reflectance, its exponent, transmittance, its exponent, and a number
+/// that is not used.
 std::optional<SideOptics> read_band(Values& values) {
     SideOptics optics;
     const auto rho = values.number("the reflectance", {0, 1});

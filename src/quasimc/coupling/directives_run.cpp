@@ -80,12 +80,10 @@ void read_roulette(Values& values, DirectiveContext& context) {
 }
 
 void read_sampler(Values& values, DirectiveContext& context) {
-    constexpr std::array<std::string_view, 7> kNames{"monte",        "monte-carlo", "korobov",
-                                                     "sobol",        "halton",      "faure",
-                                                     "poly-korobov"};
-    constexpr std::array<std::string_view, 7> kSamplers{"monte_carlo", "monte_carlo", "korobov",
-                                                        "sobol",       "halton",      "faure",
-                                                        "sobol"};
+    constexpr std::array<std::string_view, 7> kNames{
+        "monte", "monte-carlo", "korobov", "sobol", "halton", "faure", "poly-korobov"};
+    constexpr std::array<std::string_view, 7> kSamplers{
+        "monte_carlo", "monte_carlo", "korobov", "sobol", "halton", "faure", "sobol"};
     const auto chosen = values.choice(kNames);
     static_cast<void>(values.rest());  // "monte carlo": the first word is enough
     if (!chosen) {

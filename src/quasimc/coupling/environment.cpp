@@ -17,8 +17,8 @@ namespace {
 CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     if (!arguments.comm_file) {
         throw InputError(
-            {{"command line", "the environment file is missing",
-              "it says what the simulator sends", "add '-e FILE.e' to the line executable:"}});
+            {{"command line", "the environment file is missing", "it says what the simulator sends",
+              "add '-e FILE.e' to the line executable:"}});
     }
     CommFile format =
         read_comm_text(read_file(*arguments.comm_file), *arguments.comm_file, notices);
@@ -43,9 +43,10 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
 
 /// Tells what a step was like.
 void tell_step(
-    const PlantLight& light, const Pass& pass, const std::function<void(const std::string&)>& tell) {
-    std::string text =
-        fmt::format("step {}: {} queries", pass.step, pass.queries.size());
+    const PlantLight& light,
+    const Pass& pass,
+    const std::function<void(const std::string&)>& tell) {
+    std::string text = fmt::format("step {}: {} queries", pass.step, pass.queries.size());
     for (const Result& result : light.last().results) {
         text += fmt::format(
             ", {} rays in {:.3f} s", result.rays, result.build_seconds + result.trace_seconds);
@@ -84,8 +85,7 @@ void run_environment(
     const std::function<void(const std::string&)>& tell) {
     Notices notices(tell);
     const CommFile format = read_comm_file(arguments, notices);
-    PlantLight light(
-        read_specification(arguments.specification, arguments.kind, notices), notices);
+    PlantLight light(read_specification(arguments.specification, arguments.kind, notices), notices);
     const std::unique_ptr<ByteStream> stream = open_stream(arguments, format, descriptors);
     constexpr int kTalkative = 2;
     const bool tells_steps = arguments.debug || light.specification().verbose >= kTalkative;

@@ -29,8 +29,7 @@ SkyCell cell_of(const SkyTable& table, std::size_t azimuth, std::size_t elevatio
         table.first_azimuth + table.turn * width * (static_cast<double>(azimuth) + 0.5);
     const double sine = 0.5 * (low + high);
     const double cosine = std::sqrt(1 - sine * sine);
-    return {
-        {cosine * std::cos(around), cosine * std::sin(around), sine}, width * (high - low)};
+    return {{cosine * std::cos(around), cosine * std::sin(around), sine}, width * (high - low)};
 }
 
 /// The sky of a table and the suns beside it, in one unit.
@@ -42,8 +41,7 @@ struct DayLight {
 /// Where the sun stands: unit vector, z up.
 Vec3 to_sun_at(const SkyOfDay& sky, double hour) {
     const SimpleSun sun = simple_sun_position(
-        sky.latitude_deg, sky.longitude_deg, sky.day, hour,
-        nautical_utc_offset(sky.longitude_deg));
+        sky.latitude_deg, sky.longitude_deg, sky.day, hour, nautical_utc_offset(sky.longitude_deg));
     return plant_orientation().towards(sun.azimuth_deg, sun.elevation_deg);
 }
 
@@ -169,8 +167,8 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 Sources sources_of(const SharedLight& light, const std::vector<double>& irradiance) {
     Sources sources;
     if (light.sky > 0) {
-        sources.push_back(make_sky(
-            "sky", table_shape(light.table), scaled(irradiance, light.sky_on_horizontal)));
+        sources.push_back(
+            make_sky("sky", table_shape(light.table), scaled(irradiance, light.sky_on_horizontal)));
     }
     for (const LightShare& sun : light.suns) {
         sources.push_back(
@@ -187,8 +185,7 @@ Orientation plant_orientation() {
 
 SkyTable plant_sky_table(std::size_t azimuths, std::size_t elevations) {
     // South is +y here and west +x: the azimuths run from south to west, against x towards y.
-    return {
-        azimuths, elevations, std::vector<double>(azimuths * elevations), 1.5 * kPi, -1};
+    return {azimuths, elevations, std::vector<double>(azimuths * elevations), 1.5 * kPi, -1};
 }
 
 double Lighting::on_horizontal() const {

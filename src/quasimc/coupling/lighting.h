@@ -35,7 +35,6 @@ struct Lighting {
 
 /// The light of a specification.
 /// @param sky  the sky of the day as it is now, if the specification has one
-[[nodiscard]] Lighting make_lighting(
-    const Specification& spec, const std::optional<SkyOfDay>& sky);
+[[nodiscard]] Lighting make_lighting(const Specification& spec, const std::optional<SkyOfDay>& sky);
 
 }  // namespace quasimc

@@ -53,9 +53,7 @@ class SharedMemory {
 
 class MemoryStream final : public ByteStream {
   public:
-    explicit MemoryStream(long key) : semaphores_(key), memory_(key - 1) {
-        semaphores_.announce();
-    }
+    explicit MemoryStream(long key) : semaphores_(key), memory_(key - 1) { semaphores_.announce(); }
     ~MemoryStream() override {
         if (semaphores_.master_died()) {
             memory_.remove();

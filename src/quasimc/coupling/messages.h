@@ -94,8 +94,8 @@ class MessageParser {
 /// yet. @param from  a place at the start of a line before which there is no Control line
 [[nodiscard]] std::size_t message_end(std::string_view bytes, std::size_t from = 0);
 
-/// Adds the line "id E(v,v,,)" with `slots` values, empty where `values` has none or is NaN. At most
-/// 255 characters: the simulators read no more.
+/// Adds the line "id E(v,v,,)" with `slots` values, empty where `values` has none or is NaN. At
+/// most 255 characters: the simulators read no more.
 void append_answer(
     std::string& text, std::int64_t id, std::size_t slots, std::span<const double> values);
 

@@ -84,9 +84,8 @@ class OrganShapes::Maker {
              {"U", 4, 4, &Maker::any_triangle},
              {"I", 2, 2, &Maker::cylinder},
              {"S", 2, 0, &Maker::surface}}};
-        const auto* entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) {
-            return e.name == query_.organ;
-        });
+        const auto* entry = std::find_if(
+            entries.begin(), entries.end(), [&](const Entry& e) { return e.name == query_.organ; });
         if (entry == entries.end()) {
             not_understood();
             return {};
@@ -105,8 +104,8 @@ class OrganShapes::Maker {
         }
         frame_ = *frame;
         OrganShape shape{(this->*entry->make)(), {}};
-        shape.materials = query_.organ == "S" ? surface_materials()
-                                              : materials_from(entry->material_parameter);
+        shape.materials =
+            query_.organ == "S" ? surface_materials() : materials_from(entry->material_parameter);
         return shape;
     }
 
@@ -145,9 +144,9 @@ class OrganShapes::Maker {
         }
         if (value != 0) {
             tell(
-                "size", fmt::format(
-                            "has {} {}, which is no size: nothing falls on it", name,
-                            shortest(value)));
+                "size",
+                fmt::format(
+                    "has {} {}, which is no size: nothing falls on it", name, shortest(value)));
         }
         return std::nullopt;
     }
@@ -157,8 +156,7 @@ class OrganShapes::Maker {
         if (!half_width || !length) {
             return {};
         }
-        return make_rhombus(
-            frame_.base, *length * frame_.heading, frame_.up, 2 * *half_width);
+        return make_rhombus(frame_.base, *length * frame_.heading, frame_.up, 2 * *half_width);
     }
 
     Triangles rectangle() {
@@ -230,8 +228,7 @@ class OrganShapes::Maker {
 
     Triangles surface() {
         const double id = parameters_[0];
-        if (!(id >= 0 && id < static_cast<double>(spec_.surfaces.size())) ||
-            id != std::floor(id)) {
+        if (!(id >= 0 && id < static_cast<double>(spec_.surfaces.size())) || id != std::floor(id)) {
             tell(
                 "surface", fmt::format(
                                "names surface {}; the specification file has {}, counted from 0",
@@ -295,8 +292,7 @@ class OrganShapes::Maker {
         OrganShape shape;
         for (std::uint32_t i = 0; i < query_.polygons.count; ++i) {
             const ListPart part = pass_.polygons[query_.polygons.first + i];
-            add_polygon(
-                std::span(pass_.vertices).subspan(part.first, part.count), shape.triangles);
+            add_polygon(std::span(pass_.vertices).subspan(part.first, part.count), shape.triangles);
         }
         // Without the directive any parameter may be a material, or a length.
         const std::size_t index = spec_.material_parameter.value_or(1) - 1;
@@ -304,8 +300,7 @@ class OrganShapes::Maker {
             spec_.material_parameter ||
             (!parameters_.empty() &&
              parameters_.front() < static_cast<double>(spec_.materials.size()));
-        shape.materials =
-            names_material ? materials_from(index) : spec_.sides_of(0, std::nullopt);
+        shape.materials = names_material ? materials_from(index) : spec_.sides_of(0, std::nullopt);
         return shape;
     }
 

@@ -23,8 +23,8 @@ struct OrganShape {
 /// | I(r, l, [mt, [mb]])        | side of a cylinder, l long along the heading                   |
 /// | polygons that come along   | as they are                                                    |
 ///
-/// The upper side of flat organs is that of the turtle's up, of cylinders the outside. What can't be
-/// made gives no triangles; the reason is told once for each kind of module.
+/// The upper side of flat organs is that of the turtle's up, of cylinders the outside. What can't
+/// be made gives no triangles; the reason is told once for each kind of module.
 class OrganShapes {
   public:
     /// Both outlive the object.

@@ -57,7 +57,8 @@ void write_picture_file(const StepView& view) {
     }
     const double full = std::max(view.spec.irradiance.front(), 0.0);
     for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
-        const std::uint32_t organ = scene.elements()[scene.triangle_elements()[i].value].organ.value;
+        const std::uint32_t organ =
+            scene.elements()[scene.triangle_elements()[i].value].organ.value;
         const double light = view.light.at(organ, Quantity::absorbed_flux_density, 0).mean;
         const Colour c = colour_of(full > 0 ? light / full : 0);
         text += fmt::format(

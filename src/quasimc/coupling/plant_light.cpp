@@ -37,8 +37,7 @@ bool PlantLight::is_dark() const {
            std::all_of(spec_.irradiance.begin(), spec_.irradiance.end(), is_zero);
 }
 
-void PlantLight::answer(
-    const Pass& pass, const std::function<void()>& check, Answers& answers) {
+void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
     apply_settings(pass);
     std::vector<PlacedShape> shapes = place_shapes(pass);
     if (is_dark()) {
@@ -75,8 +74,7 @@ void PlantLight::set_day(std::span<const double> parameters) {
     const bool has_weather = parameters.size() >= 3;
     const bool is_good =
         !parameters.empty() && parameters[0] >= 1 && parameters[0] <= kLastDay &&
-        (!has_weather ||
-         (parameters[2] >= kTurbidities.low && parameters[2] <= kTurbidities.high));
+        (!has_weather || (parameters[2] >= kTurbidities.low && parameters[2] <= kTurbidities.high));
     if (!sky_ || !is_good) {
         notices_.once(
             sky_ ? "J range" : "J without a sky",
@@ -106,8 +104,7 @@ void PlantLight::set_rays(std::span<const double> parameters) {
         return;
     }
     const auto count = static_cast<std::uint64_t>(rays);
-    spec_.run.paths =
-        spec_.run.sampler == "korobov" ? nearest_power_of_two(count) : count;
+    spec_.run.paths = spec_.run.sampler == "korobov" ? nearest_power_of_two(count) : count;
 }
 
 std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
@@ -175,17 +172,16 @@ StepLight PlantLight::trace(
 }
 
 StepLight PlantLight::trace_unshaded(
-    const Pass& pass,
-    const std::vector<PlacedShape>& shapes,
-    const std::function<void()>& check) {
+    const Pass& pass, const std::vector<PlacedShape>& shapes, const std::function<void()>& check) {
     const bool is_asked = std::find(spec_.returns.begin(), spec_.returns.end(), ReturnType::hits) !=
                           spec_.returns.end();
     std::vector<PlacedShape> sensors;
     std::copy_if(
         shapes.begin(), shapes.end(), std::back_inserter(sensors),
         [](const PlacedShape& shape) { return shape.is_sensor; });
-    return is_asked && !sensors.empty() ? trace(pass, std::move(sensors), unshaded_simulator_, check)
-                                          : unshaded_;
+    return is_asked && !sensors.empty()
+               ? trace(pass, std::move(sensors), unshaded_simulator_, check)
+               : unshaded_;
 }
 
 void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<double>& values) const {
@@ -237,11 +233,16 @@ Estimate PlantLight::of_sensor(std::uint32_t index, ReturnType type, std::size_t
 Estimate PlantLight::of_organ(std::uint32_t index, ReturnType type, std::size_t band) const {
     const std::uint32_t organ = light_.organs[index];
     switch (type) {
-        case ReturnType::flux: return light_.at(organ, Quantity::absorbed_flux, band);
-        case ReturnType::density: return light_.at(organ, Quantity::absorbed_flux_density, band);
-        case ReturnType::upper: return light_.at(organ, Quantity::incident_upper, band);
-        case ReturnType::lower: return light_.at(organ, Quantity::incident_lower, band);
-        case ReturnType::hits: break;
+        case ReturnType::flux:
+            return light_.at(organ, Quantity::absorbed_flux, band);
+        case ReturnType::density:
+            return light_.at(organ, Quantity::absorbed_flux_density, band);
+        case ReturnType::upper:
+            return light_.at(organ, Quantity::incident_upper, band);
+        case ReturnType::lower:
+            return light_.at(organ, Quantity::incident_lower, band);
+        case ReturnType::hits:
+            break;
     }
     const double incident = light_.at(organ, Quantity::incident_upper, band).mean +
                             light_.at(organ, Quantity::incident_lower, band).mean;

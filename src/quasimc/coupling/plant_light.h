@@ -57,7 +57,8 @@ class PlantLight {
         const std::function<void()>& check);
     void fill(const Query& query, std::uint32_t index, std::vector<double>& values) const;
     /// What the return type of a band asks for. @param index  of the query
-    [[nodiscard]] Estimate returned(const Query& query, std::uint32_t index, std::size_t band) const;
+    [[nodiscard]] Estimate returned(
+        const Query& query, std::uint32_t index, std::size_t band) const;
     [[nodiscard]] Estimate of_sensor(std::uint32_t index, ReturnType type, std::size_t band) const;
     [[nodiscard]] Estimate of_organ(std::uint32_t index, ReturnType type, std::size_t band) const;
     void write_files(const Pass& pass) const;

@@ -136,7 +136,8 @@ class SpecificationReader {
         }
     }
 
-    /// A negative exponent, or one of 100 and more, means a mirror (or light that goes straight on).
+    /// A negative exponent, or one of 100 and more, means a mirror (or light that goes straight
+    /// on).
     void set_model(std::string& model, double& exponent) const {
         constexpr double kMirror = 100;
         const bool is_mirror = exponent < 0 || exponent >= kMirror;

@@ -6,12 +6,13 @@
 #include <string>
 #include <system_error>
 
-#include <fmt/format.h>
 #include <poll.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
 #include <sys/ipc.h>
 #include <sys/sem.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 #include "quasimc/base/input_error.h"
 #include "quasimc/coupling/byte_stream.h"

@@ -2,8 +2,8 @@
 
 namespace quasimc {
 
-/// The pair of System V semaphores that the plant simulator made: the first counts its messages, the
-/// second ours. Notices when the simulator dies, which the semaphores alone don't tell.
+/// The pair of System V semaphores that the plant simulator made: the first counts its messages,
+/// the second ours. Notices when the simulator dies, which the semaphores alone don't tell.
 class SemaphorePair {
   public:
     /// @throws InputError  if there are no semaphores of that key
@@ -28,7 +28,7 @@ class SemaphorePair {
 
   private:
     int set_ = -1;
-    int master_ = -1;  // process descriptor; -1 if it can't be watched
+    int master_ = -1;          // process descriptor; -1 if it can't be watched
     bool died_early_ = false;  // before we looked
 };
 

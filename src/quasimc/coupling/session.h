@@ -12,7 +12,7 @@ namespace quasimc {
 /// What is sent back for one query.
 struct Answer {
     std::uint32_t query = 0;  ///< place in Pass::queries
-    ListPart values;          ///< of Answers::values; fewer than the query's slots: the rest is empty
+    ListPart values;  ///< of Answers::values; fewer than the query's slots: the rest is empty
 };
 struct Answers {
     std::vector<Answer> list;  ///< in the order to be sent
@@ -21,8 +21,8 @@ struct Answers {
 };
 
 /// Computes the light of a step. `check` throws when the plant simulator is gone.
-using Answerer = std::function<void(
-    const Pass& pass, const std::function<void()>& check, Answers& answers)>;
+using Answerer =
+    std::function<void(const Pass& pass, const std::function<void()>& check, Answers& answers)>;
 
 /// The text of answers, cut into chunks of at most `chunk` answers and `capacity` bytes; at least
 /// one, the text of which may be a Control line alone.

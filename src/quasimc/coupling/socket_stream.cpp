@@ -7,12 +7,13 @@
 #include <system_error>
 #include <thread>
 
-#include <fmt/format.h>
 #include <netdb.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "quasimc/coupling/descriptor_stream.h"
 
@@ -56,8 +57,7 @@ struct Attempt {
 Attempt try_addresses(const addrinfo* list) {
     Attempt attempt;
     for (const addrinfo* a = list; a != nullptr; a = a->ai_next) {
-        const int made =
-            ::socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
+        const int made = ::socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
         if (made >= 0 && ::connect(made, a->ai_addr, a->ai_addrlen) == 0) {
             const int on = 1;
             ::setsockopt(made, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);

@@ -119,8 +119,7 @@ std::string variance_table(const StepView& view) {
 
 void write_variance_file(const StepView& view) {
     const std::string& stated = view.spec.variance_file->name;
-    AtomicFile file(
-        numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
+    AtomicFile file(numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
     file.write(variance_table(view));
     file.commit();
 }

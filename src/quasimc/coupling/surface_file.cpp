@@ -122,10 +122,9 @@ class SurfaceReader {
             return;
         }
         const std::string_view line = trimmed(ahead.line());
-        const bool is_keyword =
-            std::any_of(kKeywords.begin(), kKeywords.end(), [&](std::string_view word) {
-                return line.starts_with(word);
-            });
+        const bool is_keyword = std::any_of(
+            kKeywords.begin(), kKeywords.end(),
+            [&](std::string_view word) { return line.starts_with(word); });
         if (!is_keyword) {
             lines_ = ahead;
         }

@@ -9,10 +9,9 @@ void TrailingValues::remove(Pass& pass, NumberStyle style) {
     if (style != NumberStyle::fixed) {
         return;
     }
-    is_mended_ =
-        is_mended_ || std::any_of(pass.queries.begin(), pass.queries.end(), [](const Query& q) {
-            return q.parameters.count == kSurplus;
-        });
+    is_mended_ = is_mended_ || std::any_of(
+                                   pass.queries.begin(), pass.queries.end(),
+                                   [](const Query& q) { return q.parameters.count == kSurplus; });
     if (is_mended_) {
         return;
     }

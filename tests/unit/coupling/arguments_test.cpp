@@ -37,8 +37,7 @@ TEST(Arguments, TakeEveryWordWithHForTheHost) {
 
 TEST(Arguments, ThatCantBeUnderstoodAreRefused) {
     const std::vector<std::vector<const char*>> all{
-        {"-k"},          {"-k", "many"}, {"one", "two"}, {"-x", "spec"}, {"-C", "-m"},
-        {"--spec", "qq"}};
+        {"-k"}, {"-k", "many"}, {"one", "two"}, {"-x", "spec"}, {"-C", "-m"}, {"--spec", "qq"}};
     for (const auto& words : all) {
         EXPECT_THROW(parse(words), UsageError) << words.front();
     }

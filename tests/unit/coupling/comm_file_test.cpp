@@ -22,8 +22,7 @@ TEST(CommFile, TellsTransportAndChunks) {
 
 TEST(CommFile, CountsTheNumbersOfATurtleLineAndWhatStandsBefore) {
     KeptNotices kept;
-    const CommFile file =
-        read("turtle position:P:%.3f %.3f %.3f\nturtle line width: %f\n", kept);
+    const CommFile file = read("turtle position:P:%.3f %.3f %.3f\nturtle line width: %f\n", kept);
     EXPECT_EQ(file.line(TurtleField::position).skip, 2U);
     EXPECT_EQ(file.line(TurtleField::position).values, 3U);
     EXPECT_EQ(file.line(TurtleField::line_width).values, 1U);

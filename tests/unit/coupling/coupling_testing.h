@@ -31,8 +31,8 @@ struct KeptNotices {
 [[nodiscard]] std::string faults_of(
     const std::string& text, const std::map<std::string, std::string>& files = {});
 
-/// A query for a module at a place, lying flat with its upper side up and its heading to -z, as cpfg
-/// writes it.
+/// A query for a module at a place, lying flat with its upper side up and its heading to -z, as
+/// cpfg writes it.
 [[nodiscard]] std::string flat(
     int id, const std::string& module, double height, const std::string& question = "E(1)");
 

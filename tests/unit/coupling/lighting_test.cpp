@@ -65,8 +65,7 @@ TEST(Lighting, OfASkyFileWeighsCellsByRadianceAndSolidAngle) {
 
 TEST(Lighting, OfASkyFileStandsWhereTheFileSays) {
     // Only the azimuths from south to west have light: south is +x, west +z, up y.
-    const Lighting light =
-        lighting("sky file: s\n", {{"s", "4 1\n0 0 0\n0 0 0\n0 0 1\n0 0 0"}});
+    const Lighting light = lighting("sky file: s\n", {{"s", "4 1\n0 0 0\n0 0 0\n0 0 1\n0 0 0"}});
     ASSERT_EQ(light.shares.size(), 1U);
     const Vec3 from = -plant_orientation().outward(light.shares.front().travel);
     EXPECT_GT(from.x, 0);
@@ -102,8 +101,8 @@ TEST(Lighting, OfTheNightIsNone) {
 TEST(Lighting, FollowsTheMeridiansOfTimeZones) {
     // Seven degrees east of the zone's meridian the sun stands 28 minutes further on.
     const auto afternoon = [](const char* longitude) {
-        const Lighting light = lighting(
-            std::string("location: 45 ") + longitude + "\ngrowth period: 15 15\n");
+        const Lighting light =
+            lighting(std::string("location: 45 ") + longitude + "\ngrowth period: 15 15\n");
         return -plant_orientation().outward(light.shares.front().travel).y;
     };
     EXPECT_NEAR(afternoon("15"), afternoon("0"), 1e-12);

@@ -83,14 +83,14 @@ TEST(Messages, AreRefusedWithTheirLine) {
     EXPECT_NE(fault_of("0 E(1)P(1\n" + kTurtle).find("not closed"), std::string::npos);
     EXPECT_NE(fault_of("0 E(1)P(a)\n" + kTurtle).find("'a'"), std::string::npos);
     EXPECT_NE(fault_of("0 E(1)P(1,1)\n 1 2 3\n 1 2\n").find("line 3"), std::string::npos);
-    EXPECT_NE(fault_of("0 E(1)P(1,1)\n" + kTurtle + "Dbegin\npolygon\n").find("Dend"),
-              std::string::npos);
+    EXPECT_NE(
+        fault_of("0 E(1)P(1,1)\n" + kTurtle + "Dbegin\npolygon\n").find("Dend"), std::string::npos);
 }
 
 TEST(Messages, HaveThePositionOfLpfgThatTheFileDoesNotMention) {
     KeptNotices kept;
-    MessageParser parser(read_comm_text(
-        "turtle heading: %f %f %f\nturtle up: %f %f %f\n", "comm.e", kept.notices));
+    MessageParser parser(
+        read_comm_text("turtle heading: %f %f %f\nturtle up: %f %f %f\n", "comm.e", kept.notices));
     Pass pass;
     static_cast<void>(parser.parse(
         "0 E(1.000000)P(1.000000)\n 7 8 9\n 0 1 0\n 0 0 1\n1 E(1.000000)\n 1 1 1\n 0 1 0\n 0 0 1\n"
@@ -123,8 +123,8 @@ RC_GTEST_PROP(NumberStyles, NeverTakeOneSimulatorForTheOther, ()) {
 
 TEST(TrailingValues, OfLpfgAreRemoved) {
     Pass pass = pass_of(
-        "0 E(1.000000)P(0.500000,2.000000,0.000000,nan)\n" + kTurtle + "1 E(1.000000)EB(-0.000000)\n" +
-        kTurtle);
+        "0 E(1.000000)P(0.500000,2.000000,0.000000,nan)\n" + kTurtle +
+        "1 E(1.000000)EB(-0.000000)\n" + kTurtle);
     TrailingValues().remove(pass, NumberStyle::fixed);
     EXPECT_EQ(pass.queries[0].parameters.count, 2U);
     EXPECT_EQ(pass.queries[1].parameters.count, 0U);
@@ -136,7 +136,8 @@ TEST(TrailingValues, AreNotExpectedFromCpfgNorFromAMendedLpfg) {
     trailing.remove(pass, NumberStyle::general);
     EXPECT_EQ(pass.queries[0].parameters.count, 4U);
     Pass mended = pass_of(
-        "0 E(1.000000)P(0.500000,2.000000)\n" + kTurtle + "1 E(1.000000)P(0.5,2.0,1.0)\n" + kTurtle);
+        "0 E(1.000000)P(0.500000,2.000000)\n" + kTurtle + "1 E(1.000000)P(0.5,2.0,1.0)\n" +
+        kTurtle);
     trailing.remove(mended, NumberStyle::fixed);
     EXPECT_EQ(mended.queries[0].parameters.count, 2U);
     EXPECT_EQ(mended.queries[1].parameters.count, 3U);

@@ -44,8 +44,7 @@ TEST(MonteCarlo, NeedsADomainForAPeriodicCanopy) {
 
 TEST(MonteCarlo, GivesTheFluxOfAPeriodicCanopy) {
     KeptNotices kept;
-    PlantLight light(
-        specification(kOld + "leaf material (top): 0 0 0 0\n", kept), kept.notices);
+    PlantLight light(specification(kOld + "leaf material (top): 0 0 0 0\n", kept), kept.notices);
     // A leaf as large as a tenth of the domain takes a tenth of its light.
     const auto answers = answers_of(light, flat(0, "P(1.96,10)", 1));
     EXPECT_NEAR(answers.at(0).front(), 19.6, 0.4);

@@ -125,7 +125,7 @@ TEST_F(OrganShapesTest, OfPolygonsAddUp) {
     const Pass pass = pass_of(
         "0 E(1)M(1)\n" + turtle +
         "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 1 0 0\n 1 0 1\n 0 0 1\n"  // a square
-        "polygon\n 2 0 0\n 5 0 0\n 3 0 0.5\n 2 0 2\nDend\n");         // a dart, not convex
+        "polygon\n 2 0 0\n 5 0 0\n 3 0 0.5\n 2 0 2\nDend\n");        // a dart, not convex
     const OrganShape shape = OrganShapes(spec_, kept_.notices).make(pass, pass.queries.front());
     EXPECT_NEAR(area(shape.triangles), 1 + 1.75, 1e-12);
     EXPECT_GT(normal(shape).y, 0);

@@ -15,8 +15,7 @@ class PlantLightTest : public ::testing::Test {
   protected:
     std::map<std::int64_t, std::vector<double>> answers(
         const std::string& text, const std::string& queries) {
-        PlantLight light(
-            specification(text, kept_, {{"leaf.s", square_surface()}}), kept_.notices);
+        PlantLight light(specification(text, kept_, {{"leaf.s", square_surface()}}), kept_.notices);
         return answers_of(light, queries);
     }
     double first(const std::string& text, const std::string& queries) {
@@ -37,8 +36,8 @@ TEST_F(PlantLightTest, ReturnsWhatTheLettersSay) {
 }
 
 TEST_F(PlantLightTest, LetsOrgansWithNegativeQuestionsShadeOnly) {
-    const auto all = answers(
-        kBlack + "return type: D\n", flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 2, "E(-1)"));
+    const auto all =
+        answers(kBlack + "return type: D\n", flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 2, "E(-1)"));
     EXPECT_EQ(all.size(), 1U);
     EXPECT_NEAR(all.at(0).at(0), 0, 1e-12);
 }
@@ -80,16 +79,17 @@ TEST_F(PlantLightTest, IgnoresDirectLightWhenTold) {
     const std::string leaf = flat(0, "P(1,2)", 1);
     EXPECT_EQ(first(kBlack + "ignore direct light: yes\nreturn type: D\n", leaf), 0);
     // A white ground sends the light that misses the leaf back to its lower side.
-    const std::string ground = "ground: 0 1\nmaterial: 1 0 0 0\nmaximum depth: 3\n"
-                               "canopy period: 10 10 -5 -5\nreturn type: L\n";
+    const std::string ground =
+        "ground: 0 1\nmaterial: 1 0 0 0\nmaximum depth: 3\n"
+        "canopy period: 10 10 -5 -5\nreturn type: L\n";
     EXPECT_GT(first(kBlack + ground + "ignore direct light: yes\n", leaf), 0.5);
 }
 
 TEST_F(PlantLightTest, TakesSettingsFromModules) {
     PlantLight light(
         specification(kBlack + "location: 45 0\ngrowth period: 12 12\n", kept_), kept_.notices);
-    const auto with_settings = answers_of(
-        light, flat(0, "Q(64)", 0) + flat(1, "J(100,0,2.45)", 0) + flat(2, "P(1,2)", 1));
+    const auto with_settings =
+        answers_of(light, flat(0, "Q(64)", 0) + flat(1, "J(100,0,2.45)", 0) + flat(2, "P(1,2)", 1));
     EXPECT_EQ(with_settings.size(), 1U);
     EXPECT_EQ(light.last().results.front().paths, 64U);
     EXPECT_GT(with_settings.at(2).at(0), 0);
@@ -100,8 +100,7 @@ TEST_F(PlantLightTest, TakesSettingsFromModules) {
 }
 
 TEST_F(PlantLightTest, IsDarkAtNight) {
-    EXPECT_EQ(
-        first(kBlack + "location: 45 0\ngrowth period: 0 0.5\n", flat(0, "P(1,2)", 1)), 0);
+    EXPECT_EQ(first(kBlack + "location: 45 0\ngrowth period: 0 0.5\n", flat(0, "P(1,2)", 1)), 0);
     EXPECT_TRUE(kept_.has("no light"));
 }
 

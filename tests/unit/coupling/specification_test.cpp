@@ -125,8 +125,8 @@ TEST(Specification, NamesAllFaultsAtOnceWithTheirLines) {
         "weather: 1 1\nlight source: 0 0 0 1\nsky file: none.dat\n");
     for (const char* expected :
          {"light.qmc:1", "did you mean 'number of rays'?", "light.qmc:2", "light.qmc:3",
-          "light.qmc:4", "more than 1", "light.qmc:5", "1.4 to 20", "light.qmc:6",
-          "points nowhere", "light.qmc:7", "can't be read"}) {
+          "light.qmc:4", "more than 1", "light.qmc:5", "1.4 to 20", "light.qmc:6", "points nowhere",
+          "light.qmc:7", "can't be read"}) {
         EXPECT_NE(faults.find(expected), std::string::npos) << expected << "\n" << faults;
     }
 }
@@ -135,10 +135,12 @@ TEST(Specification, RefusesBrokenBlocksOfMaterials) {
     EXPECT_NE(
         faults_of("spectrum samples: 3\nmaterial: 0 0 0 0\n: 0 0 0 0\n").find("2 lines"),
         std::string::npos);
-    EXPECT_NE(faults_of("material: 0 0 0\n").find("exponent of transmission is missing"),
-              std::string::npos);
-    EXPECT_NE(faults_of("spectrum samples: 2\nmaterial: 0 0 0 0\n: 0 x 0 0\n").find("light.qmc:3"),
-              std::string::npos);
+    EXPECT_NE(
+        faults_of("material: 0 0 0\n").find("exponent of transmission is missing"),
+        std::string::npos);
+    EXPECT_NE(
+        faults_of("spectrum samples: 2\nmaterial: 0 0 0 0\n: 0 x 0 0\n").find("light.qmc:3"),
+        std::string::npos);
     EXPECT_NE(faults_of("seed: 3\n: 0 0 0 0\n").find("light.qmc:2"), std::string::npos);
     EXPECT_NE(faults_of("not a directive\n").find("light.qmc:1"), std::string::npos);
 }
@@ -154,14 +156,38 @@ INSTANTIATE_TEST_SUITE_P(
     Specification,
     BadLines,
     ::testing::Values(
-        "verbose: 4", "rays from objects: yes 91", "rays from objects: maybe", "spectrum samples: 21",
-        "source spectrum: 660", "source spectrum: 660 -1", "source spectrum: 660 1 700 1",
-        "local light model: fong", "number of runs: 0", "number of rays: 0", "number of rays: 1.5",
-        "sampling method: latin", "surface: leaf.s 9", "surface:", "cylinder sides: 2",
-        "location: 91 0", "growth period: 10 5", "julian day: 0", "return type:", "return type: D D",
-        "Russian roulette: -1", "target error: 1", "ground:", "ground: 0 3", "canopy period: 0 1",
-        "quantities:", "quantities: light", "material parameter: 0", "light source: 1 2",
-        "light source: 0 -1 0 -1", "sky: blue", "domain size: 1 1 1\nnumber of rays: 4"));
+        "verbose: 4",
+        "rays from objects: yes 91",
+        "rays from objects: maybe",
+        "spectrum samples: 21",
+        "source spectrum: 660",
+        "source spectrum: 660 -1",
+        "source spectrum: 660 1 700 1",
+        "local light model: fong",
+        "number of runs: 0",
+        "number of rays: 0",
+        "number of rays: 1.5",
+        "sampling method: latin",
+        "surface: leaf.s 9",
+        "surface:",
+        "cylinder sides: 2",
+        "location: 91 0",
+        "growth period: 10 5",
+        "julian day: 0",
+        "return type:",
+        "return type: D D",
+        "Russian roulette: -1",
+        "target error: 1",
+        "ground:",
+        "ground: 0 3",
+        "canopy period: 0 1",
+        "quantities:",
+        "quantities: light",
+        "material parameter: 0",
+        "light source: 1 2",
+        "light source: 0 -1 0 -1",
+        "sky: blue",
+        "domain size: 1 1 1\nnumber of rays: 4"));
 
 TEST(Specification, TakesTheNearestPowerOfTwoForLattices) {
     KeptNotices kept;

@@ -52,7 +52,8 @@ TEST(SurfaceFile, ComesNearerWithEachSubdivision) {
 
 TEST(SurfaceFile, TellsWhereItBreaks) {
     const std::string whole = square_surface();
-    for (const std::size_t size : {std::size_t{3}, whole.size() / 4, whole.size() / 2, whole.size() - 20}) {
+    for (const std::size_t size :
+         {std::size_t{3}, whole.size() / 4, whole.size() / 2, whole.size() - 20}) {
         EXPECT_THROW(
             static_cast<void>(read_surface_text(whole.substr(0, size), "leaf.s", 0)), InputError);
     }
