@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "conversation.h"
+#include "quasimc/coupling/trailing_values.h"
 
 namespace quasimc::test {
 namespace {
@@ -84,6 +85,21 @@ INSTANTIATE_TEST_SUITE_P(
         const Transport transport = std::get<1>(test.param);
         return recorded.name + "_" + name_of(recorded.transport) + "_over_" + name_of(transport);
     });
+
+/// What lpfg writes behind parameters changes neither material nor size nor weather.
+TEST(ValuesBehindParameters, AreNotTakenForParameters) {
+    const Capture capture = read_file_capture("lpfg_quirks.files.txt");
+    Notices silent([](const std::string&) {});
+    MessageParser parser(read_comm_text(comm_text(Transport::files), "comm.e", silent));
+    Pass pass;
+    static_cast<void>(parser.parse(capture.messages.front(), pass));
+    TrailingValues().remove(pass, parser.style());
+    const std::map<std::string, std::size_t> expected{{"J", 1}, {"S", 2},  {"P", 3}, {"S2", 2},
+                                                      {"N", 0}, {"EB", 0}, {"", 0}};
+    for (const Query& query : pass.queries) {
+        EXPECT_EQ(pass.parameters_of(query).size(), expected.at(query.organ)) << query.organ;
+    }
+}
 
 TEST(CapturesThemselves, TellDifferentFormsApart) {
     EXPECT_EQ(structure_of("0 E(0.5,1e-05,,)\nControl: 5\n"), "0 E(#,#,,)\nControl: 5\n");

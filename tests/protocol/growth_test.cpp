@@ -1,5 +1,7 @@
 #include "growth.h"
 
+#include <cstdlib>
+
 #include "captures.h"
 #include "conversation.h"
 
@@ -7,6 +9,19 @@ namespace quasimc::test {
 namespace {
 
 using Growth = ConversationTest;
+
+TEST_F(Growth, OfTheExampleIsPrinted) {
+    const std::filesystem::path example = QUASIMC_SOURCE_DIR "/examples/03-coupled";
+    for (const char* name : {"plant.py", "comm.e", "light.qmc"}) {
+        std::filesystem::copy(example / name, folder_.path());
+    }
+    const std::string command = "cd " + folder_.path().string() +
+                                " && python3 plant.py --steps 3 --program " QUASIMC_ENVIRONMENT
+                                " > told 2> err";
+    EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("err");
+    EXPECT_NE(folder_.read("told").find("step  2:"), std::string::npos);
+    EXPECT_TRUE(folder_.read("light0002.ply").starts_with("ply\n"));
+}
 
 TEST_F(Growth, OfFiftyStepsWithTenThousandLeavesIsAnswered) {
     folder_.write("comm.e", comm_text(Transport::pipes));
