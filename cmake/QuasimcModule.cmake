@@ -12,6 +12,7 @@ set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
 set(QUASIMC_THIRD_PARTY_nlohmann_json nlohmann_json::nlohmann_json)
 set(QUASIMC_THIRD_PARTY_crypto OpenSSL::Crypto)
 set(QUASIMC_THIRD_PARTY_cli11 CLI11::CLI11)
+set(QUASIMC_THIRD_PARTY_png PNG::PNG)
 
 # Sets QUASIMC_LAYER_<module> for every module of the table, and QUASIMC_MODULES in order.
 set(QUASIMC_MODULES "")

@@ -24,6 +24,13 @@ Exit check(const CheckArguments& arguments) {
         run.path, run.warnings.size(), run.scene.organs().size(), run.scene.triangles().size(),
         run.scene.materials().size(), run.scene.bands().size(), run.sources.size());
     std::fputs(text.c_str(), stdout);
+    if (run.series) {
+        std::fputs(
+            fmt::format(
+                "{} times of {} days\n", run.series->moments.size(), run.series->days.size())
+                .c_str(),
+            stdout);
+    }
     return Exit::done;
 }
 

@@ -18,3 +18,4 @@ void add_run_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
 void add_list_command(CLI::App& program, Action& action);
+void add_sky_command(CLI::App& program, Action& action);

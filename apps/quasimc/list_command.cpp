@@ -59,6 +59,14 @@ std::string list_quantities() {
     return text;
 }
 
+std::string list_skies() {
+    std::string text;
+    for (const quasimc::SkyEntry& entry : quasimc::sky_catalogue()) {
+        text += row(entry.name, entry.summary);
+    }
+    return text + row("table", "radiance of cells of azimuth and elevation, from a file");
+}
+
 /// One row of the table of lists.
 struct ListEntry {
     std::string name;
@@ -67,9 +75,13 @@ struct ListEntry {
 
 const std::vector<ListEntry>& lists() {
     static const std::vector<ListEntry> all{
-        {"options", list_options},       {"samplers", list_samplers},
-        {"models", list_models},         {"formats", list_formats},
-        {"quantities", list_quantities}, {"options-markdown", quasimc::options_markdown}};
+        {"options", list_options},
+        {"samplers", list_samplers},
+        {"models", list_models},
+        {"formats", list_formats},
+        {"skies", list_skies},
+        {"quantities", list_quantities},
+        {"options-markdown", quasimc::options_markdown}};
     return all;
 }
 
@@ -91,7 +103,7 @@ void add_list_command(CLI::App& program, Action& action) {
         names.push_back(entry.name);
     }
     CLI::App* command = program.add_subcommand(
-        "list", "print what there is: options, samplers, models, formats, quantities");
+        "list", "print what there is: options, samplers, models, formats, skies, quantities");
     command->add_option("WHAT", *name, "")->required()->check(CLI::IsMember(names));
     command->callback([name, &action] { action = [name] { return print_list(*name); }; });
 }

@@ -41,6 +41,7 @@ int run_program(int argc, char** argv) {
     add_check_command(program, action);
     add_export_command(program, action);
     add_list_command(program, action);
+    add_sky_command(program, action);
     program.require_subcommand(0, 1);
     try {
         program.parse(argc, argv);

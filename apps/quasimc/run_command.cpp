@@ -1,5 +1,7 @@
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,14 +16,14 @@ namespace {
 
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json;
+    std::string file, from, csv, json, days;
     bool quiet = false;
     OptionFlags flags;
 };
 
 /// The files to write, opened before the run so that a wrong path is told at once.
 struct Outputs {
-    std::unique_ptr<quasimc::AtomicFile> csv, json;
+    std::unique_ptr<quasimc::AtomicFile> csv, json, days;
     std::vector<std::string> names;  ///< of real files
     bool uses_stdout = false;
 
@@ -42,9 +44,13 @@ Outputs open_outputs(const RunArguments& arguments, quasimc::OutputSpec spec) {
     if (!arguments.json.empty()) {
         spec.json = arguments.json;
     }
+    if (!arguments.days.empty()) {
+        spec.days = arguments.days;
+    }
     Outputs outputs;
     outputs.csv = outputs.open(spec.csv);
     outputs.json = outputs.open(spec.json);
+    outputs.days = outputs.open(spec.days);
     return outputs;
 }
 
@@ -70,27 +76,106 @@ quasimc::StoredRun read_run(const RunArguments& arguments) {
 std::string comparison(
     const RunArguments& arguments,
     const quasimc::StoredRun& stored,
-    const quasimc::Result& result) {
+    const std::string& organs_sha256) {
     if (arguments.from.empty()) {
         return "";
     }
-    const bool same = quasimc::digest_of_organs(stored.run, result) == stored.organs_sha256;
+    const bool same = organs_sha256 == stored.organs_sha256;
     const std::string_view verdict = same ? "the same numbers as in" : "OTHER numbers than in";
     return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
+}
+
+quasimc::TextSink sink_of(const std::unique_ptr<quasimc::AtomicFile>& file) {
+    return [&file](std::string_view text) {
+        if (file) {
+            file->write(text);
+        }
+    };
+}
+
+/// What a series writes while it is computed.
+struct SeriesOutputs {
+    Outputs files;
+    quasimc::TextSink csv = sink_of(files.csv), days = sink_of(files.days);
+
+    void commit() const {
+        for (const auto* file : {&files.csv, &files.json, &files.days}) {
+            if (*file) {
+                (*file)->commit();
+            }
+        }
+    }
+};
+
+Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, Outputs opened) {
+    const quasimc::RunFile& file = stored.run;
+    const SeriesOutputs outputs{std::move(opened)};
+    const bool has_csv = outputs.files.csv != nullptr;
+    const bool has_days = outputs.files.days != nullptr;
+    std::optional<quasimc::SeriesJson> json;
+    if (outputs.files.json || !arguments.from.empty()) {
+        json.emplace(file, sink_of(outputs.files.json));
+    }
+    if (has_csv) {
+        quasimc::write_series_csv_head(file, outputs.csv);
+    }
+    if (has_days) {
+        quasimc::write_days_head(file, outputs.days);
+    }
+    quasimc::SeriesEvents events;
+    events.on_progress = progress_line();
+    events.on_moment = [&](std::size_t moment, const quasimc::Result& result, std::size_t traced) {
+        if (has_csv) {
+            quasimc::write_series_csv_moment(file, moment, result, outputs.csv);
+        }
+        if (json) {
+            json->add_moment(moment, result, traced);
+        }
+    };
+    events.on_day = [&](std::size_t day, const quasimc::SeriesSum& sum) {
+        if (has_days) {
+            quasimc::write_days_day(file, day, sum, outputs.days);
+        }
+        if (json) {
+            json->add_day(day, sum);
+        }
+    };
+    const quasimc::SeriesSummary summary =
+        quasimc::run_series(file.scene, file.series->moments, file.spec, events);
+    end_progress_line();
+    const std::string digest = json ? json->finish(summary) : "";
+    outputs.commit();
+    if (!arguments.quiet) {
+        const std::string text = quasimc::series_summary(file, summary, outputs.files.names) +
+                                 comparison(arguments, stored, digest);
+        std::fputs(text.c_str(), outputs.files.uses_stdout ? stderr : stdout);
+    }
+    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
+    return missed ? Exit::target_missed : Exit::done;
 }
 
 Exit run(const RunArguments& arguments) {
     const quasimc::StoredRun stored = read_run(arguments);
     const quasimc::RunFile& file = stored.run;
     print_warnings(file.warnings);
+    if (!arguments.days.empty() && !file.series) {
+        throw quasimc::InputError(
+            {{"--days", "the run has no [time]", "sums over days need times", ""}});
+    }
     Outputs outputs = open_outputs(arguments, file.output);
+    if (file.series) {
+        return run_times(arguments, stored, std::move(outputs));
+    }
     const quasimc::Result result =
         quasimc::run(file.scene, file.sources, file.spec, progress_line());
     end_progress_line();
     write_outputs(outputs, file, result);
     if (!arguments.quiet) {
         const std::string text =
-            quasimc::summary(file, result, outputs.names) + comparison(arguments, stored, result);
+            quasimc::summary(file, result, outputs.names) +
+            comparison(
+                arguments, stored,
+                arguments.from.empty() ? "" : quasimc::digest_of_organs(file, result));
         std::fputs(text.c_str(), outputs.uses_stdout ? stderr : stdout);
     }
     const bool missed =
@@ -116,6 +201,11 @@ void add_run_command(CLI::App& program, Action& action) {
         ->type_name("FILE");
     command->add_option("--json", arguments->json, "write everything here; - is standard output")
         ->type_name("FILE");
+    command
+        ->add_option(
+            "--days", arguments->days,
+            "of a run with [time]: write the table of sums over days here; - is standard output")
+        ->type_name("FILE");
     command->add_flag("-q,--quiet", arguments->quiet, "no summary");
     arguments->flags.add_to(*command);
     command->callback([arguments, &action] {
@@ -124,6 +214,10 @@ void add_run_command(CLI::App& program, Action& action) {
         }
         if (!arguments->csv.empty() && arguments->csv == arguments->json) {
             throw CLI::ValidationError("--csv and --json", "name the same file");
+        }
+        if (!arguments->days.empty() &&
+            (arguments->days == arguments->csv || arguments->days == arguments->json)) {
+            throw CLI::ValidationError("--days", "names the same file as another output");
         }
         action = [arguments] { return run(*arguments); };
     });

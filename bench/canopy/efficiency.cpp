@@ -21,6 +21,18 @@ Measured measure(const Scene& scene, const Sources& sources, const RunSpec& spec
     return {mean_variance(result), result.trace_cpu_seconds / spec.replicates};
 }
 
+const char* name_of(TraceFrom from) {
+    switch (from) {
+        case TraceFrom::sources:
+            return "sources";
+        case TraceFrom::organs:
+            return "organs";
+        case TraceFrom::lit_surfaces:
+            break;
+    }
+    return "lit";
+}
+
 void print_case(const Canopy& canopy, Light light, const std::string& title, const Effort& effort) {
     const Scene scene = make_canopy(canopy);
     const Sources sources = make_light(light, canopy.albedos.size());
@@ -29,7 +41,10 @@ void print_case(const Canopy& canopy, Light light, const std::string& title, con
         "  %-12s %-9s %11s %10s %12s %8s\n", "sampler", "from", "variance", "CPU ms", "1/(var s)",
         "x MC");
     double reference = 0;
-    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs}) {
+    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
+        if (from == TraceFrom::lit_surfaces && light == Light::sky) {
+            continue;  // skies are traced from the sources
+        }
         for (const SamplerEntry& sampler : sampler_catalogue()) {
             RunSpec spec;
             spec.sampler = sampler.name;
@@ -41,9 +56,9 @@ void print_case(const Canopy& canopy, Light light, const std::string& title, con
             // The first row is plain Monte Carlo light tracing.
             reference = reference > 0 ? reference : measured.merit();
             std::printf(
-                "  %-12s %-9s %11.3e %10.2f %12.3e %8.2f\n", spec.sampler.c_str(),
-                from == TraceFrom::sources ? "sources" : "organs", measured.variance,
-                1e3 * measured.seconds, measured.merit(), measured.merit() / reference);
+                "  %-12s %-9s %11.3e %10.2f %12.3e %8.2f\n", spec.sampler.c_str(), name_of(from),
+                measured.variance, 1e3 * measured.seconds, measured.merit(),
+                measured.merit() / reference);
         }
     }
 }

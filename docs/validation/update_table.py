@@ -18,6 +18,7 @@ TITLES = {
     "TrianglePair": "Two triangles face to face",
     "Layers": "Layers: nets, infinite sheets, periodic cells",
     "Solids": "Closed bodies",
+    "UnderSkies": "Skies and the disk of the sun",
     "Canopies": "Black and white canopies",
     "TurbidMedium": "Leaves that scatter, against the turbid medium",
 }

@@ -224,5 +224,41 @@ TEST_F(ProgramTest, TheFirstExampleRuns) {
     EXPECT_NE(folder_.read("leaves.csv").find("\n500,leaf 500,leaf,"), std::string::npos);
 }
 
+TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
+    const Outcome outcome = run(
+        {"sky", "--place", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
+         "--elevation-m", "1830.14", "--pressure-hpa", "820", "--temperature-c", "11",
+         "--delta-t-s", "67", "--png", "sky.png", "--size", "128"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(
+        outcome.out.find("azimuth 194.3402 deg (from north over east), elevation 39.8884 deg"),
+        std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("sunrise 2003-10-17T06:12:43-07:00"), std::string::npos);
+    EXPECT_NE(outcome.out.find("cie_clear"), std::string::npos);
+    EXPECT_TRUE(folder_.read("sky.png").starts_with("\x89PNG"));
+}
+
+TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
+    const Arguments night{"sky", "--place", "80,20", "--time", "2024-12-21T12:00Z"};
+    const Outcome outcome = run(night);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("polar night"), std::string::npos);
+    Arguments drawn = night;
+    drawn.insert(drawn.end(), {"--png", "sky.png"});
+    EXPECT_EQ(run(drawn).status, 1);
+    EXPECT_TRUE(new_files().empty());
+}
+
+TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {
+    const Outcome outcome = run({"sky", "--place", "95", "--time", "2024-06-21T12:00"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("--place: '95' is no place"), std::string::npos);
+    EXPECT_NE(outcome.err.find("--time: '2024-06-21T12:00' has no time zone"), std::string::npos);
+    EXPECT_EQ(run({"sky", "--place", "50,8"}).status, 2);
+    EXPECT_EQ(
+        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);
+}
+
 }  // namespace
 }  // namespace quasimc::test

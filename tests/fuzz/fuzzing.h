@@ -28,8 +28,17 @@ inline std::string read_small_file(const std::filesystem::path& path) {
     if (name == "a.mtl") {
         return "newmtl c\nKd 0.1 0.2 0.3\n";
     }
+    if (name == "sky.txt") {
+        return "2 2\n0 0 1\n0 0 2\n0 0 3\n0 0 4\n";
+    }
     if (name == "a.ply") {
         return std::string(kPly);
+    }
+    if (name == "a.csv") {
+        return "time,global\n2024-06-21T12:00Z,500\n2024-06-21T13:00Z,400\n";
+    }
+    if (name == "a.ies") {
+        return "TILT=NONE\n1 1 1 2 1 1 2 0 0 0\n1 1 1\n0 90\n0\n1 0\n";
     }
     throw InputError({{path.string(), "can't be read", "", ""}});
 }

@@ -1,10 +1,11 @@
-// Tracing from the sources and tracing from the organs must give the same light on every organ, for
-// every sampler, every model of every lobe, and every kind of source.
+// Tracing from the sources, from lit surfaces and from the organs must give the same light on every
+// organ, for every sampler, every model of every lobe, and every kind of source.
 //
 // Each combination compares totals (sharp), each organ (blunt, but it finds light in wrong places),
 // and the scatter of the organs' differences in units of their errors, whose square must be 1 on
 // average: a bias that no organ alone could show makes it larger.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "quasimc/optics/catalogue.h"
 #include "quasimc/samplers/catalogue.h"
+#include "quasimc/sources/lamp.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -107,6 +109,37 @@ std::vector<Lighting> all_lighting() {
         {"sun and sky", {noon, dome}}};
 }
 
+/// Lamps above, beside and amid the stand, with light of the sun.
+std::vector<Lighting> all_lamps() {
+    const auto lamp = [](const Vec3& position, const Vec3& aim, Opening opening, Pattern pattern) {
+        LampSpec spec;
+        spec.name = "lamp";
+        spec.position = position;
+        spec.axes = lamp_axes(aim, {1, 0, 0});
+        spec.opening = opening;
+        spec.pattern = std::move(pattern);
+        spec.flux = {1, .8, .5};
+        return make_lamp(std::move(spec));
+    };
+    const Vec3 down{0, 0, -1};
+    const auto panel = lamp(
+        {.4, .5, 1.6}, {.1, 0, -1}, {.kind = Opening::Kind::rectangle, .length = 1, .width = .5},
+        cosine_pattern());
+    const auto tube = lamp(
+        {.5, .2, 1.3}, {1, .3, 0}, {.kind = Opening::Kind::line, .length = 1.5}, tube_pattern());
+    const auto disk =
+        lamp({.5, .5, 2}, down, {.kind = Opening::Kind::disk, .radius = .3}, cosine_pattern());
+    return {
+        {"a point", {lamp({.5, .5, 1.8}, down, {}, isotropic_pattern())}},
+        {"a far spot", {lamp({8, 3, 9}, {-8, -3, -9}, {}, spot_pattern(.02, .2))}},
+        {"a panel", {panel}},
+        {"a tube", {tube}},
+        {"a sphere amid the leaves",
+         {lamp(
+             {.5, .5, .5}, down, {.kind = Opening::Kind::sphere, .radius = .1}, cosine_pattern())}},
+        {"lamps and a sun", {panel, disk, sun(25, {1, .8, .5})}}};
+}
+
 /// Thirty leaves, three of them sensors if asked for, above a ground.
 struct StandSpec {
     MaterialSpec leaf;
@@ -130,10 +163,13 @@ Scene make_stand(const StandSpec& spec) {
     return std::move(builder).build();
 }
 
-/// Traces in both directions, with seeds of their own.
+/// What is compared with tracing from the organs.
+constexpr std::array kForward{TraceFrom::sources, TraceFrom::lit_surfaces};
+
+/// Traces forward and from the organs, with seeds of their own.
 std::pair<Result, Result> trace_both_ways(
-    const Scene& scene, const Sources& sources, RunSpec spec) {
-    spec.trace_from = TraceFrom::sources;
+    const Scene& scene, const Sources& sources, RunSpec spec, TraceFrom from) {
+    spec.trace_from = from;
     const Result forward = run(scene, sources, spec);
     spec.trace_from = TraceFrom::organs;
     spec.seed += 1000;
@@ -149,16 +185,19 @@ TEST_P(ForwardAndBackward, AgreeWithEverySamplerAndSource) {
     const Scene scene = make_stand({GetParam().leaf});
     const auto lighting = all_lighting();
     const auto samplers = sampler_catalogue();
-    Comparison comparison(static_cast<unsigned>(lighting.size() * samplers.size()));
+    Comparison comparison(
+        static_cast<unsigned>(kForward.size() * lighting.size() * samplers.size()));
     RunSpec spec = spec_of({}, 1 << 12);
-    for (const Lighting& lights : lighting) {
-        for (const SamplerEntry& sampler : samplers) {
-            SCOPED_TRACE(fmt::format("{}, {}", lights.name, sampler.name));
-            spec.sampler = sampler.name;
-            ++spec.seed;
-            const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec);
-            EXPECT_TRUE(comparison.totals_agree(forward, backward));
-            EXPECT_TRUE(comparison.organs_agree(forward, backward));
+    for (const TraceFrom from : kForward) {
+        for (const Lighting& lights : lighting) {
+            for (const SamplerEntry& sampler : samplers) {
+                SCOPED_TRACE(fmt::format("{}, {}", lights.name, sampler.name));
+                spec.sampler = sampler.name;
+                ++spec.seed;
+                const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec, from);
+                EXPECT_TRUE(comparison.totals_agree(forward, backward));
+                EXPECT_TRUE(comparison.organs_agree(forward, backward));
+            }
         }
     }
     EXPECT_TRUE(comparison.are_sharp(kTotals, kOrgans));
@@ -171,12 +210,14 @@ void expect_agreement(
     const RunSpec& spec,
     const std::vector<Lighting>& lighting = all_lighting()) {
     const Scene scene = make_stand(stand);
-    Comparison comparison(static_cast<unsigned>(lighting.size()));
-    for (const Lighting& lights : lighting) {
-        SCOPED_TRACE(lights.name);
-        const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec);
-        EXPECT_TRUE(comparison.totals_agree(forward, backward));
-        EXPECT_TRUE(comparison.organs_agree(forward, backward));
+    Comparison comparison(static_cast<unsigned>(kForward.size() * lighting.size()));
+    for (const TraceFrom from : kForward) {
+        for (const Lighting& lights : lighting) {
+            SCOPED_TRACE(lights.name);
+            const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec, from);
+            EXPECT_TRUE(comparison.totals_agree(forward, backward));
+            EXPECT_TRUE(comparison.organs_agree(forward, backward));
+        }
     }
     EXPECT_TRUE(comparison.are_sharp(kTotals, kOrgans));
 }
@@ -210,6 +251,11 @@ TEST(ForwardAndBackward, AgreeOnPathsThatAreCutOff) {
 
 TEST(ForwardAndBackward, AgreeAroundAndOnSensors) {
     expect_agreement({mixed_by_band().leaf, {}, 6}, spec_of({}, 1 << 12));
+}
+
+TEST(ForwardAndBackward, AgreeUnderLamps) {
+    expect_agreement({uneven_leaf()}, spec_of({}, 1 << 13), all_lamps());
+    expect_agreement({mixed_by_side().leaf, {}, 6}, spec_of({}, 1 << 13), all_lamps());
 }
 
 /// A control: leaves that reflect and transmit a tenth more must be noticed.

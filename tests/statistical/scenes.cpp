@@ -98,7 +98,15 @@ RunSpec spec_of(TraceFrom from, std::uint64_t paths) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info) {
-    return info.param == TraceFrom::sources ? "FromSources" : "FromOrgans";
+    switch (info.param) {
+        case TraceFrom::sources:
+            return "FromSources";
+        case TraceFrom::organs:
+            return "FromOrgans";
+        case TraceFrom::lit_surfaces:
+            break;
+    }
+    return "FromLitSurfaces";
 }
 
 }  // namespace quasimc::test

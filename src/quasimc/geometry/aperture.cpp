@@ -246,7 +246,7 @@ EntryBox make_entry_box(const LocalMesh& mesh, const Cell& local_cell) {
 }  // namespace
 
 Aperture::Aperture(const LocalMesh& mesh, const Cell& cell, WindowShape shape)
-    : cell_(cell), shape_(shape), scale_(mesh.scale) {
+    : cell_(cell), shape_(shape), origin_(mesh.origin), scale_(mesh.scale) {
     cell_.low_x = mesh.scale * (cell.low_x - mesh.origin.x);
     cell_.low_y = mesh.scale * (cell.low_y - mesh.origin.y);
     cell_.size_x = mesh.scale * cell.size_x;

@@ -71,6 +71,11 @@ class Aperture {
     [[nodiscard]] const EntryBox& entry_box() const { return box_; }
     /// Square world units per square local unit.
     [[nodiscard]] double world_area() const { return 1 / (scale_ * scale_); }
+    /// Local units per world unit.
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale_ * (world - origin_); }
+    /// Along which axes the scene repeats; local coordinates.
+    [[nodiscard]] const Cell& cell() const { return cell_; }
 
   private:
     std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
@@ -78,6 +83,7 @@ class Aperture {
     Cell cell_;                  // local coordinates
     WindowShape shape_;
     EntryBox box_;
+    Vec3 origin_;  // of the local coordinates, in the world
     double scale_ = 1;
 };
 

@@ -32,6 +32,7 @@ struct LocalMesh {
         return p + u * (vertex(triangle, 1) - p) + v * (vertex(triangle, 2) - p);
     }
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
+    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return origin + local / scale; }
 };
 
 /// The local mesh of `triangles` about the center of their bounds; at least one triangle, all

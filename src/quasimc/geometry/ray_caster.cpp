@@ -174,13 +174,16 @@ CastHit RayCaster::cast(const Vec3& origin, const Vec3& direction, std::uint32_t
     return result;
 }
 
-bool RayCaster::occluded(const Vec3& origin, const Vec3& direction, std::uint32_t self) const {
+bool RayCaster::occluded(
+    const Vec3& origin, const Vec3& direction, std::uint32_t self, double distance) const {
     if (impl_->periodic()) {
+        EXPECT(std::isinf(distance));
         CellWalk walk(impl_->tile, origin, direction);
         return impl_->is_blocked(walk, self);
     }
     Ray ray{origin, direction};
     ray.near = kNear;
+    ray.far = static_cast<float>(distance);
     return impl_->engine->occluded(ray, self);
 }
 

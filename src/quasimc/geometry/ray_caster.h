@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,10 +48,13 @@ class RayCaster {
     /// the cell.
     [[nodiscard]] CastHit cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const;
 
-    /// Whether anything lies between `origin` (on triangle `self`) and infinity. Rays lost count as
-    /// free.
+    /// Whether anything lies between `origin` (on triangle `self`) and a place at `distance` (local
+    /// units). Rays lost count as free. In a periodic scene `distance` must be infinite.
     [[nodiscard]] bool occluded(
-        const Vec3& origin, const Vec3& direction, std::uint32_t self) const;
+        const Vec3& origin,
+        const Vec3& direction,
+        std::uint32_t self,
+        double distance = std::numeric_limits<double>::infinity()) const;
 
     /// First hits of sixteen rays close to each other and alike in direction, which start outside
     /// the scene: `packet` gives origins and directions (near and far are set here), and takes the

@@ -31,6 +31,32 @@ irradiance_facing = 1       # on a plane that faces it; or irradiance_horizontal
 type = "uniform_sky"
 irradiance_horizontal = [0.5]
 
+[place]                     # example; for sources with a time
+latitude_deg = 50.1         # north positive
+longitude_deg = 8.7         # east positive
+elevation_m = 0
+temperature_c = 12          # yearly mean, for refraction; pressure_hpa: default by elevation
+
+[[source]]                  # example
+type = "sun"
+time = "2024-06-21T12:00:00+02:00"  # or azimuth_deg and elevation_deg
+disk = false                # true: of its true size
+irradiance_facing = 1       # or irradiance_horizontal
+
+[[source]]                  # example
+type = "sky"
+model = "cie_clear"         # quasimc list skies
+irradiance_horizontal = [0.2]
+# [[source]]                # example of a lamp; see docs/formats/run-file.md for the others
+# type = "point"
+# position = [0, 0, 3]
+# power = 60                # W, or photon_flux in umol s-1 for bands in umol m-2 s-1
+
+# [time]                    # example: sun and sky of every hour of a day; needs [place]
+# day = "2024-06-21"        # or from and to, or times, or weather = "file.epw"
+# utc_offset_hours = 1
+# sun_step_minutes = 5
+
 [[material]]                # example
 name = "leaf"
 reflectance = 0.1           # one number for all bands, or one for each: [0.1, 0.45]

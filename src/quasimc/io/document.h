@@ -15,7 +15,7 @@ struct Node {
     using List = std::vector<Node>;
     using Table = std::vector<Member>;  ///< in the order of the file
 
-    /// What no run file uses (dates), and null.
+    /// What no run file uses: null.
     struct Other {
         std::string type;
     };

@@ -118,8 +118,13 @@ std::vector<Option> make_table() {
         sampler_option({"sampler", "", "point set that the paths are made from"}),
         choice_option<TraceFrom>(
             {"trace_from", "",
-             "where paths start: sources (many organs) or organs (few or small organs, skies)"},
-            &RunSpec::trace_from, {{"sources", TraceFrom::sources}, {"organs", TraceFrom::organs}}),
+             "where paths start: lit_surfaces (suns), sources (many organs) or organs (few or "
+             "small "
+             "organs, skies)"},
+            &RunSpec::trace_from,
+            {{"sources", TraceFrom::sources},
+             {"organs", TraceFrom::organs},
+             {"lit_surfaces", TraceFrom::lit_surfaces}}),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
             {1, kMostPaths}),

@@ -62,7 +62,8 @@ Json parse_head(const std::string& text, const std::string& path) {
     bool in_organs = false;
     const auto filter = [&](int depth, Json::parse_event_t event, const Json& value) {
         if (depth == 1 && event == Json::parse_event_t::key) {
-            in_organs = value == "organs";
+            in_organs =
+                value == "organs" || value == "moments" || value == "days" || value == "total";
         }
         return !in_organs || depth < 2;
     };

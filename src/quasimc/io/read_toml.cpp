@@ -66,7 +66,14 @@ Node converted(const toml::node& node, const std::string& file, int depth) {
     } else if (const auto* boolean = node.as_boolean()) {
         result.value = boolean->get();
     } else {
-        result.value = Node::Other{"a date or time"};
+        // Dates and times stay texts, as ISO 8601 writes them.
+        std::ostringstream words;
+        node.visit([&](const auto& value) {
+            if constexpr (toml::is_chronological<decltype(value)>) {
+                words << value.get();
+            }
+        });
+        result.value = std::move(words).str();
     }
     return result;
 }

@@ -47,8 +47,15 @@ OutputSpec read_output(TableReader& top, const InputFiles& files) {
     };
     output.csv = read_path("csv");
     output.json = read_path("json");
-    if (output.csv && output.csv == output.json) {
-        table.fault("csv and json name the same file");
+    output.days = read_path("days");
+    const bool are_same =
+        (output.csv && (output.csv == output.json || output.csv == output.days)) ||
+        (output.json && output.json == output.days);
+    if (are_same) {
+        table.fault("two of csv, json and days name the same file");
+    }
+    if (output.days && top.any("time") == nullptr) {
+        table.fault_at("days", "days without [time]", "sums over days need times");
     }
     table.finish();
     return output;
@@ -88,6 +95,7 @@ struct Sections {
     std::string title;
     std::optional<Scene> scene;
     SourceList sources;
+    std::optional<TimeSeries> series;
     RunOptions options;
     OutputSpec output;
 };
@@ -97,14 +105,23 @@ Sections read_sections(
     Sections sections;
     read_format_version(top);
     sections.title = top.text("title").value_or("");
-    RunFileContext context{&top.reporter(), &files, read_bands(top), read_orientation(top), {}};
+    RunFileContext context{
+        .reporter = &top.reporter(),
+        .files = &files,
+        .bands = read_bands(top),
+        .orientation = read_orientation(top),
+        .materials = {},
+        .place = read_place(top),
+        .sun = {},
+        .length_unit = top.text("length_unit").value_or("m")};
     SceneBuilder builder(context.bands, context.orientation);
-    builder.set_length_unit(top.text("length_unit").value_or("m"));
+    builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
     sections.output = read_output(top, files);
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
+    sections.series = read_time(top, context, sections.sources.sources);
     read_organs(top, context, builder);
     read_geometry(top, context, builder);
     read_ground(top, context, builder);
@@ -116,6 +133,17 @@ Sections read_sections(
     }
     sections.scene = build(std::move(builder), top.reporter());
     return sections;
+}
+
+/// The sources of the run, or of a moment of its series that has light.
+const Sources& sources_to_check(const Sections& sections) {
+    if (!sections.series) {
+        return sections.sources.sources;
+    }
+    const std::vector<MomentPlan> plans = plan_series(sections.series->moments);
+    const auto lit =
+        std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
+    return sections.series->moments[static_cast<std::size_t>(lit - plans.begin())].sources;
 }
 
 /// The line of a place "file:line"; after all lines for other places.
@@ -154,7 +182,7 @@ RunFile read_run_document(
     Sections sections = read_sections(top, files, overrides);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_run(*sections.scene, sections.sources.sources, sections.options.spec, faults);
+        check_run(*sections.scene, sources_to_check(sections), sections.options.spec, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
@@ -167,6 +195,7 @@ RunFile read_run_document(
         std::move(*sections.scene),
         std::move(sections.sources.sources),
         sections.options.spec,
+        std::move(sections.series),
         std::move(sections.output),
         files.files(),
         files.folder().string(),

@@ -7,6 +7,7 @@
 
 #include "quasimc/io/document.h"
 #include "quasimc/io/input_files.h"
+#include "quasimc/io/time_series.h"
 #include "quasimc/scene/scene.h"
 #include "quasimc/tracing/run.h"
 #include "quasimc/tracing/run_spec.h"
@@ -16,6 +17,7 @@ namespace quasimc {
 /// Where results go; "-" is standard output.
 struct OutputSpec {
     std::optional<std::string> csv, json;
+    std::optional<std::string> days;  ///< sums over days, of a run with [time]
 };
 
 /// An option stated outside the run file.
@@ -30,11 +32,12 @@ struct RunFile {
     std::string path;  ///< of the file, as given
     std::string title;
     Scene scene;
-    Sources sources;
+    Sources sources;  ///< with [time]: those that shine at all times
     RunSpec spec;
-    OutputSpec output;              ///< paths from the folder of the run file resolved
-    std::vector<InputFile> inputs;  ///< the run file first
-    std::string folder;             ///< that the paths in the run file are relative to
+    std::optional<TimeSeries> series;  ///< of a run with [time]
+    OutputSpec output;                 ///< paths from the folder of the run file resolved
+    std::vector<InputFile> inputs;     ///< the run file first
+    std::string folder;                ///< that the paths in the run file are relative to
     std::vector<std::string>
         source_notes;               ///< per source: name, kind, direction, irradiance in words
     std::vector<Warning> warnings;  ///< of the readers and of lint()

@@ -47,6 +47,16 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
     Band band;
     band.name = table.required("name", table.text("name")).value_or("");
     band.unit = table.text("unit").value_or(unit);
+    constexpr Range kWavelengths{100, 100000};
+    const auto from = table.real("from_nm", kWavelengths);
+    const auto to = table.real("to_nm", kWavelengths);
+    if (from && to && *from >= *to) {
+        table.fault_at("to_nm", "to_nm is not above from_nm");
+    } else if (from.has_value() != to.has_value() && !table.failed()) {
+        table.fault("from_nm and to_nm go together");
+    }
+    band.from_nm = from.value_or(0);
+    band.to_nm = to.value_or(0);
     table.finish();
     return band;
 }

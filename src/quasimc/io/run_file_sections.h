@@ -17,12 +17,21 @@
 #include "quasimc/io/input_files.h"
 #include "quasimc/io/run_file.h"
 #include "quasimc/io/table_reader.h"
+#include "quasimc/io/time_series.h"
 #include "quasimc/scene/scene_builder.h"
+#include "quasimc/sources/civil_time.h"
 
 namespace quasimc {
 
 /// Stands in for an organ with faults, so that its id and material are checked with the rest.
 inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+
+/// Where the sun stands, as a run file states it.
+struct StatedSun {
+    Vec3 to_sun;  ///< unit, world with z up
+    double distance_au = 1;
+    std::string words;  ///< its time and place; "" if stated by angles
+};
 
 /// What the sections know of each other.
 struct RunFileContext {
@@ -31,7 +40,14 @@ struct RunFileContext {
     std::vector<Band> bands;
     Orientation orientation;
     std::set<std::string> materials;  ///< names stated
+    std::optional<Place> place;       ///< [place]
+    std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::string length_unit = "m";
 };
+
+// run_file_place.cpp
+/// [place]; nothing if it is absent or has faults.
+[[nodiscard]] std::optional<Place> read_place(TableReader& top);
 
 // run_file_options.cpp
 /// The options of a run, and where each was stated.
@@ -68,7 +84,14 @@ struct SourceList {
     Sources sources;
     std::vector<std::string> notes;
 };
-[[nodiscard]] SourceList read_sources(TableReader& top, const RunFileContext& context);
+/// Sets context.sun.
+[[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
+
+// run_file_time.cpp
+/// [time]: the moments of the run, each with the lamps and its own daylight. Nothing if there is
+/// none, or after a fault.
+[[nodiscard]] std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const Sources& lamps);
 
 // run_file_shapes.cpp
 /// The triangles of a table with `shape = ...`; empty when it has faults (reported).

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quasimc/io/run_file_sections.h"
+#include "quasimc/sources/sky.h"
 
 namespace quasimc {
 
@@ -16,6 +17,7 @@ namespace quasimc {
 struct NotedSource {
     std::shared_ptr<const Source> source;
     std::string note;
+    std::optional<StatedSun> sun;  ///< of a source of type "sun"
 };
 
 /// "irradiance on the horizontal: PAR 400 W m-2, ..."
@@ -39,12 +41,36 @@ struct Irradiance {
 [[nodiscard]] std::optional<std::vector<double>> facing_irradiance(
     TableReader& table, Irradiance irradiance, double sine);
 
+/// Where the sun stands, by `time` (and [place]) or by `azimuth_deg` and `elevation_deg`; nothing
+/// after a fault. run_file_sun.cpp
+[[nodiscard]] std::optional<StatedSun> read_stated_sun(
+    TableReader& table, const RunFileContext& context);
+/// "2024-06-21T12:00+02:00 at latitude 50, longitude 8, sun towards (...) (azimuth ...)"
+[[nodiscard]] std::string sun_words(const StatedSun& sun, const Orientation& orientation);
+
+/// The shape of a sky, and the words that tell it.
+struct StatedShape {
+    SkyShape shape;
+    std::string words;
+};
+/// Of a sky with model = "table"; nothing after a fault. run_file_sky_table.cpp
+[[nodiscard]] std::optional<StatedShape> read_table_shape(
+    TableReader& table, const RunFileContext& context);
+
 // The kinds: nothing after a fault.
 // run_file_directional.cpp
 [[nodiscard]] std::optional<NotedSource> read_directional(
     TableReader& table, const std::string& name, const RunFileContext& context);
+// run_file_sun.cpp
+[[nodiscard]] std::optional<NotedSource> read_sun(
+    TableReader& table, const std::string& name, const RunFileContext& context);
 // run_file_sky.cpp
+[[nodiscard]] std::optional<NotedSource> read_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context);
 [[nodiscard]] std::optional<NotedSource> read_uniform_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context);
+// run_file_lamps.cpp: of every type of lamp
+[[nodiscard]] std::optional<NotedSource> read_lamp(
     TableReader& table, const std::string& name, const RunFileContext& context);
 
 }  // namespace quasimc

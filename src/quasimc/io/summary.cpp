@@ -9,6 +9,7 @@
 #include "quasimc/io/options.h"
 #include "quasimc/io/units.h"
 #include "quasimc/io/write_result.h"
+#include "quasimc/io/write_series.h"
 
 namespace quasimc {
 namespace {
@@ -167,6 +168,38 @@ std::string summary(
     }
     text += run_line(run.spec, result) + time_line(result) + target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
+    return text + written_line(written);
+}
+
+std::string series_summary(
+    const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written) {
+    const TimeSeries& series = *run.series;
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    for (const std::string& words : series.words) {
+        text += line("time", one_line(words));
+    }
+    text += line(
+        "times", fmt::format(
+                     "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
+                     series.moments.size(), series.notes.front().time, series.notes.back().time,
+                     series.days.size(), summary.traced));
+    text += line(
+        "run", fmt::format(
+                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays", run.spec.sampler,
+                   run.spec.trace_from == TraceFrom::sources ? "from sources" : "from organs",
+                   run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
+    if (run.spec.target_error > 0) {
+        text += line(
+            "target", fmt::format(
+                          "{} % error or less: reached at {} of {} times",
+                          100 * run.spec.target_error, summary.at_target, summary.traced));
+    }
     return text + written_line(written);
 }
 

@@ -19,7 +19,8 @@ namespace quasimc {
 /// A waveband. Amounts of different bands never mix, so each may have its own unit.
 struct Band {
     std::string name;
-    std::string unit = "W m-2";  ///< of irradiance
+    std::string unit = "W m-2";     ///< of irradiance
+    double from_nm = 0, to_nm = 0;  ///< wavelengths; 0: those that the name stands for, if any
     friend bool operator==(const Band&, const Band&) = default;
 };
 

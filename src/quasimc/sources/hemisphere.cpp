@@ -150,7 +150,7 @@ std::vector<double> cell_integrals(const HemisphereGrid& grid, const HemisphereF
             sum += std::abs(gauss(kThree, f, patches.back()));
         }
     }
-    constexpr double kAccuracy = 1e-9;
+    constexpr double kAccuracy = 1e-7;
     const double tolerance = kAccuracy * sum / static_cast<double>(grid.cells());
     std::vector<double> integrals;
     integrals.reserve(grid.cells());

@@ -33,7 +33,7 @@ struct HemisphereGrid {
     std::span<const double> azimuths, std::span<const double> sines);
 
 /// The integral over each cell, [row * columns + column], by adaptive Gaussian quadrature: the sum
-/// is good to a relative 1e-9 for what is smooth inside cells, and to 1e-6 if it has edges there.
+/// is good to a relative 1e-7, and much better for what is smooth inside cells.
 [[nodiscard]] std::vector<double> cell_integrals(
     const HemisphereGrid& grid, const HemisphereFunction& f);
 

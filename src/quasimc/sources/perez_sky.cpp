@@ -99,11 +99,11 @@ SkyShape perez_shape(const SkyState& state) {
     while (weather.clearness >= kBins[bin].until) {
         ++bin;
     }
-    // Thin veils make b positive, and the horizon infinitely bright: for intermediate skies the
-    // brightness counts as at least 0.2 (as in gendaylit, Delaunay 1994), and what is left of a
-    // positive b as 0.
+    // The fits hold for the brightness that skies have, 0.01 to 0.6. Thin veils make b positive,
+    // and the horizon infinitely bright: for intermediate skies the brightness counts as at least
+    // 0.2 (both limits as in gendaylit, Delaunay 1994), and what is left of a positive b as 0.
     const bool is_intermediate = bin >= 1 && bin <= 4;
-    const double delta = is_intermediate ? std::max(0.2, weather.brightness) : weather.brightness;
+    const double delta = std::clamp(weather.brightness, is_intermediate ? 0.2 : 0.01, 0.6);
     const Row& row = kBins[bin].row;
     std::array<double, 5> x{};
     for (std::size_t i = 0; i < x.size(); ++i) {

@@ -1,5 +1,5 @@
 // A sky of any radiance L, scaled so that its irradiance on the horizontal is what was asked for:
-// the scale is an integral over the shape itself, good to 1e-9, not the sum of a table.
+// the scale is an integral over the shape itself, good to 1e-7, not the sum of a table.
 //
 // Light enters a scene through its box: along direction d through the area A(d) that the box shows
 // there. A path draws its direction cell by cell of the hemisphere, in proportion to the integral
@@ -12,7 +12,6 @@
 #include <numeric>
 #include <utility>
 
-#include "quasimc/base/checks.h"
 #include "quasimc/sources/entry.h"
 #include "quasimc/sources/hemisphere.h"
 
@@ -63,11 +62,11 @@ class SkyEmitter final : public Emitter {
 
 class Sky final : public Source {
   public:
-    Sky(std::string name, const SkyShape& shape, std::vector<double> spectrum)
+    Sky(std::string name, const SkyShape& shape, double scale, std::vector<double> spectrum)
         : Source(std::move(name), std::move(spectrum)),
           grid_(make_hemisphere_grid(shape.azimuths, shape.sines)),
           shape_(shape.radiance),
-          scale_(1 / quasimc::horizontal_irradiance(shape)),
+          scale_(scale),
           spread_(make_spread(grid_, shape_)) {}
 
     [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
@@ -102,8 +101,11 @@ double horizontal_irradiance(const SkyShape& shape) {
 
 std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance) {
-    EXPECT(quasimc::horizontal_irradiance(shape) > 0);
-    return std::make_shared<Sky>(std::move(name), shape, std::move(horizontal_irradiance));
+    const double own = quasimc::horizontal_irradiance(shape);
+    if (!(own > 0)) {
+        throw InputError({{name, "the sky is dark everywhere", "it can't bring any light", ""}});
+    }
+    return std::make_shared<Sky>(std::move(name), shape, 1 / own, std::move(horizontal_irradiance));
 }
 
 }  // namespace quasimc

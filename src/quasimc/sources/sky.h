@@ -73,11 +73,11 @@ inline constexpr double kHighestTurbidity = 10;
 
 /// A sky of such a shape at infinity.
 /// @param horizontal_irradiance  per band, on the horizontal: exact, whatever the shape
+/// @throws InputError  if the shape is dark everywhere
 [[nodiscard]] std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance);
 
-/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-9 (1e-6 if it has
-/// edges that its borders do not name).
+/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-7.
 [[nodiscard]] double horizontal_irradiance(const SkyShape& shape);
 
 /// The sun as a disk of uniform radiance, of which `angular_radius_deg` is seen (solar_radius_deg).

@@ -47,11 +47,12 @@ struct Illumination {
     Vec3 to_light;      ///< unit
     double weight = 0;  ///< irradiance on a plane facing it for a spectrum of 1, divided by the
                         ///< density of the draw
-    double distance = std::numeric_limits<double>::infinity();  ///< local units
+    double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
 };
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
-/// spectrum varies over it is several sources.) Directions are in the world with z up; immutable.
+/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
+/// immutable.
 class Source {
   public:
     virtual ~Source() = default;
@@ -61,13 +62,13 @@ class Source {
     Source& operator=(const Source&) = delete;
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// The irradiance that scales the shape, per band (unit of the run; >= 0). On which plane, the
-    /// source says.
+    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
+    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
     [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
 
     /// Null when no light of this source enters the aperture.
     [[nodiscard]] virtual std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const = 0;
-    /// Draws a direction from which light reaches `point` (local coordinates).
+    /// Draws a direction from which light reaches `point` (world coordinates).
     [[nodiscard]] virtual Illumination illuminate(
         const Vec3& point, double u0, double u1) const = 0;
     /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
@@ -75,10 +76,14 @@ class Source {
     /// Whether its light comes from one direction (a point of the sky), so that no ray finds it by
     /// chance.
     [[nodiscard]] virtual bool is_directional() const = 0;
-    /// Whether what it lights straight counts as sunlit.
+    /// Whether what it lights straight counts as sunlit. A sun is so small that no ray finds it by
+    /// chance, and illuminate() draws its light evenly: all weights are equal.
     [[nodiscard]] virtual bool is_sun() const { return is_directional(); }
-    /// Irradiance on the horizontal, upper side, for a spectrum of 1.
+    /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
+    /// irradiance varies from place to place.
     [[nodiscard]] virtual double horizontal_irradiance() const = 0;
+    /// Whether it stands at a finite distance. Rays that leave the scene pass it by.
+    [[nodiscard]] virtual bool is_lamp() const { return false; }
 
   private:
     std::string name_;

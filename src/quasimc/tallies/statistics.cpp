@@ -60,18 +60,6 @@ double normal_quantile(double p) {
     return high;
 }
 
-/// The 0.975-quantile: of few degrees of freedom from a table, for there are millions of estimates.
-double interval_quantile(unsigned df) {
-    static const auto table = [] {
-        std::array<double, 64> quantiles{};
-        for (unsigned i = 1; i < quantiles.size(); ++i) {
-            quantiles[i] = student_t_quantile(0.975, i);
-        }
-        return quantiles;
-    }();
-    return df < table.size() ? table[df] : student_t_quantile(0.975, df);
-}
-
 Estimate with_interval(double mean, double standard_error, std::size_t replicates) {
     const double half = interval_quantile(static_cast<unsigned>(replicates - 1)) * standard_error;
     return {mean, standard_error, mean - half, mean + half};
@@ -95,6 +83,18 @@ double student_t_quantile(double p, unsigned df) {
     constexpr unsigned kManyDegrees = 1000;
     return df > kManyDegrees ? large_df_quantile(normal_quantile(p), df)
                              : bisect_quantile(2 * p - 1, df);
+}
+
+double interval_quantile(unsigned df) {
+    // From a table, for there are millions of estimates.
+    static const auto table = [] {
+        std::array<double, 64> quantiles{};
+        for (unsigned i = 1; i < quantiles.size(); ++i) {
+            quantiles[i] = student_t_quantile(0.975, i);
+        }
+        return quantiles;
+    }();
+    return df < table.size() ? table[df] : student_t_quantile(0.975, df);
 }
 
 Estimate estimate_mean(std::span<const double> values) {

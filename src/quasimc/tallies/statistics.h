@@ -30,4 +30,7 @@ struct Estimate {
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
 
+/// The half-width of the 95 % interval in standard errors: the 0.975-quantile, df >= 1.
+[[nodiscard]] double interval_quantile(unsigned df);
+
 }  // namespace quasimc

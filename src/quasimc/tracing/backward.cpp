@@ -2,8 +2,8 @@
 //
 // At a point of the organ, and at every hit of a path that starts there, one direction to a light
 // is drawn and tested (next-event estimation). Light that comes by a lobe of one direction can't be
-// found so. From a sky it is found by the paths that a mirror sends there; from a sun only from its
-// own side, so a light path follows each point's where a scene has such lobes
+// found so. From a sky it is found by the paths that a mirror sends there; from a sun or a lamp
+// only from its own side, so a light path follows each point's where a scene has such lobes
 // (PathFilter::delta_first). The two sets of paths are disjoint by their first scattering and
 // together complete.
 //
@@ -55,7 +55,10 @@ class BackwardEstimator final : public Estimator {
         const auto& lights = stage.lights();
         light_dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0U : 2U;
         for (const Light& light : lights) {
-            has_sun_ = has_sun_ || light.source->is_directional();
+            if (!light.is_found_by_chance()) {
+                hides_from_mirrors_ = true;
+                start_dimensions_ = light.emitter->beam_direction() ? start_dimensions_ : 4U;
+            }
         }
         for (const Element& element : stage.scene().elements()) {
             const double own = stage.scene().organs()[element.organ.value].area;
@@ -109,7 +112,7 @@ class BackwardEstimator final : public Estimator {
         std::uint32_t element, std::size_t band, std::uint64_t paths) const override {
         double irradiance = 0;
         for (const Light& light : stage_.lights()) {
-            irradiance += light.source->spectrum()[band];
+            irradiance += light.source->spectrum()[band] * light.usual_irradiance;
         }
         return irradiance * organ_area(element) / static_cast<double>(points(paths));
     }
@@ -129,7 +132,7 @@ class BackwardEstimator final : public Estimator {
     [[nodiscard]] double organ_area(std::uint32_t element) const {
         return stage_.scene().organs()[stage_.scene().elements()[element].organ.value].area;
     }
-    [[nodiscard]] bool needs_companion() const { return has_sun_ && stage_.has_delta(); }
+    [[nodiscard]] bool needs_companion() const { return hides_from_mirrors_ && stage_.has_delta(); }
 
     [[nodiscard]] double number(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
@@ -142,6 +145,7 @@ class BackwardEstimator final : public Estimator {
         const Light* light = nullptr;
         Vec3 to_light;
         double factor = 0;
+        double distance = 0;  // local units
     };
     [[nodiscard]] Sight look(
         const Stream& stream,
@@ -156,8 +160,10 @@ class BackwardEstimator final : public Estimator {
         }
         const Light& light = stage_.lights()[stage_.pick_light(u0)];
         u0 = std::clamp((u0 - light.before) / light.probability, 0.0, 1.0);
-        const Illumination seen = light.source->illuminate(place, u0, u1);
-        return {&light, seen.to_light, seen.weight * scale_of(light)};
+        const Illumination seen = light.source->illuminate(stage_.to_world(place), u0, u1);
+        return {
+            &light, seen.to_light, seen.weight * scale_of(light),
+            seen.distance * stage_.caster().mesh().scale};
     }
 
     /// Irradiance of spectrum 1 in cell units, over the probability of the light.
@@ -185,10 +191,11 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
         const Sight sight = look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
-        if (cosine == 0 || !stage_.counts(point.element, std::abs(cosine))) {
+        if (cosine == 0 || sight.factor == 0 ||
+            !stage_.counts(point.element, std::abs(cosine))) {
             return 0;
         }
-        if (!stage_.reaches_sky(point.place, sight.to_light, point.triangle)) {
+        if (!stage_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
             return 1;
         }
         const TallyLayout& layout = tally.layout();
@@ -298,8 +305,8 @@ class BackwardEstimator final : public Estimator {
         const bool same_side = dot(sight.to_light, surface.normal) > 0;
         const bool arrives_upper = same_side == surface.upper;
         const Material& material = stage_.material(surface.element);
-        if (material.side(arrives_upper).lobes().empty() ||
-            !stage_.reaches_sky(place, sight.to_light, surface.triangle)) {
+        if (material.side(arrives_upper).lobes().empty() || sight.factor == 0 ||
+            !stage_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
             return 0;
         }
         for (std::size_t b = 0; b < workspace.weights.size(); ++b) {
@@ -314,7 +321,9 @@ class BackwardEstimator final : public Estimator {
     /// The sky that a mirror shows in direction `to_light`.
     void add_sky(const Vec3& to_light, Workspace& workspace) const {
         for (const Light& light : stage_.lights()) {
-            const double radiance = light.source->radiance(to_light) * light.probability;
+            const double radiance = light.is_found_by_chance()
+                                        ? light.source->radiance(to_light) * light.probability
+                                        : 0;
             for (std::size_t b = 0; radiance > 0 && b < workspace.weights.size(); ++b) {
                 workspace.gathered[b] +=
                     workspace.weights[b] * light.start_weights[b] * radiance * scale_of(light);
@@ -322,27 +331,30 @@ class BackwardEstimator final : public Estimator {
         }
     }
 
-    /// A light path for what points can't find: light of a sun whose first scattering is in one
-    /// direction.
+    /// A light path for what points can't find: light of a sun or a lamp whose first scattering is
+    /// in one direction.
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Workspace& workspace, Tally& tally) const {
         const double u0 = number(stream, index, 0);
         const Light& light = stage_.lights()[stage_.pick_light(u0)];
-        if (!light.source->is_directional()) {
+        if (light.is_found_by_chance()) {
             return 0;
         }
+        const bool is_beam = light.emitter->beam_direction().has_value();
         const std::array<double, 4> u{
             std::clamp((u0 - light.before) / light.probability, 0.0, 0x1.fffffffffffffp-1),
-            number(stream, index, 1), 0, 0};
+            number(stream, index, 1), is_beam ? 0 : number(stream, index, 2),
+            is_beam ? 0 : number(stream, index, 3)};
         const Emission emission = light.emitter->emit(u);
-        const PathRules rules{&stage_,
-                              &sampler_,
-                              stream,
-                              2,
-                              spec_.max_depth,
-                              enough_,
-                              PathFilter::delta_first,
-                              companion_scale_};
+        const PathRules rules{
+            &stage_,
+            &sampler_,
+            stream,
+            start_dimensions_,
+            spec_.max_depth,
+            enough_,
+            PathFilter::delta_first,
+            companion_scale_};
         const CastHit at = stage_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         return 1 + follow(
                        rules, {&light, index, emission.direction, emission.weight}, at,
@@ -357,7 +369,8 @@ class BackwardEstimator final : public Estimator {
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     std::uint32_t light_dimensions_ = 2;
-    bool has_sun_ = false;
+    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all lights are beams
+    bool hides_from_mirrors_ = false;      // some light is a sun or a lamp
     std::vector<double> companion_scale_;  // by element: from flux per light path to cell units
     double reference_area_ = 0;
 };

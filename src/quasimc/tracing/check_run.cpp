@@ -135,10 +135,23 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
 }
 
+/// An infinity of lamps, of which points on the organs would have to pick one.
+void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+    const bool has_lamp = std::any_of(
+        sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
+    if (has_lamp && scene.cell().periodic() && spec.trace_from == TraceFrom::organs) {
+        faults.add(
+            {"trace_from", "organs, with a lamp in a periodic scene",
+             "the lamp repeats with the cell; its light is traced from the sources only",
+             "use trace_from = \"sources\""});
+    }
+}
+
 }  // namespace
 
 void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     check_sources(scene, sources, faults);
+    check_lamps(scene, sources, spec, faults);
     check_sampler(spec, faults);
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
@@ -147,8 +160,15 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
 
 std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
-    return spec.trace_from == TraceFrom::organs ? make_backward_estimator(stage, sampler, spec)
-                                                : make_forward_estimator(stage, sampler, spec);
+    switch (spec.trace_from) {
+        case TraceFrom::organs:
+            return make_backward_estimator(stage, sampler, spec);
+        case TraceFrom::lit_surfaces:
+            return make_lit_surfaces_estimator(stage, sampler, spec);
+        case TraceFrom::sources:
+            break;
+    }
+    return make_forward_estimator(stage, sampler, spec);
 }
 
 }  // namespace quasimc

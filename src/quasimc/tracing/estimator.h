@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quasimc/base/parallel.h"
+#include "quasimc/geometry/scan_lines.h"
 #include "quasimc/samplers/sampler.h"
 #include "quasimc/tallies/tally.h"
 #include "quasimc/tracing/run_spec.h"
@@ -16,6 +17,13 @@ namespace quasimc {
 struct Round {
     std::uint64_t first = 0;  ///< points traced before
     std::uint64_t count = 0;
+};
+
+/// Where a path starts on a lit surface: a place on a triangle of the mesh.
+struct SurfaceStart {
+    std::uint32_t triangle = 0;
+    float u = 0, v = 0;
+    double weight = 1;
 };
 
 /// What a worker keeps between blocks so that nothing is allocated on the way. Its own alone: no
@@ -34,6 +42,9 @@ struct alignas(2 * kCacheLine) Workspace {
     std::vector<std::uint32_t> keys, key_counts;
     std::vector<double> weights, products, gathered;  // per band
     std::vector<std::int64_t> fixed;                  // per band
+    ScanLines lines;
+    std::vector<SurfaceStart> starts;
+    std::vector<std::uint64_t> lines_of;  // which light, replicate and round `lines` belongs to
 };
 
 /// A way to compute the light on the organs: what one path does, and what a tally then means.
@@ -81,8 +92,12 @@ class Estimator {
 [[nodiscard]] std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec);
 
-/// Light tracing (tracing/forward.cpp) and tracing from the organs (tracing/backward.cpp).
+/// Light tracing (tracing/forward.cpp), tracing from the organs (tracing/backward.cpp) and from lit
+/// surfaces (tracing/lit_surfaces.cpp).
+enum class Lights { all, but_beams };
 [[nodiscard]] std::unique_ptr<Estimator> make_forward_estimator(
+    const Stage& stage, const Sampler& sampler, const RunSpec& spec, Lights lights = Lights::all);
+[[nodiscard]] std::unique_ptr<Estimator> make_lit_surfaces_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec);
 [[nodiscard]] std::unique_ptr<Estimator> make_backward_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec);

@@ -40,10 +40,11 @@ struct Group {
 
 class ForwardEstimator final : public Estimator {
   public:
-    ForwardEstimator(const Stage& stage, const Sampler& sampler, const RunSpec& spec)
+    ForwardEstimator(const Stage& stage, const Sampler& sampler, const RunSpec& spec, Lights lights)
         : stage_(stage),
           sampler_(sampler),
           spec_(spec),
+          lights_(lights),
           enough_(spec.roulette_weight * static_cast<double>(stage.bands())) {
         for (const Light& light : stage.lights()) {
             beams_.push_back(light.emitter->beam_direction());
@@ -82,9 +83,12 @@ class ForwardEstimator final : public Estimator {
         std::uint64_t rays = 0;
         for (std::size_t i = 0; i < points.count;) {
             const Group group = next_group(workspace, i);
+            i += group.points.size();
+            if (beams_[group.light] && lights_ == Lights::but_beams) {
+                continue;
+            }
             rays += beams_[group.light] ? trace_packet(points, group, workspace, tally)
                                         : trace_single(points, group, workspace, tally);
-            i += group.points.size();
         }
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
     }
@@ -169,6 +173,9 @@ class ForwardEstimator final : public Estimator {
             const Emission emission = light.emitter->emit(
                 {workspace.u0[i], workspace.u1[i], sampler_.number(stream, point, 2),
                  sampler_.number(stream, point, 3)});
+            if (emission.weight == 0) {
+                continue;  // to where the lamp doesn't shine
+            }
             tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
             const CastHit at =
                 stage_.caster().cast(emission.origin, emission.direction, kNoTriangle);
@@ -278,6 +285,7 @@ class ForwardEstimator final : public Estimator {
     const Stage& stage_;
     const Sampler& sampler_;
     const RunSpec& spec_;
+    Lights lights_;
     double enough_;
     std::vector<std::optional<Vec3>> beams_;  // by light: its direction if it is a beam
     bool only_beams_ = true;
@@ -287,8 +295,8 @@ class ForwardEstimator final : public Estimator {
 }  // namespace
 
 std::unique_ptr<Estimator> make_forward_estimator(
-    const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
-    return std::make_unique<ForwardEstimator>(stage, sampler, spec);
+    const Stage& stage, const Sampler& sampler, const RunSpec& spec, Lights lights) {
+    return std::make_unique<ForwardEstimator>(stage, sampler, spec, lights);
 }
 
 }  // namespace quasimc

@@ -33,10 +33,11 @@ class Follower {
             if (first == FirstHit::to_score) {
                 score(surface);
             }
+            const double enough = first == FirstHit::surely_scattered ? 0 : rules_.enough;
             first = FirstHit::to_score;
             if (!material.is_transparent()) {
                 ++depth;
-                if (!scatter(material.side(surface.upper), surface, depth)) {
+                if (!scatter(material.side(surface.upper), surface, depth, enough)) {
                     return rays;
                 }
             }
@@ -75,7 +76,7 @@ class Follower {
     }
 
     /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
-    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
+    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth, double enough) {
         if (direct_) {
             for (std::size_t b = 0; b < weights_.size(); ++b) {
                 weights_[b] = path_.light->start_weights[b] * path_.weight;
@@ -88,7 +89,7 @@ class Follower {
         const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
         const Draw draw{
             rules_.sampler->number(rules_.stream, path_.point, dimension),
-            rules_.sampler->number(rules_.stream, path_.point, dimension + 1), rules_.enough};
+            rules_.sampler->number(rules_.stream, path_.point, dimension + 1), enough};
         const bool only_delta = direct_ && rules_.filter == PathFilter::delta_first;
         const auto scattered = only_delta
                                    ? side.scatter_delta(surface.normal, direction_, draw, weights_)

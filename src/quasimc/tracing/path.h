@@ -40,7 +40,11 @@ struct LightPath {
 };
 
 /// What of a path's first hit is still to be done.
-enum class FirstHit { to_score, scored };
+enum class FirstHit {
+    to_score,
+    scored,
+    surely_scattered,  ///< scored, and roulette was played before: the light goes on, weighted down
+};
 
 /// Scores `at`, the first hit of `path` or its escape, and all that follow. Returns the number of
 /// rays cast.

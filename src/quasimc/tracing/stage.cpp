@@ -96,6 +96,11 @@ void Stage::set_lights(const Sources& sources) {
             Light& light = lights_.emplace_back();
             light.source = source.get();
             light.emitter = std::move(emitter);
+            if (source->is_lamp()) {
+                const Vec3& faces = aperture_.entry_box().face_area;
+                light.usual_irradiance =
+                    light.emitter->flux() / std::max({faces.x, faces.y, faces.z});
+            }
             if (source->is_sun()) {
                 sun += sum_of(source->spectrum());
                 sun_area_ += lights_.back().emitter->flux() * world_area();
@@ -107,8 +112,10 @@ void Stage::set_lights(const Sources& sources) {
     for (Light& light : lights_) {
         if (light.source->is_sun()) {
             light.sun_share = sum_of(light.source->spectrum()) / sun;
+            // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.
+            const double radiance = light.source->illuminate({}, 0.5, 0.5).weight;
             light.lit_area = light.sun_share / light.probability * light.emitter->flux() *
-                             world_area() / sun_area_;
+                             world_area() / sun_area_ / radiance;
         }
         const auto same = std::find_if(spectra_.begin(), spectra_.end(), [&](const auto& spectrum) {
             return equal_to_rounding(spectrum, light.start_weights);
@@ -122,17 +129,21 @@ void Stage::set_lights(const Sources& sources) {
     }
 }
 
-bool Stage::reaches_sky(const Vec3& place, const Vec3& direction, std::uint32_t self) const {
+bool Stage::reaches(
+    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
     if (!has_transparent_) {
-        return !caster_->occluded(place, direction, self);
+        return !caster_->occluded(place, direction, self, distance);
     }
     CastHit at = caster_->cast(place, direction, self);
-    while (at.end == RayEnd::hit && material(element(at.hit.triangle)).is_transparent()) {
+    double left = distance;
+    while (at.end == RayEnd::hit && at.hit.t < left &&
+           material(element(at.hit.triangle)).is_transparent()) {
         const Hit& hit = at.hit;
+        left -= hit.t;
         at = caster_->cast(
             caster_->mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
     }
-    return at.end != RayEnd::hit;
+    return at.end != RayEnd::hit || at.hit.t >= left;
 }
 
 std::size_t Stage::pick_light(double u) const {

@@ -26,6 +26,12 @@ struct Light {
     double sun_share = 0;  ///< share in the irradiance of all directional lights; 0 for others
     double lit_area =
         0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
+    double usual_irradiance = 1;  ///< for a spectrum of 1; of a lamp: spread over the scene's box
+
+    /// Whether paths that leave the scene find it by chance, as they do a sky.
+    [[nodiscard]] bool is_found_by_chance() const {
+        return !source->is_sun() && !source->is_lamp();
+    }
 };
 
 /// What a triangle of the mesh belongs to.
@@ -83,10 +89,11 @@ class Stage {
         return has_narrow_ ? least_cosine_[element] : 0;
     }
     [[nodiscard]] bool has_narrow() const { return has_narrow_; }
-    /// Whether light passes from `place` on triangle `self` of the mesh to infinity. Sensors let it
-    /// pass.
-    [[nodiscard]] bool reaches_sky(
-        const Vec3& place, const Vec3& direction, std::uint32_t self) const;
+    /// Whether light passes between `place` on triangle `self` of the mesh and what is at
+    /// `distance` (local units; infinite: the sky). Sensors let it pass.
+    [[nodiscard]] bool reaches(
+        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
+    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
     /// Elements of the ground, which stand last.
     [[nodiscard]] std::size_t ground_elements() const { return ground_elements_; }
     /// Whether some material scatters in one direction.

@@ -100,12 +100,11 @@ INSTANTIATE_TEST_SUITE_P(
         Trial{TraceFrom::sources, "monte_carlo"},
         Trial{TraceFrom::sources, "sobol"},
         Trial{TraceFrom::sources, "korobov"},
+        Trial{TraceFrom::lit_surfaces, "sobol"},
         Trial{TraceFrom::organs, "monte_carlo"},
         Trial{TraceFrom::organs, "sobol"}),
     [](const auto& trial) {
-        return std::string(
-                   trial.param.from == TraceFrom::sources ? "FromSources_" : "FromOrgans_") +
-               trial.param.sampler;
+        return name_of({trial.param.from, trial.index}) + "_" + trial.param.sampler;
     });
 
 /// A control: intervals of two standard errors, as if there were many replicates, are too short.

@@ -180,8 +180,11 @@ TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
     const auto below = make_directional_source("below", {0, .6, .8}, {1});
     const Result result = trace(scene, {below}, 1024);
     EXPECT_EQ(result.at(0, Quantity::incident_upper, 0).mean, 0);
-    // Windows are larger than the scene by a millionth.
-    EXPECT_NEAR(result.at(0, Quantity::incident_lower, 0).mean, .8, 1e-5);
+    // Windows are larger than the scene by a millionth; scan lines have some noise.
+    const Estimate& lower = result.at(0, Quantity::incident_lower, 0);
+    constexpr double kQuantile = 6;
+    EXPECT_NEAR(lower.mean, .8, 1e-5 + kQuantile * lower.standard_error);
+    EXPECT_LT(lower.standard_error, 1e-3);
 }
 
 /// A band for which there is no light is dark, and nothing is divided by zero.

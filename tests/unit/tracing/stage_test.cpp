@@ -1,6 +1,7 @@
 #include "quasimc/tracing/stage.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -113,7 +114,8 @@ TEST(Stage, LightPassesSensorsOnItsWayToTheSky) {
         const Staged staged(std::move(scene), {sky({1})});
         const Stage& stage = staged.stage;
         const Vec3 place = stage.caster().mesh().point(0, .3, .3);
-        return stage.reaches_sky(place, normalized({.1, .2, 1}), 0);
+        return stage.reaches(
+            place, normalized({.1, .2, 1}), std::numeric_limits<double>::infinity(), 0);
     };
     EXPECT_TRUE(reaches(make_layer(1)));
     EXPECT_TRUE(reaches(make_layer(

@@ -1,0 +1,219 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "quasimc/base/text.h"
+#include "quasimc/io/atomic_file.h"
+#include "quasimc/io/civil_time_text.h"
+#include "quasimc/io/numbers.h"
+#include "quasimc/quasimc.h"
+#include "quasimc/sources/sky.h"
+#include "quasimc/sources/sun_position.h"
+#include "quasimc/view/sky_plot.h"
+
+namespace {
+
+using quasimc::shortest;
+using quasimc::Vec3;
+
+struct SkyArguments {
+    std::string place, time, sky, png;
+    double elevation_m = 0;
+    std::optional<double> pressure_hpa, temperature_c, delta_t_s;
+    int cie_type = 12;
+    double turbidity = 3, direct_normal = 0, diffuse_horizontal = 0;
+    std::size_t size = 512;
+};
+
+/// "LAT,LON"; nothing after a fault.
+std::optional<quasimc::Place> place_of(const SkyArguments& arguments, quasimc::Faults& faults) {
+    const std::string_view text = arguments.place;
+    const std::size_t comma = text.find(',');
+    const auto latitude = quasimc::parse_real(quasimc::trimmed(text.substr(0, comma)));
+    const auto longitude = comma == std::string_view::npos
+                               ? std::nullopt
+                               : quasimc::parse_real(quasimc::trimmed(text.substr(comma + 1)));
+    if (!latitude || !longitude) {
+        faults.add(
+            {"--place", fmt::format("'{}' is no place", text), "",
+             "give latitude and longitude in degrees, north and east positive: 50.1,8.7"});
+        return std::nullopt;
+    }
+    quasimc::Place place{*latitude, *longitude, arguments.elevation_m};
+    place.pressure_hpa =
+        arguments.pressure_hpa.value_or(quasimc::standard_pressure_hpa(arguments.elevation_m));
+    place.temperature_c = arguments.temperature_c.value_or(place.temperature_c);
+    quasimc::check_place(place, "--place", faults);
+    return place;
+}
+
+std::string row(std::string_view name, const std::string& text) {
+    return fmt::format("{:<10}{}\n", name, text);
+}
+
+std::string clock_text(const std::optional<quasimc::CivilTime>& time) {
+    return time ? quasimc::civil_time_text(*time) : "none";
+}
+
+std::string day_text(const quasimc::SunDay& day) {
+    switch (day.kind) {
+        case quasimc::DayKind::polar_day:
+            return fmt::format(
+                "polar day, the sun does not set; transit {}", clock_text(day.transit));
+        case quasimc::DayKind::polar_night:
+            return fmt::format(
+                "polar night, the sun does not rise; transit {}", clock_text(day.transit));
+        default:
+            return fmt::format(
+                "sunrise {}, transit {} at {:.2f} deg, sunset {}", clock_text(day.sunrise),
+                clock_text(day.transit), day.transit_elevation_deg, clock_text(day.sunset));
+    }
+}
+
+std::string sun_text(
+    const quasimc::Place& place,
+    const quasimc::CivilTime& time,
+    const quasimc::SunPosition& sun,
+    const Vec3& to_sun) {
+    return row("place", fmt::format(
+                            "latitude {}, longitude {}, {} m, {:.1f} hPa, {:.1f} C",
+                            shortest(place.latitude_deg), shortest(place.longitude_deg),
+                            shortest(place.elevation_m), place.pressure_hpa, place.temperature_c)) +
+           row("time", fmt::format(
+                           "{}, Julian day {:.6f} (UTC)", quasimc::civil_time_text(time),
+                           sun.intermediates.julian_day)) +
+           row("sun", fmt::format(
+                          "azimuth {:.4f} deg (from north over east), elevation {:.4f} deg ({:.4f} "
+                          "without refraction)",
+                          sun.azimuth_deg, sun.elevation_deg, sun.true_elevation_deg)) +
+           row("", fmt::format(
+                       "towards ({:.6f}, {:.6f}, {:.6f}): east, north, up", to_sun.x, to_sun.y,
+                       to_sun.z)) +
+           row("", fmt::format(
+                       "declination {:.4f} deg, equation of time {:.2f} min, distance {:.6f} au, "
+                       "radius {:.4f} deg",
+                       sun.declination_deg, sun.equation_of_time_min, sun.distance_au,
+                       quasimc::solar_radius_deg(sun.distance_au)));
+}
+
+/// Irradiance of a sky on a plate of normal n, for 1 on the horizontal.
+double on_plate(const quasimc::Source& sky, const Vec3& n) {
+    constexpr int kSide = 400;
+    double sum = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const auto seen = sky.illuminate({}, (i / kSide + 0.5) / kSide, (i % kSide + 0.5) / kSide);
+        sum += seen.weight * std::max(0.0, dot(seen.to_light, n));
+    }
+    return sum / (kSide * kSide);
+}
+
+std::string sky_text(const quasimc::Source& sky, const quasimc::SkyEntry& entry) {
+    constexpr std::array<std::pair<std::string_view, Vec3>, 4> kSides{
+        {{"north", {0, 1, 0}}, {"east", {1, 0, 0}}, {"south", {0, -1, 0}}, {"west", {-1, 0, 0}}}};
+    std::string plates;
+    for (const auto& [name, normal] : kSides) {
+        plates +=
+            fmt::format("{}{} {:.4f}", plates.empty() ? "" : ", ", name, on_plate(sky, normal));
+    }
+    return row("sky", fmt::format("{}: {}", entry.name, entry.summary)) +
+           row("", fmt::format(
+                       "for an irradiance of 1 on the horizontal: radiance of the zenith {:.4f} "
+                       "per sr,",
+                       sky.radiance({0, 0, 1}))) +
+           row("", fmt::format("on vertical plates that face {}", plates));
+}
+
+void write_png(const SkyArguments& arguments, const quasimc::Source& sky, const Vec3& to_sun) {
+    quasimc::AtomicFile file(arguments.png);
+    file.write(to_png(quasimc::plot_sky(sky, {0, 1, 0}, to_sun, arguments.size)));
+    file.commit();
+}
+
+/// The sky asked for; nothing if the sun it needs is below the horizon and none was asked for.
+std::shared_ptr<const quasimc::Source> sky_of(
+    const quasimc::SkyEntry& entry, const quasimc::SkyState& state, quasimc::Faults& faults) {
+    if (entry.needs != quasimc::SkyNeeds::nothing && state.to_sun.z <= 0) {
+        faults.add(
+            {"--sky", "the sun is below the horizon",
+             fmt::format("{} is a model of skies by day", entry.name),
+             "use --sky cie_overcast or uniform"});
+        return nullptr;
+    }
+    return quasimc::make_sky(std::string(entry.name), entry.make(state), {1.0});
+}
+
+Exit show_sky(const SkyArguments& arguments) {
+    quasimc::Faults faults;
+    const auto place = place_of(arguments, faults);
+    const auto time = quasimc::parse_civil_time(arguments.time, std::nullopt, "--time", faults);
+    faults.throw_if_any();
+    const quasimc::SunPosition sun = quasimc::sun_position(*place, *time, arguments.delta_t_s);
+    const Vec3 to_sun = quasimc::Orientation().towards(sun.azimuth_deg, sun.elevation_deg);
+    std::string text = sun_text(*place, *time, sun, to_sun) +
+                       row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s)));
+    const bool is_asked = !arguments.sky.empty();
+    if (is_asked || to_sun.z > 0) {
+        const quasimc::SkyEntry& entry = *quasimc::find_sky(is_asked ? arguments.sky : "cie_clear");
+        const quasimc::SkyState state{
+            to_sun,
+            arguments.cie_type,
+            arguments.turbidity,
+            arguments.direct_normal,
+            arguments.diffuse_horizontal,
+            sun.distance_au};
+        const auto sky = sky_of(entry, state, faults);
+        faults.throw_if_any();
+        text += sky_text(*sky, entry);
+        if (!arguments.png.empty()) {
+            write_png(arguments, *sky, to_sun);
+        }
+    } else if (!arguments.png.empty()) {
+        throw quasimc::InputError(
+            {{"--png", "there is no sky to be drawn", "the sun is below the horizon",
+              "name one by --sky cie_overcast or --sky uniform"}});
+    }
+    std::fputs(text.c_str(), arguments.png == "-" ? stderr : stdout);
+    return Exit::done;
+}
+
+void add_flags(CLI::App& command, SkyArguments& arguments) {
+    std::vector<std::string> skies;
+    for (const quasimc::SkyEntry& entry : quasimc::sky_catalogue()) {
+        skies.emplace_back(entry.name);
+    }
+    command.add_option("--place", arguments.place, "LAT,LON in degrees, north and east positive")
+        ->required();
+    command.add_option("--time", arguments.time, "with its time zone: 2024-06-21T12:00+02:00")
+        ->required();
+    command.add_option("--elevation-m", arguments.elevation_m, "above the sea");
+    command.add_option("--pressure-hpa", arguments.pressure_hpa, "by default from the elevation");
+    command.add_option("--temperature-c", arguments.temperature_c, "by default 12");
+    command.add_option("--delta-t-s", arguments.delta_t_s, "terrestrial less universal time");
+    command.add_option("--sky", arguments.sky, "model of the sky; by default cie_clear by day")
+        ->check(CLI::IsMember(skies));
+    command.add_option("--cie-type", arguments.cie_type, "1 to 15, of cie_general")
+        ->check(CLI::Range(1, 15));
+    command.add_option("--turbidity", arguments.turbidity, "1.7 to 10, of preetham")
+        ->check(CLI::Range(quasimc::kLowestTurbidity, quasimc::kHighestTurbidity));
+    command.add_option("--direct-normal", arguments.direct_normal, "W m-2, of perez");
+    command.add_option("--diffuse-horizontal", arguments.diffuse_horizontal, "W m-2, of perez");
+    command.add_option("--png", arguments.png, "draw the sky as a fisheye picture; - is stdout");
+    command.add_option("--size", arguments.size, "pixels of a side")->check(CLI::Range(64, 4096));
+}
+
+}  // namespace
+
+void add_sky_command(CLI::App& program, Action& action) {
+    const auto arguments = std::make_shared<SkyArguments>();
+    CLI::App* command =
+        program.add_subcommand("sky", "tell where the sun stands, and show the sky around it");
+    add_flags(*command, *arguments);
+    command->callback(
+        [arguments, &action] { action = [arguments] { return show_sky(*arguments); }; });
+}

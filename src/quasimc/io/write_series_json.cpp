@@ -1,0 +1,121 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "quasimc/base/text.h"
+#include "quasimc/io/json_parts.h"
+#include "quasimc/io/series_words.h"
+#include "quasimc/io/units.h"
+#include "quasimc/io/write_series.h"
+
+namespace quasimc {
+namespace {
+
+std::string list_of(const std::vector<std::string>& texts) {
+    std::string out = "[";
+    for (const std::string& text : texts) {
+        out += (out.size() > 1 ? ", " : "") + json_quoted(text);
+    }
+    return out + "]";
+}
+
+/// Units of the sums, by band: of densities and of fluxes.
+std::string sum_units(const RunFile& run) {
+    std::string out = "{";
+    for (const Band& band : run.scene.bands()) {
+        const std::string flux = flux_unit(band.unit, run.scene.length_unit());
+        out += fmt::format(
+            "{}{}: {{\"density\": {}, \"flux\": {}}}", out.size() > 1 ? ", " : "",
+            json_quoted(band.name), json_quoted(summed_unit(band.unit).name),
+            json_quoted(summed_unit(flux).name));
+    }
+    return out + "}";
+}
+
+/// The members that tell a moment, open at the end.
+std::string moment_head(const MomentNotes& notes) {
+    std::string out = fmt::format("{{\"time\": {}, \"seconds\": ", json_quoted(notes.time));
+    append_json(out, notes.seconds);
+    const auto put = [&](std::string_view key, double value) {
+        out += fmt::format("{}\"{}\": ", out.ends_with('{') ? "" : ", ", key);
+        append_json(out, value);
+    };
+    out += ", \"sun\": {";
+    put("azimuth_deg", notes.sun.azimuth_deg);
+    put("elevation_deg", notes.sun.elevation_deg);
+    put("true_elevation_deg", notes.sun.true_elevation_deg);
+    out += ", \"towards\": [";
+    append_json(out, notes.to_sun.x);
+    out += ", ";
+    append_json(out, notes.to_sun.y);
+    out += ", ";
+    append_json(out, notes.to_sun.z);
+    out += "]";
+    put("steps_with_beam", static_cast<double>(notes.suns));
+    out += "}, \"daylight_W_m-2\": {";
+    put("direct", notes.daylight.direct);
+    put("diffuse", notes.daylight.diffuse);
+    return out + "}";
+}
+
+/// The organs of a sum, in a list.
+std::string sums_of(const RunFile& run, const SeriesSum& raw) {
+    const SeriesSum sum = in_summed_units(run, raw);
+    const JsonNames names = json_names(run);
+    const std::vector<Organ>& organs = run.scene.organs();
+    std::string out = "[\n";
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        out += json_organ_sum(organs[i], sum, i, names) + (i + 1 < organs.size() ? ",\n" : "\n");
+    }
+    return out + "]";
+}
+
+}  // namespace
+
+SeriesJson::SeriesJson(const RunFile& run, TextSink sink) : run_(run), sink_(std::move(sink)) {
+    sink_("{\n" + json_head(run) + json_warnings(run));
+    sink_(fmt::format("\"time\": {},\n", list_of(run.series->words)));
+    sink_(fmt::format("\"sum_units\": {},\n\"moments\": [\n", sum_units(run)));
+}
+
+void SeriesJson::write_organs(const std::string& text) {
+    digest_.add(text);
+    sink_(text);
+}
+
+void SeriesJson::add_moment(std::size_t moment, const Result& result, std::size_t traced) {
+    const MomentNotes& notes = run_.series->notes[moment];
+    sink_((moments_++ > 0 ? ",\n" : "") + moment_head(notes));
+    sink_(fmt::format(
+        ", \"traced\": {}, \"done\": {}, \"energy\": {}, \"organs\": [\n",
+        json_quoted(run_.series->notes[traced].time), json_done(result),
+        json_energy(run_, result)));
+    const JsonNames names = json_names(run_);
+    const std::vector<Organ>& organs = run_.scene.organs();
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        write_organs(
+            json_organ(organs[i], result, i, names) + (i + 1 < organs.size() ? ",\n" : "\n"));
+    }
+    sink_("]}");
+}
+
+void SeriesJson::add_day(std::size_t day, const SeriesSum& sum) {
+    days_ += fmt::format(
+        "{}{{\"date\": {}, \"seconds\": {}, \"organs\": {}}}", days_.empty() ? "" : ",\n",
+        json_quoted(run_.series->days[day]), shortest(sum.seconds), sums_of(run_, sum));
+}
+
+std::string SeriesJson::finish(const SeriesSummary& summary) {
+    sink_("\n],\n\"days\": [\n" + days_ + "\n],\n");
+    sink_(fmt::format(
+        "\"total\": {{\"seconds\": {}, \"organs\": {}}},\n", shortest(summary.total.seconds),
+        sums_of(run_, summary.total)));
+    sink_(fmt::format(
+        "\"done\": {{\"moments\": {}, \"traced\": {}, \"rays\": {}}},\n\"seconds\": {},\n",
+        moments_, summary.traced, summary.rays, shortest(summary.seconds)));
+    std::string digest = digest_.hex();
+    sink_(fmt::format("\"organs_sha256\": \"{}\"\n}}\n", digest));
+    return digest;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+namespace quasimc {
+
+/// A part of the spectrum, nanometres, and what is counted in it.
+struct SpectralSpan {
+    double from_nm = 0, to_nm = 0;
+    enum class Count {
+        energy,   ///< W m-2
+        photons,  ///< umol m-2 s-1
+        lumens    ///< lx: weighted by the photopic curve V of CIE 018:2019
+    };
+    Count count = Count::energy;
+};
+
+/// Irradiance per wavelength [W m-2 nm-1], linear between the points given and 0 outside.
+class Spectrum {
+  public:
+    /// @param nm      ascending
+    /// @param values  0 or more, as many
+    Spectrum(std::vector<double> nm, std::vector<double> values);
+
+    [[nodiscard]] double at(double nm) const;
+    /// What the span holds, in the unit of its count. Exact for energy and photons.
+    [[nodiscard]] double within(const SpectralSpan& span) const;
+    [[nodiscard]] double low_nm() const { return nm_.front(); }
+    [[nodiscard]] double high_nm() const { return nm_.back(); }
+
+  private:
+    std::vector<double> nm_, values_;
+};
+
+/// umol s-1 of photons in a watt of one wavelength: lambda / (h c N_A) (SI 2019: 8.359347e-3 per
+/// nanometre).
+[[nodiscard]] double photons_per_joule(double nm);
+
+/// The photopic luminous efficiency V (CIE 1924, tabulated every 10 nm in CIE 018:2019, linear
+/// between), 0 outside 380 to 780 nm. 683 V lumens are a watt.
+[[nodiscard]] double photopic_efficiency(double nm);
+
+}  // namespace quasimc

@@ -1,0 +1,267 @@
+// A series: the light of many moments on one scene.
+//
+// Moments that are lit alike, but for one factor, share a trace. A result is kept until no later
+// moment needs it and the sums it counts for are done, so that a season takes no more memory than a
+// day.
+
+#include "quasimc/tracing/series.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "quasimc/base/checks.h"
+#include "quasimc/tracing/series_sum.h"
+#include "quasimc/tracing/simulator.h"
+
+namespace quasimc {
+namespace {
+
+double sum_of_spectra(const Moment& moment) {
+    double sum = 0;
+    for (const auto& source : moment.sources) {
+        for (const double x : source->spectrum()) {
+            sum += x;
+        }
+    }
+    return sum;
+}
+
+/// The factor from the light of `a` to that of `b`, if it is one for all sources and bands.
+std::optional<double> factor_between(const Moment& a, const Moment& b) {
+    constexpr double kRounding = 1e-12;
+    const double factor = sum_of_spectra(b) / sum_of_spectra(a);
+    if (a.sources.size() != b.sources.size()) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < a.sources.size(); ++i) {
+        const auto x = a.sources[i]->spectrum();
+        const auto y = b.sources[i]->spectrum();
+        const bool is_proportional =
+            std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](double p, double q) {
+                return std::abs(q - factor * p) <= kRounding * std::max(q, factor * p);
+            });
+        if (!is_proportional) {
+            return std::nullopt;
+        }
+    }
+    return factor;
+}
+
+/// A seed for each trace (SplitMix64: Steele, Lea and Flood 2014).
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
+    if (trace == 0) {
+        return seed;
+    }
+    std::uint64_t z = seed + trace * 0x9E3779B97F4A7C15U;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return z ^ (z >> 31U);
+}
+
+void scale(Estimate& estimate, double factor) {
+    estimate.mean *= factor;
+    estimate.standard_error *= factor;
+    estimate.low *= factor;
+    estimate.high *= factor;
+}
+
+/// Traces a series, moment by moment.
+class SeriesRun {
+  public:
+    SeriesRun(
+        const Scene& scene,
+        const std::vector<Moment>& moments,
+        const RunSpec& spec,
+        const SeriesEvents& events)
+        : scene_(scene), moments_(moments), spec_(spec), events_(events) {
+        plans_ = plan_series(moments);
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            if (plans_[i].factor > 0) {
+                last_use_[plans_[i].traced] = i;
+            }
+        }
+        dark_ = dark_result(scene, spec);
+    }
+
+    SeriesSummary run() {
+        for (std::size_t i = 0; i < moments_.size(); ++i) {
+            trace(i);
+            const bool ends_day =
+                i + 1 == moments_.size() || moments_[i + 1].day != moments_[i].day;
+            if (ends_day) {
+                finish_day(i);
+            }
+        }
+        summary_.total = total_.sum(dark_.bands, dark_.values.size());
+        summary_.seconds = seconds();
+        return std::move(summary_);
+    }
+
+  private:
+    /// A trace that is still needed, and what it counts for.
+    struct Kept {
+        Result result;
+        double day_weight = 0, total_weight = 0;
+    };
+
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(Clock::now() - start_).count();
+    }
+
+    void trace(std::size_t i) {
+        const MomentPlan& plan = plans_[i];
+        const Moment& moment = moments_[i];
+        day_.add_seconds(moment.seconds);
+        total_.add_seconds(moment.seconds);
+        if (plan.factor == 0) {
+            tell(i, dark_);
+            return;
+        }
+        if (plan.traced == i) {
+            kept_[i].result = trace_one(i);
+        }
+        Kept& kept = kept_[plan.traced];
+        kept.day_weight += plan.factor * moment.seconds;
+        kept.total_weight += plan.factor * moment.seconds;
+        if (plan.traced == i) {
+            tell(i, kept.result);
+        } else if (events_.on_moment) {
+            tell(i, scaled(kept.result, plan.factor));
+        }
+    }
+
+    void tell(std::size_t i, const Result& result) {
+        if (events_.on_moment) {
+            events_.on_moment(i, result, plans_[i].factor > 0 ? plans_[i].traced : i);
+        }
+    }
+
+    Result trace_one(std::size_t i) {
+        RunSpec spec = spec_;
+        spec.seed = seed_of(spec_.seed, summary_.traced);
+        Result result = simulator_.run(scene_, moments_[i].sources, spec, progress_of(i));
+        ++summary_.traced;
+        summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
+        summary_.rays += result.rays;
+        return result;
+    }
+
+    /// Progress of the series: traces take about equally long.
+    [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
+        if (!events_.on_progress) {
+            return {};
+        }
+        return [this, i](const Progress& own) {
+            const auto before = static_cast<double>(i);
+            const double fraction = (before + own.fraction) / static_cast<double>(moments_.size());
+            events_.on_progress(
+                {fraction, seconds(), seconds() / fraction, own.fraction_at_target});
+        };
+    }
+
+    void finish_day(std::size_t last) {
+        for (auto it = kept_.begin(); it != kept_.end();) {
+            Kept& kept = it->second;
+            if (kept.day_weight > 0) {
+                day_.add(kept.result, kept.day_weight);
+                kept.day_weight = 0;
+            }
+            const bool is_needed = last_use_[it->first] > last;
+            if (!is_needed && kept.total_weight > 0) {
+                total_.add(kept.result, kept.total_weight);
+            }
+            it = is_needed ? std::next(it) : kept_.erase(it);
+        }
+        if (events_.on_day) {
+            events_.on_day(moments_[last].day, day_.sum(dark_.bands, dark_.values.size()));
+        }
+        day_ = {};
+    }
+
+    using Clock = std::chrono::steady_clock;
+
+    const Scene& scene_;
+    const std::vector<Moment>& moments_;
+    const RunSpec& spec_;
+    const SeriesEvents& events_;
+    Simulator simulator_;
+    Clock::time_point start_ = Clock::now();
+    std::vector<MomentPlan> plans_;
+    std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
+    std::map<std::size_t, Kept> kept_;
+    SeriesAdder day_, total_;
+    Result dark_;
+    SeriesSummary summary_;
+};
+
+}  // namespace
+
+std::vector<MomentPlan> plan_series(const std::vector<Moment>& moments) {
+    std::vector<MomentPlan> plans;
+    std::multimap<std::string_view, std::size_t> traced;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        plans.push_back({i, sum_of_spectra(moments[i]) > 0 ? 1.0 : 0.0});
+        if (plans[i].factor == 0) {
+            continue;
+        }
+        const auto [first, last] = traced.equal_range(moments[i].shapes);
+        const auto same = std::find_if(first, last, [&](const auto& entry) {
+            const auto factor = factor_between(moments[entry.second], moments[i]);
+            if (factor) {
+                plans[i] = {entry.second, *factor};
+            }
+            return factor.has_value();
+        });
+        if (same == last) {
+            traced.emplace(moments[i].shapes, i);
+        }
+    }
+    return plans;
+}
+
+Result scaled(const Result& result, double factor) {
+    Result copy = result;
+    for (Estimate& estimate : copy.values) {
+        scale(estimate, factor);
+    }
+    for (BandBudget& band : copy.budget) {
+        band.emitted *= factor;
+        for (Estimate BandBudget::*part :
+             {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
+              &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
+            scale(band.*part, factor);
+        }
+    }
+    return copy;
+}
+
+Result dark_result(const Scene& scene, const RunSpec& spec) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    Result dark;
+    dark.bands = scene.bands().size();
+    dark.ratios = spec.ratios.size();
+    dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
+    dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
+    dark.budget.resize(dark.bands);
+    dark.replicates = spec.replicates;
+    return dark;
+}
+
+SeriesSummary run_series(
+    const Scene& scene,
+    const std::vector<Moment>& moments,
+    const RunSpec& spec,
+    const SeriesEvents& events) {
+    EXPECT(std::is_sorted(moments.begin(), moments.end(), [](const auto& a, const auto& b) {
+        return a.day < b.day;
+    }));
+    return SeriesRun(scene, moments, spec, events).run();
+}
+
+}  // namespace quasimc

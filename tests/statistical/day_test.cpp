@@ -1,0 +1,91 @@
+// A clear day, hour by hour, from the place and the date to its sums.
+
+#include <utility>
+#include <vector>
+
+#include "quasimc/sources/hour_light.h"
+#include "quasimc/tracing/series.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr std::size_t kBand = 0;
+const Place kPlace{.latitude_deg = 51.97, .longitude_deg = 5.67};
+
+/// The hours of 21 June, and the light on the horizontal in all, J m-2 of PAR.
+struct ClearDay {
+    std::vector<Moment> hours;
+    double horizontal = 0;
+};
+
+ClearDay make_day() {
+    ClearDay day;
+    DaylightSources how;
+    how.bands = {{400, 700}};
+    for (int hour = 0; hour < 24; ++hour) {
+        const SunPath path = sun_path(kPlace, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
+        const HourLight light = clear_light(path, {});
+        HourSources sources = make_hour_sources(path, light, how);
+        day.hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
+        day.horizontal += 3600 * (how.spectra.direct(how.bands[0]) * light.daylight.direct +
+                                  how.spectra.diffuse(how.bands[0], light.daylight));
+    }
+    return day;
+}
+
+/// The sums of the day, and the errors of its brightest hours on the way.
+struct TracedDay {
+    SeriesSum sum;
+    std::vector<double> hourly_errors;  ///< relative, of organ 0
+};
+
+TracedDay trace_day(const Scene& scene, const ClearDay& day, const RunSpec& spec) {
+    TracedDay traced;
+    SeriesEvents events;
+    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+        const Estimate& e = result.at(0, Quantity::absorbed_flux, kBand);
+        if (e.mean > 0) {
+            traced.hourly_errors.push_back(e.standard_error / e.mean);
+        }
+    };
+    traced.sum = run_series(scene, day.hours, spec, events).total;
+    return traced;
+}
+
+class Day : public BothWays {};
+
+TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 0)));
+    const Scene scene = std::move(builder).build();
+    const ClearDay day = make_day();
+    const TracedDay traced = trace_day(scene, day, spec_of(GetParam(), 1 << 11));
+    EXPECT_EQ(traced.sum.seconds, 86400);
+    EXPECT_TRUE(holds(
+        {"clear day on a black plate, J m-2 of PAR", day.horizontal, 2e-3 * day.horizontal},
+        traced.sum.at(0, Quantity::incident_upper, kBand)));
+}
+
+/// The errors of hours are independent, so that they partly cancel in the sum of a day.
+TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    for (const Triangle& leaf : random_leaves(40, .3, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {leaf}));
+    }
+    const Scene scene = std::move(builder).build();
+    const TracedDay traced = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 10));
+    const Estimate& sum = traced.sum.at(0, Quantity::absorbed_flux, kBand);
+    ASSERT_GE(traced.hourly_errors.size(), 16U);
+    for (const double error : traced.hourly_errors) {
+        EXPECT_LT(sum.standard_error / sum.mean, error);
+    }
+}
+
+QUASIMC_BOTH_WAYS(Day);
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,141 @@
+#include "quasimc/geometry/scan_lines.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/intersector.h"
+#include "support/random_leaves.h"
+
+namespace quasimc {
+namespace {
+
+/// Area of the beam that each triangle catches.
+std::map<std::uint32_t, double> caught(
+    const LocalMesh& mesh,
+    const ScanLines::Spec& spec,
+    std::span<const std::uint8_t> transparent = {}) {
+    ScanLines lines;
+    lines.set(mesh, transparent, spec);
+    std::map<std::uint32_t, double> areas;
+    for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
+        lines.visit(
+            bin, [&](const LitSegment& lit) { areas[lit.triangle] += lit.length * lines.pitch(); });
+    }
+    return areas;
+}
+
+const Triangle kLeaf{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+const Vec3 kDown{0, 0, -1};
+
+TEST(ScanLines, MeasureATriangleFromAllSides) {
+    const LocalMesh mesh = make_local_mesh({kLeaf});
+    const double area = .5 * mesh.scale * mesh.scale;
+    for (const double rotation : {.03, .1, .37, .9}) {
+        for (const Vec3& direction : {kDown, -kDown, normalized(Vec3{1, 2, -3})}) {
+            const auto areas = caught(mesh, {direction, rotation, .3, 2000});
+            ASSERT_EQ(areas.size(), 1U);
+            EXPECT_NEAR(areas.at(0), area * std::abs(direction.z), 2e-5);
+        }
+    }
+}
+
+TEST(ScanLines, AreUnbiasedHoweverFewThereAre) {
+    const LocalMesh mesh = make_local_mesh({kLeaf});
+    constexpr int kShifts = 1000;
+    double sum = 0;
+    for (int i = 0; i < kShifts; ++i) {
+        const double shift = (i + .5) / kShifts;
+        const auto areas = caught(mesh, {kDown, .123, shift, 3});
+        sum += areas.at(0) / kShifts;
+    }
+    EXPECT_NEAR(sum, .5 * mesh.scale * mesh.scale, 1e-6);
+}
+
+TEST(ScanLines, SeeLeavesThatPassThroughEachOther) {
+    // A horizontal leaf, cut by one that rises through it along x = 1/2.
+    const std::vector<Triangle> triangles{
+        {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}},
+        {Vec3{0, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}},
+        {Vec3{0, 0, -.5}, Vec3{1, 0, .5}, Vec3{1, 1, .5}},
+        {Vec3{0, 0, -.5}, Vec3{1, 1, .5}, Vec3{0, 1, -.5}}};
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const auto areas = caught(mesh, {kDown, .2, .4, 4000});
+    const double unit = mesh.scale * mesh.scale;
+    EXPECT_NEAR(areas.at(0) + areas.at(1), .5 * unit, 1e-5);
+    EXPECT_NEAR(areas.at(2) + areas.at(3), .5 * unit, 1e-5);
+}
+
+TEST(ScanLines, SeeThroughSensorsAndWhatSensorsSee) {
+    const std::vector<Triangle> triangles{
+        {Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}},
+        kLeaf,
+        {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}}};
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const std::vector<std::uint8_t> transparent{1, 0, 1};
+    const auto areas = caught(mesh, {kDown, .2, .4, 1000}, transparent);
+    const double area = .5 * mesh.scale * mesh.scale;
+    EXPECT_NEAR(areas.at(0), area, 1e-6);
+    EXPECT_NEAR(areas.at(1), area, 1e-6);
+    EXPECT_EQ(areas.count(2), 0U);
+}
+
+/// Every place on a lit segment sees the light, and the segments of a line cover what rays hit.
+TEST(ScanLines, AgreeWithRays) {
+    const std::vector<Triangle> leaves = test::random_leaves(200, .3, 1, 7);
+    const LocalMesh mesh = make_local_mesh(leaves);
+    const auto engine = make_brute_force_intersector(mesh);
+    const Vec3 direction = normalized(Vec3{.3, -.2, -1});
+    const ScanLines::Spec spec{direction, .3, .7, 40};
+    ScanLines lines;
+    lines.set(mesh, {}, spec);
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform;
+    int looks = 0;
+    int agreed = 0;
+    for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
+        lines.visit(bin, [&](const LitSegment& lit) {
+            const double f = uniform(random);
+            const Vec3 place = mesh.point(
+                lit.triangle, (1 - f) * lit.u[0] + f * lit.u[1], (1 - f) * lit.v[0] + f * lit.v[1]);
+            const Vec3 origin = place - 4 * direction;
+            const Ray ray{origin, direction};
+            ++looks;
+            agreed += engine->closest(ray).triangle == lit.triangle ? 1 : 0;
+            EXPECT_GT(lit.length, 0);
+        });
+    }
+    EXPECT_GT(looks, 400);
+    // Rays in single precision may miss a leaf by its very edge.
+    EXPECT_GE(agreed, looks - looks / 200);
+}
+
+TEST(ScanLines, ConvergeWithTheThirdPowerOfTheirNumber) {
+    const std::vector<Triangle> leaves = test::random_leaves(60, .3, 1, 3);
+    const LocalMesh mesh = make_local_mesh(leaves);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> uniform;
+    const auto variance = [&](std::uint32_t lines) {
+        constexpr int kRuns = 40;
+        std::map<std::uint32_t, std::pair<double, double>> sums;
+        for (int run = 0; run < kRuns; ++run) {
+            for (const auto& [triangle, area] :
+                 caught(mesh, {kDown, uniform(random), uniform(random), lines})) {
+                sums[triangle].first += area / kRuns;
+                sums[triangle].second += area * area / kRuns;
+            }
+        }
+        double sum = 0;
+        for (const auto& [triangle, s] : sums) {
+            sum += s.second - s.first * s.first;
+        }
+        return sum;
+    };
+    const double slope = std::log(variance(800) / variance(100)) / std::log(8.0);
+    EXPECT_LT(slope, -2.5);
+}
+
+}  // namespace
+}  // namespace quasimc

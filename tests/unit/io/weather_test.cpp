@@ -1,0 +1,189 @@
+#include "quasimc/io/weather.h"
+
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "unit/io/io_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+/// A weather file and what was said of it.
+struct ReadWeather {
+    WeatherFile file;
+    std::vector<std::string> faults;
+};
+
+std::vector<std::string> texts_of(const Faults& faults) {
+    std::vector<std::string> texts;
+    try {
+        faults.throw_if_any();
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults()) {
+            texts.push_back(fault.text());
+        }
+    }
+    return texts;
+}
+
+ReadWeather epw(const std::string& text) {
+    Reporter reporter{"w.epw", {}, {}};
+    WeatherFile file = read_epw(text, reporter);
+    return {std::move(file), texts_of(reporter.faults)};
+}
+
+ReadWeather csv(const std::string& text, const WeatherColumns& columns = {}) {
+    Reporter reporter{"w.csv", {}, {}};
+    WeatherFile file = read_weather_csv(text, columns, reporter);
+    return {std::move(file), texts_of(reporter.faults)};
+}
+
+constexpr const char* kHead =
+    "LOCATION,Wageningen,-,NLD,test,0,51.97,5.67,1.0,7.0\n"
+    "DESIGN CONDITIONS,0\n"
+    "DATA PERIODS,1,1,Data,Sunday,1/1,12/31\n";
+
+std::string record(
+    int year, int month, int day, int hour, const std::string& beam, const std::string& diffuse) {
+    return fmt::format(
+        "{},{},{},{},60,?9?9,15,10,70,101325,0,0,300,9999,{},{},0,0,0,0\n", year, month, day, hour,
+        beam, diffuse);
+}
+
+TEST(Epw, GivesPlaceClockAndTheHourBeforeEachRecord) {
+    const ReadWeather read =
+        epw(std::string(kHead) + record(1999, 6, 21, 12, "500", "120") +
+            record(1999, 6, 21, 24, "0", "0"));
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_EQ(read.file.place->latitude_deg, 51.97);
+    EXPECT_EQ(read.file.place->longitude_deg, 5.67);
+    EXPECT_EQ(read.file.utc_offset_hours, 1);
+    ASSERT_EQ(read.file.records.size(), 2U);
+    const WeatherRecord& noon = read.file.records[0];
+    EXPECT_EQ(noon.start, (CivilTime{1999, 6, 21, 11, 0, 0, 1}));
+    EXPECT_EQ(noon.seconds, 3600);
+    EXPECT_EQ(noon.reading.beam_normal, 500);
+    EXPECT_EQ(noon.reading.diffuse, 120);
+    EXPECT_FALSE(noon.is_missing);
+    EXPECT_EQ(noon.line, 4U);
+    EXPECT_EQ(read.file.records[1].start.hour, 23);
+}
+
+TEST(Epw, NotesMissingValuesAndYearsThatAreMixed) {
+    const ReadWeather read =
+        epw(std::string(kHead) + record(1999, 1, 31, 12, "9999", "120") +
+            record(1985, 2, 1, 12, "500", "99999"));
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_TRUE(read.file.records[0].is_missing);
+    EXPECT_TRUE(read.file.records[1].is_missing);
+    EXPECT_TRUE(read.file.is_typical_year);
+}
+
+TEST(Epw, ReadsSeveralRecordsAnHour) {
+    std::string text = kHead;
+    text.replace(text.find("1,1,Data"), 8, "1,4,Data");
+    const std::string row = record(1999, 6, 21, 12, "500", "120");
+    const auto at = [&](const char* minute) {
+        std::string changed = row;
+        return changed.replace(changed.find(",60,"), 4, fmt::format(",{},", minute));
+    };
+    const ReadWeather read = epw(text + at("15") + at("60"));
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{1999, 6, 21, 11, 0, 0, 1}));
+    EXPECT_EQ(read.file.records[1].start, (CivilTime{1999, 6, 21, 11, 45, 0, 1}));
+    EXPECT_EQ(read.file.records[0].seconds, 900);
+}
+
+TEST(Epw, ReportsEveryBadRecord) {
+    const ReadWeather read = epw(
+        std::string(kHead) + record(1999, 2, 29, 1, "0", "0") + record(1999, 6, 21, 25, "0", "0") +
+        record(1999, 6, 21, 1, "x", "0") + record(1999, 6, 21, 2, "-5", "0") + "1999,6,21,3\n");
+    EXPECT_EQ(read.faults.size(), 5U);
+    EXPECT_TRUE(mentions(read.faults, "w.epw:4"));
+    EXPECT_TRUE(mentions(read.faults, "hour is 25"));
+    EXPECT_TRUE(mentions(read.faults, "'x'"));
+    EXPECT_TRUE(mentions(read.faults, "negative"));
+    EXPECT_TRUE(mentions(read.faults, "a record of 4 fields"));
+}
+
+TEST(Epw, RefusesOtherFiles) {
+    EXPECT_TRUE(mentions(epw("time,global\n").faults, "does not begin with LOCATION"));
+    EXPECT_TRUE(mentions(epw("").faults, "holds no records"));
+    EXPECT_TRUE(mentions(epw(kHead).faults, "holds no records"));
+    EXPECT_FALSE(epw("LOCATION,x\n").faults.empty());
+}
+
+TEST(WeatherTable, ReadsItsColumnsByName) {
+    const ReadWeather read =
+        csv("# a station\ntime,wind,global,diffuse\n"
+            "2024-06-21T12:00+01:00,3,600,150\n2024-06-21T12:30+01:00,3,650,160\n");
+    EXPECT_TRUE(read.faults.empty());
+    ASSERT_EQ(read.file.records.size(), 2U);
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{2024, 6, 21, 11, 30, 0, 1}));
+    EXPECT_EQ(read.file.records[0].seconds, 1800);
+    EXPECT_EQ(read.file.records[1].reading.global, 650);
+    EXPECT_EQ(read.file.records[1].reading.diffuse, 160);
+}
+
+TEST(WeatherTable, FollowsTheNamesStampAndMarksThatAreStated) {
+    WeatherColumns columns;
+    columns.time = "when";
+    columns.light = {{"global", "PAR in"}};
+    columns.utc_offset_hours = -7;
+    columns.stamp = WeatherColumns::Stamp::start;
+    columns.missing.insert("bad");
+    const ReadWeather read = csv(
+        "when;PAR in\n2024-06-21 12:00;900\n2024-06-21 13:00;bad\n2024-06-21 14:00;\n", columns);
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{2024, 6, 21, 12, 0, 0, -7}));
+    EXPECT_EQ(read.file.records[0].reading.global, 900);
+    EXPECT_FALSE(read.file.records[0].is_missing);
+    EXPECT_TRUE(read.file.records[1].is_missing);
+    EXPECT_TRUE(read.file.records[2].is_missing);
+}
+
+TEST(WeatherTable, ReportsEveryBadRow) {
+    const ReadWeather read =
+        csv("time,global\n2024-06-21T12:00Z,600,7\nnoon,600\n2024-06-21T13:00Z,much\n"
+            "2024-02-30T13:00Z,1\n2024-06-21T13:00,1\n2024-06-21T14:00Z,1\n");
+    EXPECT_EQ(read.faults.size(), 5U);
+    EXPECT_TRUE(mentions(read.faults, "w.csv:2: 3 fields (there are 2 columns)"));
+    EXPECT_TRUE(mentions(read.faults, "'noon' is not a time"));
+    EXPECT_TRUE(mentions(read.faults, "'much'"));
+    EXPECT_TRUE(mentions(read.faults, "has no time zone"));
+}
+
+TEST(WeatherTable, RefusesTimesThatGoBack) {
+    const ReadWeather autumn =
+        csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:45+02:00,1\n"
+            "2024-10-27T02:15+02:00,1\n2024-10-27T02:15+02:00,1\n");
+    EXPECT_TRUE(mentions(autumn.faults, "goes back in time"));
+    EXPECT_TRUE(mentions(autumn.faults, "the same time again"));
+    EXPECT_TRUE(
+        csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:30+01:00,1\n").faults.empty())
+        << "the hour that comes twice, told apart by its offset";
+}
+
+TEST(WeatherTable, SaysWhatItLacks) {
+    EXPECT_TRUE(mentions(csv("").faults, "is empty"));
+    EXPECT_TRUE(mentions(csv("date,global\n").faults, "no column 'time'"));
+    EXPECT_TRUE(mentions(csv("time,wind\n").faults, "no column of light"));
+    EXPECT_TRUE(mentions(csv("time,global\n").faults, "holds no rows"));
+    EXPECT_TRUE(mentions(csv("time,global\n2024-06-21T12:00Z,5\n").faults, "a single row"));
+    WeatherColumns typo;
+    typo.light = {{"global", "globe"}};
+    EXPECT_TRUE(
+        mentions(csv("time,global\n2024-06-21T12:00Z,5\n", typo).faults, "did you mean 'global'"));
+}
+
+TEST(Fields, AreSplitWithQuotes) {
+    EXPECT_EQ(
+        split_fields("a,\"b,c\",,\"d\"\"e\"", ','),
+        (std::vector<std::string>{"a", "b,c", "", "d\"e"}));
+    EXPECT_EQ(split_fields("", ','), std::vector<std::string>{""});
+}
+
+}  // namespace
+}  // namespace quasimc::test

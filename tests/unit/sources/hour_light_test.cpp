@@ -1,0 +1,185 @@
+#include "quasimc/sources/hour_light.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+namespace quasimc::test {
+namespace {
+
+const Place kWageningen{.latitude_deg = 51.97, .longitude_deg = 5.67};
+const Place kSvalbard{.latitude_deg = 78.2, .longitude_deg = 15.6};
+
+CivilTime june(int hour, int minute = 0) {
+    return {2024, 6, 21, hour, minute, 0, 1};
+}
+
+DaylightSources to_sources() {
+    DaylightSources how;
+    how.bands = {{400, 700}};
+    return how;
+}
+
+/// What the sources bring to the horizontal, per band 0.
+double on_the_horizontal(const HourSources& hour) {
+    double sum = 0;
+    for (const auto& source : hour.sources) {
+        sum += source->spectrum()[0] * source->horizontal_irradiance();
+    }
+    return sum;
+}
+
+HourLight measured(const SunPath& path, const Reading& reading) {
+    return measured_light(
+        path, reading, LightUnit::full_spectrum, DiffuseModel::erbs, DaylightSpectra());
+}
+
+TEST(SunPath, LooksAtTheMiddlesOfItsSteps) {
+    const SunPath hour = sun_path(kWageningen, june(9), 3600, 300);
+    ASSERT_EQ(hour.steps.size(), 12U);
+    EXPECT_NEAR(
+        hour.steps[3].elevation_deg,
+        sun_position(kWageningen, {2024, 6, 21, 9, 17, 30, 1}).elevation_deg, 1e-6);
+    EXPECT_EQ(sun_path(kWageningen, june(9), 0, 300).steps.size(), 1U);
+    const SunPath still = sun_path(kWageningen, june(9), 3600, 0);
+    ASSERT_EQ(still.steps.size(), 1U);
+    EXPECT_NEAR(
+        still.steps[0].azimuth_deg, sun_position(kWageningen, june(9, 30)).azimuth_deg, 1e-6);
+}
+
+TEST(SunPath, CountsOnlyTheTimeThatTheSunIsUp) {
+    // Sunrise is at about 4:18 of UTC+1.
+    const SunPath dawn = sun_path(kWageningen, june(4), 3600, 60);
+    EXPECT_LT(dawn.steps.front().elevation_deg, 0);
+    EXPECT_GT(dawn.steps.back().elevation_deg, 0);
+    EXPECT_TRUE(SunPath::is_up(dawn.middle()));
+    EXPECT_GT(dawn.mean_sine(), 0);
+    const SunPath night = sun_path(kWageningen, june(0), 3600, 60);
+    EXPECT_EQ(night.mean_sine(), 0);
+    EXPECT_LT(night.highest_deg(), 0);
+}
+
+TEST(MeasuredLight, KeepsWhatWasMeasured) {
+    const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
+    const double sine = path.mean_sine();
+    const auto expect = [](const HourLight& light, double direct, double diffuse) {
+        EXPECT_EQ(light.fault, ReadingFault::none);
+        EXPECT_EQ(light.note, ReadingNote::none);
+        EXPECT_NEAR(light.daylight.direct, direct, 1e-9);
+        EXPECT_NEAR(light.daylight.diffuse, diffuse, 1e-9);
+    };
+    expect(measured(path, {.direct_horizontal = 400, .diffuse = 150}), 400, 150);
+    expect(measured(path, {.beam_normal = 500, .diffuse = 150}), 500 * sine, 150);
+    expect(measured(path, {.global = 550, .diffuse = 150}), 400, 150);
+    expect(measured(path, {.global = 550, .direct_horizontal = 400}), 400, 150);
+    expect(measured(path, {.global = 550, .beam_normal = 400 / sine}), 400, 150);
+    const HourLight split = measured(path, {.global = 550});
+    EXPECT_NEAR(split.daylight.global(), 550, 1e-9);
+    const double fraction = diffuse_fraction_erbs(550 / (path.outside() * sine));
+    EXPECT_NEAR(split.daylight.diffuse, 550 * fraction, 1e-9);
+}
+
+TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
+    for (const int hour : {4, 5, 12, 19}) {
+        for (const double step : {0.0, 300.0, 3600.0}) {
+            const SunPath path = sun_path(kWageningen, june(hour), 3600, step);
+            if (path.mean_sine() == 0) {
+                continue;
+            }
+            const HourLight light =
+                measured(path, {.direct_horizontal = 300 * path.mean_sine(), .diffuse = 100});
+            const DaylightSources how = to_sources();
+            const double expected = how.spectra.direct(how.bands[0]) * light.daylight.direct +
+                                    how.spectra.diffuse(how.bands[0], light.daylight);
+            EXPECT_NEAR(
+                on_the_horizontal(make_hour_sources(path, light, how)), expected, 1e-6 * expected);
+        }
+    }
+}
+
+TEST(MeasuredLight, TellsWhatCantBe) {
+    const SunPath noon = sun_path(kWageningen, june(12), 3600, 300);
+    EXPECT_EQ(measured(noon, {}).fault, ReadingFault::incomplete);
+    EXPECT_EQ(measured(noon, {.diffuse = 3}).fault, ReadingFault::incomplete);
+    EXPECT_EQ(
+        measured(noon, {.global = 100, .direct_horizontal = 200}).fault,
+        ReadingFault::direct_exceeds_global);
+    EXPECT_EQ(
+        measured(noon, {.global = 100, .direct_horizontal = 105}).note,
+        ReadingNote::more_direct_than_global);
+    const SunPath night = sun_path(kWageningen, june(0), 3600, 300);
+    EXPECT_EQ(measured(night, {.global = 300}).fault, ReadingFault::light_at_night);
+    EXPECT_EQ(measured(night, {.global = 2}).fault, ReadingFault::none) << "an offset of a sensor";
+}
+
+TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
+    const SunPath dawn = sun_path(kWageningen, june(4), 3600, 300);
+    const double most = dawn.outside() * dawn.mean_sine();
+    const HourLight light = measured(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
+    EXPECT_EQ(light.note, ReadingNote::sun_too_low);
+    EXPECT_EQ(light.daylight.direct, 0);
+    EXPECT_NEAR(light.daylight.diffuse, 2 * most + 10, 1e-9);
+}
+
+/// An hour's mean of the clear sky converges with the steps; a frozen sun is off.
+TEST(ClearLight, ConvergesWithTheStepsOfTheSun) {
+    const auto global = [](double step) {
+        return clear_light(sun_path(kWageningen, june(5), 3600, step), {}).daylight.global();
+    };
+    const double fine = global(10);
+    EXPECT_NEAR(global(300), fine, 5e-4 * fine);
+    EXPECT_GT(std::abs(global(0) - fine), std::abs(global(300) - fine));
+}
+
+/// FAO 56 (Allen et al. 1998), eq. 37, has 0.75 of the 41.8 MJ m-2 outside the atmosphere for any
+/// clear day of June at 52 degrees north; a turbidity of 3 is a little more than that of clean air.
+TEST(ClearLight, AddsUpToAClearDay) {
+    double sum = 0;
+    for (int hour = 0; hour < 24; ++hour) {
+        sum += 3600e-6 *
+               clear_light(sun_path(kWageningen, june(hour), 3600, 300), {}).daylight.global();
+    }
+    EXPECT_NEAR(sum, .75 * 41.8, .1 * 31);
+}
+
+TEST(ClearLight, ShinesAllDayAndNotAtAllAtThePoles) {
+    for (int hour = 0; hour < 24; ++hour) {
+        const CivilTime december{2024, 12, 21, hour, 0, 0, 1};
+        EXPECT_GT(clear_light(sun_path(kSvalbard, june(hour), 3600, 300), {}).daylight.direct, 0);
+        const SunPath night = sun_path(kSvalbard, december, 3600, 300);
+        const HourLight dark = clear_light(night, {});
+        EXPECT_EQ(dark.daylight.global(), 0);
+        EXPECT_TRUE(make_hour_sources(night, dark, to_sources()).sources.empty());
+    }
+}
+
+TEST(HourSources, AreSunsAndOneSky) {
+    const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
+    const HourSources clear = make_hour_sources(
+        path, measured(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
+    ASSERT_EQ(clear.sources.size(), 13U);
+    for (std::size_t i = 0; i < 12; ++i) {
+        EXPECT_TRUE(clear.sources[i]->is_directional());
+    }
+    EXPECT_FALSE(clear.sources[12]->is_directional());
+}
+
+/// All overcast skies are alike, so that only one of them needs to be traced.
+TEST(HourSources, OfOvercastTimesHaveTheSameShape) {
+    const SunPath ten = sun_path(kWageningen, june(10), 3600, 300);
+    const SunPath two = sun_path(kWageningen, june(14), 3600, 300);
+    const auto shapes = [](const SunPath& path, const Reading& reading) {
+        return make_hour_sources(path, measured(path, reading), to_sources()).shapes;
+    };
+    EXPECT_EQ(
+        shapes(ten, {.direct_horizontal = 0, .diffuse = 80}),
+        shapes(two, {.direct_horizontal = 0, .diffuse = 200}));
+    EXPECT_NE(
+        shapes(ten, {.direct_horizontal = 9, .diffuse = 80}),
+        shapes(two, {.direct_horizontal = 9, .diffuse = 80}));
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,220 @@
+#include "quasimc/sources/lamp.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/shapes.h"
+
+namespace quasimc::test {
+namespace {
+
+using std::numbers::pi;
+
+/// A lamp at the origin that aims down, flux 1.
+LampSpec lamp_of(Opening opening, Pattern pattern) {
+    LampSpec spec;
+    spec.name = "lamp";
+    spec.opening = opening;
+    spec.pattern = std::move(pattern);
+    spec.flux = {1};
+    return spec;
+}
+LampSpec rectangle() {
+    return lamp_of({.kind = Opening::Kind::rectangle, .length = 2, .width = .6}, cosine_pattern());
+}
+LampSpec disk() {
+    return lamp_of({.kind = Opening::Kind::disk, .radius = .5}, cosine_pattern());
+}
+LampSpec ball() {
+    return lamp_of({.kind = Opening::Kind::sphere, .radius = .5}, cosine_pattern());
+}
+LampSpec tube() {
+    LampSpec spec = lamp_of({.kind = Opening::Kind::line, .length = 3}, tube_pattern());
+    spec.axes = lamp_axes({1, 0, 0}, {0, 0, 1});
+    return spec;
+}
+
+/// Irradiance at a place on a plane with normal n, averaged over an even grid of draws.
+double irradiance(const Source& lamp, const Vec3& place, const Vec3& n) {
+    constexpr int kSide = 300;
+    double sum = 0;
+    for (int i = 0; i < kSide; ++i) {
+        for (int j = 0; j < kSide; ++j) {
+            const Illumination seen = lamp.illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
+            sum += seen.weight > 0 ? seen.weight * std::max(0.0, dot(seen.to_light, n)) : 0;
+        }
+    }
+    return sum / (kSide * kSide);
+}
+
+TEST(Lamp, FollowsTheInverseSquareLaw) {
+    const auto lamp = make_lamp(lamp_of({}, isotropic_pattern()));
+    for (const double distance : {.01, 1.0, 300.0}) {
+        const Vec3 n = normalized({1, 2, 2});
+        const Illumination seen = lamp->illuminate(-distance * n, .3, .7);
+        EXPECT_NEAR(seen.weight, 1 / (4 * pi * distance * distance), 1e-9 * seen.weight);
+        EXPECT_NEAR(seen.distance, distance, 1e-12 * distance);
+        EXPECT_LT(length(seen.to_light - n), 1e-12);
+    }
+}
+
+/// E = M R^2 / (R^2 + h^2) below a disk's center, M its exitance.
+TEST(Lamp, ADiskLightsThePlaceBelowItsCenterByTheClosedForm) {
+    const auto lamp = make_lamp(disk());
+    const double exitance = 1 / (pi * .25);
+    for (const double h : {.2, .5, 3.0}) {
+        EXPECT_NEAR(irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * .25 / (.25 + h * h), 1e-3);
+    }
+    EXPECT_EQ(irradiance(*lamp, {0, 0, .5}, {0, 0, -1}), 0) << "behind it";
+}
+
+/// View factor of a rectangle from a place below its corner (Howell, C-11; here four of them).
+TEST(Lamp, ARectangleLightsThePlaceBelowItsCenterByTheClosedForm) {
+    const auto lamp = make_lamp(rectangle());
+    for (const double h : {.01, .4, 2.0, 500.0}) {
+        const double a = 1 / h;
+        const double b = .3 / h;
+        const double factor = 4 / (2 * pi) *
+                              (a / std::hypot(1, a) * std::atan(b / std::hypot(1, a)) +
+                               b / std::hypot(1, b) * std::atan(a / std::hypot(1, b)));
+        const double exitance = 1 / 1.2;
+        EXPECT_NEAR(
+            irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), exitance * factor, 2e-4 * exitance * factor)
+            << h;
+    }
+}
+
+/// Every place a lamp near it sees is lit with a bounded weight.
+TEST(Lamp, ARectangleHasNoBrightSpecksNearIt) {
+    const auto lamp = make_lamp(rectangle());
+    std::mt19937_64 bits(5);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 10000; ++i) {
+        const Vec3 place{uniform(bits) - .5, .5 * uniform(bits) - .25, -1e-3};
+        const double weight = lamp->illuminate(place, uniform(bits), uniform(bits)).weight;
+        EXPECT_LE(weight, 2 / 1.2 * 1.001) << "half of the sphere, of radiance M / pi";
+    }
+}
+
+TEST(Lamp, ASphereLightsAsItsCenterWould) {
+    const auto lamp = make_lamp(ball());
+    for (const double distance : {.51, 1.0, 40.0}) {
+        const Vec3 n = normalized({-1, 2, .5});
+        EXPECT_NEAR(irradiance(*lamp, -distance * n, n) * 4 * pi * distance * distance, 1, 1e-4);
+    }
+    EXPECT_EQ(irradiance(*lamp, {0, .1, 0}, {0, 0, 1}), 0) << "inside";
+}
+
+/// Below the middle of a tube of flux 1 per length L, at distance h, on a plane facing it:
+/// 1/(pi^2 L h) (sin b cos b + b) with tan b = L / 2h (cos of incidence times sin of emission).
+TEST(Lamp, ATubeLightsThePlaceBelowItsMiddleByTheClosedForm) {
+    const auto lamp = make_lamp(tube());
+    for (const double h : {.001, .5, 20.0}) {
+        const double b = std::atan(1.5 / h);
+        const double expected = (std::sin(b) * std::cos(b) + b) / (pi * pi * 3 * h);
+        EXPECT_NEAR(irradiance(*lamp, {0, 0, -h}, {0, 0, 1}), expected, 1e-4 * expected);
+    }
+    EXPECT_EQ(irradiance(*lamp, {9, 0, 0}, {-1, 0, 0}), 0) << "seen along its axis";
+}
+
+/// What reaches a scene by light tracing against what its places see: flux through the floor.
+void expect_same_flux_on_the_floor(const LampSpec& spec) {
+    const auto lamp = make_lamp(spec);
+    const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    const auto emitter = lamp->make_emitter(aperture);
+    ASSERT_NE(emitter, nullptr);
+    std::mt19937_64 bits(7);
+    std::uniform_real_distribution<double> uniform;
+    constexpr int kStarts = 200000;
+    double sent = 0;
+    double weights = 0;
+    for (int i = 0; i < kStarts; ++i) {
+        const Emission e =
+            emitter->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
+        weights += e.weight;
+        EXPECT_NEAR(length(e.direction), 1, 1e-12);
+        const Vec3 from = mesh.to_world(e.origin);
+        const double t = (-1 - from.z) / e.direction.z;
+        const Vec3 place = from + t * e.direction;
+        const bool hits = e.direction.z < 0 && t > -1e-3 && std::abs(place.x) <= 1 &&
+                          place.y >= -.5 && place.y <= 1;
+        sent += hits ? e.weight : 0;
+    }
+    EXPECT_NEAR(weights / kStarts, 1, .01);
+    const double flux = emitter->flux() * aperture.world_area() * sent / kStarts;
+    double seen = 0;
+    constexpr int kPlaces = 400000;
+    for (int i = 0; i < kPlaces; ++i) {
+        const Vec3 place{2 * uniform(bits) - 1, 1.5 * uniform(bits) - .5, -1};
+        const Illumination light = lamp->illuminate(place, uniform(bits), uniform(bits));
+        seen += light.weight * std::max(0.0, light.to_light.z) * 3 / kPlaces;
+    }
+    EXPECT_NEAR(flux, seen, .02 * seen);
+}
+
+TEST(Lamp, SendsWhatIsSeenOfIt) {
+    LampSpec slanted = rectangle();
+    slanted.axes = lamp_axes({.3, .5, -.7}, {1, 0, 0});
+    LampSpec far = lamp_of({}, spot_pattern(.2, 1));
+    far.position = {3, 1, 20};
+    far.axes = lamp_axes(-far.position, {1, 0, 0});
+    LampSpec beside = ball();
+    beside.position = {2, 0, -.5};
+    for (const LampSpec& spec :
+         {rectangle(), disk(), ball(), tube(), slanted, far, beside,
+          lamp_of({}, isotropic_pattern())}) {
+        expect_same_flux_on_the_floor(spec);
+    }
+}
+
+TEST(Lamp, FarAwayAimsAtTheScene) {
+    LampSpec spec = lamp_of({}, isotropic_pattern());
+    spec.position = {0, 0, 1000};
+    const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    const auto emitter = make_lamp(spec)->make_emitter(aperture);
+    // The cone of the bounding sphere, of radius sqrt(1/2).
+    EXPECT_NEAR(emitter->flux() * aperture.world_area(), .5 / (4 * 1e6), 1e-9);
+    for (const double u : {0.0, .1, .3, .45}) {
+        const Emission e = emitter->emit({u, .3, .5, .5});
+        EXPECT_LT(length(e.origin), 3) << "starts near the scene";
+    }
+}
+
+TEST(Lamp, ThatShinesAwayFromTheSceneSendsNothing) {
+    LampSpec spec = lamp_of({}, spot_pattern(.2, .5));
+    spec.position = {0, 0, 5};
+    spec.axes = lamp_axes({0, 0, 1}, {1, 0, 0});
+    const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    const Aperture open(mesh, {}, WindowShape::silhouette);
+    EXPECT_EQ(make_lamp(spec)->make_emitter(open), nullptr);
+    const Cell cell{.along_x = true, .along_y = true, .size_x = 1, .size_y = 1};
+    const Aperture layer(mesh, cell, WindowShape::silhouette);
+    EXPECT_EQ(make_lamp(spec)->make_emitter(layer), nullptr);
+}
+
+TEST(Lamp, IsNoSky) {
+    const auto lamp = make_lamp(disk());
+    EXPECT_TRUE(lamp->is_lamp());
+    EXPECT_FALSE(lamp->is_directional());
+    EXPECT_EQ(lamp->radiance({0, 0, 1}), 0);
+    EXPECT_TRUE(std::isnan(lamp->horizontal_irradiance()));
+}
+
+TEST(LampAxes, AreRightHandedWhateverIsAsked) {
+    for (const Vec3& along : {Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{.3, .2, .1}}) {
+        const Frame f = lamp_axes({0, 0, -2}, along);
+        EXPECT_LT(length(cross(f.s, f.t) - f.n), 1e-12);
+        EXPECT_LT(length(f.n - Vec3{0, 0, -1}), 1e-15);
+    }
+    EXPECT_LT(length(lamp_axes({0, 0, -1}, {3, 0, 0}).s - Vec3{1, 0, 0}), 1e-15);
+}
+
+}  // namespace
+}  // namespace quasimc::test

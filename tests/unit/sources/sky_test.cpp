@@ -1,0 +1,185 @@
+// Every sky that there is: normalization, sampling, what enters a scene.
+
+#include "quasimc/sources/sky.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/shapes.h"
+#include "support/skies.h"
+#include "support/statistics.h"
+#include "unit/sources/hemisphere_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+using std::numbers::pi;
+
+/// A box of 4 x 2 x 1 to be lit, and its aperture.
+struct LitBox {
+    LocalMesh mesh;
+    Aperture aperture;
+
+    explicit LitBox(const Cell& cell = {})
+        : mesh(make_local_mesh(
+              std::vector<Triangle>{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}})),
+          aperture(mesh, cell, WindowShape::silhouette) {}
+    LitBox(const LitBox&) = delete;
+    LitBox& operator=(const LitBox&) = delete;
+};
+
+class EverySky : public ::testing::TestWithParam<NamedSky> {
+  protected:
+    const SkyShape& shape_ = GetParam().shape;
+    const std::shared_ptr<const Source> sky_ = make_sky("sky", GetParam().shape, {2, 3});
+    const GradedMesh mesh_{GetParam().shape.azimuths, GetParam().shape.sines};
+
+    static constexpr unsigned kFamily = 128;  // tests like these: more than there are skies
+};
+
+TEST_P(EverySky, BringsTheIrradianceAskedForToTheHorizontal) {
+    const double integral = mesh_.integral([&](const Vec3& d) { return sky_->radiance(d) * d.z; });
+    EXPECT_NEAR(integral, 1, 1e-6);
+    EXPECT_EQ(sky_->horizontal_irradiance(), 1);
+    EXPECT_EQ(sky_->spectrum()[1], 3);
+    EXPECT_FALSE(sky_->is_directional() || sky_->is_sun());
+    std::mt19937_64 bits(5);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
+        EXPECT_GE(sky_->radiance(d), 0);
+        EXPECT_TRUE(std::isfinite(sky_->radiance(d)));
+        EXPECT_EQ(sky_->radiance({d.x, d.y, -d.z}), 0);
+    }
+}
+
+TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
+    std::mt19937_64 bits(6);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<WeightedDirection> draws;
+    for (int i = 0; i < 20000; ++i) {
+        const Illumination seen = sky_->illuminate({}, uniform(bits), uniform(bits));
+        EXPECT_NEAR(length(seen.to_light), 1, 1e-14);
+        draws.push_back({seen.to_light, seen.weight});
+    }
+    EXPECT_TRUE(follow(
+        draws, [&](const Vec3& d) { return sky_->radiance(d); }, mesh_,
+        sidak_level(kLevel, kFamily)));
+}
+
+/// Cells are so small, too, that weights hardly differ: a path's noise is that of its place.
+TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
+    const LitBox lit;
+    const EntryBox& box = lit.aperture.entry_box();
+    const auto emitter = sky_->make_emitter(lit.aperture);
+    ASSERT_NE(emitter, nullptr);
+    const auto entering = [&](const Vec3& d) { return sky_->radiance(d) * box.projected_area(d); };
+    EXPECT_NEAR(emitter->flux(), mesh_.integral(entering), 1e-6 * emitter->flux());
+    std::mt19937_64 bits(7);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<WeightedDirection> draws;
+    std::vector<double> weights;
+    double squares = 0;
+    constexpr int kDraws = 20000;
+    for (int i = 0; i < kDraws; ++i) {
+        const Emission start =
+            emitter->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
+        EXPECT_LE(start.direction.z, 0);
+        draws.push_back({-start.direction, start.weight * emitter->flux()});
+        weights.push_back(start.weight);
+        squares += (start.weight - 1) * (start.weight - 1);
+    }
+    EXPECT_TRUE(agrees(measured(weights), 1, .02));
+    EXPECT_TRUE(follow(draws, entering, mesh_, sidak_level(kLevel, kFamily)));
+    EXPECT_LT(std::sqrt(squares / kDraws), .1);
+}
+
+TEST(Skies, EnterPeriodicScenesThroughTheirOpenFaces) {
+    const Cell layer{.along_x = true, .along_y = true, .size_x = 3, .size_y = 5};
+    const Cell row{.along_x = true, .size_x = 3};
+    for (const auto& sky : sample_of_skies({1})) {
+        const LitBox lit(layer);
+        const auto emitter = sky->make_emitter(lit.aperture);
+        const double expected = 15 * sky->horizontal_irradiance();
+        EXPECT_NEAR(emitter->flux() * lit.aperture.world_area(), expected, 1e-6 * expected)
+            << sky->name();
+        const double top = lit.aperture.entry_box().bounds.high.z;
+        EXPECT_EQ(emitter->emit({.1, .2, .3, .4}).origin.z, top);
+        const LitBox lit_row(row);
+        EXPECT_GT(
+            sky->make_emitter(lit_row.aperture)->flux() * lit_row.aperture.world_area(),
+            6 * sky->horizontal_irradiance());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllSkies, EverySky, ::testing::ValuesIn(all_skies()), [](const auto& sky) {
+    return sky.param.name;
+});
+
+/// A control: a sky a hundredth brighter around the sun is noticed.
+TEST(Skies, DifferFromOnesThatAreSlightlyBrighterSomewhere) {
+    const auto sky = make_sky("sky", cie_overcast_shape(), {1});
+    std::mt19937_64 bits(8);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<WeightedDirection> draws;
+    for (int i = 0; i < 20000; ++i) {
+        const Illumination seen = sky->illuminate({}, uniform(bits), uniform(bits));
+        draws.push_back({seen.to_light, seen.weight});
+    }
+    const auto brighter = [&](const Vec3& d) { return sky->radiance(d) * (d.x > .5 ? 1.15 : 1); };
+    EXPECT_FALSE(follow(draws, brighter, GradedMesh(), kLevel));
+}
+
+/// Irradiance on a plate of normal n.
+double on_plate(const Source& sky, const Vec3& n) {
+    return GradedMesh().integral(
+        [&](const Vec3& d) { return sky.radiance(d) * std::max(0.0, dot(d, n)); });
+}
+
+TEST(Skies, HaveTheClosedFormsOfTheOvercastSky) {
+    const auto sky = make_sky("overcast", cie_overcast_shape(), {1});
+    EXPECT_NEAR(horizontal_irradiance(cie_overcast_shape()), 7 * pi / 9, 1e-8);
+    EXPECT_NEAR(sky->radiance({0, 0, 1}), 9 / (7 * pi), 1e-9);
+    EXPECT_NEAR(on_plate(*sky, {0, 1, 0}), .396177, 1e-6);
+    EXPECT_NEAR(on_plate(*sky, {0, 1, 0}), 3.0 / 14 + 4 / (7 * pi), 1e-6);
+    EXPECT_NEAR(horizontal_irradiance(uniform_sky_shape()), pi, 1e-8);
+}
+
+TEST(Skies, TypeFiveIsUniformAndTypeTwelveNearlyTheOldClearSky) {
+    const Vec3 sun = sun_at(40);
+    const auto uniform = make_sky("5", cie_general_shape(5, sun), {1});
+    const auto twelve = make_sky("12", cie_general_shape(12, sun), {1});
+    const auto clear = make_sky("clear", cie_clear_shape(sun), {1});
+    for (const Vec3& d : {sun_at(5), sun_at(60), normalized({-.3, .2, .4})}) {
+        EXPECT_NEAR(uniform->radiance(d), 1 / pi, 1e-9);
+        EXPECT_NEAR(twelve->radiance(d) / clear->radiance(d), 1, 1e-3);
+    }
+}
+
+/// Models that know of a sun show it.
+TEST(Skies, AreBrightestAtTheSun) {
+    const Vec3 sun = sun_at(50);
+    SkyState state;
+    state.to_sun = sun;
+    state.direct_normal = 800;
+    for (const SkyEntry& entry : sky_catalogue()) {
+        if (entry.needs == SkyNeeds::nothing) {
+            continue;
+        }
+        const SkyShape shape = entry.make(state);
+        const double at_sun = shape.radiance(sun);
+        EXPECT_GT(at_sun, 3 * shape.radiance(normalized({-sun.x, -sun.y, sun.z}))) << entry.name;
+    }
+}
+
+TEST(Skies, AreFoundByTheirNames) {
+    EXPECT_EQ(find_sky("perez")->needs, SkyNeeds::sun_and_weather);
+    EXPECT_EQ(find_sky("pink"), nullptr);
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,192 @@
+#include "quasimc/tracing/series.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "quasimc/tracing/series_sum.h"
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+/// A leaf over a ground, both grey.
+Scene make_scene(std::size_t bands = 1) {
+    SceneBuilder builder = make_builder(bands);
+    builder.add_material(matt("leaf", .3, .2, bands));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, .5, 0, .5, .4)));
+    builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
+    return std::move(builder).build();
+}
+
+Moment moment_of(Sources sources, std::string shapes, std::size_t day = 0, double seconds = 3600) {
+    return {"moment", std::move(sources), std::move(shapes), seconds, day};
+}
+
+RunSpec small_spec() {
+    RunSpec spec;
+    spec.paths = 1 << 10;
+    spec.threads = 1;
+    return spec;
+}
+
+/// The results of all moments.
+std::vector<Result> results_of(
+    const Scene& scene, const std::vector<Moment>& moments, const RunSpec& spec) {
+    std::vector<Result> results;
+    SeriesEvents events;
+    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+    };
+    run_series(scene, moments, spec, events);
+    return results;
+}
+
+bool same_numbers(const Result& a, const Result& b) {
+    return std::equal(
+        a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
+        [](const Estimate& x, const Estimate& y) { return x.mean == y.mean && x.high == y.high; });
+}
+
+TEST(Series, OfOneMomentIsTheRun) {
+    const Scene scene = make_scene();
+    const Sources sources{sun(30, {500}), sky({100})};
+    const auto results = results_of(scene, {moment_of(sources, "a")}, small_spec());
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_TRUE(same_numbers(results[0], run(scene, sources, small_spec())));
+}
+
+TEST(Series, TracesProportionalMomentsOnce) {
+    const std::vector<Moment> moments{
+        moment_of({sky({100, 40})}, "overcast"),
+        moment_of({sun(20, {100, 40})}, "sun"),
+        moment_of({sky({50, 20})}, "overcast"),
+        moment_of({sky({50, 21})}, "overcast"),
+        moment_of({}, ""),
+        moment_of({sky({0, 0})}, "overcast")};
+    const auto plans = plan_series(moments);
+    EXPECT_EQ(plans[0].traced, 0U);
+    EXPECT_EQ(plans[1].traced, 1U);
+    EXPECT_EQ(plans[2].traced, 0U);
+    EXPECT_DOUBLE_EQ(plans[2].factor, .5);
+    EXPECT_EQ(plans[3].traced, 3U) << "another ratio of the bands";
+    EXPECT_EQ(plans[4].factor, 0);
+    EXPECT_EQ(plans[5].factor, 0);
+    const Scene scene = make_scene(2);
+    const auto results = results_of(scene, moments, small_spec());
+    for (std::size_t i = 0; i < results[0].values.size(); ++i) {
+        EXPECT_DOUBLE_EQ(results[2].values[i].mean, .5 * results[0].values[i].mean);
+        EXPECT_EQ(results[4].values[i].mean, 0);
+        EXPECT_EQ(results[4].values[i].standard_error, 0) << "darkness is certain";
+    }
+    EXPECT_DOUBLE_EQ(results[2].budget[0].emitted, .5 * results[0].budget[0].emitted);
+    EXPECT_TRUE(results[4].sunlit_fraction.empty());
+}
+
+TEST(Series, GivesEachTraceNumbersOfItsOwn) {
+    const Scene scene = make_scene();
+    const std::vector<Moment> moments{
+        moment_of({sun(30, {1})}, "a"), moment_of({sun(30, {1})}, "b")};
+    const auto results = results_of(scene, moments, small_spec());
+    EXPECT_NE(results[0].values[0].mean, results[1].values[0].mean);
+    const auto again = results_of(scene, moments, small_spec());
+    EXPECT_TRUE(same_numbers(results[1], again[1]));
+}
+
+/// Sums are those of the moments; their errors add in squares, unless they share a trace.
+TEST(Series, SumsOverDaysAndInAll) {
+    const Scene scene = make_scene();
+    const std::vector<Moment> moments{
+        moment_of({sky({10})}, "o"),           moment_of({sun(30, {20})}, "s"),
+        moment_of({sky({30})}, "o"),           moment_of({sky({20})}, "o", 1, 7200),
+        moment_of({sun(40, {5})}, "t", 1, 60), moment_of({}, "", 1)};
+    std::vector<Result> results;
+    std::vector<SeriesSum> days;
+    SeriesEvents events;
+    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+    };
+    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
+        EXPECT_EQ(day, days.size());
+        days.push_back(sum);
+    };
+    const SeriesSummary summary = run_series(scene, moments, small_spec(), events);
+    EXPECT_EQ(summary.traced, 3U);
+    ASSERT_EQ(days.size(), 2U);
+    EXPECT_EQ(days[0].seconds, 3 * 3600);
+    EXPECT_EQ(days[1].seconds, 7200 + 60 + 3600);
+    EXPECT_EQ(summary.total.seconds, days[0].seconds + days[1].seconds);
+    for (std::size_t i = 0; i < results[0].values.size(); ++i) {
+        const auto mean = [&](std::size_t m) { return results[m].values[i].mean; };
+        const auto error = [&](std::size_t m) { return results[m].values[i].standard_error; };
+        if (!std::isfinite(error(0)) || !std::isfinite(error(1)) || !std::isfinite(error(4))) {
+            continue;  // nothing was seen there: see below
+        }
+        const double first = 3600 * (mean(0) + mean(1) + mean(2));
+        EXPECT_NEAR(days[0].values[i].mean, first, 1e-9 * first);
+        const double overcast = 3600 * (error(0) + error(2));
+        EXPECT_NEAR(
+            days[0].values[i].standard_error, std::hypot(overcast, 3600 * error(1)),
+            1e-9 * overcast);
+        const double total = first + 7200 * mean(3) + 60 * mean(4);
+        EXPECT_NEAR(summary.total.values[i].mean, total, 1e-9 * total);
+        EXPECT_NEAR(
+            summary.total.values[i].standard_error,
+            std::hypot(overcast + 7200 * error(3), 3600 * error(1), 60 * error(4)),
+            1e-9 * overcast);
+    }
+}
+
+/// {1, 3} has mean 2 and standard error 1; twice that and {0, 0.2} independently.
+TEST(SeriesAdder, AddsMeansAndSquaresOfErrors) {
+    Result a;
+    a.bands = 1;
+    a.replicates = 2;
+    a.values = {estimate_mean(std::vector<double>{1, 3})};
+    Result b = a;
+    b.values = {estimate_mean(std::vector<double>{0, .2})};
+    SeriesAdder adder;
+    adder.add(a, 2);
+    adder.add(b, 10);
+    const Estimate sum = adder.sum(1, 1).values[0];
+    EXPECT_DOUBLE_EQ(sum.mean, 5);
+    EXPECT_DOUBLE_EQ(sum.standard_error, std::sqrt(5));
+    // Welch and Satterthwaite: (4 + 1)^2 / (16 + 1) degrees of freedom, 1 and a half.
+    EXPECT_NEAR(sum.high - sum.mean, std::sqrt(5) * interval_quantile(1), 1e-9);
+}
+
+TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
+    Result unseen;
+    unseen.bands = 1;
+    unseen.replicates = 4;
+    unseen.values = {estimate_unseen(30, 2)};
+    SeriesAdder adder;
+    adder.add(unseen, 10);
+    Estimate sum = adder.sum(1, 1).values[0];
+    EXPECT_EQ(sum.mean, 0);
+    EXPECT_TRUE(std::isnan(sum.standard_error));
+    EXPECT_DOUBLE_EQ(sum.high, 10 * .2);
+    Result seen = unseen;
+    seen.values = {estimate_mean(std::vector<double>{1, 2, 1, 2})};
+    adder.add(seen, 1);
+    sum = adder.sum(1, 1).values[0];
+    EXPECT_DOUBLE_EQ(sum.mean, 1.5);
+    EXPECT_NEAR(sum.high, seen.values[0].high + 2, 1e-9);
+    Result single = unseen;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    single.values = {{1, nan, nan, nan}};
+    adder.add(single, 1);
+    EXPECT_TRUE(std::isnan(adder.sum(1, 1).values[0].standard_error));
+}
+
+/// With nothing traced, sums are of the size asked for, and 0.
+TEST(SeriesAdder, OfNothingIsCertainlyNothing) {
+    const SeriesSum sum = SeriesAdder().sum(1, 3);
+    ASSERT_EQ(sum.values.size(), 3U);
+    EXPECT_EQ(sum.values[2].mean, 0);
+    EXPECT_EQ(sum.values[2].standard_error, 0);
+}
+
+}  // namespace
+}  // namespace quasimc::test
