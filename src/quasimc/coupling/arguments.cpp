@@ -88,6 +88,7 @@ const Switch* find_switch(std::string_view word) {
 
 [[noreturn]] void unknown_switch(std::string_view word) {
     std::vector<std::string_view> names;
+    names.reserve(kSwitches.size());
     for (const Switch& s : kSwitches) {
         names.push_back(s.name);
     }

@@ -14,6 +14,8 @@ class DescriptorStream final : public ByteStream {
     /// Says "here I am" at once. May name one descriptor for both directions.
     DescriptorStream(int in, int out, Ownership ownership);
     ~DescriptorStream() override;
+    DescriptorStream(const DescriptorStream&) = delete;
+    DescriptorStream& operator=(const DescriptorStream&) = delete;
 
     [[nodiscard]] std::string_view receive() override;
     void send(std::string_view message, Continuation continuation) override;

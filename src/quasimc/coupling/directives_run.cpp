@@ -165,6 +165,7 @@ std::optional<ReturnQuantity> quantity_named(std::string_view word) {
 
 void read_quantities(Values& values, DirectiveContext& context) {
     std::vector<std::string_view> names{"sunlit_fraction"};
+    names.reserve(1 + kQuantities);
     for (const QuantityEntry& entry : quantity_table()) {
         names.push_back(entry.name);
     }

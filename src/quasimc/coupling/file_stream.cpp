@@ -37,6 +37,9 @@ class FileStream final : public ByteStream {
         }
     }
 
+    FileStream(const FileStream&) = delete;
+    FileStream& operator=(const FileStream&) = delete;
+
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();
         read();

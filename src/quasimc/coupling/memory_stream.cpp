@@ -1,8 +1,9 @@
 // Messages in a piece of shared memory, handed over with semaphores: first the simulator's, then
 // ours. A message has no end but its "Control" line.
 
-#include <algorithm>
+#include <bit>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <system_error>
 
@@ -29,7 +30,7 @@ class SharedMemory {
         id_ = ::shmget(static_cast<key_t>(key), kToUs + kFromUs, kMode);
         void* place = id_ < 0 ? nullptr : ::shmat(id_, nullptr, 0);
         // shmat returns (void*) -1 when it fails
-        if (id_ < 0 || place == reinterpret_cast<void*>(-1)) {
+        if (id_ < 0 || std::bit_cast<std::intptr_t>(place) == -1) {
             throw InputError(
                 {{fmt::format("-k {}", key + 1),
                   fmt::format("there is no shared memory of key {}", key),
@@ -60,6 +61,9 @@ class MemoryStream final : public ByteStream {
             semaphores_.remove();
         }
     }
+
+    MemoryStream(const MemoryStream&) = delete;
+    MemoryStream& operator=(const MemoryStream&) = delete;
 
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();

@@ -22,6 +22,7 @@ class PlantLight {
     PlantLight(Specification spec, Notices& notices);
     PlantLight(const PlantLight&) = delete;
     PlantLight& operator=(const PlantLight&) = delete;
+    ~PlantLight() = default;
 
     /// Computes the light on the organs of a step and answers its queries, in their order. Settings
     /// among them (Q, J) hold from this step on, and have no answer. Writes the files that the

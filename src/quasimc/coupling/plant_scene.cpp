@@ -43,6 +43,7 @@ class SceneMaterials {
   private:
     [[nodiscard]] std::vector<SideOptics> optics_of(std::size_t material) const {
         std::vector<SideOptics> optics;
+        optics.reserve(bands_.size());
         for (const std::size_t band : bands_) {
             optics.push_back(spec_.materials[material][band]);
         }
@@ -63,6 +64,7 @@ Scene build_plant_scene(
     const Pass& pass,
     std::vector<PlacedShape> shapes) {
     std::vector<Band> names;
+    names.reserve(bands.size());
     for (const std::size_t band : bands) {
         names.push_back(spec.bands[band]);
     }

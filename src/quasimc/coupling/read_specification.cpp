@@ -49,6 +49,7 @@ SpecificationKind recognized_kind(const std::vector<DirectiveLine>& lines) {
 void unknown_directive(
     const DirectiveLine& line, const std::string& place, const Tables& tables, Faults& faults) {
     std::vector<std::string_view> names;
+    names.reserve(tables.size());
     for (const DirectiveEntry& entry : tables) {
         names.push_back(entry.name);
     }

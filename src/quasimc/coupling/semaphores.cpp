@@ -23,7 +23,7 @@ namespace {
 constexpr unsigned short kFromMaster = 0, kToMaster = 1;
 
 /// How often we look whether the simulator still lives while we wait for it.
-constexpr long kLookEvery_ns = 100'000'000;
+constexpr long kLookEveryNanoseconds = 100'000'000;
 
 /// The argument of semctl, which the caller has to define.
 union SemaphoreArgument {
@@ -81,7 +81,7 @@ void SemaphorePair::announce() {
 
 void SemaphorePair::wait_for_master() {
     sembuf take{kFromMaster, -1, 0};
-    const timespec limit{0, kLookEvery_ns};
+    const timespec limit{0, kLookEveryNanoseconds};
     while (::semtimedop(set_, &take, 1, &limit) < 0) {
         if (errno != EAGAIN && errno != EINTR) {
             gone_by_error(errno);
