@@ -17,7 +17,7 @@ install(
     FILES_MATCHING
     PATTERN "*.h")
 if(TARGET quasimc_app)
-    install(TARGETS quasimc_app RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    install(TARGETS quasimc_app quasimc_environment RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/quasimcConfig.cmake.in"

@@ -1,0 +1,69 @@
+// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md).
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "quasimc/base/version.h"
+#include "quasimc/coupling/environment.h"
+
+namespace {
+
+/// Exit statuses, those of the program quasimc.
+enum Exit { kDone = 0, kInputError = 1, kUsage = 2, kInternalError = 3 };
+
+void tell(const std::string& text) {
+    std::fprintf(stderr, "QuasiMC: %s\n", text.c_str());
+}
+
+int run(int argc, char** argv) {
+    const quasimc::Arguments arguments =
+        quasimc::parse_arguments({argv + 1, static_cast<std::size_t>(argc - 1)});
+    if (arguments.wants_help) {
+        std::fputs(quasimc::usage_text().c_str(), stdout);
+        return kDone;
+    }
+    if (arguments.wants_version) {
+        std::printf("QuasiMC %s\n", std::string(quasimc::version()).c_str());
+        return kDone;
+    }
+    if (arguments.specification.empty()) {
+        throw quasimc::UsageError("the specification file is missing");
+    }
+    // A simulator that is gone is noticed by the error of the write.
+    std::signal(SIGPIPE, SIG_IGN);
+    quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell);
+    return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const quasimc::UsageError& error) {
+        std::fprintf(stderr, "QuasiMC: %s\n%s", error.what(), quasimc::usage_text().c_str());
+        return kUsage;
+    } catch (const quasimc::MasterGone& error) {
+        tell(error.what());
+        return kInputError;
+    } catch (const quasimc::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return kInputError;
+    } catch (const std::bad_alloc&) {
+        tell("not enough memory");
+        return kInternalError;
+    } catch (const std::exception& error) {
+        std::fprintf(
+            stderr,
+            "QuasiMC: internal error: %s\nThis is a fault of the program; please report it.\n",
+            error.what());
+        return kInternalError;
+    }
+}

@@ -1,0 +1,106 @@
+// What a step of a coupled plant costs beside the tracing itself: reading the queries, building the
+// scene, answering. Counters are CPU seconds of all threads:
+//   beyond   of a step, outside the tracing (the scene's acceleration structure included)
+//   text     of reading the queries and writing the answers
+//   share    beyond / whole step
+
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "quasimc/coupling/plant_light.h"
+#include "quasimc/coupling/session.h"
+
+namespace {
+
+using namespace quasimc;
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+CommFile usual_format() {
+    Notices silent([](const std::string&) {});
+    return read_comm_text(
+        "turtle position: %f %f %f\nturtle heading: %f %f %f\nturtle left: %f %f %f\n"
+        "turtle up: %f %f %f\nfollowing module: yes\n",
+        "comm.e", silent);
+}
+
+/// Leaves around a stem, spread so that they shade each other alike whatever their number; `step`
+/// lets them grow.
+std::string leaves_message(std::size_t count, int step) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    const double width = std::cbrt(static_cast<double>(count));
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(count);
+        const double angle = kGoldenAngle * static_cast<double>(i);
+        const double radius = width * std::sqrt(std::fmod(part * 97, 1.0));
+        const double c = std::cos(angle), s = std::sin(angle);
+        text += fmt::format(
+            "{} E(1)P({:g},{:g})\n {:g} {:g} {:g}\n {:g} 0.5 {:g}\n {:g} 0 {:g}\n {:g} -0.866025 "
+            "{:g}\n",
+            50 * i, 0.2 + 0.001 * step, 0.5, radius * c, part * width, radius * s, 0.866025 * c,
+            0.866025 * s, -s, c, 0.5 * c, 0.5 * s);
+    }
+    return text + fmt::format("Control: 5 {}\n", step);
+}
+
+Specification specification(std::uint64_t paths, std::uint32_t runs) {
+    Specification spec;
+    spec.returns = {ReturnType::density};
+    spec.lights.push_back({{0.3, -1, 0.1}, 1});
+    spec.run.paths = paths;
+    spec.run.replicates = runs;
+    spec.run.max_depth = 5;
+    return spec;
+}
+
+/// One step after the other, each with a changed plant.
+void bench_steps(benchmark::State& state) {
+    const auto leaves = static_cast<std::size_t>(state.range(0));
+    const auto paths = static_cast<std::uint64_t>(state.range(1));
+    Notices silent([](const std::string&) {});
+    PlantLight light(specification(paths, static_cast<std::uint32_t>(state.range(2))), silent);
+    MessageParser parser(usual_format());
+    const std::string even = leaves_message(leaves, 0), odd = leaves_message(leaves, 1);
+    double whole = 0, tracing = 0, text = 0;
+    bool is_odd = false;
+    for (auto _ : state) {
+        const double start = cpu_seconds();
+        Pass pass;
+        static_cast<void>(parser.parse(is_odd ? odd : even, pass));
+        const double parsed = cpu_seconds();
+        Answers answers;
+        light.answer(
+            pass, [] {}, answers);
+        const double answered = cpu_seconds();
+        benchmark::DoNotOptimize(reply_chunks(pass, answers, 100, 1 << 30));
+        const double end = cpu_seconds();
+        whole += end - start;
+        text += parsed - start + end - answered;
+        tracing += light.last().results.front().trace_cpu_seconds;
+        is_odd = !is_odd;
+    }
+    const auto steps = static_cast<double>(state.iterations());
+    state.counters["beyond"] = (whole - tracing) / steps;
+    state.counters["text"] = text / steps;
+    state.counters["share"] = (whole - tracing) / whole;
+}
+
+BENCHMARK(bench_steps)
+    ->ArgNames({"leaves", "paths", "runs"})
+    ->Args({35, 4096, 1})
+    ->Args({10000, 65536, 1})
+    ->Args({100000, 1 << 20, 8})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <csignal>
+
+#include "master.h"
+#include "support/temporary_folder.h"
+
+namespace quasimc::test {
+
+/// Conversations in a folder of their own; a program that is gone is an error of the write.
+class ConversationTest : public FolderTest {
+  protected:
+    void SetUp() override { std::signal(SIGPIPE, SIG_IGN); }
+};
+
+/// A horizontal leaf in full sun and one that only shades, below it; queries as cpfg writes them.
+inline const std::string kTwoLeaves =
+    "0 E(1)P(0.5,2)\n 0 1 0\n 0 0 -1\n -1 0 0\n 0 1 0\n"
+    "41 E(-1)P(0.5,2)\n 0 0.5 0\n 0 0 -1\n -1 0 0\n 0 1 0\nControl: 5 0\n";
+inline const std::string kExit = "Control: 8 0\n";
+
+/// Black leaves in light from above: what a leaf absorbs is known exactly.
+inline const std::string kBlackLeaves =
+    "number of rays: 64\nreturn type: D\nleaf material (top): 0 0 0 0\nverbose: 0\n";
+
+}  // namespace quasimc::test

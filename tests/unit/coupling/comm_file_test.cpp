@@ -1,0 +1,64 @@
+#include "quasimc/coupling/comm_file.h"
+
+#include <gtest/gtest.h>
+
+#include "coupling_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+CommFile read(const std::string& text, KeptNotices& kept) {
+    return read_comm_text(text, "comm.e", kept.notices);
+}
+
+TEST(CommFile, TellsTransportAndChunks) {
+    KeptNotices kept;
+    const CommFile file = read("communication type: sockets 50\n", kept);
+    EXPECT_EQ(file.transport, Transport::sockets);
+    EXPECT_EQ(file.chunk, 50U);
+    EXPECT_EQ(read("", kept).transport, Transport::pipes);
+    EXPECT_TRUE(kept.texts.empty());
+}
+
+TEST(CommFile, CountsTheNumbersOfATurtleLineAndWhatStandsBefore) {
+    KeptNotices kept;
+    const CommFile file = read("turtle position:P:%.3f %.3f %.3f\nturtle line width: %f\n", kept);
+    EXPECT_EQ(file.line(TurtleField::position).skip, 2U);
+    EXPECT_EQ(file.line(TurtleField::position).values, 3U);
+    EXPECT_EQ(file.line(TurtleField::line_width).values, 1U);
+    EXPECT_FALSE(file.line(TurtleField::up).is_sent);
+}
+
+TEST(CommFile, TakesYesAndOnForTheFollowingModule) {
+    KeptNotices kept;
+    for (const char* value : {"yes", "on", "maybe"}) {
+        EXPECT_TRUE(read(std::string("following module: ") + value, kept).following_module);
+    }
+    for (const char* value : {"no", "off"}) {
+        EXPECT_FALSE(read(std::string("following module: ") + value, kept).following_module);
+    }
+    EXPECT_TRUE(read("", kept).following_module);
+}
+
+TEST(CommFile, SkipsWhatIsNotKnownWithANotice) {
+    KeptNotices kept;
+    static_cast<void>(read("Turtle position: %f\nexecutable: a:b\n\nno colon\n", kept));
+    EXPECT_TRUE(kept.has("comm.e:1"));
+    EXPECT_TRUE(kept.has("did you mean 'turtle position'?"));
+    EXPECT_TRUE(kept.has("comm.e:4"));
+    EXPECT_EQ(kept.texts.size(), 2U);
+}
+
+TEST(CommFile, NamesAllItsFaultsAtOnce) {
+    KeptNotices kept;
+    try {
+        static_cast<void>(
+            read("communication type: pipe\ncommunication type: files 0\nbinary data: on\n", kept));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.faults().size(), 3U);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,79 @@
+#include "quasimc/coupling/step_files.h"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "coupling_testing.h"
+#include "support/temporary_folder.h"
+
+namespace quasimc::test {
+namespace {
+
+TEST(StepFiles, AreNumbered) {
+    EXPECT_EQ(numbered_name("light.dat", 12), "light0012.dat");
+    EXPECT_EQ(numbered_name("out.d/light", 3), "out.d/light0003");
+}
+
+class StepFilesTest : public FolderTest {
+  protected:
+    /// The files of a black leaf tilted by 60 degrees, and half of one in its shade, in 4 runs.
+    void write(const std::string& directives) {
+        PlantLight light(
+            specification(
+                "leaf material (top): 0 0 0 0\nnumber of rays: 4096\nnumber of runs: 4\n"
+                "return type: D\n" +
+                    directives,
+                kept_),
+            kept_.notices);
+        static_cast<void>(answers_of(
+            light, "0 E(1)P(1,2)\n 0 1 0\n 0 0.8660254 -0.5\n -1 0 0\n 0 0.5 0.8660254\n" +
+                       flat(1, "P(1,2)", 0) + flat(2, "P(1,2)", -1, "E(-1)")));
+    }
+    [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& name) const {
+        std::istringstream lines(folder_.read(name));
+        std::string line;
+        std::getline(lines, line);
+        std::vector<std::vector<double>> all;
+        while (std::getline(lines, line)) {
+            std::istringstream words(line);
+            all.emplace_back();
+            for (double value = 0; words >> value;) {
+                all.back().push_back(value);
+            }
+        }
+        return all;
+    }
+
+    KeptNotices kept_;
+};
+
+TEST_F(StepFilesTest, TellAreasAndVariances) {
+    write("return variance: yes " + (folder_.path() / "v.dat").string() + "\n");
+    const auto table = rows("v0000.dat");
+    ASSERT_EQ(table.size(), 2U);  // who only shades is not in it
+    ASSERT_EQ(table[0].size(), 7U);
+    const double projected = 2 * std::cos(std::numbers::pi / 3);
+    EXPECT_NEAR(table[0][0], 2, 1e-5);
+    EXPECT_NEAR(table[0][1], projected, 1e-5);
+    EXPECT_NEAR(table[0][2], projected, 1e-3);  // in full light
+    EXPECT_NEAR(table[0][3], 0, 1e-3);
+    EXPECT_NEAR(table[0][4], 0.5, 1e-3);  // mean
+    EXPECT_NEAR(table[0][5], 0.5, 1e-3);  // of light from above
+    EXPECT_GE(table[0][6], 0);
+    EXPECT_NEAR(table[1][1], 2, 1e-6);
+    EXPECT_NEAR(table[1][2] + table[1][3], table[1][1], 1e-5);
+    // Seen from above the rhombi of widths 2 and lengths 1 and 2 overlap on 2/3.
+    EXPECT_NEAR(table[1][2], 4.0 / 3, 0.02);
+}
+
+TEST_F(StepFilesTest, ShowThePlantInColours) {
+    write("picture file: " + (folder_.path() / "p.ply").string() + "\n");
+    const std::string ply = folder_.read("p0000.ply");
+    EXPECT_TRUE(ply.starts_with("ply\n"));
+    EXPECT_NE(ply.find("element face 6\n"), std::string::npos);
+    EXPECT_NE(ply.find("property uchar red"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quasimc::test
