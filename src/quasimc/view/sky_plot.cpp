@@ -148,8 +148,10 @@ class SkyPlot {
         }
     }
     void fill(double left, double top, int size) {
-        for (int i = 0; i < size * size; ++i) {
-            put(left + i % size, top + i / size, kInk);
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                put(left + x, top + y, kInk);
+            }
         }
     }
     void draw_circle(double x, double y, double radius, std::uint8_t color) {
