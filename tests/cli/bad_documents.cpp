@@ -75,7 +75,7 @@ const std::vector<BadInput> kTable{
     {"OutputNoText", "csv = \"out.csv\"", "csv = 3", "run.toml:7: [output]: csv is an integer"},
     {"OutputEmpty", "csv = \"out.csv\"", "csv = \"\"", "run.toml:7: [output]: csv is empty"},
     {"OutputTwice", "csv = \"out.csv\"", "csv = \"out.json\"",
-     "two of csv, json and days name the same file"},
+     "csv and json name the same file"},
     {"OutputFolderMissing", "csv = \"out.csv\"", "csv = \"none/out.csv\"",
      "none/out.csv: can't be written (No such file or directory)"},
     {"OutputIsAFolder", "csv = \"out.csv\"", "csv = \".\"", "can't be written"},

@@ -24,7 +24,7 @@ Pass pass_of(const std::string& message) {
 Specification specification(unsigned threads) {
     Specification spec;
     spec.lights.push_back({{0, -1, 0}, 1});
-    spec.run.paths = 512;
+    spec.run.paths = 16384;  // of which about 50 meet the first leaves
     spec.run.threads = threads;
     spec.run.replicates = 2;
     return spec;

@@ -44,14 +44,13 @@ void ScanLines::fill_bins(const LocalMesh& mesh) {
         return static_cast<std::uint32_t>(std::clamp(bin, 0.0, static_cast<double>(last_bin)));
     };
     first_in_bin_.assign(std::size_t{last_bin} + 2, 0);
-    range_.resize(std::size_t{2} * n);
+    range_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const double a = dot(across_, mesh.vertex(i, 0));
         const double b = dot(across_, mesh.vertex(i, 1));
         const double c = dot(across_, mesh.vertex(i, 2));
-        range_[2 * i] = bin_of(std::min({a, b, c}));
-        range_[2 * i + 1] = bin_of(std::max({a, b, c}));
-        for (std::uint32_t bin = range_[2 * i]; bin <= range_[2 * i + 1]; ++bin) {
+        range_[i] = {bin_of(std::min({a, b, c})), bin_of(std::max({a, b, c}))};
+        for (std::uint32_t bin = range_[i].first; bin <= range_[i].last; ++bin) {
             ++first_in_bin_[bin + 1];
         }
     }
@@ -61,7 +60,7 @@ void ScanLines::fill_bins(const LocalMesh& mesh) {
     triangles_.resize(first_in_bin_.back());
     std::vector<std::uint32_t> next(first_in_bin_.begin(), first_in_bin_.end() - 1);
     for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t bin = range_[2 * i]; bin <= range_[2 * i + 1]; ++bin) {
+        for (std::uint32_t bin = range_[i].first; bin <= range_[i].last; ++bin) {
             triangles_[next[bin]++] = i;
         }
     }

@@ -59,6 +59,9 @@ class ScanLines {
         std::uint32_t triangle;
         bool transparent;
     };
+    struct BinRange {
+        std::uint32_t first = 0, last = 0;
+    };
     /// A triangle's cut with a line.
     struct Cut {
         const Corners* corners;
@@ -77,7 +80,7 @@ class ScanLines {
     Vec3 along_, across_;  // unit vectors of the plane across the beam
     double low_ = 0, pitch_ = 0;
     std::vector<std::uint32_t> first_in_bin_, triangles_;  // of bin i: [first[i], first[i + 1])
-    std::vector<std::uint32_t> range_;                     // scratch: first and last bin
+    std::vector<BinRange> range_;                          // scratch: by triangle
     std::vector<Corners> corners_;
     std::vector<Cut> cuts_;
     std::vector<LinePiece> opaque_, sensors_, seen_;
