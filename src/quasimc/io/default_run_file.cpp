@@ -2,9 +2,10 @@
 #include "quasimc/io/run_file.h"
 
 namespace quasimc {
+namespace {
 
-std::string default_run_file() {
-    return R"(# A run of QuasiMC. Every option stands here with its default; what is marked "example" has none.
+constexpr const char* kBeforeOptions =
+    R"(# A run of QuasiMC. Every option stands here with its default; what is marked "example" has none.
 # Light on a canopy: quasimc run FILE.    Just check it: quasimc check FILE.
 
 format = 1
@@ -15,8 +16,9 @@ length_unit = "m"           # of all coordinates; a name for the headers
 irradiance_unit = "W m-2"   # or "umol m-2 s-1"; a name for the headers
 bands = ["PAR"]             # example; or [[band]] with name and unit
 
-)" + default_run_section() +
-           R"(
+)";
+
+constexpr const char* kAfterOptions = R"(
 [output]                    # example; relative to this file
 csv = "result.csv"
 json = "result.json"
@@ -85,6 +87,11 @@ length = [0.2, 0, 0]
 up = [0, 0, 1]
 width = 0.05
 )";
+
+}  // namespace
+
+std::string default_run_file() {
+    return kBeforeOptions + default_run_section() + kAfterOptions;
 }
 
 }  // namespace quasimc

@@ -27,6 +27,16 @@ constexpr std::uint32_t kFewestLines = 16;
 /// Bins of lines that make up a block of work.
 constexpr std::uint32_t kBinsPerBlock = 16;
 
+double mean_albedo(const Side& side, const std::vector<double>& spectrum) {
+    double sum = 0;
+    double kept = 0;
+    for (std::size_t b = 0; b < spectrum.size(); ++b) {
+        sum += spectrum[b];
+        kept += spectrum[b] * side.albedo()[b];
+    }
+    return kept / sum;
+}
+
 /// The lines of one light in one round.
 struct BeamPlan {
     std::uint32_t light = 0;
@@ -113,15 +123,9 @@ class LitSurfacesEstimator final : public Estimator {
     void set_scattering() {
         for (const auto& spectrum : stage_.spectra()) {
             for (const Material& material : stage_.scene().materials()) {
-                for (const bool upper : {true, false}) {
-                    double sum = 0;
-                    double kept = 0;
-                    for (std::size_t b = 0; b < spectrum.size(); ++b) {
-                        sum += spectrum[b];
-                        kept += spectrum[b] * material.side(upper).albedo()[b];
-                    }
-                    scattering_.push_back(material.is_transparent() ? 0 : kept / sum);
-                }
+                const bool scatters = !material.is_transparent();
+                scattering_.push_back(scatters ? mean_albedo(material.side(true), spectrum) : 0);
+                scattering_.push_back(scatters ? mean_albedo(material.side(false), spectrum) : 0);
             }
         }
         const double largest = *std::max_element(scattering_.begin(), scattering_.end());
@@ -263,11 +267,12 @@ class LitSurfacesEstimator final : public Estimator {
         std::vector<SurfaceStart>& starts) {
         const double scattered = amount * share;
         double at = batch.to_next;
-        for (; at < scattered; at += 1) {
+        while (at < scattered) {
             const double f = at / scattered;
             const auto u = static_cast<float>((1 - f) * segment.u[0] + f * segment.u[1]);
             const auto v = static_cast<float>((1 - f) * segment.v[0] + f * segment.v[1]);
             starts.push_back({segment.triangle, u, v, 1 / share});
+            at += 1;
         }
         batch.to_next = at - scattered;
     }
