@@ -46,6 +46,9 @@ struct Option {
 /// All options of a run, in the order of the manual.
 [[nodiscard]] std::span<const Option> option_table();
 
+/// A number, of an integer too.
+[[nodiscard]] double as_real(const OptionValue& value);
+
 /// The row of that key, or null.
 [[nodiscard]] const Option* find_option(std::string_view key);
 

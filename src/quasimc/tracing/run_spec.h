@@ -23,7 +23,7 @@ enum class DirectLight {
     ignored,  ///< it is scattered as always, but is no part of any organ's numbers
 };
 
-/// How a run is done: everything but scene and sources. The table of options in io/options.cpp
+/// How a run is done: everything but scene and sources. The table of options in io/option_table.cpp
 /// gives each field its key, flag, range and words.
 struct RunSpec {
     std::string sampler = "sobol";
