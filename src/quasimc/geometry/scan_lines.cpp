@@ -8,6 +8,13 @@
 #include "quasimc/base/checks.h"
 
 namespace quasimc {
+namespace {
+
+/// What is seen at less than this cosine, or has no area, is seen edge-on: corners are told apart
+/// in single precision.
+constexpr double kEdgeOn = 0x1p-24;
+
+}  // namespace
 
 void ScanLines::set(
     const LocalMesh& mesh, std::span<const std::uint8_t> transparent, const Spec& spec) {
@@ -86,7 +93,10 @@ ScanLines::Corners ScanLines::corners_of(std::uint32_t triangle) const {
 void ScanLines::visit(std::uint32_t bin, const std::function<void(const LitSegment&)>& visit) {
     corners_.clear();
     for (std::uint32_t i = first_in_bin_[bin]; i < first_in_bin_[bin + 1]; ++i) {
-        corners_.push_back(corners_of(triangles_[i]));
+        const Corners corners = corners_of(triangles_[i]);
+        if (std::abs(corners.cosine) > kEdgeOn) {
+            corners_.push_back(corners);
+        }
     }
     const std::uint32_t end = std::min((bin + 1) * kBin, spec_.lines);
     for (std::uint32_t line = bin * kBin; line < end; ++line) {

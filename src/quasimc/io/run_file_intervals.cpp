@@ -123,8 +123,9 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
     }
     const auto a_day = static_cast<int>(std::ceil(each - kSlack));
     for (int i = 0; i < static_cast<int>(days) * a_day; ++i) {
+        const int day = i / a_day;
         const double at = span.from_hour * 3600 + i % a_day * step;
-        const CivilTime start = later(span.first, i / a_day * kDay + at);
+        const CivilTime start = later(span.first, day * kDay + at);
         intervals.push_back(
             {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.place()});
     }

@@ -30,8 +30,9 @@ struct Start {
 
 class LampEmitter final : public Emitter {
   public:
-    LampEmitter(const LampBody& local_body, const Pattern& pattern, const Aperture& aperture)
-        : body_(local_body), pattern_(pattern), box_(aperture.entry_box().bounds) {
+    LampEmitter(const LampBody& local_body, Pattern pattern, const Aperture& aperture)
+
+        : body_(local_body), pattern_(std::move(pattern)), box_(aperture.entry_box().bounds) {
         const Cell& cell = aperture.cell();
         open_x_ = !cell.along_x;
         open_y_ = !cell.along_y;
@@ -148,7 +149,7 @@ class LampEmitter final : public Emitter {
     }
 
     LampBody body_;  // local coordinates
-    const Pattern& pattern_;
+    Pattern pattern_;
     Bounds box_;
     bool open_x_ = true, open_y_ = true;
     Ball ball_;
