@@ -90,7 +90,7 @@ std::optional<std::string> TableReader::time_text(std::string_view key) {
     if (node == nullptr) {
         return std::nullopt;
     }
-    const std::optional<std::string> text = time_of(*node);
+    std::optional<std::string> text = time_of(*node);
     if (!text) {
         wrong_type(key, *node, "a time as 2024-06-21T12:00:00+02:00");
     }
