@@ -16,7 +16,10 @@
 namespace {
 
 /// Exit statuses, those of the program quasimc.
-enum Exit { kDone = 0, kInputError = 1, kUsage = 2, kInternalError = 3 };
+constexpr int kDone = 0;
+constexpr int kInputError = 1;
+constexpr int kUsage = 2;
+constexpr int kInternalError = 3;
 
 void tell(const std::string& text) {
     std::fprintf(stderr, "QuasiMC: %s\n", text.c_str());

@@ -1,9 +1,7 @@
 // Messages in a piece of shared memory, handed over with semaphores: first the simulator's, then
 // ours. A message has no end but its "Control" line.
 
-#include <bit>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <system_error>
 
@@ -27,10 +25,10 @@ class SharedMemory {
   public:
     explicit SharedMemory(long key) {
         constexpr int kMode = 0600;
+        errno = 0;
         id_ = ::shmget(static_cast<key_t>(key), kToUs + kFromUs, kMode);
         void* place = id_ < 0 ? nullptr : ::shmat(id_, nullptr, 0);
-        // shmat returns (void*) -1 when it fails
-        if (id_ < 0 || std::bit_cast<std::intptr_t>(place) == -1) {
+        if (errno != 0) {  // both set it when they fail, and only then
             throw InputError(
                 {{fmt::format("-k {}", key + 1),
                   fmt::format("there is no shared memory of key {}", key),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quasimc/coupling/arguments.h"
@@ -85,7 +86,10 @@ struct StatedCell {
 /// Material indices of an organ's sides.
 struct SideMaterials {
     std::size_t upper = 0, lower = 0;
-    friend auto operator<=>(const SideMaterials&, const SideMaterials&) = default;
+    friend bool operator==(const SideMaterials&, const SideMaterials&) = default;
+    friend bool operator<(const SideMaterials& a, const SideMaterials& b) {
+        return std::pair(a.upper, a.lower) < std::pair(b.upper, b.lower);
+    }
 };
 
 /// What a specification file states, checked, with the defaults for all that it doesn't.
