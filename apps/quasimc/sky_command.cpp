@@ -106,9 +106,11 @@ std::string sun_text(
 double on_plate(const quasimc::Source& sky, const Vec3& n) {
     constexpr int kSide = 400;
     double sum = 0;
-    for (int i = 0; i < kSide * kSide; ++i) {
-        const auto seen = sky.illuminate({}, (i / kSide + 0.5) / kSide, (i % kSide + 0.5) / kSide);
-        sum += seen.weight * std::max(0.0, dot(seen.to_light, n));
+    for (int i = 0; i < kSide; ++i) {
+        for (int j = 0; j < kSide; ++j) {
+            const auto seen = sky.illuminate({}, (i + 0.5) / kSide, (j + 0.5) / kSide);
+            sum += seen.weight * std::max(0.0, dot(seen.to_light, n));
+        }
     }
     return sum / (kSide * kSide);
 }
