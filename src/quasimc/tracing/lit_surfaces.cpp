@@ -285,13 +285,20 @@ class LitSurfacesEstimator final : public Estimator {
             starts.begin(), starts.end(),
             [](const SurfaceStart& a, const SurfaceStart& b) { return a.triangle < b.triangle; });
         std::uint64_t rays = 0;
-        LightPath path{batch.light, batch.rules.stream.first, batch.direction, 1};
-        for (const SurfaceStart& start : starts) {
+        PathRules rules = batch.rules;
+        rules.stream.count = std::bit_ceil(starts.size() + 1);
+        // Part of a lattice must be spread over all of it, and its first coordinate, which grows
+        // with the number, is left out: a surface would send all its light one way.
+        const bool spread = sampler_.needs_power_of_two();
+        rules.scatter_dimension = spread ? 1 : 0;
+        LightPath path{batch.light, 0, batch.direction, 1};
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            const SurfaceStart& start = starts[i];
+            path.point = rules.stream.first + (spread ? i * rules.stream.count / starts.size() : i);
             path.weight = start.weight;
             rays += follow(
-                batch.rules, path, {RayEnd::hit, hit_at(start.triangle, start.u, start.v)},
+                rules, path, {RayEnd::hit, hit_at(start.triangle, start.u, start.v)},
                 FirstHit::surely_scattered, workspace, tally);
-            ++path.point;
         }
         return rays;
     }
