@@ -49,6 +49,13 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
 }
 
+TEST_F(TimesTest, SaysWhereItTracesFrom) {
+    const Outcome outcome =
+        run({"run", "days.toml", "--csv", "t.csv", "--trace-from", "lit_surfaces"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("from lit_surfaces, "), std::string::npos) << outcome.out;
+}
+
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
     ASSERT_EQ(run({"run", "days.toml", "--json", "r.json", "--threads", "1"}).status, 0);
     const Outcome outcome = run({"run", "--from", "r.json", "--threads", "2"});

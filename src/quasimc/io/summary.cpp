@@ -34,13 +34,29 @@ std::string scene_line(const Scene& scene) {
                      scene.triangles().size(), repeated, bands));
 }
 
-std::string run_line(const RunSpec& spec, const Result& result) {
+/// "sobol from sources"
+std::string method_words(const RunSpec& spec) {
     const OptionValue from = find_option("trace_from")->get(spec);
+    return spec.sampler + " from " + std::get<std::string>(from);
+}
+
+std::string run_line(const RunSpec& spec, const Result& result) {
     return line(
         "run", fmt::format(
-                   "{} from {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
-                   std::get<std::string>(from), result.paths, result.replicates, spec.seed,
-                   thread_count(spec.threads)));
+                   "{}, {} paths x {} replicates, seed {}, {} threads", method_words(spec),
+                   result.paths, result.replicates, spec.seed, thread_count(spec.threads)));
+}
+
+/// What is computed: program, file, scene, lights.
+std::string subject_lines(const RunFile& run) {
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    return text;
 }
 
 std::string time_line(const Result& result) {
@@ -159,13 +175,7 @@ std::string written_line(const std::vector<std::string>& written) {
 
 std::string summary(
     const RunFile& run, const Result& result, const std::vector<std::string>& written) {
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
+    std::string text = subject_lines(run);
     text += run_line(run.spec, result) + time_line(result) + target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
     return text + written_line(written);
@@ -174,13 +184,7 @@ std::string summary(
 std::string series_summary(
     const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written) {
     const TimeSeries& series = *run.series;
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
+    std::string text = subject_lines(run);
     for (const std::string& words : series.words) {
         text += line("time", one_line(words));
     }
@@ -190,10 +194,10 @@ std::string series_summary(
                      series.moments.size(), series.notes.front().time, series.notes.back().time,
                      series.days.size(), summary.traced));
     text += line(
-        "run", fmt::format(
-                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays", run.spec.sampler,
-                   run.spec.trace_from == TraceFrom::sources ? "from sources" : "from organs",
-                   run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
+        "run",
+        fmt::format(
+            "{}, {} paths x {} replicates at a time; {:.3g} s, {} rays", method_words(run.spec),
+            run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(
