@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "quasimc/base/parallel.h"
@@ -43,8 +45,8 @@ struct alignas(2 * kCacheLine) Workspace {
     std::vector<double> weights, products, gathered;  // per band
     std::vector<std::int64_t> fixed;                  // per band
     ScanLines lines;
+    std::optional<std::array<std::uint64_t, 3>> lines_of;  // their light, replicate and round
     std::vector<SurfaceStart> starts;
-    std::vector<std::uint64_t> lines_of;  // which light, replicate and round `lines` belongs to
 };
 
 /// A way to compute the light on the organs: what one path does, and what a tally then means.

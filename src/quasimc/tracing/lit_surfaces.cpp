@@ -11,6 +11,7 @@
 // A unit of all cells is the light of one path, as in light tracing.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -168,7 +169,7 @@ class LitSurfacesEstimator final : public Estimator {
         std::uint32_t replicate,
         const BeamPlan& beam,
         Workspace& workspace) const {
-        const std::vector<std::uint64_t> key{beam.light, replicate, round.first};
+        const std::array<std::uint64_t, 3> key{beam.light, replicate, round.first};
         if (workspace.lines_of == key) {
             return;
         }
