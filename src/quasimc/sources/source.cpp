@@ -4,6 +4,10 @@
 
 namespace quasimc {
 
+double Emitter::density(const Vec3&) const {
+    return 0;
+}
+
 void Emitter::beam_origins(
     std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const {
     EXPECT(beam_direction().has_value());

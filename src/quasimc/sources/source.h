@@ -34,6 +34,10 @@ class Emitter {
     /// A start from a point of the unit cube. u[0] and u[1] place the start (nearby values give
     /// nearby starts); u[2] and u[3] choose the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
+    /// The density per steradian with which emit() draws `direction` (unit, in which the light
+    /// travels) for u evenly spread; its integral over the sphere is 1. 0 of a beam, which has one
+    /// direction, and of a lamp, whose directions depend on the place.
+    [[nodiscard]] virtual double density(const Vec3& direction) const;
     /// The direction in which every path starts, if it is the same for all; their weight is then 1
     /// and u[2], u[3] are not used. Rays of a beam are cast in packets.
     [[nodiscard]] virtual std::optional<Vec3> beam_direction() const { return std::nullopt; }

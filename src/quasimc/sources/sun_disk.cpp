@@ -95,6 +95,9 @@ class DiskEmitter final : public Emitter {
             entry_place(box_, direction, u[0], u[1]), direction,
             light * box_.projected_area(direction) / flux_};
     }
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        return cone_.contains(-direction) ? 1 / cone_.solid_angle() : 0;
+    }
 
   private:
     Cone cone_;

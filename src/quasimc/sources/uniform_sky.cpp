@@ -48,6 +48,11 @@ class SkyEmitter final : public Emitter {
         return face == 0 ? from_top(u0, u[1], u[2], u[3]) : from_side(face, u0, u[1], u[2], u[3]);
     }
 
+    /// All paths weigh the same: directions are drawn as light comes along them.
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        return direction.z < 0 ? box_.projected_area(direction) / (std::numbers::pi * flux_) : 0;
+    }
+
   private:
     static constexpr std::size_t kFaces = 5;  // top, low x, high x, low y, high y
 

@@ -318,5 +318,21 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
     }
 }
 
+TEST(SunDisk, DrawsItsDirectionsEvenly) {
+    const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    constexpr double kRadius = 3 * pi / 180;
+    const Vec3 to_sun = sun_at(60);
+    const auto emitter = make_sun_disk("sun", to_sun, 3, {1})->make_emitter(aperture);
+    const double inside = 1 / (2 * pi * (1 - std::cos(kRadius)));
+    EXPECT_NEAR(emitter->density(-to_sun), inside, 1e-9 * inside);
+    EXPECT_NEAR(emitter->density(emitter->emit({0, 0, .999, .2}).direction), inside, 1e-9 * inside);
+    EXPECT_EQ(emitter->density(to_sun), 0);
+    EXPECT_EQ(emitter->density(-sun_at(56.9)), 0);
+    const auto beam = make_directional_source("sun", -to_sun, {1})->make_emitter(aperture);
+    EXPECT_EQ(beam->density(-to_sun), 0);  // has none
+}
+
 }  // namespace
 }  // namespace quasimc::test
