@@ -26,6 +26,8 @@ class Spectrum {
     [[nodiscard]] double at(double nm) const;
     /// What the span holds, in the unit of its count. Exact, since V is taken as linear too.
     [[nodiscard]] double within(const SpectralSpan& span) const;
+    /// The points given.
+    [[nodiscard]] const std::vector<double>& wavelengths() const { return nm_; }
     [[nodiscard]] double low_nm() const { return nm_.front(); }
     [[nodiscard]] double high_nm() const { return nm_.back(); }
 
