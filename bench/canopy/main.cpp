@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     using namespace quasimc::bench;
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
         {"efficiency", print_efficiency}, {"ratio", print_band_ratio}, {"bands", print_band_cost},
-        {"engine", print_engine_speed},   {"scaling", print_scaling},
+        {"engine", print_engine_speed},   {"day", print_day},          {"scaling", print_scaling},
     };
     std::vector<std::string> names;
     for (const auto& part : parts) {

@@ -20,6 +20,8 @@ void print_band_ratio(const Effort& effort);
 void print_band_cost(const Effort& effort);
 /// Rays per second against a bare Embree loop over the same rays.
 void print_engine_speed(const Effort& effort);
+/// A day by the hour against one hour, and collapsed into one trace.
+void print_day(const Effort& effort);
 /// One thread against two.
 void print_scaling(const Effort& effort);
 

@@ -8,11 +8,13 @@
 
 #include "quasimc/base/text.h"
 #include "quasimc/io/civil_time_text.h"
+#include "quasimc/io/collapsed_moment.h"
 
 namespace quasimc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kModels{"erbs", "reindl", "spitters"};
+constexpr std::array<std::string_view, 3> kCollapse{"none", "days", "period"};
 
 /// How intervals become moments.
 struct SeriesRules {
@@ -22,6 +24,7 @@ struct SeriesRules {
     DiffuseModel model = DiffuseModel::erbs;
     ClearAir air;
     double sun_step = 300;  ///< seconds; 0: the sun stands still in the middle
+    Collapse collapse = Collapse::none;
 };
 
 /// Builds the moments of a series, and gathers what is to be said of them.
@@ -42,25 +45,17 @@ class SeriesBuilder {
             report(light.fault, path, interval);
             return;
         }
-        HourSources hour = make_hour_sources(path, light, rules_.how);
-        Moment moment;
-        moment.name = civil_time_text(interval.start);
-        moment.sources = lamps_;
-        const std::size_t skies = light.daylight.diffuse > 0 ? 1 : 0;
-        const std::size_t suns = hour.sources.size() - skies;
-        std::move(hour.sources.begin(), hour.sources.end(), std::back_inserter(moment.sources));
-        moment.shapes = std::move(hour.shapes);
-        moment.seconds = interval.seconds;
-        moment.day = day_of(interval.start);
-        const SunPosition sun = path.middle();
-        const Orientation& axes = rules_.how.orientation;
-        series_.notes.push_back(
-            {moment.name, moment.seconds, sun,
-             axes.outward(axes.towards(sun.azimuth_deg, sun.elevation_deg)), light.daylight, suns});
-        series_.moments.push_back(std::move(moment));
+        HourParts parts = make_hour_parts(path, light, rules_.how);
+        if (rules_.collapse == Collapse::none) {
+            add_moment(interval, path, light.daylight, std::move(parts));
+        } else {
+            gather(interval, light.daylight, parts);
+        }
     }
 
     TimeSeries finish() {
+        close_gathered();
+        series_.collapse = rules_.collapse;
         warn(
             direct_too_large_,
             "times have more direct light than light in all, by a tenth at "
@@ -73,6 +68,49 @@ class SeriesBuilder {
     }
 
   private:
+    void add_moment(
+        const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts) {
+        const std::size_t suns = parts.suns.size();
+        HourSources hour = make_hour_sources(std::move(parts));
+        Moment moment;
+        moment.name = civil_time_text(interval.start);
+        moment.sources = lamps_;
+        std::move(hour.sources.begin(), hour.sources.end(), std::back_inserter(moment.sources));
+        moment.shapes = std::move(hour.shapes);
+        moment.seconds = interval.seconds;
+        moment.day = day_of(interval.start);
+        const SunPosition sun = path.middle();
+        const Orientation& axes = rules_.how.orientation;
+        series_.notes.push_back(
+            {moment.name, moment.seconds, sun,
+             axes.outward(axes.towards(sun.azimuth_deg, sun.elevation_deg)), daylight, suns});
+        series_.moments.push_back(std::move(moment));
+    }
+
+    /// Adds to the moment that times are collapsed into, which a new day may end.
+    void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts) {
+        const std::string date = date_text(interval.start);
+        if (rules_.collapse == Collapse::days && date != last_date_) {
+            close_gathered();
+        }
+        first_date_ = gathered_.empty() ? date : first_date_;
+        last_date_ = date;
+        gathered_.add(
+            parts, daylight, interval.seconds, civil_time_text(interval.start),
+            civil_time_text(later(interval.start, interval.seconds)));
+    }
+    void close_gathered() {
+        if (gathered_.empty()) {
+            return;
+        }
+        CollapsedMoment::Made made = gathered_.make(lamps_, series_.days.size());
+        series_.days.push_back(
+            first_date_ == last_date_ ? first_date_ : first_date_ + "/" + last_date_);
+        series_.moments.push_back(std::move(made.moment));
+        series_.notes.push_back(std::move(made.notes));
+        gathered_ = CollapsedMoment(rules_.how.bands.size());
+    }
+
     /// Times with the same note, and the first.
     struct Noted {
         std::size_t count = 0;
@@ -132,6 +170,8 @@ class SeriesBuilder {
     const Sources& lamps_;
     Reporter& reporter_;
     TimeSeries series_;
+    CollapsedMoment gathered_{rules_.how.bands.size()};
+    std::string first_date_, last_date_;  // of what is gathered
     Noted direct_too_large_, sun_too_low_;
 };
 
@@ -146,8 +186,25 @@ SeriesRules read_rules(TimeContext& context) {
                                         : DiffuseModel::erbs;
     rules.air.linke_turbidity =
         table.real("linke_turbidity", {1, 10}).value_or(rules.air.linke_turbidity);
+    const std::string collapse = table.choice("collapse", kCollapse).value_or("none");
+    rules.collapse = collapse == "days"     ? Collapse::days
+                     : collapse == "period" ? Collapse::period
+                                            : Collapse::none;
     rules.sun_step = 60 * table.real("sun_step_minutes", {0, 1440}).value_or(rules.sun_step / 60);
     return rules;
+}
+
+/// Instants have no length by which they could be summed.
+void check_collapse(
+    const SeriesRules& rules, const std::vector<Interval>& intervals, TableReader& table) {
+    const bool has_instant = std::any_of(
+        intervals.begin(), intervals.end(), [](const auto& each) { return each.seconds == 0; });
+    if (rules.collapse != Collapse::none && has_instant) {
+        table.fault_at(
+            "collapse", "instants are to be collapsed",
+            "the sum over times depends on how long each of them is",
+            "give duration_minutes, or leave collapse out");
+    }
 }
 
 /// A clock that is far from the sun's is probably that of another place.
@@ -181,6 +238,11 @@ std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
                     : fmt::format(
                           "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
+    if (rules.collapse != Collapse::none) {
+        words.push_back(fmt::format(
+            "collapse: {} one sky, of cells, and all of its suns; one trace gives the mean",
+            rules.collapse == Collapse::days ? "each day is" : "the whole period is"));
+    }
     words.push_back(fmt::format(
         "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
         shortest(rules.sun_step / 60)));
@@ -212,6 +274,7 @@ std::optional<TimeSeries> read_time(
     const std::vector<Interval> intervals =
         has_weather ? read_weather(context) : read_intervals(context);
     SeriesRules rules = read_rules(context);
+    check_collapse(rules, intervals, table);
     table.finish();
     if (!context.place && top.any("place") == nullptr) {
         top.fault(

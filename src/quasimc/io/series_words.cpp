@@ -11,7 +11,19 @@
 namespace quasimc {
 namespace {
 
+std::string collapsed_words(const MomentNotes& notes) {
+    const MomentNotes::Collapsed& times = *notes.collapsed;
+    return fmt::format(
+        "{} to {}, {} s: {} times, {} with daylight, as {} suns and {} skies; mean on the "
+        "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
+        notes.time, times.until, shortest(notes.seconds), times.times, times.with_light, notes.suns,
+        times.skies, notes.daylight.direct, notes.daylight.diffuse);
+}
+
 std::string moment_words(const MomentNotes& notes) {
+    if (notes.collapsed) {
+        return collapsed_words(notes);
+    }
     std::string text = notes.time;
     text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";
     text += fmt::format(

@@ -171,6 +171,26 @@ std::string written_line(const std::vector<std::string>& written) {
     return line("written", fmt::format("{}", fmt::join(written, ", ")));
 }
 
+/// How many times there are, and in how many traces.
+std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
+    const MomentNotes& first = series.notes.front();
+    const MomentNotes& last = series.notes.back();
+    if (series.collapse == Collapse::none) {
+        return fmt::format(
+            "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
+            series.moments.size(), first.time, last.time, series.days.size(), summary.traced);
+    }
+    std::size_t times = 0;
+    std::size_t suns = 0;
+    for (const MomentNotes& notes : series.notes) {
+        times += notes.collapsed->times;
+        suns += notes.suns;
+    }
+    return fmt::format(
+        "{} from {} to {}, collapsed into {} traces of {} suns in all", times, first.time,
+        last.collapsed->until, summary.traced, suns);
+}
+
 }  // namespace
 
 std::string summary(
@@ -188,11 +208,7 @@ std::string series_summary(
     for (const std::string& words : series.words) {
         text += line("time", one_line(words));
     }
-    text += line(
-        "times", fmt::format(
-                     "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
-                     series.moments.size(), series.notes.front().time, series.notes.back().time,
-                     series.days.size(), summary.traced));
+    text += line("times", times_words(series, summary));
     text += line(
         "run",
         fmt::format(

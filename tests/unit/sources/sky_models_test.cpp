@@ -173,37 +173,6 @@ TEST(SkySums, OfOneSkyAreNearlyThatSky) {
     }
 }
 
-/// A morning and an evening: what the sources of the period shed together is what those of its
-/// moments shed.
-TEST(PeriodLight, ShedsTheLightOfItsMoments) {
-    const Vec3 morning = normalized({1, 0, .5});
-    const Vec3 evening = normalized({-1, 0, .5});
-    for (const bool same : {true, false}) {
-        PeriodLight light(2, 48, 24);
-        light.add_sky(cie_clear_shape(morning), std::vector<double>{10, 5});
-        light.add_sky(cie_clear_shape(evening), std::vector<double>{20, same ? 10.0 : 40.0});
-        light.add_sun(morning, std::vector<double>{100, 50});
-        light.add_sun(evening, std::vector<double>{200, 100});
-        light.add_sun({0, .6, -.8}, std::vector<double>{1, 1});
-        const auto sources = light.sources("day");
-        ASSERT_EQ(sources.size(), same ? 3 : 4);
-        std::array<double, 2> horizontal{};
-        for (const auto& source : sources) {
-            for (std::size_t b = 0; b < 2; ++b) {
-                horizontal[b] += source->spectrum()[b] * source->horizontal_irradiance();
-            }
-        }
-        EXPECT_NEAR(horizontal[0], 30 + 300 * morning.z, 1e-6);
-        EXPECT_NEAR(horizontal[1], (same ? 15 : 45) + 150 * morning.z, 1e-6);
-        // Twice as bright a sky in the evening, eight times in the other band.
-        const double east = sources[0]->radiance(normalized({1, .1, .5}));
-        const double west = sources[0]->radiance(normalized({-1, .1, .5}));
-        EXPECT_GT(west, 1.3 * east);
-        EXPECT_LT(west, 2 * east);
-    }
-    EXPECT_TRUE(PeriodLight(1).sources("night").empty());
-}
-
 /// The box of a scene, [0, 4] x [0, 2] x [0, 1].
 EntryBox make_box() {
     EntryBox box;
