@@ -19,7 +19,8 @@
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
-        {"efficiency", print_efficiency}, {"ratio", print_band_ratio}, {"bands", print_band_cost},
+        {"efficiency", print_efficiency}, {"planner", print_planner},
+        {"ratio", print_band_ratio},      {"bands", print_band_cost},
         {"engine", print_engine_speed},   {"scaling", print_scaling},
     };
     std::vector<std::string> names;

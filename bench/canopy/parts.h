@@ -14,6 +14,8 @@ struct Effort {
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.
 void print_efficiency(const Effort& effort);
+/// Figure of merit of each way of tracing, and which of them the planner chooses.
+void print_planner(const Effort& effort);
 /// Ratio of two bands: one path for both against one for each.
 void print_band_ratio(const Effort& effort);
 /// What further bands cost.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quasimc/base/version.h"
+#include "quasimc/io/options.h"
 #include "quasimc/io/units.h"
 
 namespace quasimc {
@@ -133,6 +134,13 @@ Json done_json(const Result& result) {
         {"fraction_at_target", result.fraction_at_target}};
 }
 
+Json method_json(const RunSpec& spec, const Result& result) {
+    return {
+        {"trace_from", trace_from_name(result.method.trace_from)},
+        {"asked", trace_from_name(spec.trace_from)},
+        {"reason", result.method.reason}};
+}
+
 /// What is known before anything is traced.
 Json head_json(const RunFile& run) {
     const Scene& scene = run.scene;
@@ -185,6 +193,7 @@ std::string json_head(const RunFile& run) {
 
 std::string json_result_head(const RunFile& run, const Result& result) {
     Json head;
+    head["method"] = method_json(run.spec, result);
     head["done"] = done_json(result);
     head["seconds"] = {
         {"build", result.build_seconds},
@@ -201,6 +210,10 @@ std::string json_warnings(const RunFile& run) {
 
 std::string json_quoted(std::string_view text) {
     return dumped(std::string(text));
+}
+
+std::string json_method(const RunFile& run, const Result& result) {
+    return dumped(method_json(run.spec, result));
 }
 
 std::string json_done(const Result& result) {

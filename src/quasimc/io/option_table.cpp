@@ -109,12 +109,13 @@ std::vector<Option> rows_of_paths() {
         sampler_option({"sampler", "", "point set that the paths are made from"}),
         choice_option<TraceFrom>(
             {"trace_from", "",
-             "where paths start: lit_surfaces (suns), sources (many organs) or organs (few or "
-             "small organs, skies)"},
+             "where paths start: lit_surfaces (sun, sky), sources (lamps), organs (few or small "
+             "ones measured); auto: the best of them, and why"},
             &RunSpec::trace_from,
             {{"sources", TraceFrom::sources},
              {"organs", TraceFrom::organs},
-             {"lit_surfaces", TraceFrom::lit_surfaces}}),
+             {"lit_surfaces", TraceFrom::lit_surfaces},
+             {"auto", TraceFrom::automatic}}),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
             {1, kMostPaths}),

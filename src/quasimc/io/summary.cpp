@@ -35,12 +35,22 @@ std::string scene_line(const Scene& scene) {
 }
 
 std::string run_line(const RunSpec& spec, const Result& result) {
-    const OptionValue from = find_option("trace_from")->get(spec);
     return line(
         "run", fmt::format(
                    "{} from {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
-                   std::get<std::string>(from), result.paths, result.replicates, spec.seed,
-                   thread_count(spec.threads)));
+                   trace_from_name(result.method.trace_from), result.paths, result.replicates,
+                   spec.seed, thread_count(spec.threads)));
+}
+
+/// Why the run was traced so, if that was not what the run file said.
+std::string method_line(const RunSpec& spec, const Result& result) {
+    if (spec.trace_from != TraceFrom::automatic) {
+        return "";
+    }
+    return line(
+        "method",
+        fmt::format(
+            "from {}: {}", trace_from_name(result.method.trace_from), result.method.reason));
 }
 
 std::string time_line(const Result& result) {
@@ -136,6 +146,17 @@ std::string energy_lines(const Scene& scene, const Result& result) {
     return text;
 }
 
+/// From where the times were traced: one name, or each with the number of times.
+std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
+    std::string text;
+    for (const auto& [from, times] : summary.methods) {
+        text += fmt::format(
+            "{}{}{}", text.empty() ? "" : ", ", trace_from_name(from),
+            summary.methods.size() > 1 ? fmt::format(" ({} times)", times) : "");
+    }
+    return text.empty() ? trace_from_name(spec.trace_from) : text;
+}
+
 std::string target_line(const RunSpec& spec, const Result& result) {
     if (spec.target_error <= 0) {
         return "";
@@ -166,7 +187,8 @@ std::string summary(
     for (const std::string& note : run.source_notes) {
         text += line("light", one_line(note));
     }
-    text += run_line(run.spec, result) + time_line(result) + target_line(run.spec, result);
+    text += run_line(run.spec, result) + method_line(run.spec, result) + time_line(result) +
+            target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
     return text + written_line(written);
 }
@@ -191,9 +213,9 @@ std::string series_summary(
                      series.days.size(), summary.traced));
     text += line(
         "run", fmt::format(
-                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays", run.spec.sampler,
-                   run.spec.trace_from == TraceFrom::sources ? "from sources" : "from organs",
-                   run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
+                   "{} from {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
+                   run.spec.sampler, series_method(run.spec, summary), run.spec.paths,
+                   run.spec.replicates, summary.seconds, summary.rays));
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(

@@ -87,8 +87,8 @@ void SeriesJson::add_moment(std::size_t moment, const Result& result, std::size_
     const MomentNotes& notes = run_.series->notes[moment];
     sink_((moments_++ > 0 ? ",\n" : "") + moment_head(notes));
     sink_(fmt::format(
-        ", \"traced\": {}, \"done\": {}, \"energy\": {}, \"organs\": [\n",
-        json_quoted(run_.series->notes[traced].time), json_done(result),
+        ", \"traced\": {}, \"method\": {}, \"done\": {}, \"energy\": {}, \"organs\": [\n",
+        json_quoted(run_.series->notes[traced].time), json_method(run_, result), json_done(result),
         json_energy(run_, result)));
     const JsonNames names = json_names(run_);
     const std::vector<Organ>& organs = run_.scene.organs();

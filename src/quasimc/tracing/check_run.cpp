@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "quasimc/base/checks.h"
 #include "quasimc/base/text.h"
 #include "quasimc/samplers/catalogue.h"
 #include "quasimc/tracing/estimator.h"
@@ -160,12 +161,14 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
 
 std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
+    EXPECT(spec.trace_from != TraceFrom::automatic);
     switch (spec.trace_from) {
         case TraceFrom::organs:
             return make_backward_estimator(stage, sampler, spec);
         case TraceFrom::lit_surfaces:
             return make_lit_surfaces_estimator(stage, sampler, spec);
         case TraceFrom::sources:
+        case TraceFrom::automatic:
             break;
     }
     return make_forward_estimator(stage, sampler, spec);

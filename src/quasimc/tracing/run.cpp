@@ -3,11 +3,13 @@
 #include <atomic>
 #include <chrono>
 #include <ctime>
+#include <utility>
 
 #include "quasimc/base/parallel.h"
 #include "quasimc/tallies/replicates.h"
 #include "quasimc/tracing/estimator.h"
 #include "quasimc/tracing/evaluate.h"
+#include "quasimc/tracing/planner.h"
 #include "quasimc/tracing/rounds.h"
 #include "quasimc/tracing/simulator.h"
 #include "quasimc/tracing/stage.h"
@@ -97,6 +99,19 @@ Result Simulator::run(
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
 
+    RunSpec planned = spec;
+    Method method = plan_method(scene, sources, spec);
+    planned.trace_from = method.trace_from;
+    Result result = trace(scene, sources, planned, on_progress);
+    result.method = std::move(method);
+    return result;
+}
+
+Result Simulator::trace(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress) {
     const Clock::time_point start = Clock::now();
     const Stage stage(scene, sources, spec.window, caster_for(scene, spec.engine));
     if (stage.lights().empty()) {

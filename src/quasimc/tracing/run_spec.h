@@ -15,6 +15,7 @@ enum class TraceFrom {
     organs,   ///< from points on each organ, light sampled at every hit: few or small organs, sky
     lit_surfaces,  ///< where parallel light falls, found along scan lines: direct light almost
                    ///< without noise; other sources as `sources`
+    automatic,     ///< whichever of the others has the smallest errors for its time: plan_method()
 };
 
 /// What becomes of light that falls on an organ straight from a source.

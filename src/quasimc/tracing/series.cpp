@@ -147,6 +147,7 @@ class SeriesRun {
         spec.seed = seed_of(spec_.seed, summary_.traced);
         Result result = simulator_.run(scene_, moments_[i].sources, spec, progress_of(i));
         ++summary_.traced;
+        ++summary_.methods[result.method.trace_from];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
         return result;
@@ -250,6 +251,7 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
     dark.budget.resize(dark.bands);
     dark.replicates = spec.replicates;
+    dark.method.reason = "it is dark, nothing was traced";
     return dark;
 }
 

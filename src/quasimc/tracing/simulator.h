@@ -29,6 +29,12 @@ class Simulator {
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:
+    /// Traces a specification that was checked and planned.
+    [[nodiscard]] Result trace(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::function<void(const Progress&)>& on_progress);
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 

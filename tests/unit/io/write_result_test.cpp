@@ -161,6 +161,28 @@ TEST(Summary, IsShortAndTellsTheEnergy) {
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
+/// What "auto" chose and why stands in every form of the result.
+TEST(Method, IsToldWithItsReason) {
+    RunFile run = small_run();
+    run.spec.trace_from = TraceFrom::automatic;
+    Result result = small_result();
+    result.method = {TraceFrom::lit_surfaces, "it is sunny"};
+    EXPECT_NE(summary(run, result, {}).find("from lit_surfaces: it is sunny"), std::string::npos);
+    const auto json = json_of(run, result)["method"];
+    EXPECT_EQ(json["trace_from"], "lit_surfaces");
+    EXPECT_EQ(json["asked"], "auto");
+    EXPECT_EQ(json["reason"], "it is sunny");
+    std::string table;
+    write_csv(run, result, [&](std::string_view piece) { table += piece; });
+    EXPECT_TRUE(mentions(lines_of(table), "# method: from lit_surfaces, it is sunny"));
+}
+
+TEST(Method, IsNoNewsToWhoAskedForIt) {
+    Result result = small_result();
+    result.method = {TraceFrom::sources, "asked for"};
+    EXPECT_EQ(summary(small_run(), result, {}).find("asked for"), std::string::npos);
+}
+
 TEST(FluxUnit, TakesTheAreaOutWhereItCan) {
     EXPECT_EQ(flux_unit("W m-2", "m"), "W");
     EXPECT_EQ(flux_unit("umol m-2 s-1", "m"), "umol s-1");
