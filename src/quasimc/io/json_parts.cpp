@@ -141,6 +141,28 @@ Json method_json(const RunSpec& spec, const Result& result) {
         {"reason", result.method.reason}};
 }
 
+Json audit_json(const RunFile& run, const Result& result) {
+    if (!result.audit) {
+        return {};
+    }
+    const Audit& audit = *result.audit;
+    Json bands = Json::object();
+    for (std::size_t b = 0; b < audit.bands.size(); ++b) {
+        const Band& band = run.scene.bands()[b];
+        const BandAudit& own = audit.bands[b];
+        bands[band.name] = {
+            {"unit", flux_unit(band.unit, run.scene.length_unit())},
+            {"chi", own.chi},
+            {"chi_freedom", own.freedom},
+            {"chi_chance", own.chi_chance},
+            {"difference", own.difference},
+            {"standard_error", own.standard_error},
+            {"difference_chance", own.difference_chance}};
+    }
+    return {{"paths", audit.paths}, {"replicates", audit.replicates}, {"chance", audit.chance},
+            {"level", kAuditLevel}, {"agrees", audit.agrees()},       {"bands", bands}};
+}
+
 /// What is known before anything is traced.
 Json head_json(const RunFile& run) {
     const Scene& scene = run.scene;
@@ -199,6 +221,7 @@ std::string json_result_head(const RunFile& run, const Result& result) {
         {"build", result.build_seconds},
         {"trace", result.trace_seconds},
         {"trace_cpu", result.trace_cpu_seconds}};
+    head["audit"] = audit_json(run, result);
     head["energy"] = energy_json(run.scene, result);
     head["escaped_is_remainder"] = result.escaped_is_remainder;
     return members(head);
@@ -214,6 +237,10 @@ std::string json_quoted(std::string_view text) {
 
 std::string json_method(const RunFile& run, const Result& result) {
     return dumped(method_json(run.spec, result));
+}
+
+std::string json_audit(const RunFile& run, const Result& result) {
+    return dumped(audit_json(run, result));
 }
 
 std::string json_done(const Result& result) {

@@ -176,6 +176,11 @@ std::vector<Option> rows_of_ends() {
              "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
             &RunSpec::max_paths, {0, kMostPaths}),
         real_option(
+            {"audit", "",
+             "share of the paths (0.1) that plain Monte Carlo tracing gets afterwards, to compare "
+             "with; 0: no audit"},
+            &RunSpec::audit, {0, 1}),
+        real_option(
             {"tally_memory_mb", "MB",
              "private tallies of all threads; larger ones are shared (same results)"},
             &RunSpec::tally_memory_mb, {0, 1e6}),

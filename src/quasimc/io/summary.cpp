@@ -5,6 +5,7 @@
 
 #include "quasimc/base/parallel.h"
 #include "quasimc/base/version.h"
+#include "quasimc/io/audit_words.h"
 #include "quasimc/io/line_scanner.h"
 #include "quasimc/io/options.h"
 #include "quasimc/io/units.h"
@@ -190,6 +191,9 @@ std::string summary(
     text += run_line(run.spec, result) + method_line(run.spec, result) + time_line(result) +
             target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
+    for (const std::string& words : audit_lines(run, result)) {
+        text += line("audit", words);
+    }
     return text + written_line(written);
 }
 
@@ -221,6 +225,9 @@ std::string series_summary(
             "target", fmt::format(
                           "{} % error or less: reached at {} of {} times",
                           100 * run.spec.target_error, summary.at_target, summary.traced));
+    }
+    if (summary.audited > 0) {
+        text += line("audit", audit_line(summary));
     }
     return text + written_line(written);
 }

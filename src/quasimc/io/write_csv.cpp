@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "quasimc/io/audit_words.h"
 #include "quasimc/io/csv_parts.h"
 #include "quasimc/io/line_scanner.h"
 #include "quasimc/io/options.h"
@@ -96,6 +97,9 @@ void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
     sink(fmt::format(
         "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
         result.rays));
+    for (const std::string& words : audit_lines(run, result)) {
+        sink("# audit: " + one_line(words) + "\n");
+    }
     sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
     sink(csv_header({}, label_keys(run.scene), estimate_columns(run)));
     write_rows(run, result, "", sink);

@@ -72,6 +72,11 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
         "needs at least 2 replicates", "one replicate has no standard error");
     require(
+        spec.audit >= 0 && spec.audit <= 1, "audit", shortest(spec.audit), "0 to 1, 0 for none");
+    require(
+        !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
+        "one replicate has no standard error");
+    require(
         spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
         "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
 }

@@ -82,6 +82,14 @@ double sharpness(const Bsdf& lobe) {
     return std::numbers::pi * lobe.pdf(n, -n, away * n);
 }
 
+double brightest_peak(const Side& side) {
+    double brightest = 0;
+    for (const Lobe& lobe : side.lobes()) {
+        brightest = std::max(brightest, sharpness(*lobe.shape) * mean(lobe.albedo));
+    }
+    return brightest;
+}
+
 std::string_view name_of(const Lighting& lighting) {
     if (lighting.sun && lighting.sky) {
         return "sun and sky";
@@ -121,12 +129,10 @@ double gain_of_equal_shares(const Scene& scene) {
 double brightest_peak(const Scene& scene) {
     double brightest = 0;
     for (const Material& material : scene.materials()) {
-        for (const bool upper : {true, false}) {
-            for (const Lobe& lobe : material.side(upper).lobes()) {
-                if (!material.is_transparent()) {
-                    brightest = std::max(brightest, sharpness(*lobe.shape) * mean(lobe.albedo));
-                }
-            }
+        if (!material.is_transparent()) {
+            brightest = std::max(
+                {brightest, brightest_peak(material.side(true)),
+                 brightest_peak(material.side(false))});
         }
     }
     return brightest;

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "quasimc/tallies/statistics.h"
+#include "quasimc/tracing/audit.h"
 #include "quasimc/tracing/run_spec.h"
 
 namespace quasimc {
@@ -67,7 +69,8 @@ struct Result {
     bool escaped_is_remainder = false;
 
     Method method;
-    std::uint64_t paths = 0;  ///< per replicate, all rounds
+    std::optional<Audit> audit;  ///< if RunSpec::audit asked for one
+    std::uint64_t paths = 0;     ///< per replicate, all rounds
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::paths_done;

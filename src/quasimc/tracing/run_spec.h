@@ -48,6 +48,10 @@ struct RunSpec {
     std::uint64_t max_paths =
         0;  ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a target
 
+    /// After the run, plain Monte Carlo tracing from the sources with this share of its paths, to
+    /// compare with (Result::audit); 0: none. At most 1.
+    double audit = 0;
+
     double tally_memory_mb = 256;  ///< private tallies of all threads; larger ones are shared
 
     /// Pairs of band names, "R:FR": ratio of the light that falls on an organ (both sides).

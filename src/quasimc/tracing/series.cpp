@@ -100,6 +100,8 @@ class SeriesRun {
         }
         summary_.total = total_.sum(dark_.bands, dark_.values.size());
         summary_.seconds = seconds();
+        const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
+        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
     }
 
@@ -150,6 +152,10 @@ class SeriesRun {
         ++summary_.methods[result.method.trace_from];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
+        if (result.audit) {
+            ++summary_.audited;
+            least_chance_ = std::min(least_chance_, result.audit->chance);
+        }
         return result;
     }
 
@@ -198,6 +204,7 @@ class SeriesRun {
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
     Result dark_;
+    double least_chance_ = 1;  // of an audit
     SeriesSummary summary_;
 };
 
@@ -237,6 +244,12 @@ Result scaled(const Result& result, double factor) {
              {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
               &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
             scale(band.*part, factor);
+        }
+    }
+    if (copy.audit) {
+        for (BandAudit& band : copy.audit->bands) {
+            band.difference *= factor;
+            band.standard_error *= factor;
         }
     }
     return copy;
