@@ -29,6 +29,8 @@ const char* name_of(TraceFrom from) {
             return "organs";
         case TraceFrom::lit_surfaces:
             break;
+        case TraceFrom::automatic:
+            return "auto";
     }
     return "lit";
 }

@@ -35,6 +35,11 @@ struct Estimate {
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
 
+/// The probability that a number of the F distribution exceeds f >= 0; degrees of freedom >= 1, of
+/// numerator and denominator, need not be whole. f = t^2 with one degree above: Student's t of
+/// either sign. Abramowitz and Stegun 26.6.2.
+[[nodiscard]] double f_tail(double f, double above, double below);
+
 /// The half-width of the 95 % interval in standard errors: the 0.975-quantile, df >= 1.
 [[nodiscard]] double interval_quantile(unsigned df);
 

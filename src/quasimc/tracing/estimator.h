@@ -108,7 +108,7 @@ class Estimator {
     [[nodiscard]] virtual bool counts_escapes() const = 0;
 };
 
-/// The estimator of a specification.
+/// The estimator of a specification that was planned: trace_from is not automatic.
 [[nodiscard]] std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec);
 

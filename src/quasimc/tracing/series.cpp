@@ -91,6 +91,8 @@ class SeriesRun {
         }
         summary_.total = total_.sum(dark_.bands, dark_.values.size());
         summary_.seconds = seconds();
+        const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
+        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
     }
 
@@ -138,8 +140,13 @@ class SeriesRun {
         spec.seed = seed_of(spec_.seed, summary_.traced);
         Result result = simulator_.run(scene_, moments_[i].sources, spec, progress_of(i));
         ++summary_.traced;
+        ++summary_.methods[result.method.trace_from];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
+        if (result.audit) {
+            ++summary_.audited;
+            least_chance_ = std::min(least_chance_, result.audit->chance);
+        }
         return result;
     }
 
@@ -188,6 +195,7 @@ class SeriesRun {
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
     Result dark_;
+    double least_chance_ = 1;  // of an audit
     SeriesSummary summary_;
 };
 
@@ -229,6 +237,12 @@ Result scaled(const Result& result, double factor) {
             band.*part = scaled(band.*part, factor);
         }
     }
+    if (copy.audit) {
+        for (BandAudit& band : copy.audit->bands) {
+            band.difference *= factor;
+            band.standard_error *= factor;
+        }
+    }
     return copy;
 }
 
@@ -241,6 +255,7 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
     dark.budget.resize(dark.bands);
     dark.replicates = spec.replicates;
+    dark.method.reason = "it is dark, nothing was traced";
     return dark;
 }
 
