@@ -16,6 +16,8 @@ struct Effort {
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.
 void print_efficiency(const Effort& effort);
+/// What tracing from lit surfaces is held to, mark by mark.
+void print_bars(const Effort& effort);
 /// Figure of merit of each way of tracing, and which of them the planner chooses.
 void print_planner(const Effort& effort);
 /// How often 95 % intervals hold the truth.

@@ -6,13 +6,36 @@
 namespace quasimc {
 namespace {
 
-/// One line costs about as much as this many paths, and goes with as many.
-constexpr double kPathsPerLine = 96;
+/// How much light is looked at for each path that may start. Where all bands scatter most of the
+/// light, its noise is in the paths: fewer lines and pixels, which leaves time for more of them
+/// (the first scattering is split, as it were).
+struct Looks {
+    double paths_per_line, pixels_per_path;
+};
+constexpr Looks kDark{96, 20};
+constexpr Looks kBright{160, 6};
+/// Largest albedo from which on a band is bright.
+constexpr double kBrightAlbedo = 0.5;
+
+const Looks& looks_for(const Stage& stage) {
+    for (std::size_t band = 0; band < stage.bands(); ++band) {
+        double largest = 0;
+        for (const Material& material : stage.scene().materials()) {
+            for (const bool upper : {true, false}) {
+                const double albedo = material.side(upper).albedo()[band];
+                largest = std::max(largest, material.is_transparent() ? 0 : albedo);
+            }
+        }
+        if (largest < kBrightAlbedo) {
+            return kDark;
+        }
+    }
+    return kBright;
+}
+
 /// A beam has at least so many.
 constexpr std::uint32_t kFewestLines = 16;
 
-/// Pixels that go with a path.
-constexpr double kPixelsPerPath = 20;
 /// Pixels of a direction of a sky: of few triangles so many for each, which leaves more directions;
 /// then enough to see leaves; of very many triangles again so many for each.
 constexpr double kPixelsPerFew = 16, kPixelsPerMany = 2;
@@ -22,6 +45,12 @@ constexpr std::uint32_t kFewestDirections = 16;
 constexpr std::uint32_t kDirectionBlocks = 16;
 
 }  // namespace
+
+LitPlan::LitPlan(const Stage& stage, const SkyDirections& skies)
+    : stage_(stage),
+      skies_(skies),
+      paths_per_line_(looks_for(stage).paths_per_line),
+      pixels_per_path_(looks_for(stage).pixels_per_path) {}
 
 std::vector<LitPart> LitPlan::parts(const Round& round) const {
     std::vector<LitPart> parts;
@@ -46,7 +75,7 @@ void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>&
     const bool is_disk = !stage_.lights()[light].emitter->beam_direction();
     const std::uint32_t beams = is_disk ? kDiskBeams : 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
-    const double lines = paths / kPathsPerLine * (is_disk ? 2 : 1) / beams;
+    const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
     const std::uint32_t count = std::max(kFewestLines, static_cast<std::uint32_t>(lines));
     const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
     for (std::uint32_t beam = 0; beam < beams; ++beam) {
@@ -55,7 +84,7 @@ void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>&
 }
 
 void LitPlan::add_skies(double paths, std::vector<LitPart>& parts) const {
-    const double directions = std::round(kPixelsPerPath * paths / pixels());
+    const double directions = std::round(pixels_per_path_ * paths / pixels());
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});

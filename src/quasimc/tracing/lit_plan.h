@@ -27,7 +27,7 @@ struct LitPart {
 /// (docs/theory/lit-surfaces.md).
 class LitPlan {
   public:
-    LitPlan(const Stage& stage, const SkyDirections& skies) : stage_(stage), skies_(skies) {}
+    LitPlan(const Stage& stage, const SkyDirections& skies);
 
     [[nodiscard]] std::vector<LitPart> parts(const Round& round) const;
     /// Pixels of one direction of the skies.
@@ -39,6 +39,7 @@ class LitPlan {
 
     const Stage& stage_;
     const SkyDirections& skies_;
+    double paths_per_line_, pixels_per_path_;
 };
 
 }  // namespace quasimc

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace quasimc {
 namespace {
@@ -25,6 +26,32 @@ Hit hit_at(const LocalMesh& mesh, const SurfaceStart& start) {
         start.u,
         start.v,
         {static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)}};
+}
+
+/// Sets workspace.order to that of the triangles, stable: digit by digit from the lowest (radix
+/// sort), which a few thousand starts on any number of triangles need but two or three of.
+void order_by_triangle(
+    const std::vector<SurfaceStart>& starts, std::uint32_t triangles, Workspace& workspace) {
+    constexpr unsigned kDigit = 11;
+    constexpr std::uint32_t kMask = (1U << kDigit) - 1;
+    std::vector<std::uint32_t>& order = workspace.order;
+    std::vector<std::uint32_t>& next = workspace.keys;
+    order.resize(starts.size());
+    next.resize(starts.size());
+    std::iota(order.begin(), order.end(), 0U);
+    for (unsigned shift = 0; shift < 32 && (triangles >> shift) > 0; shift += kDigit) {
+        const auto digit = [&](std::uint32_t i) { return (starts[i].triangle >> shift) & kMask; };
+        workspace.key_counts.assign(std::size_t{kMask} + 2, 0);
+        for (const std::uint32_t i : order) {
+            ++workspace.key_counts[digit(i) + 1];
+        }
+        std::partial_sum(
+            workspace.key_counts.begin(), workspace.key_counts.end(), workspace.key_counts.begin());
+        for (const std::uint32_t i : order) {
+            next[workspace.key_counts[digit(i)]++] = i;
+        }
+        order.swap(next);
+    }
 }
 
 }  // namespace
@@ -91,10 +118,8 @@ void SurfaceLight::end_beam() {
 }
 
 void SurfaceLight::trace() {
-    std::vector<SurfaceStart>& starts = workspace_.starts;
-    std::stable_sort(
-        starts.begin(), starts.end(),
-        [](const SurfaceStart& a, const SurfaceStart& b) { return a.triangle < b.triangle; });
+    const std::vector<SurfaceStart>& starts = workspace_.starts;
+    order_by_triangle(starts, stage_.caster().mesh().triangle_count(), workspace_);
     rules_.stream.count = std::bit_ceil(starts.size() + 1);
     // Part of a lattice must be spread over all of it, and its first coordinate, which grows with
     // the number, is left out: a surface would send all its light one way.
@@ -102,7 +127,7 @@ void SurfaceLight::trace() {
     rules_.scatter_dimension = spread ? 1 : 0;
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        const SurfaceStart& start = starts[i];
+        const SurfaceStart& start = starts[workspace_.order[i]];
         const SurfaceBeam& beam = workspace_.beams[start.beam];
         const std::uint64_t place = spread ? i * rules_.stream.count / starts.size() : i;
         const LightPath path{beam.light, rules_.stream.first + place, beam.direction, start.weight};
