@@ -15,6 +15,7 @@
 #include "quasimc/base/orientation.h"
 #include "quasimc/io/formats.h"
 #include "quasimc/io/input_files.h"
+#include "quasimc/io/options.h"
 #include "quasimc/io/run_file.h"
 #include "quasimc/io/table_reader.h"
 #include "quasimc/io/time_series.h"
@@ -52,7 +53,7 @@ struct RunFileContext {
 // run_file_options.cpp
 /// The options of a run, and where each was stated.
 struct RunOptions {
-    RunSpec spec;
+    RunSpec spec = default_run_spec();
     std::map<std::string_view, std::string> places;
 };
 

@@ -41,8 +41,9 @@ class Emitter {
     /// nearby starts); u[2] and u[3] choose the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
     /// A direction in which light may enter, drawn from a point of the unit square; nearby points
-    /// give nearby directions. Of a beam, which has one, and of a lamp, whose directions depend on
-    /// the place, the density is 0.
+    /// give nearby directions. Every source at infinity draws all directions in which it has light.
+    /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
+    /// is 0.
     [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;
     /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
     /// light travels) from evenly spread points; its integral over the sphere is 1.

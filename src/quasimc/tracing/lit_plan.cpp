@@ -33,8 +33,8 @@ const Looks& looks_for(const Stage& stage) {
     return kBright;
 }
 
-/// A beam has at least so many.
-constexpr std::uint32_t kFewestLines = 16;
+/// A beam has at least so many lines; where there are many beams, all together so many.
+constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 64;
 
 /// Pixels of a direction of a sky: of few triangles so many for each, which leaves more directions;
 /// then enough to see leaves; of very many triangles again so many for each.
@@ -72,11 +72,16 @@ std::vector<LitPart> LitPlan::parts(const Round& round) const {
 }
 
 void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>& parts) const {
-    const bool is_disk = !stage_.lights()[light].emitter->beam_direction();
+    const auto& lights = stage_.lights();
+    const bool is_disk = !lights[light].emitter->beam_direction();
+    const auto suns = static_cast<std::uint32_t>(std::count_if(
+        lights.begin(), lights.end(), [](const Light& l) { return l.source->is_sun(); }));
     const std::uint32_t beams = is_disk ? kDiskBeams : 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
-    const std::uint32_t count = std::max(kFewestLines, static_cast<std::uint32_t>(lines));
+    const std::uint32_t fewest =
+        std::clamp<std::uint32_t>(kFewestLinesInAll / suns, 1, kFewestLines);
+    const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
     const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
     for (std::uint32_t beam = 0; beam < beams; ++beam) {
         parts.push_back({false, light, beam, beams, count, 0, blocks});

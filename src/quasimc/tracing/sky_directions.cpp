@@ -3,12 +3,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "quasimc/base/checks.h"
+
 namespace quasimc {
 
 DrawnDirection lattice_direction(
     const Light& light, std::uint32_t i, std::uint32_t count, const std::array<double, 2>& shift) {
     const double v = i * (std::numbers::phi - 1) + shift[1];
-    return light.emitter->draw_direction((i + shift[0]) / count, v - std::floor(v));
+    const DrawnDirection drawn =
+        light.emitter->draw_direction((i + shift[0]) / count, v - std::floor(v));
+    EXPECT(drawn.density > 0);
+    return drawn;
 }
 
 SkyDirections::SkyDirections(const Stage& stage) {
