@@ -10,6 +10,7 @@
 #include "option_flags.h"
 #include "progress.h"
 #include "quasimc/io/atomic_file.h"
+#include "quasimc/io/audit_words.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -107,6 +108,14 @@ struct SeriesOutputs {
     }
 };
 
+/// What an audit found goes to stderr, whether or not there is a summary.
+void print_audit(double chance) {
+    const std::string warning = quasimc::audit_warning(chance);
+    if (!warning.empty()) {
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    }
+}
+
 Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, Outputs opened) {
     const quasimc::RunFile& file = stored.run;
     const SeriesOutputs outputs{std::move(opened)};
@@ -145,6 +154,7 @@ Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, 
     end_progress_line();
     const std::string digest = json ? json->finish(summary) : "";
     outputs.commit();
+    print_audit(summary.audit_chance);
     if (!arguments.quiet) {
         const std::string text = quasimc::series_summary(file, summary, outputs.files.names) +
                                  comparison(arguments, stored, digest);
@@ -170,6 +180,7 @@ Exit run(const RunArguments& arguments) {
         quasimc::run(file.scene, file.sources, file.spec, progress_line());
     end_progress_line();
     write_outputs(outputs, file, result);
+    print_audit(result.audit ? result.audit->chance : 1);
     if (!arguments.quiet) {
         const std::string text =
             quasimc::summary(file, result, outputs.names) +

@@ -3,6 +3,7 @@
 //     ./dev bench                      everything, some minutes
 //     ./dev bench efficiency engine    some parts
 //     ./dev bench --quick              a fast look, rough numbers
+//     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
 
 #include <algorithm>
 #include <cstdio>
@@ -19,7 +20,8 @@
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
-        {"efficiency", print_efficiency}, {"ratio", print_band_ratio}, {"bands", print_band_cost},
+        {"efficiency", print_efficiency}, {"planner", print_planner},  {"coverage", print_coverage},
+        {"agreement", print_agreement},   {"ratio", print_band_ratio}, {"bands", print_band_cost},
         {"engine", print_engine_speed},   {"day", print_day},          {"scaling", print_scaling},
     };
     std::vector<std::string> names;
@@ -31,9 +33,12 @@ int main(int argc, char** argv) {
     bool quick = false;
     app.add_option("parts", asked, "which parts (default: all)")->check(CLI::IsMember(names));
     app.add_flag("--quick", quick, "fewer replicates and smaller scenes");
+    std::uint64_t plain_paths = 0;
+    app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
     CLI11_PARSE(app, argc, argv);
 
-    const Effort effort = quick ? Effort{8, 16384, 10000, 3} : Effort{};
+    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000} : Effort{};
+    effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(
         "QuasiMC %s, %u threads available. CPU times are of one thread unless stated.\n",
         std::string(quasimc::version()).c_str(), quasimc::thread_count(0));

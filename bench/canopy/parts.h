@@ -9,11 +9,19 @@ struct Effort {
     std::uint32_t replicates = 20;
     std::uint64_t paths = 65536;
     std::uint32_t most_leaves = 1000000;
-    int repeats = 5;  ///< of timings, of which the median counts
+    int repeats = 5;                            ///< of timings, of which the median counts
+    std::uint32_t repetitions = 200;            ///< of runs, to count how many are right
+    std::uint64_t plain_paths = 1'000'000'000;  ///< of plain tracing, to agree with
 };
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.
 void print_efficiency(const Effort& effort);
+/// Figure of merit of each way of tracing, and which of them the planner chooses.
+void print_planner(const Effort& effort);
+/// How often 95 % intervals hold the truth.
+void print_coverage(const Effort& effort);
+/// Whether every way of tracing agrees with plain Monte Carlo tracing on scenes of many kinds.
+void print_agreement(const Effort& effort);
 /// Ratio of two bands: one path for both against one for each.
 void print_band_ratio(const Effort& effort);
 /// What further bands cost.

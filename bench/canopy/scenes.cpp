@@ -30,6 +30,24 @@ Triangle random_leaf(double radius, std::mt19937_64& random) {
     return leaf;
 }
 
+/// Sensors that light passes, along a diagonal of the cube.
+void add_sensors(const Canopy& canopy, double side, SceneBuilder& builder) {
+    MaterialSpec glass{.name = "sensor", .upper = {}, .lower = {}};
+    SideOptics through;
+    through.transmittance = 1;
+    through.transmission_model = "mirror";
+    glass.upper.assign(canopy.albedos.size(), through);
+    glass.lower = glass.upper;
+    builder.add_material(glass);
+    for (std::uint32_t i = 0; i < canopy.sensors; ++i) {
+        const double at = kSide * (i + 0.5) / canopy.sensors;
+        OrganSpec organ;
+        organ.parts.push_back(
+            {"sensor", {{Vec3{at, at, at}, Vec3{at + side, at, at}, Vec3{at, at + side, at}}}});
+        builder.add_organ(std::move(organ));
+    }
+}
+
 }  // namespace
 
 Scene make_canopy(const Canopy& canopy) {
@@ -39,6 +57,11 @@ Scene make_canopy(const Canopy& canopy) {
         bands.push_back({"band" + std::to_string(bands.size()), "W m-2"});
         SideOptics side;
         side.reflectance = side.transmittance = albedo / 2;
+        if (canopy.phong_exponent > 0) {
+            const bool is_mirror = std::isinf(canopy.phong_exponent);
+            side.reflection_model = is_mirror ? "mirror" : "phong";
+            side.reflection_exponent = is_mirror ? 0 : canopy.phong_exponent;
+        }
         leaf.upper.push_back(side);
         leaf.lower.push_back(side);
     }
@@ -51,7 +74,14 @@ Scene make_canopy(const Canopy& canopy) {
     for (std::uint32_t i = 0; i < canopy.leaves; ++i) {
         OrganSpec organ;
         organ.parts.push_back({"leaf", {random_leaf(radius, random)}});
+        organ.measured = canopy.sensors == 0 && (canopy.measured == 0 || i < canopy.measured);
         builder.add_organ(std::move(organ));
+    }
+    if (canopy.sensors > 0) {
+        add_sensors(canopy, radius / 10, builder);
+    }
+    if (canopy.is_repeated) {
+        builder.set_cell({.along_x = true, .along_y = true, .size_x = kSide, .size_y = kSide});
     }
     return std::move(builder).build();
 }

@@ -14,6 +14,10 @@ struct Canopy {
     std::uint32_t leaves = 500;
     std::vector<double> albedos{0.2};  ///< per band, half reflected and half transmitted
     std::uint64_t seed = 1;
+    std::uint32_t measured = 0;  ///< the first so many leaves; 0: all
+    std::uint32_t sensors = 0;   ///< tiny horizontal ones amid the leaves, which alone are measured
+    double phong_exponent = 0;   ///< of all that is reflected; 0: Lambertian; infinite: a mirror
+    bool is_repeated = false;    ///< along both horizontal axes
 };
 
 [[nodiscard]] Scene make_canopy(const Canopy& canopy);

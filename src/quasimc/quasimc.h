@@ -29,6 +29,7 @@
 #include "quasimc/sources/source.h"
 #include "quasimc/sources/sun_position.h"
 #include "quasimc/tallies/statistics.h"
+#include "quasimc/tracing/planner.h"
 #include "quasimc/tracing/result.h"
 #include "quasimc/tracing/run.h"
 #include "quasimc/tracing/run_spec.h"

@@ -12,6 +12,22 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+TEST_F(ProgramTest, AuditsOnDemand) {
+    const Outcome outcome = run({"run", "run.toml", "--audit", "0.5"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("audit     agrees"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err.find("audit"), std::string::npos) << outcome.err;
+    const Outcome refused = run({"run", "run.toml", "--audit", "0.5", "--replicates", "1"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("audit: needs at least 2 replicates"), std::string::npos);
+}
+
+TEST_F(ProgramTest, NamesTheMethodThatItChose) {
+    const Outcome outcome = run({"run", "run.toml", "--trace-from", "auto"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.out.find("method    from "), std::string::npos) << outcome.out;
+}
+
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
     const Outcome outcome = run({"run", "run.toml"});
     EXPECT_EQ(outcome.status, 0);

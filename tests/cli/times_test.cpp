@@ -68,6 +68,13 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
 }
 
+TEST_F(TimesTest, SaysWhereItTracesFrom) {
+    const Outcome outcome =
+        run({"run", "days.toml", "--csv", "t.csv", "--trace-from", "lit_surfaces"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("from lit_surfaces, "), std::string::npos) << outcome.out;
+}
+
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
     ASSERT_EQ(run({"run", "days.toml", "--json", "r.json", "--threads", "1"}).status, 0);
     const Outcome outcome = run({"run", "--from", "r.json", "--threads", "2"});

@@ -105,6 +105,8 @@ std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info) {
             return "FromOrgans";
         case TraceFrom::lit_surfaces:
             break;
+        case TraceFrom::automatic:
+            return "Automatic";
     }
     return "FromLitSurfaces";
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quasimc/base/version.h"
+#include "quasimc/io/options.h"
 #include "quasimc/io/units.h"
 
 namespace quasimc {
@@ -133,6 +134,35 @@ Json done_json(const Result& result) {
         {"fraction_at_target", result.fraction_at_target}};
 }
 
+Json method_json(const RunSpec& spec, const Result& result) {
+    return {
+        {"trace_from", trace_from_name(result.method.trace_from)},
+        {"asked", trace_from_name(spec.trace_from)},
+        {"reason", result.method.reason}};
+}
+
+Json audit_json(const RunFile& run, const Result& result) {
+    if (!result.audit) {
+        return {};
+    }
+    const Audit& audit = *result.audit;
+    Json bands = Json::object();
+    for (std::size_t b = 0; b < audit.bands.size(); ++b) {
+        const Band& band = run.scene.bands()[b];
+        const BandAudit& own = audit.bands[b];
+        bands[band.name] = {
+            {"unit", flux_unit(band.unit, run.scene.length_unit())},
+            {"chi", own.chi},
+            {"chi_freedom", own.freedom},
+            {"chi_chance", own.chi_chance},
+            {"difference", own.difference},
+            {"standard_error", own.standard_error},
+            {"difference_chance", own.difference_chance}};
+    }
+    return {{"paths", audit.paths}, {"replicates", audit.replicates}, {"chance", audit.chance},
+            {"level", kAuditLevel}, {"agrees", audit.agrees()},       {"bands", bands}};
+}
+
 /// What is known before anything is traced.
 Json head_json(const RunFile& run) {
     const Scene& scene = run.scene;
@@ -185,11 +215,13 @@ std::string json_head(const RunFile& run) {
 
 std::string json_result_head(const RunFile& run, const Result& result) {
     Json head;
+    head["method"] = method_json(run.spec, result);
     head["done"] = done_json(result);
     head["seconds"] = {
         {"build", result.build_seconds},
         {"trace", result.trace_seconds},
         {"trace_cpu", result.trace_cpu_seconds}};
+    head["audit"] = audit_json(run, result);
     head["energy"] = energy_json(run.scene, result);
     head["escaped_is_remainder"] = result.escaped_is_remainder;
     return members(head);
@@ -201,6 +233,14 @@ std::string json_warnings(const RunFile& run) {
 
 std::string json_quoted(std::string_view text) {
     return dumped(std::string(text));
+}
+
+std::string json_method(const RunFile& run, const Result& result) {
+    return dumped(method_json(run.spec, result));
+}
+
+std::string json_audit(const RunFile& run, const Result& result) {
+    return dumped(audit_json(run, result));
 }
 
 std::string json_done(const Result& result) {

@@ -21,6 +21,9 @@ namespace quasimc {
 
 // Values.
 [[nodiscard]] std::string json_quoted(std::string_view text);
+[[nodiscard]] std::string json_method(const RunFile& run, const Result& result);
+/// null without one.
+[[nodiscard]] std::string json_audit(const RunFile& run, const Result& result);
 [[nodiscard]] std::string json_done(const Result& result);
 [[nodiscard]] std::string json_energy(const RunFile& run, const Result& result);
 /// A number; null if it is not finite.

@@ -109,12 +109,13 @@ std::vector<Option> rows_of_paths() {
         sampler_option({"sampler", "", "point set that the paths are made from"}),
         choice_option<TraceFrom>(
             {"trace_from", "",
-             "where paths start: lit_surfaces (suns), sources (many organs) or organs (few or "
-             "small organs, skies)"},
+             "where paths start: lit_surfaces (sun, sky), sources (lamps), organs (few or small "
+             "ones measured); auto: the best of them, and why"},
             &RunSpec::trace_from,
             {{"sources", TraceFrom::sources},
              {"organs", TraceFrom::organs},
-             {"lit_surfaces", TraceFrom::lit_surfaces}}),
+             {"lit_surfaces", TraceFrom::lit_surfaces},
+             {"auto", TraceFrom::automatic}}),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
             {1, kMostPaths}),
@@ -174,6 +175,11 @@ std::vector<Option> rows_of_ends() {
             {"max_paths", "",
              "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
             &RunSpec::max_paths, {0, kMostPaths}),
+        real_option(
+            {"audit", "",
+             "share of the paths (0.1) that plain Monte Carlo tracing gets afterwards, to compare "
+             "with; 0: no audit"},
+            &RunSpec::audit, {0, 1}),
         real_option(
             {"tally_memory_mb", "MB",
              "private tallies of all threads; larger ones are shared (same results)"},

@@ -115,6 +115,12 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     return fault;
 }
 
+std::string trace_from_name(TraceFrom from) {
+    RunSpec spec;
+    spec.trace_from = from;
+    return std::get<std::string>(find_option("trace_from")->get(spec));
+}
+
 OptionValue parse_option(const Option& option, std::string_view text) {
     if (std::holds_alternative<IntegerDomain>(option.domain)) {
         if (const auto integer = parse_integer(text)) {

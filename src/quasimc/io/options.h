@@ -62,6 +62,9 @@ struct Option {
 /// real. The fault has no place.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
+/// How run files name a way of tracing: "lit_surfaces".
+[[nodiscard]] std::string trace_from_name(TraceFrom from);
+
 /// The value that a text on the command line states ("65536", "sobol", "R:FR,B:R"); a text that is
 /// no number stays text, for check_option to refuse.
 [[nodiscard]] OptionValue parse_option(const Option& option, std::string_view text);

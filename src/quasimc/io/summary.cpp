@@ -5,6 +5,7 @@
 
 #include "quasimc/base/parallel.h"
 #include "quasimc/base/version.h"
+#include "quasimc/io/audit_words.h"
 #include "quasimc/io/line_scanner.h"
 #include "quasimc/io/options.h"
 #include "quasimc/io/units.h"
@@ -34,13 +35,35 @@ std::string scene_line(const Scene& scene) {
                      scene.triangles().size(), repeated, bands));
 }
 
+/// What is computed: program, file, scene, lights.
+std::string subject_lines(const RunFile& run) {
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    return text;
+}
+
 std::string run_line(const RunSpec& spec, const Result& result) {
-    const OptionValue from = find_option("trace_from")->get(spec);
     return line(
         "run", fmt::format(
                    "{} from {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
-                   std::get<std::string>(from), result.paths, result.replicates, spec.seed,
-                   thread_count(spec.threads)));
+                   trace_from_name(result.method.trace_from), result.paths, result.replicates,
+                   spec.seed, thread_count(spec.threads)));
+}
+
+/// Why the run was traced so, if that was not what the run file said.
+std::string method_line(const RunSpec& spec, const Result& result) {
+    if (spec.trace_from != TraceFrom::automatic) {
+        return "";
+    }
+    return line(
+        "method",
+        fmt::format(
+            "from {}: {}", trace_from_name(result.method.trace_from), result.method.reason));
 }
 
 std::string time_line(const Result& result) {
@@ -136,6 +159,17 @@ std::string energy_lines(const Scene& scene, const Result& result) {
     return text;
 }
 
+/// From where the times were traced: one name, or each with the number of times.
+std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
+    std::string text;
+    for (const auto& [from, times] : summary.methods) {
+        text += fmt::format(
+            "{}{}{}", text.empty() ? "" : ", ", trace_from_name(from),
+            summary.methods.size() > 1 ? fmt::format(" ({} times)", times) : "");
+    }
+    return text.empty() ? trace_from_name(spec.trace_from) : text;
+}
+
 std::string target_line(const RunSpec& spec, const Result& result) {
     if (spec.target_error <= 0) {
         return "";
@@ -179,42 +213,37 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
 
 std::string summary(
     const RunFile& run, const Result& result, const std::vector<std::string>& written) {
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
-    text += run_line(run.spec, result) + time_line(result) + target_line(run.spec, result);
+    std::string text = subject_lines(run);
+    text += run_line(run.spec, result) + method_line(run.spec, result) + time_line(result) +
+            target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
+    for (const std::string& words : audit_lines(run, result)) {
+        text += line("audit", words);
+    }
     return text + written_line(written);
 }
 
 std::string series_summary(
     const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written) {
     const TimeSeries& series = *run.series;
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
+    std::string text = subject_lines(run);
     for (const std::string& words : series.words) {
         text += line("time", one_line(words));
     }
     text += line("times", times_words(series, summary));
     text += line(
         "run", fmt::format(
-                   "{} {}, {} paths x {} replicates at a time; {:.3g} s, {} rays", run.spec.sampler,
-                   run.spec.trace_from == TraceFrom::sources ? "from sources" : "from organs",
-                   run.spec.paths, run.spec.replicates, summary.seconds, summary.rays));
+                   "{} from {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
+                   run.spec.sampler, series_method(run.spec, summary), run.spec.paths,
+                   run.spec.replicates, summary.seconds, summary.rays));
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(
                           "{} % error or less: reached at {} of {} times",
                           100 * run.spec.target_error, summary.at_target, summary.traced));
+    }
+    if (summary.audited > 0) {
+        text += line("audit", audit_line(summary));
     }
     return text + written_line(written);
 }

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "quasimc/io/audit_words.h"
 #include "quasimc/io/csv_parts.h"
+#include "quasimc/io/line_scanner.h"
+#include "quasimc/io/options.h"
 #include "quasimc/io/series_words.h"
 #include "quasimc/io/units.h"
 #include "quasimc/io/write_result.h"
@@ -89,8 +92,14 @@ void write_rows(
 void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
     sink(csv_origin(run, "table of organs"));
     sink(fmt::format(
+        "# method: from {}, {}\n", trace_from_name(result.method.trace_from),
+        one_line(result.method.reason)));
+    sink(fmt::format(
         "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
         result.rays));
+    for (const std::string& words : audit_lines(run, result)) {
+        sink("# audit: " + one_line(words) + "\n");
+    }
     sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
     sink(csv_header({}, label_keys(run.scene), estimate_columns(run)));
     write_rows(run, result, "", sink);

@@ -98,9 +98,10 @@ void SeriesJson::add_moment(std::size_t moment, const Result& result, std::size_
     const MomentNotes& notes = run_.series->notes[moment];
     sink_((moments_++ > 0 ? ",\n" : "") + moment_head(notes));
     sink_(fmt::format(
-        ", \"traced\": {}, \"done\": {}, \"energy\": {}, \"organs\": [\n",
-        json_quoted(run_.series->notes[traced].time), json_done(result),
-        json_energy(run_, result)));
+        ", \"traced\": {}, \"method\": {}, \"done\": {}, \"audit\": {}, \"energy\": {}, "
+        "\"organs\": [\n",
+        json_quoted(run_.series->notes[traced].time), json_method(run_, result), json_done(result),
+        json_audit(run_, result), json_energy(run_, result)));
     const JsonNames names = json_names(run_);
     const std::vector<Organ>& organs = run_.scene.organs();
     for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -122,8 +123,10 @@ std::string SeriesJson::finish(const SeriesSummary& summary) {
         "\"total\": {{\"seconds\": {}, \"organs\": {}}},\n", shortest(summary.total.seconds),
         sums_of(run_, summary.total)));
     sink_(fmt::format(
-        "\"done\": {{\"moments\": {}, \"traced\": {}, \"rays\": {}}},\n\"seconds\": {},\n",
-        moments_, summary.traced, summary.rays, shortest(summary.seconds)));
+        "\"done\": {{\"moments\": {}, \"traced\": {}, \"rays\": {}, \"audited\": {}, "
+        "\"audit_chance\": {}}},\n\"seconds\": {},\n",
+        moments_, summary.traced, summary.rays, summary.audited, shortest(summary.audit_chance),
+        shortest(summary.seconds)));
     std::string digest = digest_.hex();
     sink_(fmt::format("\"organs_sha256\": \"{}\"\n}}\n", digest));
     return digest;

@@ -82,6 +82,10 @@ class SkyEmitter final : public Emitter {
             entry_place(box_, direction, u[0], u[1]), direction,
             entering / (from.pdf * unscaled_flux_)};
     }
+    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+        const HemisphereSampler::Sample from = sampler_.sample(u0, u1);
+        return {-from.direction, from.pdf};
+    }
     [[nodiscard]] double density(const Vec3& direction) const override {
         return sampler_.pdf(-direction);
     }

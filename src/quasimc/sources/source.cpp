@@ -4,6 +4,10 @@
 
 namespace quasimc {
 
+DrawnDirection Emitter::draw_direction(double, double) const {
+    return {beam_direction().value_or(Vec3{}), 0};
+}
+
 double Emitter::density(const Vec3&) const {
     return 0;
 }

@@ -60,6 +60,54 @@ double normal_quantile(double p) {
     return high;
 }
 
+/// The logarithm of the gamma function, x > 0: Stirling's series (Abramowitz and Stegun 6.1.41),
+/// to 15 digits. (That of the standard library writes to a global variable.)
+double log_gamma(double x) {
+    double shift = 0;
+    for (; x < 20; ++x) {
+        shift += std::log(x);
+    }
+    const double y = 1 / (x * x);
+    const double series = (1.0 / 12 - y * (1.0 / 360 - y * (1.0 / 1260 - y / 1680))) / x;
+    return (x - 0.5) * std::log(x) - x + 0.5 * std::log(2 * std::numbers::pi) + series - shift;
+}
+
+/// The continued fraction of the incomplete beta function (DLMF 8.17.22), by the method of Lentz
+/// (1976). Converges fast for x < (a + 1) / (a + b + 2).
+double beta_fraction(double x, double a, double b) {
+    constexpr int kMostTerms = 100000;
+    constexpr double kTiny = 1e-300;
+    double value = 1;
+    double c = 1;
+    double d = 0;
+    for (int j = 1; j < kMostTerms; ++j) {
+        const bool is_odd = j % 2 == 1;
+        const double m = (is_odd ? j - 1 : j) / 2.0;
+        const double term = is_odd ? -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + j))
+                                   : m * (b - m) * x / ((a + j - 1) * (a + j));
+        d = 1 + term * d;
+        d = 1 / (std::abs(d) < kTiny ? kTiny : d);
+        c = 1 + term / c;
+        c = std::abs(c) < kTiny ? kTiny : c;
+        value *= c * d;
+        if (std::abs(c * d - 1) < 1e-15) {
+            break;
+        }
+    }
+    return 1 / value;
+}
+
+/// The regularized incomplete beta function I_x(a, b), y = 1 - x.
+double incomplete_beta(double x, double y, double a, double b) {
+    if (x <= 0 || y <= 0) {
+        return x <= 0 ? 0 : 1;
+    }
+    const double front = std::exp(
+        log_gamma(a + b) - log_gamma(a) - log_gamma(b) + a * std::log(x) + b * std::log(y));
+    return x < (a + 1) / (a + b + 2) ? front * beta_fraction(x, a, b) / a
+                                     : 1 - front * beta_fraction(y, b, a) / b;
+}
+
 Estimate with_interval(double mean, double standard_error, std::size_t replicates) {
     const double half = interval_quantile(static_cast<unsigned>(replicates - 1)) * standard_error;
     return {mean, standard_error, mean - half, mean + half};
@@ -83,6 +131,12 @@ double student_t_quantile(double p, unsigned df) {
     constexpr unsigned kManyDegrees = 1000;
     return df > kManyDegrees ? large_df_quantile(normal_quantile(p), df)
                              : bisect_quantile(2 * p - 1, df);
+}
+
+double f_tail(double f, double above, double below) {
+    EXPECT(f >= 0 && above > 0 && below > 0);
+    const double sum = below + above * f;
+    return incomplete_beta(below / sum, above * f / sum, below / 2, above / 2);
 }
 
 double interval_quantile(unsigned df) {

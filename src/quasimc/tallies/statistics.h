@@ -13,6 +13,11 @@ struct Estimate {
     double high = 0;
 };
 
+/// The estimate of a number times `factor` >= 0.
+[[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
+    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+}
+
 /// Mean, standard error and 95 % Student t-interval of the mean of `values`, one per replicate (at
 /// least one; with one replicate error and interval are NaN).
 [[nodiscard]] Estimate estimate_mean(std::span<const double> values);
@@ -29,6 +34,11 @@ struct Estimate {
 
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
+
+/// The probability that a number of the F distribution exceeds f >= 0; degrees of freedom >= 1, of
+/// numerator and denominator, need not be whole. f = t^2 with one degree above: Student's t of
+/// either sign. Abramowitz and Stegun 26.6.2.
+[[nodiscard]] double f_tail(double f, double above, double below);
 
 /// The half-width of the 95 % interval in standard errors: the 0.975-quantile, df >= 1.
 [[nodiscard]] double interval_quantile(unsigned df);

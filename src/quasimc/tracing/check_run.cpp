@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "quasimc/base/checks.h"
 #include "quasimc/base/text.h"
 #include "quasimc/samplers/catalogue.h"
 #include "quasimc/tracing/estimator.h"
@@ -70,6 +71,11 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
         "needs at least 2 replicates", "one replicate has no standard error");
+    require(
+        spec.audit >= 0 && spec.audit <= 1, "audit", shortest(spec.audit), "0 to 1, 0 for none");
+    require(
+        !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
+        "one replicate has no standard error");
     require(
         spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
         "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
@@ -160,12 +166,14 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
 
 std::unique_ptr<Estimator> make_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
+    EXPECT(spec.trace_from != TraceFrom::automatic);
     switch (spec.trace_from) {
         case TraceFrom::organs:
             return make_backward_estimator(stage, sampler, spec);
         case TraceFrom::lit_surfaces:
             return make_lit_surfaces_estimator(stage, sampler, spec);
         case TraceFrom::sources:
+        case TraceFrom::automatic:
             break;
     }
     return make_forward_estimator(stage, sampler, spec);

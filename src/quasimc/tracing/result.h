@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "quasimc/tallies/statistics.h"
+#include "quasimc/tracing/audit.h"
+#include "quasimc/tracing/run_spec.h"
 
 namespace quasimc {
 
@@ -45,6 +48,12 @@ struct BandBudget {
 /// missed.
 enum class StopReason { paths_done, target_reached, time_is_up, path_limit };
 
+/// How a result was computed, and why so.
+struct Method {
+    TraceFrom trace_from = TraceFrom::sources;  ///< never automatic
+    std::string reason;                         ///< a sentence without its full stop
+};
+
 struct Result {
     std::size_t bands = 0;
     std::size_t ratios = 0;
@@ -59,7 +68,9 @@ struct Result {
     std::vector<BandBudget> budget;  ///< per band
     bool escaped_is_remainder = false;
 
-    std::uint64_t paths = 0;  ///< per replicate, all rounds
+    Method method;
+    std::optional<Audit> audit;  ///< if RunSpec::audit asked for one
+    std::uint64_t paths = 0;     ///< per replicate, all rounds
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::paths_done;

@@ -1,13 +1,18 @@
 #include "quasimc/tracing/run.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "quasimc/base/parallel.h"
+#include "quasimc/samplers/hash.h"
 #include "quasimc/tallies/replicates.h"
 #include "quasimc/tracing/estimator.h"
 #include "quasimc/tracing/evaluate.h"
+#include "quasimc/tracing/planner.h"
 #include "quasimc/tracing/rounds.h"
 #include "quasimc/tracing/simulator.h"
 #include "quasimc/tracing/stage.h"
@@ -78,6 +83,22 @@ void trace_round(
     replicates.collect();
 }
 
+/// The plainest run there is, with random numbers of its own.
+RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
+    constexpr double kFewestPaths = 64;
+    RunSpec audit = spec;
+    audit.sampler = "monte_carlo";
+    audit.trace_from = TraceFrom::sources;
+    audit.seed = mix64(spec.seed ^ 0x6a09e667f3bcc908U);
+    audit.paths = static_cast<std::uint64_t>(
+        std::max(kFewestPaths, std::round(spec.audit * static_cast<double>(paths_done))));
+    audit.target_error = audit.max_seconds = 0;
+    audit.max_paths = 0;
+    audit.roulette_weight = 1;
+    audit.ratios.clear();
+    return audit;
+}
+
 }  // namespace
 
 Result run(
@@ -97,6 +118,23 @@ Result Simulator::run(
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
 
+    RunSpec planned = spec;
+    Method method = plan_method(scene, sources, spec);
+    planned.trace_from = method.trace_from;
+    Result result = trace(scene, sources, planned, on_progress);
+    result.method = std::move(method);
+    if (spec.audit > 0) {
+        const Result plain = trace(scene, sources, audit_spec(spec, result.paths), {});
+        result.audit = compare_results(scene, result, plain);
+    }
+    return result;
+}
+
+Result Simulator::trace(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress) {
     const Clock::time_point start = Clock::now();
     const Stage stage(scene, sources, spec.window, caster_for(scene, spec.engine));
     if (stage.lights().empty()) {

@@ -13,8 +13,9 @@ namespace quasimc {
 enum class TraceFrom {
     sources,  ///< light tracing: many organs, sun
     organs,   ///< from points on each organ, light sampled at every hit: few or small organs, sky
-    lit_surfaces,  ///< where parallel light falls, found along scan lines: direct light almost
-                   ///< without noise; other sources as `sources`
+    lit_surfaces,  ///< where suns and skies fall first, found by scan lines and item buffers:
+                   ///< direct light almost without noise; lamps as `sources`
+    automatic,     ///< whichever of the others has the smallest errors for its time: plan_method()
 };
 
 /// What becomes of light that falls on an organ straight from a source.
@@ -46,6 +47,10 @@ struct RunSpec {
     double max_seconds = 0;         ///< no new round after that; 0: none
     std::uint64_t max_paths =
         0;  ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a target
+
+    /// After the run, plain Monte Carlo tracing from the sources with this share of its paths, to
+    /// compare with (Result::audit); 0: none. At most 1.
+    double audit = 0;
 
     double tally_memory_mb = 256;  ///< private tallies of all threads; larger ones are shared
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "quasimc/base/checks.h"
+#include "quasimc/samplers/hash.h"
 #include "quasimc/tracing/series_sum.h"
 #include "quasimc/tracing/simulator.h"
 
@@ -58,17 +59,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
     if (trace == 0) {
         return seed;
     }
-    std::uint64_t z = seed + trace * 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-}
-
-void scale(Estimate& estimate, double factor) {
-    estimate.mean *= factor;
-    estimate.standard_error *= factor;
-    estimate.low *= factor;
-    estimate.high *= factor;
+    return mix64(seed + trace * 0x9E3779B97F4A7C15U);
 }
 
 /// Traces a series, moment by moment.
@@ -100,6 +91,8 @@ class SeriesRun {
         }
         summary_.total = total_.sum(dark_.bands, dark_.values.size());
         summary_.seconds = seconds();
+        const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
+        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
     }
 
@@ -147,8 +140,13 @@ class SeriesRun {
         spec.seed = seed_of(spec_.seed, summary_.traced);
         Result result = simulator_.run(scene_, moments_[i].sources, spec, progress_of(i));
         ++summary_.traced;
+        ++summary_.methods[result.method.trace_from];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
+        if (result.audit) {
+            ++summary_.audited;
+            least_chance_ = std::min(least_chance_, result.audit->chance);
+        }
         return result;
     }
 
@@ -197,6 +195,7 @@ class SeriesRun {
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
     Result dark_;
+    double least_chance_ = 1;  // of an audit
     SeriesSummary summary_;
 };
 
@@ -228,14 +227,20 @@ std::vector<MomentPlan> plan_series(const std::vector<Moment>& moments) {
 Result scaled(const Result& result, double factor) {
     Result copy = result;
     for (Estimate& estimate : copy.values) {
-        scale(estimate, factor);
+        estimate = scaled(estimate, factor);
     }
     for (BandBudget& band : copy.budget) {
         band.emitted *= factor;
         for (Estimate BandBudget::*part :
              {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
               &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
-            scale(band.*part, factor);
+            band.*part = scaled(band.*part, factor);
+        }
+    }
+    if (copy.audit) {
+        for (BandAudit& band : copy.audit->bands) {
+            band.difference *= factor;
+            band.standard_error *= factor;
         }
     }
     return copy;
@@ -250,6 +255,7 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
     dark.budget.resize(dark.bands);
     dark.replicates = spec.replicates;
+    dark.method.reason = "it is dark, nothing was traced";
     return dark;
 }
 

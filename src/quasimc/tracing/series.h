@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,14 @@ struct SeriesEvents {
 
 /// What is known of a series at its end.
 struct SeriesSummary {
-    SeriesSum total;            ///< over all days
-    std::size_t traced = 0;     ///< moments that were traced; the others are dark or scaled
+    SeriesSum total;         ///< over all days
+    std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
+    /// By which methods, and how many moments by each.
+    std::map<TraceFrom, std::size_t> methods;
     std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
+    std::size_t audited = 0;    ///< of those, how many were audited
+    /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
+    double audit_chance = 1;
     std::uint64_t rays = 0;
     double seconds = 0;  ///< wall
 };

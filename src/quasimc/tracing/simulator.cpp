@@ -19,11 +19,11 @@ std::shared_ptr<const RayCaster> Simulator::caster_for(const Scene& scene, Engin
 }
 
 const Sampler& Simulator::sampler_for(const std::string& name) {
-    if (!sampler_ || name != sampler_name_) {
-        sampler_ = make_sampler(name);
-        sampler_name_ = name;
+    std::unique_ptr<Sampler>& sampler = samplers_[name];
+    if (!sampler) {
+        sampler = make_sampler(name);
     }
-    return *sampler_;
+    return *sampler;
 }
 
 }  // namespace quasimc

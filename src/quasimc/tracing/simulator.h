@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ namespace quasimc {
 
 /// Runs one after the other, as growth or the hours of a day ask for: keeps what the next run can
 /// use again. The acceleration structure serves as long as triangles, cell and engine stay the same
-/// (whatever happens to optics, sources or the specification), the sampler's tables as long as its
-/// name does. A result is bit for bit that of quasimc::run.
+/// (whatever happens to optics, sources or the specification), the samplers' tables always. A
+/// result is bit for bit that of quasimc::run.
 class Simulator {
   public:
     /// As quasimc::run. Not for several threads at a time.
@@ -29,6 +30,12 @@ class Simulator {
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:
+    /// Traces a specification that was checked and planned.
+    [[nodiscard]] Result trace(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::function<void(const Progress&)>& on_progress);
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
@@ -36,8 +43,7 @@ class Simulator {
     std::shared_ptr<const std::vector<Triangle>> triangles_;  // of caster_, with cell and engine:
     Cell cell_;
     Engine engine_ = Engine::embree;
-    std::unique_ptr<Sampler> sampler_;
-    std::string sampler_name_;
+    std::map<std::string, std::unique_ptr<Sampler>> samplers_;
     std::size_t builds_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io_testing.h"
+#include "quasimc/io/audit_words.h"
 #include "quasimc/io/line_scanner.h"
 #include "quasimc/io/units.h"
 
@@ -159,6 +160,68 @@ TEST(Summary, IsShortAndTellsTheEnergy) {
     EXPECT_LE(lines_of(text).size(), 12U) << text;
     EXPECT_NE(text.find("FR [W m-2 cm2]: 7 emitted"), std::string::npos) << text;
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
+}
+
+/// What "auto" chose and why stands in every form of the result.
+TEST(Method, IsToldWithItsReason) {
+    RunFile run = small_run();
+    run.spec.trace_from = TraceFrom::automatic;
+    Result result = small_result();
+    result.method = {TraceFrom::lit_surfaces, "it is sunny"};
+    EXPECT_NE(summary(run, result, {}).find("from lit_surfaces: it is sunny"), std::string::npos);
+    const auto json = json_of(run, result)["method"];
+    EXPECT_EQ(json["trace_from"], "lit_surfaces");
+    EXPECT_EQ(json["asked"], "auto");
+    EXPECT_EQ(json["reason"], "it is sunny");
+    std::string table;
+    write_csv(run, result, [&](std::string_view piece) { table += piece; });
+    EXPECT_TRUE(mentions(lines_of(table), "# method: from lit_surfaces, it is sunny"));
+}
+
+TEST(Method, IsNoNewsToWhoAskedForIt) {
+    Result result = small_result();
+    result.method = {TraceFrom::sources, "asked for"};
+    EXPECT_EQ(summary(small_run(), result, {}).find("asked for"), std::string::npos);
+}
+
+Audit small_audit(double chance) {
+    return {
+        10,
+        8,
+        {{.chi = 1.5, .freedom = 3, .difference = -2, .standard_error = 1},
+         {.chi = .5, .difference = kNan, .standard_error = kNan}},
+        chance};
+}
+
+TEST(Audit, IsToldBandByBand) {
+    Result result = small_result();
+    EXPECT_TRUE(json_of(small_run(), result)["audit"].is_null());
+    EXPECT_EQ(summary(small_run(), result, {}).find("audit"), std::string::npos);
+    result.audit = small_audit(.25);
+    const auto json = json_of(small_run(), result)["audit"];
+    EXPECT_EQ(json["agrees"], true);
+    EXPECT_EQ(json["paths"], 10);
+    EXPECT_EQ(json["bands"]["R"]["chi"], 1.5);
+    EXPECT_EQ(json["bands"]["R"]["difference"], -2.0);
+    EXPECT_EQ(json["bands"]["R"]["unit"], "W m-2 cm2");
+    EXPECT_TRUE(json["bands"]["FR"]["difference"].is_null());
+    const std::string text = summary(small_run(), result, {});
+    EXPECT_NE(text.find("audit     agrees"), std::string::npos) << text;
+    EXPECT_NE(text.find("R: chi 1.5; organs absorb -2 +- 1 W m-2 cm2 more"), std::string::npos);
+}
+
+TEST(Audit, IsLoudWhenItDisagrees) {
+    Result result = small_result();
+    result.audit = small_audit(kAuditLevel / 2);
+    EXPECT_EQ(json_of(small_run(), result)["audit"]["agrees"], false);
+    EXPECT_NE(summary(small_run(), result, {}).find("audit     DISAGREES"), std::string::npos);
+    EXPECT_NE(audit_warning(result.audit->chance).find("do not trust"), std::string::npos);
+    EXPECT_EQ(audit_warning(kAuditLevel), "");
+    SeriesSummary series;
+    EXPECT_EQ(audit_line(series), "");
+    series.audited = 3;
+    series.audit_chance = 0;
+    EXPECT_NE(audit_line(series).find("DISAGREES"), std::string::npos);
 }
 
 TEST(FluxUnit, TakesTheAreaOutWhereItCan) {

@@ -141,8 +141,13 @@ TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
     std::mt19937_64 bits(17);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 20000; ++i) {
-        const Emission start = emitter->emit({.5, .5, uniform(bits), uniform(bits)});
+        const double u0 = uniform(bits);
+        const double u1 = uniform(bits);
+        const Emission start = emitter->emit({.5, .5, u0, u1});
         const Vec3& d = start.direction;
+        const DrawnDirection drawn = emitter->draw_direction(u0, u1);
+        EXPECT_EQ(length(drawn.direction - d), 0);
+        EXPECT_NEAR(drawn.density, emitter->density(d), 1e-12 * drawn.density);
         const double light =
             sky_->radiance(-d) * lit.aperture.entry_box().projected_area(d) / emitter->flux();
         EXPECT_NEAR(start.weight * emitter->density(d), light, 1e-9 * light);

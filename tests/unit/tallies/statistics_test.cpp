@@ -43,6 +43,38 @@ TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12));
 }
 
+TEST(FTail, IsStudentsTOfEitherSignWithOneDegreeAbove) {
+    for (const unsigned df : {1U, 2U, 7U, 30U, 1000U}) {
+        for (const double p : {.75, .975, .9995, .9999995}) {
+            const double t = student_t_quantile(p, df);
+            EXPECT_NEAR(f_tail(t * t, 1, df) / (2 * (1 - p)), 1, 1e-6) << df << ' ' << p;
+        }
+    }
+}
+
+TEST(FTail, HasAClosedFormWithTwoDegreesAbove) {
+    for (const double below : {1.0, 3.5, 40.0, 1e5}) {
+        for (const double f : {.01, .9, 1.0, 4.0, 20.0}) {
+            const double exact = std::pow(1 + 2 * f / below, -below / 2);
+            EXPECT_NEAR(f_tail(f, 2, below) / exact, 1, 1e-9) << below << ' ' << f;
+        }
+    }
+}
+
+TEST(FTail, OfTheInverseIsTheRest) {
+    for (const double f : {.2, .8, 1.1, 3.0}) {
+        EXPECT_NEAR(f_tail(f, 3.5, 60) + f_tail(1 / f, 60, 3.5), 1, 1e-12);
+    }
+    EXPECT_EQ(f_tail(0, 5, 5), 1);
+}
+
+TEST(FTail, BearsMillionsOfDegrees) {
+    // Nearly normal, of variance 2/1e6 + 2/7e6.
+    const double sd = std::sqrt(2e-6 + 2e-6 / 7);
+    EXPECT_NEAR(f_tail(1 + 2 * sd, 1e6, 7e6), .02275, 2e-4);
+    EXPECT_NEAR(f_tail(1 - 2 * sd, 1e6, 7e6), .97725, 2e-4);
+}
+
 TEST(StudentTQuantile, AgreesWithTheTables) {
     struct Row {
         double p;

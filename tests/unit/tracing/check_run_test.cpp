@@ -57,6 +57,13 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
              s.paths = 1000;
          }},
         {"replicates", [](RunSpec& s) { s.replicates = 0; }},
+        {"audit", [](RunSpec& s) { s.audit = -.1; }},
+        {"audit", [](RunSpec& s) { s.audit = 1.1; }},
+        {"audit",
+         [](RunSpec& s) {
+             s.audit = .1;
+             s.replicates = 1;
+         }},
         {"replicates", [](RunSpec& s) { s.replicates = 10001; }},
         {"threads", [](RunSpec& s) { s.threads = 5000; }},
         {"roulette_weight", [](RunSpec& s) { s.roulette_weight = -.1; }},

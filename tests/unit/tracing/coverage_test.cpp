@@ -61,7 +61,7 @@ TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
     truth_spec.seed = 12345;
     const Result truth = run(scene, sources, truth_spec);
 
-    constexpr int kSeeds = 600;
+    constexpr int kSeeds = 3000;
     RunSpec trial = spec();
     std::vector<double> organs_right;
     int total_right = 0;
@@ -83,12 +83,13 @@ TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
                 ? 1
                 : 0;
     }
-    // 600 totals scatter by .009; at the level of a test that is .045.
-    EXPECT_TRUE(agrees(measured_fraction(total_right, kSeeds, .95), .95, .05));
+    // 3000 totals scatter by .004, .0195 at the level of a test: 93 to 97 % is all that passes. (Of
+    // 200 runs, the scatter alone would be .075 at that level.)
+    EXPECT_TRUE(agrees(measured_fraction(total_right, kSeeds, .95), .95, .02));
     const Measured organs = measured(organs_right);
     EXPECT_GT(organs.mean, .93);
     EXPECT_LT(organs.mean, .97);
-    EXPECT_LT(organs.standard_error, .004);
+    EXPECT_LT(organs.standard_error, .002);
     RecordProperty("totals", std::to_string(total_right / static_cast<double>(kSeeds)));
     RecordProperty("organs", std::to_string(organs.mean));
 }
@@ -101,6 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
         Trial{TraceFrom::sources, "sobol"},
         Trial{TraceFrom::sources, "korobov"},
         Trial{TraceFrom::lit_surfaces, "sobol"},
+        Trial{TraceFrom::lit_surfaces, "korobov"},
         Trial{TraceFrom::organs, "monte_carlo"},
         Trial{TraceFrom::organs, "sobol"}),
     [](const auto& trial) {

@@ -1,0 +1,142 @@
+// Whether every way of tracing agrees with plain Monte Carlo tracing from the sources, organ by
+// organ, on stands of many kinds: at a level of 1e-6 for all comparisons together (Sidak 1967).
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "parts.h"
+#include "quasimc/tallies/statistics.h"
+#include "quasimc/tracing/audit.h"
+#include "stands.h"
+
+namespace quasimc::bench {
+namespace {
+
+struct Way {
+    TraceFrom from;
+    const char* sampler;
+    const char* name;
+};
+constexpr std::array kWays{
+    Way{TraceFrom::sources, "korobov", "sources korobov"},
+    Way{TraceFrom::sources, "sobol", "sources sobol"},
+    Way{TraceFrom::organs, "sobol", "organs sobol"},
+    Way{TraceFrom::lit_surfaces, "sobol", "lit sobol"},
+    Way{TraceFrom::lit_surfaces, "korobov", "lit korobov"}};
+
+constexpr std::uint32_t kReplicates = 32;
+constexpr double kLevel = 1e-6;
+/// Light that is not known to this part of itself, from fewer than a hundred paths, has no normal
+/// errors: it is left to chi.
+constexpr double kKnown = .1;
+
+bool is_known(const Estimate& e) {
+    return e.standard_error <= kKnown * e.mean;
+}
+
+Result trace(const Scene& scene, const Way& way, std::uint64_t paths) {
+    RunSpec spec;
+    spec.trace_from = way.from;
+    spec.sampler = way.sampler;
+    spec.paths = paths;
+    spec.replicates = kReplicates;
+    spec.seed = 11 + static_cast<std::uint64_t>(way.from);
+    return run(scene, light_of_stands(), spec);
+}
+
+struct Comparison {
+    std::vector<double> differences;  ///< in standard errors
+    std::vector<double> errors;       ///< standard errors, relative to the mean light
+};
+
+Comparison compare(const Result& plain, const Result& other) {
+    Comparison comparison;
+    for (std::size_t band = 0; band < plain.bands; ++band) {
+        const std::size_t first = comparison.errors.size();
+        double light = 0;
+        for (std::size_t i = 0; i < plain.organs(); ++i) {
+            for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
+                const Estimate& a = plain.at(i, q, band);
+                const Estimate& b = other.at(i, q, band);
+                const double error = std::hypot(a.standard_error, b.standard_error);
+                if (!is_known(a) || !is_known(b) || error == 0) {
+                    continue;
+                }
+                comparison.differences.push_back(std::abs(a.mean - b.mean) / error);
+                comparison.errors.push_back(error);
+                light += a.mean;
+            }
+        }
+        const auto count = static_cast<double>(comparison.errors.size() - first);
+        for (std::size_t i = first; i < comparison.errors.size(); ++i) {
+            comparison.errors[i] *= count / light;
+        }
+    }
+    return comparison;
+}
+
+double nine_in_ten(std::vector<double> values) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+
+void print_stand(StandKind kind, const Effort& effort) {
+    constexpr std::uint32_t kLeaves = 200;
+    const Scene scene = make_stand(kind, kLeaves);
+    const Way plain_way{TraceFrom::sources, "monte_carlo", ""};
+    const Result plain = trace(scene, plain_way, effort.plain_paths / kReplicates);
+    std::printf(
+        "\n%s: %zu organs, %zu triangles; plain tracing took %.0f s\n", name_of(kind).c_str(),
+        scene.organs().size(), scene.triangles().size(), plain.trace_seconds);
+    std::printf(
+        "  %-16s %11s %14s %8s %10s %6s %14s %11s\n", "from, sampler", "comparisons",
+        "largest diff.", "limit", "resolution", "chi", "totals differ", "resolution");
+    const std::uint64_t paths = std::bit_ceil(effort.plain_paths / kReplicates / 32 + 1);
+    for (const Way& way : kWays) {
+        const Result other = trace(scene, way, paths);
+        const Comparison organs = compare(plain, other);
+        const double family =
+            static_cast<double>(organs.differences.size() * kWays.size() * kStandKinds.size());
+        const double limit = student_t_quantile(1 - kLevel / family / 2, kReplicates - 1);
+        const double largest =
+            *std::max_element(organs.differences.begin(), organs.differences.end());
+        const Audit audit = compare_results(scene, other, plain);
+        double total = 0;
+        double total_error = 0;
+        double chi = 0;
+        for (std::size_t b = 0; b < plain.bands; ++b) {
+            const BandAudit& band = audit.bands[b];
+            total = std::max(total, std::abs(band.difference) / band.standard_error);
+            total_error = std::max(
+                total_error, limit * band.standard_error / plain.budget[b].absorbed_by_organs.mean);
+            chi = std::max(chi, band.chi);
+        }
+        std::printf(
+            "  %-16s %11zu %11.2f se %5.2f se %8.2f %% %6.2f %11.2f se %9.4f %%  %s\n", way.name,
+            organs.differences.size(), largest, limit, 100 * limit * nine_in_ten(organs.errors),
+            chi, total, 100 * total_error,
+            largest <= limit && total <= limit ? "agrees" : "DISAGREES");
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+
+void print_agreement(const Effort& effort) {
+    std::printf(
+        "\n== Agreement with %.3g paths of plain Monte Carlo tracing, %u replicates: light on each "
+        "side of every organ, two bands. se: standard errors of the difference. Resolution: the "
+        "limit, relative to the mean light on a side (nine in ten are sharper) or to the total\n",
+        static_cast<double>(effort.plain_paths), kReplicates);
+    for (const StandKind kind : kStandKinds) {
+        print_stand(kind, effort);
+    }
+}
+
+}  // namespace quasimc::bench

@@ -1,0 +1,151 @@
+// Whether trace_from = "auto" chooses well: every way of tracing on scenes of many kinds, by the
+// variance of the light on the organs that are measured.
+
+#include "quasimc/tracing/planner.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parts.h"
+#include "quasimc/scene/scene_builder.h"
+#include "quasimc/sources/lamp.h"
+#include "scenes.h"
+
+namespace quasimc::bench {
+namespace {
+
+constexpr std::array kWays{TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces};
+
+struct Case {
+    std::string name;
+    Canopy canopy;
+    Sources sources;
+};
+
+Sources make_lamp_above(const Canopy& canopy) {
+    LampSpec lamp;
+    lamp.name = "panel";
+    lamp.position = {5, 5, 15};
+    lamp.opening = {.kind = Opening::Kind::rectangle, .length = 6, .width = 4};
+    lamp.pattern = cosine_pattern();
+    lamp.flux.assign(canopy.albedos.size(), 100);
+    return {make_lamp(std::move(lamp))};
+}
+
+/// Mean over the measured organs of the variance of the light that falls on both sides.
+double variance_of_measured(const Scene& scene, const Result& result) {
+    double sum = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        if (!scene.organs()[i].measured) {
+            continue;
+        }
+        for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
+            const Estimate& e = result.at(i, q, 0);
+            sum += e.mean > 0 ? e.standard_error * e.standard_error * result.replicates : 0;
+        }
+        ++count;
+    }
+    return sum / count;
+}
+
+void print_case(const Case& one, const Effort& effort) {
+    const Scene scene = make_canopy(one.canopy);
+    RunSpec spec;
+    spec.trace_from = TraceFrom::automatic;
+    const Method method = plan_method(scene, one.sources, spec);
+    std::array<double, kWays.size()> merit{};
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        spec.trace_from = kWays[i];
+        spec.paths = effort.paths;
+        spec.replicates = effort.replicates;
+        spec.threads = 1;
+        const Result result = run(scene, one.sources, spec);
+        merit[i] = spec.replicates /
+                   (variance_of_measured(scene, result) * std::max(result.trace_cpu_seconds, 1e-9));
+        chosen = method.trace_from == kWays[i] ? i : chosen;
+    }
+    const double best = *std::max_element(merit.begin(), merit.end());
+    std::printf("  %-38s %7.1f", one.name.c_str(), gain_of_equal_shares(scene));
+    for (std::size_t i = 0; i < kWays.size(); ++i) {
+        std::printf(" %9.3f%c", merit[i] / best, i == chosen ? '*' : ' ');
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+/// A lamp of no size amid the leaves.
+Sources make_lamp_amid(const Canopy& canopy) {
+    LampSpec lamp;
+    lamp.name = "point";
+    lamp.position = {5, 5, 5};
+    lamp.flux.assign(canopy.albedos.size(), 100);
+    return {make_lamp(std::move(lamp))};
+}
+
+/// PAR and NIR, sun, sky and lamps on one canopy.
+void add_lights(std::vector<Case>& cases, const std::string& name, Canopy canopy) {
+    for (const double albedo : {0.2, 0.9}) {
+        canopy.albedos = {albedo};
+        const std::string words = name + (albedo < 0.5 ? ", PAR" : ", NIR");
+        cases.push_back({words + ", sun", canopy, make_light(Light::sun, 1)});
+        cases.push_back({words + ", sky", canopy, make_light(Light::sky, 1)});
+        cases.push_back({words + ", panel", canopy, make_lamp_above(canopy)});
+        cases.push_back({words + ", point amid", canopy, make_lamp_amid(canopy)});
+    }
+}
+
+std::vector<Case> make_cases(const Effort& effort) {
+    std::vector<Case> cases;
+    for (const std::uint32_t leaves : {20U, 500U, 10000U, 100000U}) {
+        if (leaves <= effort.most_leaves) {
+            add_lights(cases, std::to_string(leaves), {.leaves = leaves});
+        }
+    }
+    for (const std::uint32_t measured : {100U, 50U, 25U, 10U}) {
+        add_lights(
+            cases, "500, " + std::to_string(measured) + " measured",
+            {.leaves = 500, .measured = measured});
+    }
+    add_lights(cases, "10000, 100 measured", {.leaves = 10000, .measured = 100});
+    add_lights(cases, "500, 10 sensors", {.leaves = 500, .sensors = 10});
+    add_lights(cases, "500, repeated", {.leaves = 500, .is_repeated = true});
+    constexpr double kMirror = std::numeric_limits<double>::infinity();
+    for (const double exponent : {10.0, 100.0, 1000.0, kMirror}) {
+        const std::string words = exponent < kMirror
+                                      ? ", Phong " + std::to_string(static_cast<int>(exponent))
+                                      : ", mirror";
+        add_lights(
+            cases, "500, 10 measured" + words,
+            {.leaves = 500, .measured = 10, .phong_exponent = exponent});
+        add_lights(
+            cases, "500, 10 sensors" + words,
+            {.leaves = 500, .sensors = 10, .phong_exponent = exponent});
+    }
+    return cases;
+}
+
+}  // namespace
+
+void print_planner(const Effort& effort) {
+    std::printf(
+        "\n== Planner: figure of merit 1/(variance x CPU time) of the light on the measured "
+        "organs, "
+        "relative to the best; * is what \"auto\" chooses\n");
+    std::printf(
+        "  %-38s %7s %9s  %9s  %9s\n", "leaves, albedo, source", "gain", "sources", "organs",
+        "lit");
+    for (const Case& one : make_cases(effort)) {
+        if (!(one.canopy.is_repeated && one.sources.front()->is_lamp())) {
+            print_case(one, effort);
+        }
+    }
+}
+
+}  // namespace quasimc::bench

@@ -1,0 +1,67 @@
+// How often an audit of a right run calls it wrong, over many seeds: at a level of 5 %, as far as
+// that can be counted, at most about 5 times in 100.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/tracing/audit.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+struct Stand {
+    const char* name;
+    std::size_t leaves;
+    double edge;
+    std::uint64_t paths;  ///< few: most leaves are hit by a path or two, or by none
+};
+
+class AuditRate : public ::testing::TestWithParam<Stand> {};
+
+TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
+    const Stand& stand = GetParam();
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .4, .4));
+    for (const Triangle& t : random_leaves(stand.leaves, stand.edge, 1, 9)) {
+        builder.add_organ(organ("", "leaf", {t}));
+    }
+    const Scene scene = std::move(builder).build();
+    const Sources sources{sun(30, {1}), sky({.3})};
+    RunSpec spec = spec_of(TraceFrom::sources, stand.paths);
+    spec.replicates = 8;
+    spec.audit = .25;
+    constexpr int kSeeds = 2000;
+    constexpr double kAlarm = .05;
+    double by_chi = 0;
+    double by_total = 0;
+    double in_all = 0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        spec.seed = static_cast<std::uint64_t>(seed);
+        const Audit audit = *run(scene, sources, spec).audit;
+        by_chi += audit.bands[0].chi_chance < kAlarm ? 1 : 0;
+        by_total += audit.bands[0].difference_chance < kAlarm ? 1 : 0;
+        in_all += audit.chance < kAlarm ? 1 : 0;
+    }
+    RecordProperty("chi", std::to_string(by_chi / kSeeds));
+    RecordProperty("total", std::to_string(by_total / kSeeds));
+    // Totals are nearly normal. Sides that few paths hit are not: fewer or some more alarms.
+    EXPECT_TRUE(agrees(measured_fraction(by_total, kSeeds, kAlarm), kAlarm, .03));
+    EXPECT_LT(by_chi / kSeeds, 2 * kAlarm);
+    EXPECT_LT(in_all / kSeeds, 1.5 * kAlarm);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stands,
+    AuditRate,
+    ::testing::Values(
+        Stand{"OneLeaf", 1, .8, 1024},
+        Stand{"ThreeLeaves", 3, .6, 1024},
+        Stand{"ManyLeaves", 100, .2, 1024},
+        Stand{"ManyLeavesHardlyHit", 300, .1, 256}),
+    [](const auto& stand) { return stand.param.name; });
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,158 @@
+#include "quasimc/tracing/planner.h"
+
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/sources/lamp.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+std::shared_ptr<const Source> lamp(double flux = 1) {
+    LampSpec spec;
+    spec.name = "lamp";
+    spec.position = {.5, .5, 3};
+    spec.flux = {flux};
+    return make_lamp(std::move(spec));
+}
+
+/// A hundred equal leaves, of which some are measured.
+struct StandSpec {
+    std::size_t measured = 100;
+    MaterialSpec leaf = matt("leaf", .1, .1);
+    Cell cell = {};
+};
+
+Scene make_stand(const StandSpec& spec) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(spec.leaf);
+    std::size_t count = 0;
+    for (const Triangle& triangle : random_leaves(100, .1, 1, 5)) {
+        OrganSpec leaf = organ("", "leaf", {triangle});
+        leaf.measured = count++ < spec.measured;
+        builder.add_organ(std::move(leaf));
+    }
+    builder.set_cell(spec.cell);
+    return std::move(builder).build();
+}
+
+/// Leaves that reflect by one of the models.
+MaterialSpec glossy(const std::string& model, double exponent) {
+    MaterialSpec leaf = matt("leaf", .1, .1);
+    for (SideOptics* side : {&leaf.upper[0], &leaf.lower[0]}) {
+        side->reflection_model = model;
+        side->reflection_exponent = exponent;
+    }
+    return leaf;
+}
+
+Method plan(const StandSpec& stand, const Sources& sources) {
+    RunSpec spec;
+    spec.trace_from = TraceFrom::automatic;
+    return plan_method(make_stand(stand), sources, spec);
+}
+
+constexpr Cell kField{.along_x = true, .along_y = true};
+
+TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
+    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
+        const Method method = plan_method(make_stand({}), {sun(0, {1})}, spec_of(from, 1));
+        EXPECT_EQ(method.trace_from, from);
+        EXPECT_EQ(method.reason, "asked for");
+    }
+}
+
+TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
+    EXPECT_EQ(plan({}, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({}, {sky({1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({}, {lamp(), sky({1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+}
+
+TEST(Planner, TracesLampsFromThemselves) {
+    EXPECT_EQ(plan({}, {lamp()}).trace_from, TraceFrom::sources);
+    // A dark source is none.
+    EXPECT_EQ(plan({}, {lamp(), sun(0, {0})}).trace_from, TraceFrom::sources);
+    EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+}
+
+TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
+    const StandSpec few{.measured = 2};
+    for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
+        EXPECT_EQ(plan(few, {source}).trace_from, TraceFrom::organs) << source->name();
+    }
+    EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
+    EXPECT_EQ(plan({.measured = 60}, {sky({1})}).trace_from, TraceFrom::lit_surfaces);
+}
+
+TEST(Planner, NeverChoosesOrgansWhenNoneIsMeasured) {
+    for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
+        EXPECT_NE(plan({.measured = 0}, {source}).trace_from, TraceFrom::organs);
+    }
+}
+
+TEST(Planner, KnowsThatShinyLeavesHideTheSun) {
+    for (const MaterialSpec& leaf : {glossy("mirror", 0), glossy("phong", 2000)}) {
+        const StandSpec shiny{.measured = 2, .leaf = leaf};
+        EXPECT_EQ(plan(shiny, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+        EXPECT_EQ(plan(shiny, {sky({1})}).trace_from, TraceFrom::organs);
+        const StandSpec one{.measured = 1, .leaf = leaf};
+        EXPECT_EQ(plan(one, {sun(0, {1})}).trace_from, TraceFrom::organs);
+    }
+    const StandSpec dull{.measured = 2, .leaf = glossy("phong", 20)};
+    EXPECT_EQ(plan(dull, {sun(0, {1})}).trace_from, TraceFrom::organs);
+}
+
+TEST(Planner, NeverTracesRepeatedLampsFromTheOrgans) {
+    const StandSpec few{.measured = 2, .cell = kField};
+    EXPECT_EQ(plan(few, {lamp()}).trace_from, TraceFrom::sources);
+    EXPECT_EQ(plan(few, {lamp(), sky({1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan(few, {sky({1})}).trace_from, TraceFrom::organs);
+}
+
+TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
+    EXPECT_NEAR(gain_of_equal_shares(make_stand({})), 1, 1e-12);
+    EXPECT_NEAR(gain_of_equal_shares(make_stand({.measured = 4})), 25, 1e-10);
+    EXPECT_EQ(
+        gain_of_equal_shares(make_stand({.measured = 0})), std::numeric_limits<double>::infinity());
+    // Of areas 1, 4 and 100 the median is 4.
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    for (const double side : {1.0, 2.0, 10.0}) {
+        builder.add_organ(organ("", "leaf", floor_of(0, side, 0, side, side)));
+    }
+    EXPECT_NEAR(gain_of_equal_shares(std::move(builder).build()), 105.0 / (3 * 4), 1e-12);
+}
+
+TEST(Planner, MeasuresLobesByTheirPeaks) {
+    // The leaf reflects and transmits a tenth each.
+    EXPECT_DOUBLE_EQ(brightest_peak(make_stand({})), .1);
+    EXPECT_DOUBLE_EQ(brightest_peak(make_stand({.leaf = glossy("phong", 99)})), 5);
+    EXPECT_EQ(
+        brightest_peak(make_stand({.leaf = glossy("mirror", 0)})),
+        std::numeric_limits<double>::infinity());
+    EXPECT_EQ(brightest_peak(make_stand({.leaf = sensor("leaf")})), 0);
+}
+
+TEST(Planner, MakesTheRunThatItNames) {
+    const Scene scene = make_stand({.measured = 2});
+    for (const Sources& sources : {Sources{sun(0, {1})}, Sources{lamp()}}) {
+        RunSpec spec = spec_of(TraceFrom::automatic, 1 << 8);
+        const Result chosen = run(scene, sources, spec);
+        EXPECT_EQ(chosen.method.trace_from, plan_method(scene, sources, spec).trace_from);
+        spec.trace_from = chosen.method.trace_from;
+        const Result asked = run(scene, sources, spec);
+        EXPECT_EQ(asked.method.reason, "asked for");
+        EXPECT_EQ(
+            chosen.at(0, Quantity::absorbed_flux, 0).mean,
+            asked.at(0, Quantity::absorbed_flux, 0).mean);
+        EXPECT_EQ(chosen.rays, asked.rays);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test
