@@ -80,7 +80,7 @@ void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>&
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
     const std::uint32_t fewest =
-        std::clamp<std::uint32_t>(kFewestLinesInAll / suns, 1, kFewestLines);
+        std::clamp(kFewestLinesInAll / std::max(suns, 1U), 1U, kFewestLines);
     const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
     const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
     for (std::uint32_t beam = 0; beam < beams; ++beam) {

@@ -51,9 +51,10 @@ class SurfaceLight {
     template <typename Place>
     void scatter(const ShiningPiece& piece, const Place& place) {
         double at = *to_next_;
-        for (; at < piece.scattered; at += 1) {
+        while (at < piece.scattered) {
             const auto [u, v] = place(at / piece.scattered);
             add_start(piece.triangle, u, v, piece.weight);
+            at += 1;
         }
         *to_next_ = at - piece.scattered;
     }

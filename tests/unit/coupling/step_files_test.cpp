@@ -77,8 +77,7 @@ TEST_F(StepFilesTest, ShowThePlantInColours) {
 }
 
 TEST_F(StepFilesTest, ShowInGreyWhatNoSensorMeasures) {
-    write(
-        "rays from objects: yes 90\npicture file: " + (folder_.path() / "p.ply").string() + "\n");
+    write("rays from objects: yes 90\npicture file: " + (folder_.path() / "p.ply").string() + "\n");
     EXPECT_NE(folder_.read("p0000.ply").find(" 128 128 128 nan "), std::string::npos);
 }
 
