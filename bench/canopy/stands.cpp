@@ -115,15 +115,14 @@ std::vector<Triangle> curved_leaf(std::uint32_t leaves, Numbers& numbers) {
     const Vec3 across{-out.y, out.x, 0};
     const double rise = numbers.between(.2, .6);
     BezierPatch patch;
-    for (int i = 0; i < 4; ++i) {
-        const double along = i / 3.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double along = static_cast<double>(i) / 3;
         const double z = length * (rise * along - .9 * along * along * along);
         const double half = width * (i == 0 ? .2 : i == 3 ? .1 : .6);
-        for (int j = 0; j < 4; ++j) {
-            const double aside = 2 * j / 3.0 - 1;
-            patch[static_cast<std::size_t>(4 * i + j)] = base + length * along * out +
-                                                         half * aside * across +
-                                                         Vec3{0, 0, z + .3 * half * aside * aside};
+        for (std::size_t j = 0; j < 4; ++j) {
+            const double aside = 2 * static_cast<double>(j) / 3 - 1;
+            patch[4 * i + j] = base + length * along * out + half * aside * across +
+                               Vec3{0, 0, z + .3 * half * aside * aside};
         }
     }
     return make_bezier_surface(std::vector<BezierPatch>{patch}, {.tolerance = 1e-3});
@@ -140,9 +139,11 @@ void add_plants(SceneBuilder& builder, std::uint32_t leaves) {
     Numbers numbers;
     builder.add_material(opaque("stem", .1, .5));
     for (int i = 0; i < 9; ++i) {
+        const int column = i % 3;
+        const int row = i / 3;
         const Vec3 foot{
-            kSide * (i % 3 + numbers.between(.3, .7)) / 3,
-            kSide * (i / 3 + numbers.between(.3, .7)) / 3, 0};
+            kSide * (column + numbers.between(.3, .7)) / 3,
+            kSide * (row + numbers.between(.3, .7)) / 3, 0};
         add_plant(builder, foot, (leaves + 8) / 9, numbers);
     }
 }
