@@ -1,11 +1,9 @@
-# quasimc_module(NAME <module> SOURCES a.cpp ... PUBLIC <lib>... PRIVATE <lib>... [ALONE a.cpp ...])
+# quasimc_module(NAME <module> SOURCES a.cpp ... PUBLIC <lib>... PRIVATE <lib>...)
 #
 # Makes the static library quasimc_<module> (alias quasimc::<module>) of the current folder and
 # adds it to the installed package.  A library is the name of a lower module or of a third party
 # in the list below.  PUBLIC if a header includes it, PRIVATE if only sources do.  A module without
-# SOURCES is made of headers alone.  With QUASIMC_UNITY (the presets of the sanitizers) eight
-# sources are compiled as one, but for those ALONE: whose unnamed namespaces hold a name that
-# another source of the module has as well.
+# SOURCES is made of headers alone.
 
 set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
 set(QUASIMC_THIRD_PARTY_threads Threads::Threads)
@@ -57,8 +55,7 @@ function(quasimc_resolve module result)
 endfunction()
 
 function(quasimc_module)
-    cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME"
-                          "SOURCES;PUBLIC;PRIVATE;DEFINITIONS;ALONE")
+    cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;PUBLIC;PRIVATE;DEFINITIONS")
     if(NOT DEFINED QUASIMC_LAYER_${arg_NAME})
         message(FATAL_ERROR "Module ${arg_NAME} has no row in src/quasimc/layers.txt.")
     endif()
@@ -68,10 +65,7 @@ function(quasimc_module)
     if(arg_SOURCES)
         add_library(${target} STATIC ${arg_SOURCES})
         set(scope PUBLIC)
-        set_target_properties(
-            ${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF
-                                 UNITY_BUILD "${QUASIMC_UNITY}" UNITY_BUILD_BATCH_SIZE 8)
-        set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
         target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
         target_link_libraries(${target} PUBLIC ${public} PRIVATE ${private}
                                                                  $<BUILD_INTERFACE:quasimc_settings>)

@@ -15,6 +15,21 @@ struct CheckArguments {
     OptionFlags flags;
 };
 
+std::string times_of(const quasimc::TimeSeries& series) {
+    if (series.collapse == quasimc::Collapse::none) {
+        return fmt::format("{} times of {} days\n", series.moments.size(), series.days.size());
+    }
+    std::size_t times = 0;
+    std::size_t suns = 0;
+    for (const quasimc::MomentNotes& notes : series.notes) {
+        times += notes.collapsed->times;
+        suns += notes.suns;
+    }
+    return fmt::format(
+        "{} times collapsed into {} traces of {} suns in all\n", times, series.moments.size(),
+        suns);
+}
+
 Exit check(const CheckArguments& arguments) {
     const quasimc::RunFile run =
         quasimc::read_run_file(arguments.file, arguments.flags.overrides());
@@ -25,11 +40,7 @@ Exit check(const CheckArguments& arguments) {
         run.scene.materials().size(), run.scene.bands().size(), run.sources.size());
     std::fputs(text.c_str(), stdout);
     if (run.series) {
-        std::fputs(
-            fmt::format(
-                "{} times of {} days\n", run.series->moments.size(), run.series->days.size())
-                .c_str(),
-            stdout);
+        std::fputs(times_of(*run.series).c_str(), stdout);
     }
     return Exit::done;
 }

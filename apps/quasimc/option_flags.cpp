@@ -14,10 +14,11 @@ void OptionFlags::add_to(CLI::App& command) {
         flag.name = quasimc::option_flag(option);
         const std::string words =
             fmt::format("{} ({})", option.summary, quasimc::domain_text(option));
-        flag.option = command.add_option(flag.name, flag.text, words)
-                          ->group("Options of the run, before those of the file")
-                          ->default_str(quasimc::option_toml(option.get(quasimc::RunSpec{})))
-                          ->type_name("");
+        flag.option =
+            command.add_option(flag.name, flag.text, words)
+                ->group("Options of the run, before those of the file")
+                ->default_str(quasimc::option_toml(option.get(quasimc::default_run_spec())))
+                ->type_name("");
     }
 }
 

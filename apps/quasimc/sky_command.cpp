@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,8 @@
 #include "quasimc/io/civil_time_text.h"
 #include "quasimc/io/numbers.h"
 #include "quasimc/quasimc.h"
+#include "quasimc/sources/clear_sky.h"
+#include "quasimc/sources/daylight.h"
 #include "quasimc/sources/sky.h"
 #include "quasimc/sources/sun_position.h"
 #include "quasimc/view/sky_plot.h"
@@ -22,11 +25,14 @@ namespace {
 using quasimc::shortest;
 using quasimc::Vec3;
 
+constexpr double kRadians = std::numbers::pi / 180;
+
 struct SkyArguments {
     std::string place, time, sky, png;
     double elevation_m = 0;
     std::optional<double> pressure_hpa, temperature_c, delta_t_s;
     int cie_type = 12;
+    double linke_turbidity = 3;
     double turbidity = 3, direct_normal = 0, diffuse_horizontal = 0;
     std::size_t size = 512;
 };
@@ -102,6 +108,30 @@ std::string sun_text(
                        quasimc::solar_radius_deg(sun.distance_au)));
 }
 
+/// What the sun and a sky without clouds bring.
+std::string clear_text(
+    const quasimc::Place& place, const quasimc::SunPosition& sun, double linke_turbidity) {
+    const double outside = quasimc::kSolarConstant / (sun.distance_au * sun.distance_au);
+    const quasimc::Daylight light = quasimc::clear_sky(
+        sun.elevation_deg, outside, {linke_turbidity, place.elevation_m, place.pressure_hpa});
+    if (light.global() <= 0) {
+        return row("clear sky", "no light: the sun is below the horizon");
+    }
+    const quasimc::DaylightSpectra spectra;
+    const quasimc::SpectralSpan ppfd = quasimc::span_of(quasimc::LightUnit::ppfd);
+    return row("clear sky", fmt::format(
+                                "on the horizontal {:.1f} W m-2, direct {:.1f} and diffuse {:.1f}; "
+                                "beam {:.1f} W m-2",
+                                light.global(), light.direct, light.diffuse,
+                                light.direct / std::sin(sun.elevation_deg * kRadians))) +
+           row("", fmt::format(
+                       "PPFD {:.1f} umol m-2 s-1, direct {:.1f} and diffuse {:.1f}; Linke "
+                       "turbidity {}",
+                       spectra.direct(ppfd) * light.direct + spectra.diffuse(ppfd, light),
+                       spectra.direct(ppfd) * light.direct, spectra.diffuse(ppfd, light),
+                       shortest(linke_turbidity)));
+}
+
 /// Irradiance of a sky on a plate of normal n, for 1 on the horizontal.
 double on_plate(const quasimc::Source& sky, const Vec3& n) {
     constexpr int kSide = 400;
@@ -158,7 +188,8 @@ Exit show_sky(const SkyArguments& arguments) {
     const quasimc::SunPosition sun = quasimc::sun_position(*place, *time, arguments.delta_t_s);
     const Vec3 to_sun = quasimc::Orientation().towards(sun.azimuth_deg, sun.elevation_deg);
     std::string text = sun_text(*place, *time, sun, to_sun) +
-                       row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s)));
+                       row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s))) +
+                       clear_text(*place, sun, arguments.linke_turbidity);
     const bool is_asked = !arguments.sky.empty();
     if (is_asked || to_sun.z > 0) {
         const quasimc::SkyEntry& entry = *quasimc::find_sky(is_asked ? arguments.sky : "cie_clear");
@@ -197,6 +228,10 @@ void add_flags(CLI::App& command, SkyArguments& arguments) {
     command.add_option("--pressure-hpa", arguments.pressure_hpa, "by default from the elevation");
     command.add_option("--temperature-c", arguments.temperature_c, "by default 12");
     command.add_option("--delta-t-s", arguments.delta_t_s, "terrestrial less universal time");
+    command
+        .add_option(
+            "--linke-turbidity", arguments.linke_turbidity, "1 to 10, of the air without clouds")
+        ->check(CLI::Range(1.0, 10.0));
     command.add_option("--sky", arguments.sky, "model of the sky; by default cie_clear by day")
         ->check(CLI::IsMember(skies));
     command.add_option("--cie-type", arguments.cie_type, "1 to 15, of cie_general")

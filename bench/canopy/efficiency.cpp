@@ -44,9 +44,6 @@ void print_case(const Canopy& canopy, Light light, const std::string& title, con
         "x MC");
     double reference = 0;
     for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
-        if (from == TraceFrom::lit_surfaces && light == Light::sky) {
-            continue;  // skies are traced from the sources
-        }
         for (const SamplerEntry& sampler : sampler_catalogue()) {
             RunSpec spec;
             spec.sampler = sampler.name;

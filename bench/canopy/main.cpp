@@ -20,9 +20,16 @@
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
-        {"efficiency", print_efficiency}, {"planner", print_planner},  {"coverage", print_coverage},
-        {"agreement", print_agreement},   {"ratio", print_band_ratio}, {"bands", print_band_cost},
-        {"engine", print_engine_speed},   {"scaling", print_scaling},
+        {"efficiency", print_efficiency},
+        {"bars", print_bars},
+        {"planner", print_planner},
+        {"coverage", print_coverage},
+        {"agreement", print_agreement},
+        {"ratio", print_band_ratio},
+        {"bands", print_band_cost},
+        {"engine", print_engine_speed},
+        {"day", print_day},
+        {"scaling", print_scaling},
     };
     std::vector<std::string> names;
     for (const auto& part : parts) {

@@ -16,6 +16,8 @@ struct Effort {
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.
 void print_efficiency(const Effort& effort);
+/// What tracing from lit surfaces is held to, mark by mark.
+void print_bars(const Effort& effort);
 /// Figure of merit of each way of tracing, and which of them the planner chooses.
 void print_planner(const Effort& effort);
 /// How often 95 % intervals hold the truth.
@@ -28,6 +30,8 @@ void print_band_ratio(const Effort& effort);
 void print_band_cost(const Effort& effort);
 /// Rays per second against a bare Embree loop over the same rays.
 void print_engine_speed(const Effort& effort);
+/// A day by the hour against one hour, and collapsed into one trace.
+void print_day(const Effort& effort);
 /// One thread against two.
 void print_scaling(const Effort& effort);
 

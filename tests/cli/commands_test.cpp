@@ -252,6 +252,8 @@ TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
         << outcome.out;
     EXPECT_NE(outcome.out.find("sunrise 2003-10-17T06:12:43-07:00"), std::string::npos);
     EXPECT_NE(outcome.out.find("cie_clear"), std::string::npos);
+    EXPECT_NE(outcome.out.find("clear sky on the horizontal "), std::string::npos);
+    EXPECT_NE(outcome.out.find("PPFD "), std::string::npos);
     EXPECT_TRUE(folder_.read("sky.png").starts_with("\x89PNG"));
 }
 
@@ -260,6 +262,7 @@ TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
     const Outcome outcome = run(night);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("polar night"), std::string::npos);
+    EXPECT_NE(outcome.out.find("no light: the sun is below the horizon"), std::string::npos);
     Arguments drawn = night;
     drawn.insert(drawn.end(), {"--png", "sky.png"});
     EXPECT_EQ(run(drawn).status, 1);

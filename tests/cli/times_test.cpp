@@ -49,6 +49,32 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
 }
 
+TEST_F(TimesTest, AreCollapsedOnDemand) {
+    folder_.write("period.toml", run_file_of_days() + "collapse = \"period\"\n");
+    const Outcome checked = run({"check", "period.toml"});
+    EXPECT_NE(
+        checked.out.find("4 times collapsed into 1 traces of 12 suns in all"), std::string::npos)
+        << checked.out;
+    const Outcome outcome =
+        run({"run", "period.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("collapsed into 1 traces of 12 suns"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(rows(folder_.read("t.csv")), 3);
+    const std::string sums = folder_.read("d.csv");
+    EXPECT_EQ(rows(sums), 3);
+    EXPECT_NE(sums.find("\n2024-06-20/2024-06-21,14400,1,third,"), std::string::npos) << sums;
+    const Outcome again = run({"run", "--from", "r.json", "--threads", "2"});
+    EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
+}
+
+TEST_F(TimesTest, SaysWhereItTracesFrom) {
+    const Outcome outcome =
+        run({"run", "days.toml", "--csv", "t.csv", "--trace-from", "lit_surfaces"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("from lit_surfaces, "), std::string::npos) << outcome.out;
+}
+
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
     ASSERT_EQ(run({"run", "days.toml", "--json", "r.json", "--threads", "1"}).status, 0);
     const Outcome outcome = run({"run", "--from", "r.json", "--threads", "2"});

@@ -31,6 +31,13 @@ class SlowEmitter final : public Emitter {
         first_.wait();
         return emitter_->emit(u);
     }
+    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+        first_.wait();
+        return emitter_->draw_direction(u0, u1);
+    }
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        return emitter_->density(direction);
+    }
     [[nodiscard]] std::optional<Vec3> beam_direction() const override {
         return emitter_->beam_direction();
     }

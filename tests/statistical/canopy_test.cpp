@@ -116,8 +116,9 @@ class TurbidMedium : public BothWays {
         const Sources sources{medium.sun ? sun(0, unit) : sky(unit)};
         const auto numbers = [&](std::uint64_t seed) {
             const Scene scene = make_canopy(canopy(medium.leaf_area_index), seed);
-            const Result result =
-                trace_once(scene, sources, GetParam(), from_sources() ? 1 << 13 : 1 << 14, seed);
+            const Result result = trace_once(
+                scene, sources, GetParam(), GetParam() == TraceFrom::sources ? 1 << 13 : 1 << 14,
+                seed);
             std::vector<double> shares;
             for (std::size_t b = 0; b < 3; ++b) {
                 shares.push_back(result.at(kCanopy, Quantity::absorbed_flux, b).mean / kCellArea);
@@ -200,8 +201,9 @@ TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
     EXPECT_NEAR(budget.absorbed_by_organs.mean, 0, 1e-12);
     EXPECT_EQ(budget.absorbed_by_ground.mean, 0);
     EXPECT_EQ(budget.cut_off.mean, 0);
+    // What lit surfaces scatter is rounded to whole paths, block by block.
     EXPECT_TRUE(holds(
-        {"white canopy LAI 5, white soil, R", 1, 1e-5},
+        {"white canopy LAI 5, white soil, R", 1, resolution(1e-5, 5e-3)},
         Measured{
             budget.escaped.mean / budget.emitted, budget.escaped.standard_error / budget.emitted,
             kReplicates}));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "quasimc/sources/hour_light.h"
+#include "quasimc/sources/period_light.h"
 #include "quasimc/tracing/series.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -33,6 +34,24 @@ ClearDay make_day() {
                                   how.spectra.diffuse(how.bands[0], light.daylight));
     }
     return day;
+}
+
+/// The mean of a day's light: one sky, and all suns.
+Sources collapsed_day() {
+    DaylightSources how;
+    how.bands = {{400, 700}};
+    PeriodLight light(1);
+    for (int hour = 0; hour < 24; ++hour) {
+        const SunPath path = sun_path(kPlace, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
+        const HourParts parts = make_hour_parts(path, clear_light(path, {}), how);
+        for (const HourParts::Sun& sun : parts.suns) {
+            light.add_sun(sun.to_sun, sun.facing);
+        }
+        if (parts.sky) {
+            light.add_sky(*parts.sky, parts.sky_horizontal);
+        }
+    }
+    return light.sources("sky", 1 / 24.0);
 }
 
 /// The sums of the day, and the errors of its brightest hours on the way.
@@ -82,6 +101,30 @@ TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     ASSERT_GE(traced.hourly_errors.size(), 16U);
     for (const double error : traced.hourly_errors) {
         EXPECT_LT(sum.standard_error / sum.mean, error);
+    }
+}
+
+/// The mean light of a day as one sky and all its suns: one trace gives the sum over the hours.
+TEST_P(Day, CollapsedIntoOneTraceIsTheSumOfItsHours) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    for (const Triangle& leaf : random_leaves(40, .3, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {leaf}));
+    }
+    const Scene scene = std::move(builder).build();
+    const TracedDay by_hours = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 12));
+    ClearDay collapsed;
+    collapsed.hours.push_back({"day", collapsed_day(), "collapsed", 86400, 0});
+    const TracedDay at_once = trace_day(scene, collapsed, spec_of(GetParam(), 1 << 16));
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        const Estimate& sum = by_hours.sum.at(i, Quantity::absorbed_flux, kBand);
+        const Estimate& one = at_once.sum.at(i, Quantity::absorbed_flux, kBand);
+        const Measured a = measured(sum, kReplicates);
+        const Measured b = measured(one, kReplicates);
+        const double level = sidak_level(kLevel, 80);
+        EXPECT_TRUE(agrees(a, b, .15 * sum.mean, level)) << i;
+        const Measured brighter{1.3 * b.mean, 1.3 * b.standard_error, b.replicates};
+        EXPECT_FALSE(agrees(a, brighter, .15 * sum.mean, level)) << "a control";
     }
 }
 

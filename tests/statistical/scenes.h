@@ -68,17 +68,22 @@ struct Claim {
 [[nodiscard]] ::testing::AssertionResult holds(const Claim& claim, Measured m);
 [[nodiscard]] ::testing::AssertionResult holds(const Claim& claim, const Estimate& estimate);
 
-/// Tests that are run in both directions of tracing.
+/// Tests that are run in both directions of tracing, and from lit surfaces.
 class BothWays : public ::testing::TestWithParam<TraceFrom> {
   protected:
     [[nodiscard]] bool from_sources() const { return GetParam() != TraceFrom::organs; }
+    /// The resolution to ask for. From lit surfaces skies are seen by pixels, along some hundred
+    /// directions: good for many leaves, while one plate is met by every path.
+    [[nodiscard]] double resolution(double usual, double by_pixels) const {
+        return GetParam() == TraceFrom::lit_surfaces ? by_pixels : usual;
+    }
     [[nodiscard]] Result trace(
         const Scene& scene, const Sources& sources, std::uint64_t paths) const {
         return run(scene, sources, spec_of(GetParam(), paths));
     }
 };
 
-/// "FromSources" or "FromOrgans".
+/// "FromSources", "FromOrgans" or "FromLitSurfaces".
 [[nodiscard]] std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info);
 
 }  // namespace quasimc::test

@@ -24,15 +24,15 @@ Scene one_plate(std::vector<Triangle> triangles) {
     return std::move(builder).build();
 }
 
-/// The irradiance asked for, to 1e-4, by tracing.
+/// The irradiance asked for, to 1e-4, by tracing; by pixels to 1e-2.
 TEST_P(UnderSkies, AHorizontalPlateReceivesTheIrradianceAskedFor) {
     const Scene scene = one_plate(floor_of(0, 1, 0, 1, 0));
     const auto skies = sample_of_skies({1});
     for (const auto& sky : skies) {
         const Result result = trace(scene, {sky}, 1 << 16);
         EXPECT_TRUE(holds(
-            {"horizontal plate, " + sky->name(), sky->horizontal_irradiance(), 1e-4,
-             static_cast<unsigned>(skies.size())},
+            {"horizontal plate, " + sky->name(), sky->horizontal_irradiance(),
+             resolution(1e-4, 1e-2), static_cast<unsigned>(skies.size())},
             result.at(0, Quantity::incident_upper, 0)));
         EXPECT_EQ(result.at(0, Quantity::incident_lower, 0).mean, 0);
     }
@@ -48,7 +48,7 @@ TEST_P(UnderSkies, AVerticalPlateReceivesItsShareOfTheOvercastSky) {
             {fmt::format(
                  "vertical plate, overcast sky, {} side",
                  side == Quantity::incident_upper ? "one" : "other"),
-             .396177, 2e-3, 2},
+             .396177, resolution(2e-3, 5e-3), 2},
             result.at(0, side, 0)));
     }
 }
@@ -57,8 +57,10 @@ TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
     const auto sky = make_sky("overcast", cie_overcast_shape(), {1});
     const CanopySpec spec{
         .leaf_area_index = 1, .leaf = matt("leaf", 0, 0), .soil = matt("soil", 0, 0)};
+    // Of few directions all leaves of a canopy see the same.
+    const std::uint64_t paths = GetParam() == TraceFrom::lit_surfaces ? 1 << 15 : 1 << 13;
     const auto numbers = [&](std::uint64_t seed) {
-        const Result result = trace_once(make_canopy(spec, seed), {sky}, GetParam(), 1 << 13, seed);
+        const Result result = trace_once(make_canopy(spec, seed), {sky}, GetParam(), paths, seed);
         return std::vector<double>{
             result.at(kCanopy, Quantity::absorbed_flux, 0).mean / kCellArea,
             result.at(kSoil, Quantity::incident_upper, 0).mean};

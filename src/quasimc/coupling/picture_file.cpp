@@ -14,8 +14,12 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
-/// From dark blue over green to yellow. @param light  0 to 1; what is beyond has the end's colour
+/// From dark blue over green to yellow; grey where nothing was computed (NaN).
+/// @param light  0 to 1; what is beyond has the end's colour
 Colour colour_of(double light) {
+    if (std::isnan(light)) {
+        return {128, 128, 128};
+    }
     constexpr std::array<std::array<double, 3>, 4> kColours{
         {{48, 18, 110}, {33, 110, 140}, {80, 170, 70}, {250, 230, 60}}};
     const double place = std::clamp(light, 0.0, 1.0) * (kColours.size() - 1);

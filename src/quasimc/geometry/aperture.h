@@ -68,6 +68,8 @@ class Aperture {
     /// the strip that the row of cells is seen as.
     [[nodiscard]] std::unique_ptr<Window> window(const Vec3& direction) const;
 
+    /// Points whose convex hull holds the scene; none of a scene periodic along x and y.
+    [[nodiscard]] const std::vector<Vec3>& outline() const { return outline_; }
     [[nodiscard]] const EntryBox& entry_box() const { return box_; }
     /// Square world units per square local unit.
     [[nodiscard]] double world_area() const { return 1 / (scale_ * scale_); }

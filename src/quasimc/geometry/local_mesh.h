@@ -31,6 +31,11 @@ struct LocalMesh {
         const Vec3 p = vertex(triangle, 0);
         return p + u * (vertex(triangle, 1) - p) + v * (vertex(triangle, 2) - p);
     }
+    /// A vector across the triangle on its upper side, as long as twice its area.
+    [[nodiscard]] Vec3 across(std::uint32_t triangle) const {
+        const Vec3 p = vertex(triangle, 0);
+        return cross(vertex(triangle, 1) - p, vertex(triangle, 2) - p);
+    }
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return origin + local / scale; }
 };

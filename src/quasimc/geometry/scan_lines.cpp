@@ -16,75 +16,80 @@ constexpr double kEdgeOn = 0x1p-24;
 
 }  // namespace
 
-void ScanLines::set(
-    const LocalMesh& mesh, std::span<const std::uint8_t> transparent, const Spec& spec) {
+void ScanLines::set(const BeamScene& scene, const Spec& spec) {
     EXPECT(spec.lines > 0);
-    EXPECT(transparent.empty() || transparent.size() == mesh.triangle_count());
-    mesh_ = &mesh;
-    transparent_ = transparent;
+    EXPECT(scene.roles.empty() || scene.roles.size() == scene.mesh->triangle_count());
+    scene_ = scene;
     spec_ = spec;
-    const Frame frame = frame_about(spec.direction);
-    const double angle = std::numbers::pi * spec.rotation;
-    along_ = std::cos(angle) * frame.s + std::sin(angle) * frame.t;
-    across_ = std::cos(angle) * frame.t - std::sin(angle) * frame.s;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const double t = dot(across_, mesh.vertex(i, corner));
-            low = std::min(low, t);
-            high = std::max(high, t);
-        }
-    }
-    low_ = low;
-    pitch_ = (high - low) / spec.lines;
-    fill_bins(mesh);
+    plane_.emplace(scene, spec.direction, spec.rotation);
+    pitch_ = plane_->size_t / spec.lines;
+    area_ = pitch_ * plane_->area;
+    find_images();
+    fill_bins();
 }
 
-void ScanLines::fill_bins(const LocalMesh& mesh) {
-    const std::uint32_t n = mesh.triangle_count();
+/// Finds the triangles, and in a scene that repeats itself across the lines their images, with the
+/// bins that they may touch.
+void ScanLines::find_images() {
+    images_.clear();
+    range_.clear();
+    const double low = plane_->low_t;
+    const double period = plane_->size_t;
     const std::uint32_t last_bin = bins(spec_.lines) - 1;
     const double per_length = pitch_ > 0 ? 1 / (pitch_ * kBin) : 0;
     // Lines stand at most one pitch from where they would be without shift.
     const auto bin_of = [&](double t) {
-        const double bin = std::floor((t - low_ - pitch_ * spec_.shift) * per_length);
+        const double bin = std::floor((t - low - pitch_ * spec_.shift) * per_length);
         return static_cast<std::uint32_t>(std::clamp(bin, 0.0, static_cast<double>(last_bin)));
     };
-    first_in_bin_.assign(std::size_t{last_bin} + 2, 0);
-    range_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const double a = dot(across_, mesh.vertex(i, 0));
-        const double b = dot(across_, mesh.vertex(i, 1));
-        const double c = dot(across_, mesh.vertex(i, 2));
-        range_[i] = {bin_of(std::min({a, b, c})), bin_of(std::max({a, b, c}))};
-        for (std::uint32_t bin = range_[i].first; bin <= range_[i].last; ++bin) {
+    for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
+        if (scene_.role(i) == SeenAs::left_out) {
+            continue;
+        }
+        const double a = dot(plane_->t, scene_.mesh->vertex(i, 0));
+        const double b = dot(plane_->t, scene_.mesh->vertex(i, 1));
+        const double c = dot(plane_->t, scene_.mesh->vertex(i, 2));
+        const double from = std::min({a, b, c});
+        const double to = std::max({a, b, c});
+        const Periods periods = periods_of(from - low, to - low, period, plane_->repeats_t);
+        for (std::int32_t k = periods.first; k <= periods.last; ++k) {
+            const double offset = -k * period;
+            images_.push_back({i, offset});
+            range_.push_back({bin_of(from + offset), bin_of(to + offset)});
+        }
+    }
+}
+
+void ScanLines::fill_bins() {
+    first_in_bin_.assign(std::size_t{bins(spec_.lines)} + 1, 0);
+    for (const BinRange& range : range_) {
+        for (std::uint32_t bin = range.first; bin <= range.last; ++bin) {
             ++first_in_bin_[bin + 1];
         }
     }
     for (std::size_t bin = 1; bin < first_in_bin_.size(); ++bin) {
         first_in_bin_[bin] += first_in_bin_[bin - 1];
     }
-    triangles_.resize(first_in_bin_.back());
+    entries_.resize(first_in_bin_.back());
     std::vector<std::uint32_t> next(first_in_bin_.begin(), first_in_bin_.end() - 1);
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < images_.size(); ++i) {
         for (std::uint32_t bin = range_[i].first; bin <= range_[i].last; ++bin) {
-            triangles_[next[bin]++] = i;
+            entries_[next[bin]++] = images_[i];
         }
     }
 }
 
-ScanLines::Corners ScanLines::corners_of(std::uint32_t triangle) const {
+ScanLines::Corners ScanLines::corners_of(const Entry& entry) const {
     Corners corners{};
-    corners.triangle = triangle;
-    corners.transparent = !transparent_.empty() && transparent_[triangle] != 0;
+    corners.triangle = entry.triangle;
+    corners.transparent = scene_.role(entry.triangle) == SeenAs::sensor;
     for (int i = 0; i < 3; ++i) {
-        const Vec3 p = mesh_->vertex(triangle, i);
-        corners.s[i] = dot(along_, p);
-        corners.t[i] = dot(across_, p);
-        corners.z[i] = dot(spec_.direction, p);
+        const Vec3 p = scene_.mesh->vertex(entry.triangle, i);
+        corners.s[i] = dot(plane_->s, p);
+        corners.t[i] = dot(plane_->t, p) + entry.offset;
+        corners.z[i] = dot(plane_->depth, p);
     }
-    const Vec3 a = mesh_->vertex(triangle, 0);
-    const Vec3 up = cross(mesh_->vertex(triangle, 1) - a, mesh_->vertex(triangle, 2) - a);
+    const Vec3 up = scene_.mesh->across(entry.triangle);
     const double size = length(up);
     corners.cosine = size > 0 ? dot(up, spec_.direction) / size : 0;
     return corners;
@@ -93,14 +98,14 @@ ScanLines::Corners ScanLines::corners_of(std::uint32_t triangle) const {
 void ScanLines::visit(std::uint32_t bin, const std::function<void(const LitSegment&)>& visit) {
     corners_.clear();
     for (std::uint32_t i = first_in_bin_[bin]; i < first_in_bin_[bin + 1]; ++i) {
-        const Corners corners = corners_of(triangles_[i]);
+        const Corners corners = corners_of(entries_[i]);
         if (std::abs(corners.cosine) > kEdgeOn) {
             corners_.push_back(corners);
         }
     }
     const std::uint32_t end = std::min((bin + 1) * kBin, spec_.lines);
     for (std::uint32_t line = bin * kBin; line < end; ++line) {
-        cut_all(low_ + (line + spec_.shift) * pitch_);
+        cut_all(plane_->low_t + (line + spec_.shift) * pitch_);
         const std::vector<LinePiece>& pieces = envelope_.of(opaque_);
         for (const LinePiece& piece : pieces) {
             visit(segment_of(piece));
@@ -158,9 +163,39 @@ void ScanLines::add_cut(const Corners& corners, double line) {
     }
     cut.low = s[0];
     cut.high = s[1];
-    const LinePiece piece{s[0], s[1], z[0], z[1], static_cast<std::uint32_t>(cuts_.size())};
+    if (plane_->repeats_s) {
+        add_periods(cut, z[0], z[1]);
+    } else {
+        add_piece(cut, z[0], z[1]);
+    }
+}
+
+void ScanLines::add_piece(const Cut& cut, double z_low, double z_high) {
+    const auto index = static_cast<std::uint32_t>(cuts_.size());
     cuts_.push_back(cut);
-    (corners.transparent ? sensors_ : opaque_).push_back(piece);
+    (cut.corners->transparent ? sensors_ : opaque_)
+        .push_back({cut.low, cut.high, z_low, z_high, index});
+}
+
+/// Adds a cut where the line, which is but one period long, passes it.
+void ScanLines::add_periods(const Cut& cut, double z_low, double z_high) {
+    const double period = plane_->size_s;
+    const Periods periods =
+        periods_of(cut.low - plane_->low_s, cut.high - plane_->low_s, period, true);
+    for (std::int32_t k = periods.first; k <= periods.last; ++k) {
+        Cut moved = cut;
+        moved.low -= k * period;
+        moved.high -= k * period;
+        const LinePiece whole{moved.low, moved.high, z_low, z_high, 0};
+        const double low = std::max(moved.low, plane_->low_s);
+        const double high = std::min(moved.high, plane_->low_s + period);
+        if (low < high) {
+            const auto index = static_cast<std::uint32_t>(cuts_.size());
+            cuts_.push_back(moved);
+            (cut.corners->transparent ? sensors_ : opaque_)
+                .push_back({low, high, whole.depth(low), whole.depth(high), index});
+        }
+    }
 }
 
 LitSegment ScanLines::segment_of(const LinePiece& piece) const {

@@ -2,26 +2,27 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "quasimc/base/vec3.h"
+#include "quasimc/geometry/beam_plane.h"
 #include "quasimc/geometry/envelope.h"
-#include "quasimc/geometry/local_mesh.h"
 
 namespace quasimc {
 
 /// A stretch of a triangle that a beam lights along a scan line.
 struct LitSegment {
     std::uint32_t triangle = 0;  ///< of the mesh
-    double length = 0;           ///< across the beam, local units
+    double length = 0;           ///< along the line, see ScanLines::area()
     double u[2] = {0, 0};        ///< barycentric coordinates of both ends
     double v[2] = {0, 0};
     double cosine = 0;  ///< dot(unit normal of the upper side, direction of the beam)
 };
 
 /// Parallel scan lines across a beam, and what of the scene each of them sees: exact visible
-/// segments, so that length x pitch summed over lines is the area of the beam that a triangle
+/// segments, so that length x area() summed over lines is the area of the beam that a triangle
 /// catches. With a uniform shift of the lines that is unbiased; its variance falls with about the
 /// third power of the number of lines, the rotation taking care of edges along the lines.
 ///
@@ -31,7 +32,7 @@ class ScanLines {
     /// Lines of one beam.
     struct Spec {
         Vec3 direction;           ///< unit, in which the light travels
-        double rotation = 0;      ///< of the lines about it, 0..1 for half a turn
+        double rotation = 0;      ///< of the lines about it, see BeamPlane
         double shift = 0;         ///< 0..1, of the pitch
         std::uint32_t lines = 1;  ///< across the scene
     };
@@ -42,11 +43,11 @@ class ScanLines {
         return (lines + kBin - 1) / kBin;
     }
 
-    /// @param transparent  by triangle of the mesh: whether light passes (a sensor); or empty
-    void set(const LocalMesh& mesh, std::span<const std::uint8_t> transparent, const Spec& spec);
+    /// @param scene  with at least one triangle; its mesh and roles must outlive the lines
+    void set(const BeamScene& scene, const Spec& spec);
 
-    /// Distance between lines, local units.
-    [[nodiscard]] double pitch() const { return pitch_; }
+    /// Area across the beam that a line stands for, local units squared per unit of its length.
+    [[nodiscard]] double area() const { return area_; }
     /// Calls `visit` for what is lit along the lines of a bin: line after line, in order along
     /// each; then what sensors of the line see.
     void visit(std::uint32_t bin, const std::function<void(const LitSegment&)>& visit);
@@ -59,6 +60,11 @@ class ScanLines {
         std::uint32_t triangle;
         bool transparent;
     };
+    /// A triangle in a bin, to be moved by `offset` across the lines.
+    struct Entry {
+        std::uint32_t triangle = 0;
+        double offset = 0;
+    };
     struct BinRange {
         std::uint32_t first = 0, last = 0;
     };
@@ -68,19 +74,23 @@ class ScanLines {
         double u[2], v[2], low, high;
     };
 
-    void fill_bins(const LocalMesh& mesh);
-    [[nodiscard]] Corners corners_of(std::uint32_t triangle) const;
+    void find_images();
+    void fill_bins();
+    [[nodiscard]] Corners corners_of(const Entry& entry) const;
     void cut_all(double line);
     void add_cut(const Corners& corners, double line);
+    void add_piece(const Cut& cut, double z_low, double z_high);
+    void add_periods(const Cut& cut, double z_low, double z_high);
     [[nodiscard]] LitSegment segment_of(const LinePiece& piece) const;
 
-    const LocalMesh* mesh_ = nullptr;
-    std::span<const std::uint8_t> transparent_;
+    BeamScene scene_;
     Spec spec_;
-    Vec3 along_, across_;  // unit vectors of the plane across the beam
-    double low_ = 0, pitch_ = 0;
-    std::vector<std::uint32_t> first_in_bin_, triangles_;  // of bin i: [first[i], first[i + 1])
-    std::vector<BinRange> range_;                          // scratch: by triangle
+    std::optional<BeamPlane> plane_;
+    double pitch_ = 0, area_ = 0;
+    std::vector<Entry> images_;                // scratch: what touches the lines
+    std::vector<BinRange> range_;              // scratch: the bins of each
+    std::vector<std::uint32_t> first_in_bin_;  // of bin i: entries_[first[i]] to first[i + 1]
+    std::vector<Entry> entries_;
     std::vector<Corners> corners_;
     std::vector<Cut> cuts_;
     std::vector<LinePiece> opaque_, sensors_, seen_;

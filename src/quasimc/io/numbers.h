@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -13,5 +14,11 @@ namespace quasimc {
 
 /// The whole of `text` as an integer, or nothing (also when it does not fit 64 bits).
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// A coordinate of a unit vector, to be shown: what is but rounding is 0.
+[[nodiscard]] inline double without_rounding(double x) {
+    constexpr double kRounding = 1e-12;
+    return std::abs(x) < kRounding ? 0 : x;
+}
 
 }  // namespace quasimc

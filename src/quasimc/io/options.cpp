@@ -115,6 +115,12 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     return fault;
 }
 
+RunSpec default_run_spec() {
+    RunSpec spec;
+    spec.trace_from = TraceFrom::automatic;
+    return spec;
+}
+
 std::string trace_from_name(TraceFrom from) {
     RunSpec spec;
     spec.trace_from = from;
@@ -166,7 +172,7 @@ std::string default_run_section() {
     for (const Option& option : option_table()) {
         const std::string unit = option.unit.empty() ? "" : fmt::format(" [{}]", option.unit);
         text += fmt::format("# {}{}: {}\n", option.summary, unit, domain_text(option));
-        text += fmt::format("{} = {}\n", option.key, option_toml(option.get(RunSpec{})));
+        text += fmt::format("{} = {}\n", option.key, option_toml(option.get(default_run_spec())));
     }
     return text;
 }
@@ -178,7 +184,7 @@ std::string options_markdown() {
         const std::string unit = option.unit.empty() ? "" : fmt::format(" {}", option.unit);
         text += fmt::format(
             "| `{}` | `{}` | `{}`{} | {} | {} |\n", option.key, option_flag(option),
-            option_toml(option.get(RunSpec{})), unit, domain_text(option), option.summary);
+            option_toml(option.get(default_run_spec())), unit, domain_text(option), option.summary);
     }
     return text;
 }

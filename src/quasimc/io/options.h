@@ -62,6 +62,10 @@ struct Option {
 /// real. The fault has no place.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
+/// What a run file that says nothing asks for: RunSpec's defaults, but that the planner chooses
+/// where paths start (tracing/planner.h).
+[[nodiscard]] RunSpec default_run_spec();
+
 /// How run files name a way of tracing: "lit_surfaces".
 [[nodiscard]] std::string trace_from_name(TraceFrom from);
 

@@ -115,7 +115,8 @@ Sections read_sections(
         .materials = {},
         .place = read_place(top),
         .sun = {},
-        .length_unit = top.text("length_unit").value_or("m")};
+        .length_unit = top.text("length_unit").value_or("m"),
+        .has_time = top.any("time") != nullptr};
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);
@@ -123,7 +124,7 @@ Sections read_sections(
     sections.output = read_output(top, files);
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
-    sections.series = read_time(top, context, sections.sources.sources);
+    sections.series = read_time(top, context, sections.sources);
     read_organs(top, context, builder);
     read_geometry(top, context, builder);
     read_ground(top, context, builder);

@@ -64,7 +64,7 @@ std::optional<NotedSource> read_directional(
         vector_words(context.orientation.outward(*travel)),
         angles_words(*travel, context.orientation),
         irradiance_words("plane facing it", *values, context.bands));
-    return NotedSource{make_directional_source(name, *travel, *values), note, {}};
+    return NotedSource{make_directional_source(name, *travel, *values), note};
 }
 
 }  // namespace quasimc

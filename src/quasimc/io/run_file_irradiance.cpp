@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "quasimc/base/text.h"
+#include "quasimc/io/numbers.h"
 #include "quasimc/io/run_file_source_kinds.h"
 
 namespace quasimc {
@@ -20,8 +21,9 @@ std::string irradiance_words(
 }
 
 std::string vector_words(const Vec3& v) {
-    const auto shown = [](double x) { return std::abs(x) < 1e-12 ? 0.0 : x; };
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", shown(v.x), shown(v.y), shown(v.z));
+    return fmt::format(
+        "({:.6g}, {:.6g}, {:.6g})", without_rounding(v.x), without_rounding(v.y),
+        without_rounding(v.z));
 }
 
 std::string angles_words(const Vec3& travel, const Orientation& orientation) {

@@ -288,7 +288,7 @@ std::optional<NotedSource> read_lamp(
         "{}: {} at {}, aims along {}, {}", name, kind->words,
         place_words(axes.outward(lamp.position)), vector_words(axes.outward(lamp.axes.n)),
         flux_words(*flux, context));
-    return NotedSource{make_lamp(std::move(lamp)), note, {}};
+    return NotedSource{make_lamp(std::move(lamp)), note};
 }
 
 }  // namespace quasimc

@@ -13,8 +13,10 @@
 
 #include "quasimc/base/affine.h"
 #include "quasimc/base/orientation.h"
+#include "quasimc/io/daily_hours.h"
 #include "quasimc/io/formats.h"
 #include "quasimc/io/input_files.h"
+#include "quasimc/io/options.h"
 #include "quasimc/io/run_file.h"
 #include "quasimc/io/table_reader.h"
 #include "quasimc/io/time_series.h"
@@ -43,6 +45,7 @@ struct RunFileContext {
     std::optional<Place> place;       ///< [place]
     std::optional<StatedSun> sun;     ///< of the first source of type "sun"
     std::string length_unit = "m";
+    bool has_time = false;  ///< whether there is a [time]
 };
 
 // run_file_place.cpp
@@ -52,7 +55,7 @@ struct RunFileContext {
 // run_file_options.cpp
 /// The options of a run, and where each was stated.
 struct RunOptions {
-    RunSpec spec;
+    RunSpec spec = default_run_spec();
     std::map<std::string_view, std::string> places;
 };
 
@@ -83,15 +86,16 @@ void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& bui
 struct SourceList {
     Sources sources;
     std::vector<std::string> notes;
+    std::vector<std::optional<DailyHours>> hours;  ///< nothing: it shines all the time
 };
 /// Sets context.sun.
 [[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
 
 // run_file_time.cpp
-/// [time]: the moments of the run, each with the lamps and its own daylight. Nothing if there is
-/// none, or after a fault.
+/// [time]: the moments of the run, each with the sources of the file that are on and its own
+/// daylight. Nothing if there is none, or after a fault.
 [[nodiscard]] std::optional<TimeSeries> read_time(
-    TableReader& top, const RunFileContext& run, const Sources& lamps);
+    TableReader& top, const RunFileContext& run, const SourceList& lamps);
 
 // run_file_shapes.cpp
 /// The triangles of a table with `shape = ...`; empty when it has faults (reported).

@@ -126,7 +126,7 @@ std::optional<NotedSource> read_uniform_sky(
     }
     const std::string note = fmt::format(
         "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands));
-    return NotedSource{make_uniform_sky(name, *values), note, {}};
+    return NotedSource{make_uniform_sky(name, *values), note};
 }
 
 std::optional<NotedSource> read_sky(

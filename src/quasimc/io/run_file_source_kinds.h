@@ -17,7 +17,8 @@ namespace quasimc {
 struct NotedSource {
     std::shared_ptr<const Source> source;
     std::string note;
-    std::optional<StatedSun> sun;  ///< of a source of type "sun"
+    std::optional<StatedSun> sun = {};     ///< of a source of type "sun"
+    std::optional<DailyHours> hours = {};  ///< within which it shines
 };
 
 /// "irradiance on the horizontal: PAR 400 W m-2, ..."

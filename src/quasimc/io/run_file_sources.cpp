@@ -31,6 +31,55 @@ constexpr std::array kKinds{
     SourceKind{"sphere", read_lamp},
     SourceKind{"ies", read_lamp}};
 
+/// One pair of hours; nothing after a fault.
+std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Node& node) {
+    const auto* pair = node.as<Node::List>();
+    if (pair == nullptr || pair->size() != 2) {
+        table.fault_at(
+            "on_hours", "on_hours has no pair of numbers", "",
+            "write on_hours = [6, 22] or [[5, 9], [16, 22]]");
+        return std::nullopt;
+    }
+    const auto from = table.real_at("on_hours", (*pair)[0], {0, 24});
+    const auto to = table.real_at("on_hours", (*pair)[1], {0, 24});
+    if (!from || !to) {
+        return std::nullopt;
+    }
+    if (*from == *to) {
+        table.fault_at(
+            "on_hours", "on_hours ends where it begins", "", "leave it out if all day is meant");
+        return std::nullopt;
+    }
+    return DailyHours::Span{*from, *to};
+}
+
+/// When the source shines; nothing if always, or after a fault.
+std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext& context) {
+    const Node* node = table.any("on_hours");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!context.has_time) {
+        table.fault_at(
+            "on_hours", "on_hours without [time]", "a run without times has no clock",
+            "add [time], or leave it out");
+        return std::nullopt;
+    }
+    const auto* list = node->as<Node::List>();
+    const bool is_many =
+        list != nullptr && !list->empty() && (*list)[0].as<Node::List>() != nullptr;
+    DailyHours hours;
+    for (std::size_t i = 0; i < (is_many ? list->size() : 1); ++i) {
+        if (const auto span = read_span_of_hours(table, is_many ? (*list)[i] : *node)) {
+            hours.spans.push_back(*span);
+        }
+    }
+    if (hours.overlap()) {
+        table.fault_at("on_hours", "parts of on_hours overlap");
+    }
+    return hours;
+}
+
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
     std::array<std::string_view, kKinds.size()> names;
     std::transform(kKinds.begin(), kKinds.end(), names.begin(), [](const SourceKind& kind) {
@@ -48,6 +97,11 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
         if (kind.name == *type) {
             source = kind.read(table, name, context);
         }
+    }
+    const std::optional<DailyHours> hours = read_on_hours(table, context);
+    if (source && hours) {
+        source->hours = hours;
+        source->note += "; on " + hours->words();
     }
     table.finish();
     return source;
@@ -80,6 +134,7 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
         if (source) {
             list.sources.push_back(std::move(source->source));
             list.notes.push_back(std::move(source->note));
+            list.hours.push_back(std::move(source->hours));
         }
     }
     if (tables.empty() && top.any("time") == nullptr) {

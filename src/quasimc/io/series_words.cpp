@@ -1,29 +1,35 @@
 #include "quasimc/io/series_words.h"
 
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "quasimc/base/text.h"
 #include "quasimc/io/line_scanner.h"
+#include "quasimc/io/numbers.h"
 
 namespace quasimc {
 namespace {
 
-/// Rounding of a vector that is but rounding is 0.
-double cleaned(double x) {
-    constexpr double kRounding = 1e-12;
-    return std::abs(x) < kRounding ? 0 : x;
+std::string collapsed_words(const MomentNotes& notes) {
+    const MomentNotes::Collapsed& times = *notes.collapsed;
+    return fmt::format(
+        "{} to {}, {} s: {} times, {} with daylight, as {} suns and {} skies; mean on the "
+        "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
+        notes.time, times.until, shortest(notes.seconds), times.times, times.with_light, notes.suns,
+        times.skies, notes.daylight.direct, notes.daylight.diffuse);
 }
 
 std::string moment_words(const MomentNotes& notes) {
+    if (notes.collapsed) {
+        return collapsed_words(notes);
+    }
     std::string text = notes.time;
     text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";
     text += fmt::format(
         "; sun azimuth {:.4f} deg, elevation {:.4f} deg, towards ({:.6f}, {:.6f}, {:.6f})",
-        notes.sun.azimuth_deg, notes.sun.elevation_deg, cleaned(notes.to_sun.x),
-        cleaned(notes.to_sun.y), cleaned(notes.to_sun.z));
+        notes.sun.azimuth_deg, notes.sun.elevation_deg, without_rounding(notes.to_sun.x),
+        without_rounding(notes.to_sun.y), without_rounding(notes.to_sun.z));
     return text + fmt::format(
                       "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {} suns",
                       notes.daylight.direct, notes.daylight.diffuse, notes.suns);
@@ -59,8 +65,7 @@ SummedUnit summed_unit(const std::string& unit) {
 SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
         const double factor = summed_unit(run.scene.bands()[i % sum.bands].unit).factor;
-        Estimate& e = sum.values[i];
-        e = {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+        sum.values[i] = scaled(sum.values[i], factor);
     }
     return sum;
 }

@@ -35,6 +35,18 @@ std::string scene_line(const Scene& scene) {
                      scene.triangles().size(), repeated, bands));
 }
 
+/// What is computed: program, file, scene, lights.
+std::string subject_lines(const RunFile& run) {
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    return text;
+}
+
 std::string run_line(const RunSpec& spec, const Result& result) {
     return line(
         "run", fmt::format(
@@ -177,17 +189,31 @@ std::string written_line(const std::vector<std::string>& written) {
     return line("written", fmt::format("{}", fmt::join(written, ", ")));
 }
 
+/// How many times there are, and in how many traces.
+std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
+    const MomentNotes& first = series.notes.front();
+    const MomentNotes& last = series.notes.back();
+    if (series.collapse == Collapse::none) {
+        return fmt::format(
+            "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
+            series.moments.size(), first.time, last.time, series.days.size(), summary.traced);
+    }
+    std::size_t times = 0;
+    std::size_t suns = 0;
+    for (const MomentNotes& notes : series.notes) {
+        times += notes.collapsed->times;
+        suns += notes.suns;
+    }
+    return fmt::format(
+        "{} from {} to {}, collapsed into {} traces of {} suns in all", times, first.time,
+        last.collapsed->until, summary.traced, suns);
+}
+
 }  // namespace
 
 std::string summary(
     const RunFile& run, const Result& result, const std::vector<std::string>& written) {
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
+    std::string text = subject_lines(run);
     text += run_line(run.spec, result) + method_line(run.spec, result) + time_line(result) +
             target_line(run.spec, result);
     text += energy_lines(run.scene, result) + error_line(run.scene, result);
@@ -200,21 +226,11 @@ std::string summary(
 std::string series_summary(
     const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written) {
     const TimeSeries& series = *run.series;
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
-    for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
-    }
+    std::string text = subject_lines(run);
     for (const std::string& words : series.words) {
         text += line("time", one_line(words));
     }
-    text += line(
-        "times", fmt::format(
-                     "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
-                     series.moments.size(), series.notes.front().time, series.notes.back().time,
-                     series.days.size(), summary.traced));
+    text += line("times", times_words(series, summary));
     text += line(
         "run", fmt::format(
                    "{} from {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",

@@ -23,16 +23,18 @@ std::vector<std::string> sum_columns(const RunFile& run) {
 
 void write_days_head(const RunFile& run, const TextSink& sink) {
     sink(csv_origin(run, "table of organs and days") + series_comments(run));
+    const bool is_period = run.series->collapse == Collapse::period;
     sink(
-        "# column date: of the day that the row is the sum over\n"
-        "# column seconds: of the times that were summed; of a whole day 86400\n");
+        is_period ? "# column date: first and last day that the row is the sum over\n"
+                  : "# column date: of the day that the row is the sum over\n");
+    sink("# column seconds: of the times that were summed; of a whole day 86400\n");
     sink(csv_organ_columns(run));
     for (const Band& band : run.scene.bands()) {
         for (const QuantityEntry& entry : quantity_table()) {
             const std::string unit = unit_of(entry, band, run.scene.length_unit());
             sink(fmt::format(
-                "# column {}_{} [{} d-1]: {}\n", entry.name, band.name, summed_unit(unit).name,
-                entry.summary));
+                "# column {}_{} [{}{}]: {}\n", entry.name, band.name, summed_unit(unit).name,
+                is_period ? "" : " d-1", entry.summary));
         }
     }
     sink(csv_error_columns());

@@ -32,29 +32,40 @@ std::string sum_units(const RunFile& run) {
     return out + "}";
 }
 
-/// The members that tell a moment, open at the end.
-std::string moment_head(const MomentNotes& notes) {
-    std::string out = fmt::format("{{\"time\": {}, \"seconds\": ", json_quoted(notes.time));
-    append_json(out, notes.seconds);
-    const auto put = [&](std::string_view key, double value) {
-        out += fmt::format("{}\"{}\": ", out.ends_with('{') ? "" : ", ", key);
-        append_json(out, value);
-    };
-    out += ", \"sun\": {";
-    put("azimuth_deg", notes.sun.azimuth_deg);
-    put("elevation_deg", notes.sun.elevation_deg);
-    put("true_elevation_deg", notes.sun.true_elevation_deg);
+/// Where the sun of a moment stands.
+std::string sun_of(const MomentNotes& notes) {
+    std::string out = ", \"sun\": {\"azimuth_deg\": ";
+    append_json(out, notes.sun.azimuth_deg);
+    out += ", \"elevation_deg\": ";
+    append_json(out, notes.sun.elevation_deg);
+    out += ", \"true_elevation_deg\": ";
+    append_json(out, notes.sun.true_elevation_deg);
     out += ", \"towards\": [";
     append_json(out, notes.to_sun.x);
     out += ", ";
     append_json(out, notes.to_sun.y);
     out += ", ";
     append_json(out, notes.to_sun.z);
-    out += "]";
-    put("steps_with_beam", static_cast<double>(notes.suns));
-    out += "}, \"daylight_W_m-2\": {";
-    put("direct", notes.daylight.direct);
-    put("diffuse", notes.daylight.diffuse);
+    return out + fmt::format("], \"steps_with_beam\": {}}}", notes.suns);
+}
+
+/// The members that tell a moment, open at the end.
+std::string moment_head(const MomentNotes& notes) {
+    std::string out = fmt::format("{{\"time\": {}, \"seconds\": ", json_quoted(notes.time));
+    append_json(out, notes.seconds);
+    if (notes.collapsed) {
+        const MomentNotes::Collapsed& times = *notes.collapsed;
+        out += fmt::format(
+            ", \"until\": {}, \"collapsed\": {{\"times\": {}, \"with_daylight\": {}, "
+            "\"suns\": {}, \"skies\": {}}}",
+            json_quoted(times.until), times.times, times.with_light, notes.suns, times.skies);
+    } else {
+        out += sun_of(notes);
+    }
+    out += ", \"daylight_W_m-2\": {\"direct\": ";
+    append_json(out, notes.daylight.direct);
+    out += ", \"diffuse\": ";
+    append_json(out, notes.daylight.diffuse);
     return out + "}";
 }
 

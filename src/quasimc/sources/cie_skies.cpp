@@ -41,7 +41,7 @@ constexpr std::array<GeneralSky, 15> kGeneral{
 }  // namespace
 
 SkyShape uniform_sky_shape() {
-    return {[](const Vec3&) { return 1.0; }, {}, {}};
+    return {[](const Vec3&) { return 1.0; }, {}, {}, InsideCells::constant};
 }
 
 SkyShape cie_overcast_shape() {

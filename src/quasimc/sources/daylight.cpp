@@ -20,16 +20,12 @@ constexpr SpectralSpan kAll{280, 4000, SpectralSpan::Count::energy};
 /// the ground.
 Spectrum reference_sky() {
     const double incidence = (48.19 - 37) * std::numbers::pi / 180;
-    std::vector<double> nm;
-    std::vector<double> values;
     const Spectrum& global = reference_global();
-    const int last = static_cast<int>(global.high_nm());
-    for (int i = static_cast<int>(global.low_nm()); i <= last; ++i) {
-        const double x = i;
-        nm.push_back(x);
-        values.push_back(global.at(x) - std::cos(incidence) * reference_direct().at(x));
+    std::vector<double> values;
+    for (const double nm : global.wavelengths()) {
+        values.push_back(global.at(nm) - std::cos(incidence) * reference_direct().at(nm));
     }
-    return {std::move(nm), std::move(values)};
+    return {global.wavelengths(), std::move(values)};
 }
 
 struct NamedSpan {

@@ -1,7 +1,6 @@
 #include "quasimc/sources/hemisphere.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -27,61 +26,9 @@ std::vector<double> distinct(std::vector<double> values, double least) {
     return kept;
 }
 
-/// Part of a cell.
-struct Patch {
-    double azimuth0, azimuth1, sine0, sine1;
-};
-
-/// Nodes and weights of Gauss and Legendre on [-1, 1].
-template <std::size_t N>
-struct GaussRule {
-    std::array<double, N> nodes, weights;
-};
-constexpr GaussRule<3> kThree{
-    {-0.77459666924148337704, 0, 0.77459666924148337704}, {5.0 / 9, 8.0 / 9, 5.0 / 9}};
-constexpr GaussRule<4> kFour{
-    {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
-     0.86113631159405257522},
-    {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
-     0.34785484513745385737}};
-
-/// The integral over a patch by N x N points.
-template <std::size_t N>
-double gauss(const GaussRule<N>& rule, const HemisphereFunction& f, const Patch& p) {
-    const double azimuth = 0.5 * (p.azimuth0 + p.azimuth1);
-    const double sine = 0.5 * (p.sine0 + p.sine1);
-    const double half_azimuth = 0.5 * (p.azimuth1 - p.azimuth0);
-    const double half_sine = 0.5 * (p.sine1 - p.sine0);
-    double sum = 0;
-    for (std::size_t i = 0; i < N; ++i) {
-        for (std::size_t j = 0; j < N; ++j) {
-            sum += rule.weights[i] * rule.weights[j] *
-                   f(hemisphere_direction(
-                       azimuth + half_azimuth * rule.nodes[j], sine + half_sine * rule.nodes[i]));
-        }
-    }
-    return sum * half_azimuth * half_sine;
-}
-
-/// Quarters a patch until 3 x 3 and 4 x 4 points agree within `tolerance`.
-double integrate(const HemisphereFunction& f, const Patch& p, double tolerance, int depth) {
-    const double value = gauss(kFour, f, p);
-    constexpr int kDeepest = 8;
-    if (depth == kDeepest || std::abs(value - gauss(kThree, f, p)) <= tolerance) {
-        return value;
-    }
-    const double azimuth = 0.5 * (p.azimuth0 + p.azimuth1);
-    const double sine = 0.5 * (p.sine0 + p.sine1);
-    const std::array<Patch, 4> parts{
-        {{p.azimuth0, azimuth, p.sine0, sine},
-         {azimuth, p.azimuth1, p.sine0, sine},
-         {p.azimuth0, azimuth, sine, p.sine1},
-         {azimuth, p.azimuth1, sine, p.sine1}}};
-    double sum = 0;
-    for (const Patch& part : parts) {
-        sum += integrate(f, part, 0.5 * tolerance, depth + 1);
-    }
-    return sum;
+/// The share of a place.
+double share_of(std::span<const double> ends, std::size_t index) {
+    return ends[index] - (index == 0 ? 0 : ends[index - 1]);
 }
 
 /// The first place whose running sum exceeds u, and how far u is into it.
@@ -93,9 +40,15 @@ struct Pick {
 Pick pick(std::span<const double> ends, double u) {
     const auto found = std::upper_bound(ends.begin(), ends.end() - 1, u);
     const auto index = static_cast<std::size_t>(found - ends.begin());
+    const double share = share_of(ends, index);
     const double before = index == 0 ? 0 : ends[index - 1];
-    const double share = ends[index] - before;
     return {index, std::clamp((u - before) / share, 0.0, 0x1.fffffffffffffp-1), share};
+}
+
+/// Between which two of sorted borders x lies: at one, the interval above it.
+std::size_t interval_of(std::span<const double> borders, double x) {
+    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, x);
+    return static_cast<std::size_t>(above - borders.begin()) - 1;
 }
 
 /// Running sums, scaled so that the last is 1; all the same if nothing is to be shared.
@@ -115,6 +68,11 @@ void accumulate(std::span<const double> shares, std::span<double> ends) {
 Vec3 hemisphere_direction(double azimuth, double sine) {
     const double radius = std::sqrt(std::max(0.0, (1 - sine) * (1 + sine)));
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), sine};
+}
+
+Vec3 HemisphereGrid::middle(std::size_t row, std::size_t column) const {
+    return hemisphere_direction(
+        0.5 * (azimuths[column] + azimuths[column + 1]), 0.5 * (sines[row] + sines[row + 1]));
 }
 
 HemisphereGrid make_hemisphere_grid(
@@ -138,26 +96,43 @@ HemisphereGrid make_hemisphere_grid(
     return {distinct(std::move(columns), kLeast), distinct(std::move(rows), kLeast)};
 }
 
-std::vector<double> cell_integrals(const HemisphereGrid& grid, const HemisphereFunction& f) {
-    std::vector<Patch> patches;
-    patches.reserve(grid.cells());
-    double sum = 0;
+std::vector<double> radiance_of_cells(const HemisphereGrid& grid, const HemisphereFunction& f) {
+    struct Turned {
+        double cosine, sine;
+    };
+    std::vector<Turned> turns;
+    for (std::size_t column = 0; column < grid.columns(); ++column) {
+        const double azimuth = 0.5 * (grid.azimuths[column] + grid.azimuths[column + 1]);
+        turns.push_back({std::cos(azimuth), std::sin(azimuth)});
+    }
+    std::vector<double> values;
+    values.reserve(grid.cells());
     for (std::size_t row = 0; row < grid.rows(); ++row) {
-        for (std::size_t column = 0; column < grid.columns(); ++column) {
-            patches.push_back(
-                {grid.azimuths[column], grid.azimuths[column + 1], grid.sines[row],
-                 grid.sines[row + 1]});
-            sum += std::abs(gauss(kThree, f, patches.back()));
+        const double sine = 0.5 * (grid.sines[row] + grid.sines[row + 1]);
+        const double radius = std::sqrt((1 - sine) * (1 + sine));
+        for (const Turned& turn : turns) {
+            values.push_back(f({radius * turn.cosine, radius * turn.sine, sine}));
         }
     }
-    constexpr double kAccuracy = 1e-7;
-    const double tolerance = kAccuracy * sum / static_cast<double>(grid.cells());
-    std::vector<double> integrals;
-    integrals.reserve(grid.cells());
-    for (const Patch& patch : patches) {
-        integrals.push_back(integrate(f, patch, tolerance, 0));
+    return values;
+}
+
+ProjectedCells::ProjectedCells(const HemisphereGrid& grid) {
+    const auto flat = [](double s) {
+        return 0.5 * (s * std::sqrt((1 - s) * (1 + s)) + std::asin(s));
+    };
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        const double low = grid.sines[row];
+        const double high = grid.sines[row + 1];
+        rows_.push_back({flat(high) - flat(low), 0.5 * (high - low) * (high + low)});
     }
-    return integrals;
+    for (std::size_t column = 0; column < grid.columns(); ++column) {
+        const double from = grid.azimuths[column];
+        const double until = grid.azimuths[column + 1];
+        columns_.push_back(
+            {std::abs(std::sin(until) - std::sin(from)), std::abs(std::cos(until) - std::cos(from)),
+             until - from});
+    }
 }
 
 HemisphereSampler::HemisphereSampler(HemisphereGrid grid, std::span<const double> shares)
@@ -185,6 +160,17 @@ HemisphereSampler::Sample HemisphereSampler::sample(double u0, double u1) const 
     const double azimuth = azimuth0 + column.rest * (azimuth1 - azimuth0);
     const double solid_angle = (sine1 - sine0) * (azimuth1 - azimuth0);
     return {hemisphere_direction(azimuth, sine), row.share * column.share / solid_angle};
+}
+
+double HemisphereSampler::pdf(const Vec3& direction) const {
+    if (direction.z < 0) {
+        return 0;
+    }
+    const double around = std::atan2(direction.y, direction.x);
+    const std::size_t row = interval_of(grid_.sines, direction.z);
+    const std::size_t column = interval_of(grid_.azimuths, around < 0 ? around + kTurn : around);
+    const std::span own(&column_ends_[row * grid_.columns()], grid_.columns());
+    return share_of(row_ends_, row) * share_of(own, column) / grid_.solid_angle(row, column);
 }
 
 }  // namespace quasimc

@@ -25,6 +25,8 @@ struct HemisphereGrid {
     [[nodiscard]] double solid_angle(std::size_t row, std::size_t column) const {
         return (sines[row + 1] - sines[row]) * (azimuths[column + 1] - azimuths[column]);
     }
+    /// The direction to the middle of a cell.
+    [[nodiscard]] Vec3 middle(std::size_t row, std::size_t column) const;
 };
 
 /// A grid fine enough for the skies of all models, that has a border at each of the given places
@@ -32,13 +34,38 @@ struct HemisphereGrid {
 [[nodiscard]] HemisphereGrid make_hemisphere_grid(
     std::span<const double> azimuths, std::span<const double> sines);
 
-/// The integral over each cell, [row * columns + column], by adaptive Gaussian quadrature: the sum
-/// is good to a relative 1e-7, and much better for what is smooth inside cells.
-[[nodiscard]] std::vector<double> cell_integrals(
-    const HemisphereGrid& grid, const HemisphereFunction& f);
-
 /// The direction at an azimuth and a sine of elevation.
 [[nodiscard]] Vec3 hemisphere_direction(double azimuth, double sine);
+
+/// A function in the middle of each cell, [row * columns + column].
+[[nodiscard]] std::vector<double> radiance_of_cells(
+    const HemisphereGrid& grid, const HemisphereFunction& f);
+
+/// What the three planes of the axes see of the cells of a grid in none of which a coordinate
+/// changes its sign.
+class ProjectedCells {
+  public:
+    explicit ProjectedCells(const HemisphereGrid& grid);
+
+    /// Integrals over a cell of |d.x|, |d.y| and d.z.
+    [[nodiscard]] Vec3 integral(std::size_t row, std::size_t column) const {
+        const Row& r = rows_[row];
+        const Column& c = columns_[column];
+        return {r.flat * c.x, r.flat * c.y, r.high * c.width};
+    }
+
+  private:
+    /// Over the sine s of elevation: integrals of sqrt(1 - s^2) and of s.
+    struct Row {
+        double flat = 0, high = 0;
+    };
+    /// Over the azimuth: integrals of its |cosine|, of its |sine| and of 1.
+    struct Column {
+        double x = 0, y = 0, width = 0;
+    };
+    std::vector<Row> rows_;
+    std::vector<Column> columns_;
+};
 
 /// Draws directions cell by cell: a cell in proportion to its share, uniformly inside (in solid
 /// angle). The map of the unit square is continuous along each row of cells, and keeps the
@@ -54,6 +81,8 @@ class HemisphereSampler {
     };
     /// @param u0  picks the elevation, u1 the azimuth
     [[nodiscard]] Sample sample(double u0, double u1) const;
+    /// The density, per steradian, with which `direction` (unit) is drawn; 0 below the horizon.
+    [[nodiscard]] double pdf(const Vec3& direction) const;
 
   private:
     HemisphereGrid grid_;

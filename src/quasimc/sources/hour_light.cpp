@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "quasimc/base/checks.h"
 #include "quasimc/base/text.h"
@@ -158,23 +159,22 @@ HourLight clear_light(const SunPath& path, const ClearAir& air) {
     return light;
 }
 
-HourSources make_hour_sources(
-    const SunPath& path, const HourLight& light, const DaylightSources& how) {
+HourParts make_hour_parts(const SunPath& path, const HourLight& light, const DaylightSources& how) {
     EXPECT(light.facing.size() == path.steps.size());
-    HourSources hour;
+    HourParts hour;
     const auto steps = static_cast<double>(path.steps.size());
     for (std::size_t i = 0; i < path.steps.size(); ++i) {
         if (light.facing[i] <= 0) {
             continue;
         }
         const SunPosition& sun = path.steps[i];
-        std::vector<double> spectrum;
+        HourParts::Sun& part = hour.suns.emplace_back();
+        part.to_sun = how.orientation.towards(sun.azimuth_deg, sun.elevation_deg);
         for (const SpectralSpan& band : how.bands) {
-            spectrum.push_back(light.facing[i] / steps * how.spectra.direct(band));
+            part.facing.push_back(light.facing[i] / steps * how.spectra.direct(band));
         }
-        const Vec3 to_sun = how.orientation.towards(sun.azimuth_deg, sun.elevation_deg);
-        hour.sources.push_back(make_directional_source("sun", -to_sun, std::move(spectrum)));
-        hour.shapes += "sun " + shortest(sun.azimuth_deg) + " " + shortest(sun.elevation_deg) + ";";
+        hour.suns_text +=
+            "sun " + shortest(sun.azimuth_deg) + " " + shortest(sun.elevation_deg) + ";";
     }
     if (light.daylight.diffuse <= 0) {
         return hour;
@@ -191,17 +191,33 @@ HourSources make_hour_sources(
     state.distance_au = sun.distance_au;
     state.direct_normal = has_beam ? light.daylight.direct / path.mean_sine() : 0;
     state.diffuse_horizontal = light.daylight.diffuse;
-    std::vector<double> spectrum;
     for (const SpectralSpan& band : how.bands) {
-        spectrum.push_back(how.spectra.diffuse(band, light.daylight));
+        hour.sky_horizontal.push_back(how.spectra.diffuse(band, light.daylight));
     }
-    hour.sources.push_back(make_sky("sky", sky->make(state), std::move(spectrum)));
-    hour.shapes += std::string(sky->name);
+    hour.sky = sky->make(state);
+    hour.sky_text = std::string(sky->name);
     if (sky->needs != SkyNeeds::nothing) {
-        hour.shapes += " " + shortest(sun.azimuth_deg) + " " + shortest(sun.elevation_deg) + " " +
-                       shortest(state.direct_normal) + " " + shortest(state.diffuse_horizontal);
+        hour.sky_text += " " + shortest(sun.azimuth_deg) + " " + shortest(sun.elevation_deg) + " " +
+                         shortest(state.direct_normal) + " " + shortest(state.diffuse_horizontal);
     }
     return hour;
+}
+
+HourSources make_hour_sources(HourParts parts) {
+    HourSources hour;
+    for (HourParts::Sun& sun : parts.suns) {
+        hour.sources.push_back(make_directional_source("sun", -sun.to_sun, std::move(sun.facing)));
+    }
+    if (parts.sky) {
+        hour.sources.push_back(make_sky("sky", *parts.sky, std::move(parts.sky_horizontal)));
+    }
+    hour.shapes = parts.suns_text + parts.sky_text;
+    return hour;
+}
+
+HourSources make_hour_sources(
+    const SunPath& path, const HourLight& light, const DaylightSources& how) {
+    return make_hour_sources(make_hour_parts(path, light, how));
 }
 
 }  // namespace quasimc

@@ -79,12 +79,29 @@ struct DaylightSources {
     Orientation orientation;
 };
 
+/// What shines in an hour: its suns, each with its part of the hour, and the sky with the sun in
+/// the middle. Directions are unit, z up; spectra are by band.
+struct HourParts {
+    struct Sun {
+        Vec3 to_sun;
+        std::vector<double> facing;  ///< irradiance on a plane that faces it
+    };
+    std::vector<Sun> suns;
+    std::optional<SkyShape> sky;  ///< nothing without diffuse light
+    std::vector<double> sky_horizontal;
+    /// Texts that tell directions and shapes: equal texts, equal shapes.
+    std::string suns_text, sky_text;
+};
+[[nodiscard]] HourParts make_hour_parts(
+    const SunPath& path, const HourLight& light, const DaylightSources& how);
+
 /// Sources of an hour, and a text that tells their shapes (Moment::shapes).
 struct HourSources {
     std::vector<std::shared_ptr<const Source>> sources;
     std::string shapes;
 };
-/// The suns of the steps, each with its part of the hour, and the sky with the sun in the middle.
+[[nodiscard]] HourSources make_hour_sources(HourParts parts);
+/// The same, of the parts of an hour.
 [[nodiscard]] HourSources make_hour_sources(
     const SunPath& path, const HourLight& light, const DaylightSources& how);
 

@@ -3,109 +3,159 @@
 //
 // Light enters a scene through its box: along direction d through the area A(d) that the box shows
 // there. A path draws its direction cell by cell of the hemisphere, in proportion to the integral
-// of L A, uniformly inside the cell, then a place of the box as seen along it. Its weight is
-// L A / (density x flux): the cells steer where paths start, never how much light they bring.
+// of A times the radiance in the middle of the cell, uniformly inside the cell, then a place of the
+// box as seen along it. Its weight is L A / (density x flux): the cells steer where paths start,
+// never how much light they bring, so that their shares may be rough. The flux is exact: A is a sum
+// of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.
 
 #include "quasimc/sources/sky.h"
 
-#include <cmath>
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "quasimc/base/lazy.h"
 #include "quasimc/sources/entry.h"
 #include "quasimc/sources/hemisphere.h"
+#include "quasimc/sources/sky_integral.h"
 
 namespace quasimc {
 namespace {
 
-double sum_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0);
+/// Radiances of cells by which directions are drawn. Cells of a smooth sky that are dark in the
+/// middle may have light at a corner: none gets less than a thousandth of the mean.
+std::vector<double> steering_radiance(const HemisphereGrid& grid, const SkyShape& shape) {
+    std::vector<double> radiance = radiance_of_cells(grid, shape.radiance);
+    if (shape.inside == InsideCells::smooth) {
+        const double sum = std::accumulate(radiance.begin(), radiance.end(), 0.0);
+        const double least = 1e-3 * sum / static_cast<double>(radiance.size());
+        for (double& value : radiance) {
+            value = std::max(value, least);
+        }
+    }
+    return radiance;
 }
 
-/// A sky's sampler with the integral that its shares add up to.
-struct Spread {
-    HemisphereSampler sampler;
-    double integral = 0;
-};
+/// Draws directions in proportion to radiance times what `factor` (row, column) says of the cell.
+template <typename Factor>
+HemisphereSampler make_sampler(HemisphereGrid grid, const SkyShape& shape, const Factor& factor) {
+    std::vector<double> shares = steering_radiance(grid, shape);
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        for (std::size_t column = 0; column < grid.columns(); ++column) {
+            shares[row * grid.columns() + column] *= factor(row, column);
+        }
+    }
+    return {std::move(grid), shares};
+}
 
-Spread make_spread(const HemisphereGrid& grid, const HemisphereFunction& f) {
-    const std::vector<double> integrals = cell_integrals(grid, f);
-    return {HemisphereSampler(grid, integrals), sum_of(integrals)};
+HemisphereSampler make_entry_sampler(const SkyShape& shape, const Vec3& face_area) {
+    HemisphereGrid grid = make_hemisphere_grid(shape.azimuths, shape.sines);
+    const ProjectedCells projected(grid);
+    return make_sampler(std::move(grid), shape, [&](std::size_t row, std::size_t column) {
+        return dot(face_area, projected.integral(row, column));
+    });
+}
+
+HemisphereSampler make_point_sampler(const SkyShape& shape) {
+    const HemisphereGrid grid = make_hemisphere_grid(shape.azimuths, shape.sines);
+    return make_sampler(grid, shape, [&](std::size_t row, std::size_t column) {
+        return grid.solid_angle(row, column);
+    });
 }
 
 class SkyEmitter final : public Emitter {
   public:
-    SkyEmitter(const HemisphereGrid& grid, Radiance radiance, const EntryBox& box)
-        : radiance_(std::move(radiance)),
+    /// @param integrals  of L |d.x|, L |d.y|, L d.z, L the radiance of the shape
+    SkyEmitter(const SkyShape& shape, const Vec3& integrals, const EntryBox& box)
+        : radiance_(shape.radiance),
           box_(box),
-          spread_(make_spread(grid, [this](const Vec3& d) { return entering(d); })) {}
+          unscaled_flux_(dot(box.face_area, integrals)),
+          flux_(unscaled_flux_ / integrals.z),
+          sampler_(make_entry_sampler(shape, box.face_area)) {}
 
-    [[nodiscard]] double flux() const override { return spread_.integral; }
+    [[nodiscard]] double flux() const override { return flux_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
-        const HemisphereSampler::Sample from = spread_.sampler.sample(u[2], u[3]);
+        const HemisphereSampler::Sample from = sampler_.sample(u[2], u[3]);
         const Vec3 direction = -from.direction;
+        const double entering = radiance_(from.direction) * box_.projected_area(direction);
         return {
             entry_place(box_, direction, u[0], u[1]), direction,
-            entering(from.direction) / (from.pdf * spread_.integral)};
+            entering / (from.pdf * unscaled_flux_)};
+    }
+    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+        const HemisphereSampler::Sample from = sampler_.sample(u0, u1);
+        return {-from.direction, from.pdf};
+    }
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        return sampler_.pdf(-direction);
     }
 
   private:
-    /// Light that enters the box from direction `d`, per steradian.
-    [[nodiscard]] double entering(const Vec3& d) const {
-        return radiance_(d) * box_.projected_area(d);
-    }
-
     Radiance radiance_;
     EntryBox box_;
-    Spread spread_;
+    double unscaled_flux_;  // of the shape as it stands
+    double flux_;
+    HemisphereSampler sampler_;
 };
 
 class Sky final : public Source {
   public:
-    Sky(std::string name, const SkyShape& shape, double scale, std::vector<double> spectrum)
-        : Source(std::move(name), std::move(spectrum)),
-          grid_(make_hemisphere_grid(shape.azimuths, shape.sines)),
-          shape_(shape.radiance),
-          scale_(scale),
-          spread_(make_spread(grid_, shape_)) {}
+    Sky(std::string name, SkyShape shape, std::vector<double> spectrum)
+        : Source(std::move(name), std::move(spectrum)), shape_(std::move(shape)) {}
 
     [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
-        auto emitter = std::make_unique<SkyEmitter>(
-            grid_, [shape = shape_, scale = scale_](const Vec3& d) { return scale * shape(d); },
-            aperture.entry_box());
-        return emitter->flux() > 0 ? std::move(emitter) : nullptr;
+        const EntryBox& box = aperture.entry_box();
+        return dot(box.face_area, integrals()) > 0
+                   ? std::make_unique<SkyEmitter>(shape_, integrals(), box)
+                   : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3&, double u0, double u1) const override {
-        const HemisphereSampler::Sample from = spread_.sampler.sample(u0, u1);
-        return {from.direction, scale_ * shape_(from.direction) / from.pdf};
+        const HemisphereSampler& sampler =
+            sampler_.get([this] { return make_point_sampler(shape_); });
+        const HemisphereSampler::Sample from = sampler.sample(u0, u1);
+        return {from.direction, radiance(from.direction) / from.pdf};
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
-        return to_light.z > 0 ? scale_ * shape_(to_light) : 0;
+        return to_light.z > 0 ? shape_.radiance(to_light) / integrals().z : 0;
     }
     [[nodiscard]] bool is_directional() const override { return false; }
     [[nodiscard]] double horizontal_irradiance() const override { return 1; }
 
   private:
-    HemisphereGrid grid_;
-    Radiance shape_;
-    double scale_;  // of the shape, so that its irradiance on the horizontal is 1
-    Spread spread_;
+    [[nodiscard]] const Vec3& integrals() const {
+        return integrals_.get([this] { return projected_radiance(shape_); });
+    }
+
+    SkyShape shape_;
+    Lazy<Vec3> integrals_;
+    Lazy<HemisphereSampler> sampler_;  // of illuminate()
 };
+
+/// Whether there is light anywhere: most skies show it at the first look.
+bool has_light(const SkyShape& shape) {
+    const HemisphereGrid grid = make_hemisphere_grid(shape.azimuths, shape.sines);
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        for (std::size_t column = 0; column < grid.columns(); ++column) {
+            if (shape.radiance(grid.middle(row, column)) > 0) {
+                return true;
+            }
+        }
+    }
+    return horizontal_irradiance(shape) > 0;
+}
 
 }  // namespace
 
 double horizontal_irradiance(const SkyShape& shape) {
-    const HemisphereGrid grid = make_hemisphere_grid(shape.azimuths, shape.sines);
-    return sum_of(cell_integrals(grid, [&](const Vec3& d) { return d.z * shape.radiance(d); }));
+    return projected_radiance(shape).z;
 }
 
 std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance) {
-    const double own = quasimc::horizontal_irradiance(shape);
-    if (!(own > 0)) {
+    if (!has_light(shape)) {
         throw InputError({{name, "the sky is dark everywhere", "it can't bring any light", ""}});
     }
-    return std::make_shared<Sky>(std::move(name), shape, 1 / own, std::move(horizontal_irradiance));
+    return std::make_shared<Sky>(std::move(name), shape, std::move(horizontal_irradiance));
 }
 
 }  // namespace quasimc

@@ -15,12 +15,16 @@ namespace quasimc {
 /// Relative radiance of a sky towards `to_light` (unit, z up, z > 0): finite and not negative.
 using Radiance = std::function<double(const Vec3& to_light)>;
 
+/// How a radiance runs inside the cells that the borders of a shape make.
+enum class InsideCells { smooth, constant };
+
 /// How the radiance of a sky is spread over the upper hemisphere, without its amount. Immutable.
 struct SkyShape {
     Radiance radiance;
     /// Borders of cells inside which the radiance is smooth; none if it is smooth everywhere above
     /// the horizon. Azimuths from the x axis towards y, radians; sines of elevation, 0 to 1.
     std::vector<double> azimuths, sines;
+    InsideCells inside = InsideCells::smooth;
 };
 
 /// The state of a sky, as far as models ask for it.
@@ -71,7 +75,8 @@ struct PerezWeather {
 inline constexpr double kLowestTurbidity = 1.7;
 inline constexpr double kHighestTurbidity = 10;
 
-/// A sky of such a shape at infinity.
+/// A sky of such a shape at infinity. It is integrated when its light is first asked for, which
+/// takes about half a millisecond: a sky that is never traced costs nothing.
 /// @param horizontal_irradiance  per band, on the horizontal: exact, whatever the shape
 /// @throws InputError  if the shape is dark everywhere
 [[nodiscard]] std::shared_ptr<const Source> make_sky(

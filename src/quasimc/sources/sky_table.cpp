@@ -33,6 +33,7 @@ SkyShape table_shape(SkyTable table) {
     EXPECT(table.azimuths > 0 && table.elevations > 0);
     EXPECT(table.radiance.size() == table.azimuths * table.elevations);
     SkyShape shape;
+    shape.inside = InsideCells::constant;
     for (std::size_t i = 0; i < table.azimuths; ++i) {
         shape.azimuths.push_back(
             table.first_azimuth +

@@ -4,6 +4,14 @@
 
 namespace quasimc {
 
+DrawnDirection Emitter::draw_direction(double, double) const {
+    return {beam_direction().value_or(Vec3{}), 0};
+}
+
+double Emitter::density(const Vec3&) const {
+    return 0;
+}
+
 void Emitter::beam_origins(
     std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const {
     EXPECT(beam_direction().has_value());

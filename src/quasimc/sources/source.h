@@ -20,6 +20,12 @@ struct Emission {
     double weight = 1;  ///< relative to the emitter's mean weight; its mean over the unit cube is 1
 };
 
+/// A direction and the density with which it was drawn.
+struct DrawnDirection {
+    Vec3 direction;      ///< unit, in which the light travels
+    double density = 0;  ///< per steradian
+};
+
 /// A source that has been told what scene it lights: draws the starts of paths. Const, shared by
 /// all threads.
 class Emitter {
@@ -34,6 +40,14 @@ class Emitter {
     /// A start from a point of the unit cube. u[0] and u[1] place the start (nearby values give
     /// nearby starts); u[2] and u[3] choose the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
+    /// A direction in which light may enter, drawn from a point of the unit square; nearby points
+    /// give nearby directions. Every source at infinity draws all directions in which it has light.
+    /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
+    /// is 0.
+    [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;
+    /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
+    /// light travels) from evenly spread points; its integral over the sphere is 1.
+    [[nodiscard]] virtual double density(const Vec3& direction) const;
     /// The direction in which every path starts, if it is the same for all; their weight is then 1
     /// and u[2], u[3] are not used. Rays of a beam are cast in packets.
     [[nodiscard]] virtual std::optional<Vec3> beam_direction() const { return std::nullopt; }

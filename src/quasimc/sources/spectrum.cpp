@@ -22,6 +22,9 @@ constexpr std::array<double, 41> kPhotopic{
     .631,    .503,    .381,    .265,     .175,   .107,   .061,   .032,   .017, .00821, .004102,
     .002091, .001047, .00052,  .0002492, .00012, .00006, .00003, .000015};
 
+constexpr std::array kCounts{
+    SpectralSpan::Count::energy, SpectralSpan::Count::photons, SpectralSpan::Count::lumens};
+
 /// The factor on the irradiance at a wavelength.
 double weight(SpectralSpan::Count count, double nm) {
     switch (count) {
@@ -45,6 +48,9 @@ double simpson(const Function& f, double a, double b) {
 Spectrum::Spectrum(std::vector<double> nm, std::vector<double> values)
     : nm_(std::move(nm)), values_(std::move(values)) {
     EXPECT(nm_.size() == values_.size() && nm_.size() >= 2);
+    for (const SpectralSpan::Count count : kCounts) {
+        integrals_[static_cast<std::size_t>(count)] = make_integral(count);
+    }
 }
 
 double Spectrum::at(double nm) const {
@@ -57,29 +63,37 @@ double Spectrum::at(double nm) const {
     return values_[i - 1] + part * (values_[i] - values_[i - 1]);
 }
 
-double Spectrum::within(const SpectralSpan& span) const {
-    // Pieces on which spectrum and weight are both smooth.
-    std::vector<double> borders{std::max(span.from_nm, low_nm()), std::min(span.to_nm, high_nm())};
-    if (borders[0] >= borders[1]) {
-        return 0;
-    }
-    const auto add = [&](double nm) {
-        if (nm > borders[0] && nm < borders[1]) {
-            borders.push_back(nm);
+double Spectrum::piece(SpectralSpan::Count count, double from_nm, double to_nm) const {
+    return simpson([&](double nm) { return at(nm) * weight(count, nm); }, from_nm, to_nm);
+}
+
+/// Between its borders spectrum and weight are both smooth.
+Spectrum::Integral Spectrum::make_integral(SpectralSpan::Count count) const {
+    Integral integral{nm_, {0}};
+    for (std::size_t i = 0; count == SpectralSpan::Count::lumens && i < kPhotopic.size(); ++i) {
+        const double nm = kPhotopicStart + kPhotopicStep * static_cast<double>(i);
+        if (nm > low_nm() && nm < high_nm()) {
+            integral.nm.push_back(nm);
         }
+    }
+    std::sort(integral.nm.begin(), integral.nm.end());
+    for (std::size_t i = 0; i + 1 < integral.nm.size(); ++i) {
+        integral.until.push_back(
+            integral.until[i] + piece(count, integral.nm[i], integral.nm[i + 1]));
+    }
+    return integral;
+}
+
+double Spectrum::within(const SpectralSpan& span) const {
+    const Integral& integral = integrals_[static_cast<std::size_t>(span.count)];
+    const auto until = [&](double nm) {
+        const auto after = std::upper_bound(integral.nm.begin() + 1, integral.nm.end() - 1, nm);
+        const auto i = static_cast<std::size_t>(after - integral.nm.begin()) - 1;
+        return integral.until[i] + piece(span.count, integral.nm[i], nm);
     };
-    std::for_each(nm_.begin(), nm_.end(), add);
-    for (std::size_t i = 0; span.count == SpectralSpan::Count::lumens && i < kPhotopic.size();
-         ++i) {
-        add(kPhotopicStart + kPhotopicStep * static_cast<double>(i));
-    }
-    std::sort(borders.begin(), borders.end());
-    const auto product = [&](double nm) { return at(nm) * weight(span.count, nm); };
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
-        sum += simpson(product, borders[i], borders[i + 1]);
-    }
-    return sum;
+    const double from = std::max(span.from_nm, low_nm());
+    const double to = std::min(span.to_nm, high_nm());
+    return from < to ? until(to) - until(from) : 0;
 }
 
 double photons_per_joule(double nm) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace quasimc {
@@ -23,13 +24,24 @@ class Spectrum {
     Spectrum(std::vector<double> nm, std::vector<double> values);
 
     [[nodiscard]] double at(double nm) const;
-    /// What the span holds, in the unit of its count. Exact for energy and photons.
+    /// What the span holds, in the unit of its count. Exact, since V is taken as linear too.
     [[nodiscard]] double within(const SpectralSpan& span) const;
+    /// The points given.
+    [[nodiscard]] const std::vector<double>& wavelengths() const { return nm_; }
     [[nodiscard]] double low_nm() const { return nm_.front(); }
     [[nodiscard]] double high_nm() const { return nm_.back(); }
 
   private:
+    /// What is counted from the low end up to each of some wavelengths.
+    struct Integral {
+        std::vector<double> nm, until;
+    };
+    [[nodiscard]] Integral make_integral(SpectralSpan::Count count) const;
+    /// What lies between two wavelengths with no point of the spectrum between them.
+    [[nodiscard]] double piece(SpectralSpan::Count count, double from_nm, double to_nm) const;
+
     std::vector<double> nm_, values_;
+    std::array<Integral, 3> integrals_;  // by count
 };
 
 /// umol s-1 of photons in a watt of one wavelength: lambda / (h c N_A) (SI 2019: 8.359347e-3 per

@@ -95,6 +95,12 @@ class DiskEmitter final : public Emitter {
             entry_place(box_, direction, u[0], u[1]), direction,
             light * box_.projected_area(direction) / flux_};
     }
+    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+        return {-cone_.direction(u0, u1), 1 / cone_.solid_angle()};
+    }
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        return cone_.contains(-direction) ? 1 / cone_.solid_angle() : 0;
+    }
 
   private:
     Cone cone_;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "quasimc/sources/hemisphere.h"
 #include "quasimc/sources/source.h"
 
 namespace quasimc {
@@ -48,8 +49,23 @@ class SkyEmitter final : public Emitter {
         return face == 0 ? from_top(u0, u[1], u[2], u[3]) : from_side(face, u0, u[1], u[2], u[3]);
     }
 
+    /// Evenly over the sky; through the top alone, as light comes through it.
+    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+        const Vec3 to_light = has_sides() ? hemisphere_direction(2 * std::numbers::pi * u1, u0)
+                                          : cosine_direction(u0, u1);
+        return {-to_light, density(-to_light)};
+    }
+    [[nodiscard]] double density(const Vec3& direction) const override {
+        if (direction.z >= 0) {
+            return 0;
+        }
+        return has_sides() ? 0.5 / std::numbers::pi : -direction.z / std::numbers::pi;
+    }
+
   private:
     static constexpr std::size_t kFaces = 5;  // top, low x, high x, low y, high y
+
+    [[nodiscard]] bool has_sides() const { return box_.face_area.x > 0 || box_.face_area.y > 0; }
 
     [[nodiscard]] Emission from_top(double u0, double u1, double u2, double u3) const {
         const Vec3 d = cosine_direction(u2, u3);

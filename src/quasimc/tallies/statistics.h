@@ -13,6 +13,11 @@ struct Estimate {
     double high = 0;
 };
 
+/// The estimate of a number times `factor` >= 0.
+[[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
+    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+}
+
 /// Mean, standard error and 95 % Student t-interval of the mean of `values`, one per replicate (at
 /// least one; with one replicate error and interval are NaN).
 [[nodiscard]] Estimate estimate_mean(std::span<const double> values);

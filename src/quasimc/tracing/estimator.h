@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "quasimc/base/parallel.h"
+#include "quasimc/geometry/item_buffer.h"
 #include "quasimc/geometry/scan_lines.h"
 #include "quasimc/samplers/sampler.h"
 #include "quasimc/tallies/tally.h"
@@ -19,11 +22,25 @@ struct Round {
     std::uint64_t count = 0;
 };
 
+/// Light that comes to surfaces along one direction.
+struct SurfaceBeam {
+    const Light* light = nullptr;
+    Vec3 direction;
+};
+
 /// Where a path starts on a lit surface: a place on a triangle of the mesh.
 struct SurfaceStart {
     std::uint32_t triangle = 0;
+    std::uint32_t beam = 0;  ///< in Workspace::beams
     float u = 0, v = 0;
     double weight = 1;
+};
+
+/// A piece of a lit surface as paths start from it.
+struct ShiningPiece {
+    double scattered = 0;  ///< as many starts, on average
+    double weight = 0;     ///< of each
+    std::uint32_t triangle = 0;
 };
 
 /// What a worker keeps between blocks so that nothing is allocated on the way. Its own alone: no
@@ -43,8 +60,11 @@ struct alignas(2 * kCacheLine) Workspace {
     std::vector<double> weights, products, gathered;  // per band
     std::vector<std::int64_t> fixed;                  // per band
     ScanLines lines;
+    std::optional<std::array<std::uint64_t, 3>> lines_of;  // their part, replicate and round
+    ItemBuffer pixels;
+    std::vector<ShiningPiece> shining;  // by what the pixels show
+    std::vector<SurfaceBeam> beams;
     std::vector<SurfaceStart> starts;
-    std::vector<std::uint64_t> lines_of;  // which light, replicate and round `lines` belongs to
 };
 
 /// A way to compute the light on the organs: what one path does, and what a tally then means.
@@ -94,7 +114,7 @@ class Estimator {
 
 /// Light tracing (tracing/forward.cpp), tracing from the organs (tracing/backward.cpp) and from lit
 /// surfaces (tracing/lit_surfaces.cpp).
-enum class Lights { all, but_beams };
+enum class Lights { all, lamps };
 [[nodiscard]] std::unique_ptr<Estimator> make_forward_estimator(
     const Stage& stage, const Sampler& sampler, const RunSpec& spec, Lights lights = Lights::all);
 [[nodiscard]] std::unique_ptr<Estimator> make_lit_surfaces_estimator(

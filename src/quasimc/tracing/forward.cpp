@@ -84,7 +84,7 @@ class ForwardEstimator final : public Estimator {
         for (std::size_t i = 0; i < points.count;) {
             const Group group = next_group(workspace, i);
             i += group.points.size();
-            if (beams_[group.light] && lights_ == Lights::but_beams) {
+            if (lights_ == Lights::lamps && !stage_.lights()[group.light].source->is_lamp()) {
                 continue;
             }
             rays += beams_[group.light] ? trace_packet(points, group, workspace, tally)

@@ -65,7 +65,7 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
 bool OrganPoints::in_cell(const Vec3& local) const {
     const Cell& cell = stage_.scene().cell();
     const LocalMesh& mesh = stage_.caster().mesh();
-    const Vec3 p = mesh.origin + local / mesh.scale;
+    const Vec3 p = mesh.to_world(local);
     return !(cell.along_x && (p.x < cell.low_x || p.x >= cell.low_x + cell.size_x)) &&
            !(cell.along_y && (p.y < cell.low_y || p.y >= cell.low_y + cell.size_y));
 }

@@ -13,8 +13,8 @@ namespace quasimc {
 enum class TraceFrom {
     sources,  ///< light tracing: many organs, sun
     organs,   ///< from points on each organ, light sampled at every hit: few or small organs, sky
-    lit_surfaces,  ///< where parallel light falls, found along scan lines: direct light almost
-                   ///< without noise; other sources as `sources`
+    lit_surfaces,  ///< where suns and skies fall first, found by scan lines and item buffers:
+                   ///< direct light almost without noise; lamps as `sources`
     automatic,     ///< whichever of the others has the smallest errors for its time: plan_method()
 };
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "quasimc/base/checks.h"
+#include "quasimc/samplers/hash.h"
 #include "quasimc/tracing/series_sum.h"
 #include "quasimc/tracing/simulator.h"
 
@@ -58,17 +59,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
     if (trace == 0) {
         return seed;
     }
-    std::uint64_t z = seed + trace * 0x9E3779B97F4A7C15U;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-}
-
-void scale(Estimate& estimate, double factor) {
-    estimate.mean *= factor;
-    estimate.standard_error *= factor;
-    estimate.low *= factor;
-    estimate.high *= factor;
+    return mix64(seed + trace * 0x9E3779B97F4A7C15U);
 }
 
 /// Traces a series, moment by moment.
@@ -236,14 +227,14 @@ std::vector<MomentPlan> plan_series(const std::vector<Moment>& moments) {
 Result scaled(const Result& result, double factor) {
     Result copy = result;
     for (Estimate& estimate : copy.values) {
-        scale(estimate, factor);
+        estimate = scaled(estimate, factor);
     }
     for (BandBudget& band : copy.budget) {
         band.emitted *= factor;
         for (Estimate BandBudget::*part :
              {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
               &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
-            scale(band.*part, factor);
+            band.*part = scaled(band.*part, factor);
         }
     }
     if (copy.audit) {

@@ -54,6 +54,8 @@ class Stage {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const RayCaster& caster() const { return *caster_; }
     [[nodiscard]] std::size_t bands() const { return scene_->bands().size(); }
+    /// Where light from far away enters.
+    [[nodiscard]] const Aperture& aperture() const { return aperture_; }
     /// Square scene units per square local unit.
     [[nodiscard]] double world_area() const { return aperture_.world_area(); }
 

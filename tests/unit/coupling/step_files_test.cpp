@@ -73,6 +73,13 @@ TEST_F(StepFilesTest, ShowThePlantInColours) {
     EXPECT_TRUE(ply.starts_with("ply\n"));
     EXPECT_NE(ply.find("element face 6\n"), std::string::npos);
     EXPECT_NE(ply.find("property uchar red"), std::string::npos);
+    EXPECT_EQ(ply.find(" 128 128 128 nan "), std::string::npos);
+}
+
+TEST_F(StepFilesTest, ShowInGreyWhatNoSensorMeasures) {
+    write(
+        "rays from objects: yes 90\npicture file: " + (folder_.path() / "p.ply").string() + "\n");
+    EXPECT_NE(folder_.read("p0000.ply").find(" 128 128 128 nan "), std::string::npos);
 }
 
 }  // namespace

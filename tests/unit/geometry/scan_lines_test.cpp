@@ -14,15 +14,13 @@ namespace {
 
 /// Area of the beam that each triangle catches.
 std::map<std::uint32_t, double> caught(
-    const LocalMesh& mesh,
-    const ScanLines::Spec& spec,
-    std::span<const std::uint8_t> transparent = {}) {
+    const LocalMesh& mesh, const ScanLines::Spec& spec, std::span<const SeenAs> roles = {}) {
     ScanLines lines;
-    lines.set(mesh, transparent, spec);
+    lines.set({&mesh, {}, roles}, spec);
     std::map<std::uint32_t, double> areas;
     for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
         lines.visit(
-            bin, [&](const LitSegment& lit) { areas[lit.triangle] += lit.length * lines.pitch(); });
+            bin, [&](const LitSegment& lit) { areas[lit.triangle] += lit.length * lines.area(); });
     }
     return areas;
 }
@@ -74,8 +72,8 @@ TEST(ScanLines, SeeThroughSensorsAndWhatSensorsSee) {
         kLeaf,
         {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const std::vector<std::uint8_t> transparent{1, 0, 1};
-    const auto areas = caught(mesh, {kDown, .2, .4, 1000}, transparent);
+    const std::vector<SeenAs> roles{SeenAs::sensor, SeenAs::opaque, SeenAs::sensor};
+    const auto areas = caught(mesh, {kDown, .2, .4, 1000}, roles);
     const double area = .5 * mesh.scale * mesh.scale;
     EXPECT_NEAR(areas.at(0), area, 1e-6);
     EXPECT_NEAR(areas.at(1), area, 1e-6);
@@ -90,7 +88,7 @@ TEST(ScanLines, AgreeWithRays) {
     const Vec3 direction = normalized(Vec3{.3, -.2, -1});
     const ScanLines::Spec spec{direction, .3, .7, 40};
     ScanLines lines;
-    lines.set(mesh, {}, spec);
+    lines.set({&mesh, {}}, spec);
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform;
     int looks = 0;

@@ -23,7 +23,7 @@ TEST(RunFile, OfTheLeastThatIsNeededHasTheDefaults) {
     EXPECT_FALSE(run.output.csv);
     EXPECT_FALSE(run.output.json);
     for (const Option& option : option_table()) {
-        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
     }
 }
 
@@ -52,7 +52,7 @@ TEST(RunFile, TakesEveryOption) {
     text.run = default_run_section();
     const RunFile run = read_text(text.text());
     for (const Option& option : option_table()) {
-        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
     }
 }
 
@@ -168,7 +168,7 @@ TEST(RunFile, DefaultOneHasNoFaultAndEveryOption) {
     for (const Option& option : option_table()) {
         EXPECT_NE(
             default_run_file().find("\n" + std::string(option.key) + " = "), std::string::npos);
-        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
     }
 }
 

@@ -181,7 +181,9 @@ TEST(Method, IsToldWithItsReason) {
 TEST(Method, IsNoNewsToWhoAskedForIt) {
     Result result = small_result();
     result.method = {TraceFrom::sources, "asked for"};
-    EXPECT_EQ(summary(small_run(), result, {}).find("asked for"), std::string::npos);
+    RunFile run = small_run();
+    run.spec.trace_from = TraceFrom::sources;
+    EXPECT_EQ(summary(run, result, {}).find("asked for"), std::string::npos);
 }
 
 Audit small_audit(double chance) {

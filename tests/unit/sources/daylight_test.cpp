@@ -39,10 +39,25 @@ TEST(Spectrum, CountsPhotonsAndLumens) {
     EXPECT_EQ(photopic_efficiency(300), 0);
 }
 
-/// The sums that ASTM G173-03 states for its whole table: 1000.4 and 900.1 W m-2.
-TEST(SolarReference, AddsUpToItsStandard) {
-    EXPECT_NEAR(reference_global().within({280, 4000}), 1000.4, 3);
-    EXPECT_NEAR(reference_direct().within({280, 4000}), 900.1, 3);
+/// The sums that ASTM G173-03 states, 1000.4 and 900.1 W m-2, and rows of its table.
+TEST(SolarReference, IsTheWholeTable) {
+    EXPECT_NEAR(reference_global().within({280, 4000}), 1000.4, .05);
+    EXPECT_NEAR(reference_direct().within({280, 4000}), 900.1, .05);
+    EXPECT_EQ(reference_global().wavelengths().size(), 2002U);
+    EXPECT_EQ(reference_direct().wavelengths(), reference_global().wavelengths());
+    struct Row {
+        double nm, global, direct;
+    };
+    for (const Row& row :
+         {Row{280, 4.7309e-23, 2.5361e-26}, Row{305.5, .018719, .010186}, Row{399.5, 1.1021, .8298},
+          Row{400, 1.1141, .83989}, Row{761, .15396, .14328}, Row{933, .24841, .23459},
+          Row{1362, 1.8076e-11, 1.7489e-11}, Row{1700, .19975, .19464}, Row{1702, .20396, .19874},
+          Row{1705, .19778, .19275}, Row{2525, 4.1393e-5, 4.1194e-5},
+          Row{2800, 1.6484e-12, 1.6665e-12}, Row{3995, .00721, .0072263},
+          Row{4000, .0071043, .0071199}}) {
+        EXPECT_DOUBLE_EQ(reference_global().at(row.nm), row.global) << row.nm;
+        EXPECT_DOUBLE_EQ(reference_direct().at(row.nm), row.direct) << row.nm;
+    }
 }
 
 /// McCree (1972) and Thimijan and Heins (1983): 4.57 umol J-1 of PAR, 2.0 to 2.1 umol per J of

@@ -173,37 +173,6 @@ TEST(SkySums, OfOneSkyAreNearlyThatSky) {
     }
 }
 
-/// A morning and an evening: what the sources of the period shed together is what those of its
-/// moments shed.
-TEST(PeriodLight, ShedsTheLightOfItsMoments) {
-    const Vec3 morning = normalized({1, 0, .5});
-    const Vec3 evening = normalized({-1, 0, .5});
-    for (const bool same : {true, false}) {
-        PeriodLight light(2, 48, 24);
-        light.add_sky(cie_clear_shape(morning), std::vector<double>{10, 5});
-        light.add_sky(cie_clear_shape(evening), std::vector<double>{20, same ? 10.0 : 40.0});
-        light.add_sun(morning, std::vector<double>{100, 50});
-        light.add_sun(evening, std::vector<double>{200, 100});
-        light.add_sun({0, .6, -.8}, std::vector<double>{1, 1});
-        const auto sources = light.sources("day");
-        ASSERT_EQ(sources.size(), same ? 3 : 4);
-        std::array<double, 2> horizontal{};
-        for (const auto& source : sources) {
-            for (std::size_t b = 0; b < 2; ++b) {
-                horizontal[b] += source->spectrum()[b] * source->horizontal_irradiance();
-            }
-        }
-        EXPECT_NEAR(horizontal[0], 30 + 300 * morning.z, 1e-6);
-        EXPECT_NEAR(horizontal[1], (same ? 15 : 45) + 150 * morning.z, 1e-6);
-        // Twice as bright a sky in the evening, eight times in the other band.
-        const double east = sources[0]->radiance(normalized({1, .1, .5}));
-        const double west = sources[0]->radiance(normalized({-1, .1, .5}));
-        EXPECT_GT(west, 1.3 * east);
-        EXPECT_LT(west, 2 * east);
-    }
-    EXPECT_TRUE(PeriodLight(1).sources("night").empty());
-}
-
 /// The box of a scene, [0, 4] x [0, 2] x [0, 1].
 EntryBox make_box() {
     EntryBox box;
@@ -316,6 +285,22 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
                 1e-9 * emitter->flux());
         }
     }
+}
+
+TEST(SunDisk, DrawsItsDirectionsEvenly) {
+    const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    constexpr double kRadius = 3 * pi / 180;
+    const Vec3 to_sun = sun_at(60);
+    const auto emitter = make_sun_disk("sun", to_sun, 3, {1})->make_emitter(aperture);
+    const double inside = 1 / (2 * pi * (1 - std::cos(kRadius)));
+    EXPECT_NEAR(emitter->density(-to_sun), inside, 1e-9 * inside);
+    EXPECT_NEAR(emitter->draw_direction(.999, .2).density, inside, 1e-9 * inside);
+    EXPECT_EQ(emitter->density(to_sun), 0);
+    EXPECT_EQ(emitter->density(-sun_at(56.9)), 0);
+    const auto beam = make_directional_source("sun", -to_sun, {1})->make_emitter(aperture);
+    EXPECT_EQ(beam->density(-to_sun), 0);  // has none
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "quasimc/sources/sky.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -96,6 +97,110 @@ TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     EXPECT_TRUE(agrees(measured(weights), 1, .02));
     EXPECT_TRUE(follow(draws, entering, mesh_, sidak_level(kLevel, kFamily)));
     EXPECT_LT(std::sqrt(squares / kDraws), .1);
+}
+
+/// Sorted borders of which density() may have steps at some.
+std::vector<double> borders(std::vector<double> some, std::span<const double> more, double turn) {
+    for (const double x : more) {
+        some.push_back(turn > 0 ? x - turn * std::floor(x / turn) : x);
+    }
+    std::sort(some.begin(), some.end());
+    return some;
+}
+
+/// The integral of an emitter's density over all directions: it is the same all over a cell.
+double integral_of_density(const Emitter& emitter, const SkyShape& shape) {
+    std::vector<double> azimuths;
+    std::vector<double> sines;
+    for (int i = 0; i <= 64; ++i) {
+        azimuths.push_back(2 * pi * i / 64);
+    }
+    for (int i = 0; i <= 32; ++i) {
+        sines.push_back(std::sin(pi / 2 * i / 32));
+    }
+    azimuths = borders(azimuths, shape.azimuths, 2 * pi);
+    sines = borders(sines, shape.sines, 0);
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < azimuths.size(); ++i) {
+        for (std::size_t j = 0; j + 1 < sines.size(); ++j) {
+            const Vec3 d =
+                upward(.5 * (azimuths[i] + azimuths[i + 1]), .5 * (sines[j] + sines[j + 1]));
+            EXPECT_EQ(emitter.density(d), 0);  // light doesn't come from below
+            sum +=
+                emitter.density(-d) * (azimuths[i + 1] - azimuths[i]) * (sines[j + 1] - sines[j]);
+        }
+    }
+    return sum;
+}
+
+TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
+    const LitBox lit;
+    const auto emitter = sky_->make_emitter(lit.aperture);
+    ASSERT_NE(emitter, nullptr);
+    EXPECT_NEAR(integral_of_density(*emitter, shape_), 1, 1e-9);
+    std::mt19937_64 bits(17);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 20000; ++i) {
+        const double u0 = uniform(bits);
+        const double u1 = uniform(bits);
+        const Emission start = emitter->emit({.5, .5, u0, u1});
+        const Vec3& d = start.direction;
+        const DrawnDirection drawn = emitter->draw_direction(u0, u1);
+        EXPECT_EQ(length(drawn.direction - d), 0);
+        EXPECT_NEAR(drawn.density, emitter->density(d), 1e-12 * drawn.density);
+        const double light =
+            sky_->radiance(-d) * lit.aperture.entry_box().projected_area(d) / emitter->flux();
+        EXPECT_NEAR(start.weight * emitter->density(d), light, 1e-9 * light);
+    }
+}
+
+/// A smooth sky that is black for the most part, with a border that runs through cells.
+SkyShape half_dark_shape() {
+    return {[](const Vec3& d) { return std::max(0.0, d.x + .7 * d.y + .3 * d.z - .6); }, {}, {}};
+}
+
+TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
+    const LitBox lit;
+    const SkyShape shape = half_dark_shape();
+    const auto sky = make_sky("sky", shape, {1});
+    const auto emitter = sky->make_emitter(lit.aperture);
+    std::mt19937_64 bits(18);
+    std::uniform_real_distribution<double> uniform;
+    int lit_places = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
+        if (shape.radiance(d) > 0) {
+            ++lit_places;
+            ASSERT_GT(emitter->density(-d), 0);
+        }
+    }
+    EXPECT_GT(lit_places, 1000);
+    std::vector<double> weights;
+    for (int i = 0; i < 20000; ++i) {
+        weights.push_back(emitter->emit({.5, .5, uniform(bits), uniform(bits)}).weight);
+    }
+    EXPECT_TRUE(agrees(measured(weights), 1, .02));
+}
+
+/// A season has thousands of skies; reading it must not integrate them.
+TEST(Skies, AreIntegratedWhenTheirLightIsAskedFor) {
+    const auto looks = std::make_shared<int>(0);
+    const SkyShape shape{
+        [looks](const Vec3& d) {
+            ++*looks;
+            return d.z;
+        },
+        {},
+        {}};
+    const auto sky = make_sky("sky", shape, {1});
+    EXPECT_EQ(*looks, 1);
+    EXPECT_NEAR(sky->radiance({0, 0, 1}), 1.5 / pi, 1e-7);
+    EXPECT_GT(*looks, 100);
+    const int so_far = *looks;
+    EXPECT_GT(sky->radiance({0, .6, .8}), 0);
+    EXPECT_EQ(*looks, so_far + 1);
+    const SkyShape black{[](const Vec3&) { return 0.0; }, {}, {}};
+    EXPECT_THROW((void)make_sky("black", black, {1}), InputError);
 }
 
 TEST(Skies, EnterPeriodicScenesThroughTheirOpenFaces) {

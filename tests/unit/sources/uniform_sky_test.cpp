@@ -168,5 +168,40 @@ TEST(UniformSky, IsDarkBelowTheHorizon) {
     EXPECT_FALSE(sky->is_directional());
 }
 
+void tell_the_density(const Cell& cell) {
+    const LocalMesh mesh = make_local_mesh(make_box());
+    const Aperture aperture(mesh, cell, WindowShape::silhouette);
+    const auto emitter = make_uniform_sky("sky", {1})->make_emitter(aperture);
+    EXPECT_NEAR(over_hemisphere([&](const Vec3& d) { return emitter->density(-d); }), 1, 1e-4);
+    EXPECT_EQ(emitter->density({0, .6, .8}), 0);
+    constexpr std::size_t kOctants = 4;
+    constexpr int kDraws = 60000;
+    std::array<double, 2 * kOctants> found{};
+    std::array<double, 2 * kOctants> expected{};
+    const auto place_of = [](const Vec3& d) {
+        return (d.x > 0 ? 1U : 0U) + (d.y > 0 ? 2U : 0U) + (d.z < -.5 ? 4U : 0U);
+    };
+    std::mt19937_64 bits(21);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < kDraws; ++i) {
+        const double u0 = uniform(bits);
+        const DrawnDirection drawn = emitter->draw_direction(u0, uniform(bits));
+        EXPECT_EQ(drawn.density, emitter->density(drawn.direction));
+        found[place_of(drawn.direction)] += 1;
+    }
+    for (std::size_t place = 0; place < found.size(); ++place) {
+        expected[place] = over_hemisphere(
+            [&](const Vec3& d) { return place_of(-d) == place ? emitter->density(-d) : 0; });
+        EXPECT_TRUE(agrees(
+            measured_fraction(found[place], kDraws, expected[place]), expected[place], .01,
+            sidak_level(kLevel, found.size())));
+    }
+}
+
+TEST(UniformSky, TellsTheDensityThatItDrawsDirectionsWith) {
+    tell_the_density({});
+    tell_the_density({.along_x = true, .along_y = true, .size_x = 3, .size_y = 2});
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -1,0 +1,162 @@
+// The marks that tracing from lit surfaces is held to: variance of the irradiance of leaves (both
+// sides, per one-sided area, mean over leaves) and CPU time of one replicate, one thread. Seed 1 is
+// the canopy that the numbers in tracing/lit_plan.cpp were chosen on; the others were not looked
+// at.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "parts.h"
+#include "quasimc/sources/sky.h"
+#include "scenes.h"
+
+namespace quasimc::bench {
+namespace {
+
+constexpr std::array<std::uint64_t, 3> kSeeds{1, 7, 8};
+
+struct Measured {
+    double variance = 0;  ///< of the irradiance
+    double seconds = 0;
+    double error = 0;  ///< root of the variance over the mean irradiance
+
+    [[nodiscard]] double merit() const { return 1 / (variance * seconds); }
+};
+
+struct Case {
+    std::uint32_t leaves = 500;
+    double albedo = 0.2;
+    Light light = Light::sun;
+};
+
+Measured measure(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
+    const Result result = run(scene, sources, spec);
+    double mean = 0;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        mean += result.at(i, Quantity::absorbed_flux_density, 0).mean;
+    }
+    mean /= static_cast<double>(result.organs());
+    const double variance = mean_variance(result);
+    return {
+        variance / (absorptance * absorptance), result.trace_cpu_seconds / spec.replicates,
+        std::sqrt(variance) / mean};
+}
+
+RunSpec make_spec(TraceFrom from, std::string sampler, std::uint64_t paths, const Effort& effort) {
+    RunSpec spec;
+    spec.trace_from = from;
+    spec.sampler = std::move(sampler);
+    spec.paths = paths;
+    spec.replicates = effort.replicates;
+    spec.threads = 1;
+    return spec;
+}
+
+const char* met(bool is_met) {
+    return is_met ? "met" : "MISSED";
+}
+
+/// Direct light alone: black leaves.
+void print_direct(
+    const char* name,
+    const Case& one,
+    std::uint64_t paths,
+    double most_variance,
+    double most_ms,
+    const Effort& effort) {
+    for (const std::uint64_t seed : kSeeds) {
+        const Scene scene = make_canopy({.leaves = one.leaves, .albedos = {0}, .seed = seed});
+        const Sources sources = one.light == Light::sun
+                                    ? make_light(Light::sun, 1)
+                                    : Sources{make_sky("overcast", cie_overcast_shape(), {1})};
+        const Measured m =
+            measure(scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort), 1);
+        std::printf(
+            "  %-28s seed %lu: variance %.2e in %6.2f ms (at most %.0e in %g ms: %s)\n", name, seed,
+            m.variance, 1e3 * m.seconds, most_variance, most_ms,
+            met(m.variance <= most_variance && 1e3 * m.seconds <= most_ms));
+    }
+}
+
+/// Figure of merit over light tracing with a sampler.
+void print_merit(
+    const char* name,
+    const Case& one,
+    const std::string& sampler,
+    double least,
+    std::uint64_t paths,
+    const Effort& effort) {
+    for (const std::uint64_t seed : kSeeds) {
+        const Scene scene =
+            make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
+        const Sources sources = make_light(one.light, 1);
+        const double absorptance = 1 - one.albedo;
+        const Measured lit = measure(
+            scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort),
+            absorptance);
+        const Measured plain = measure(
+            scene, sources, make_spec(TraceFrom::sources, sampler, paths, effort), absorptance);
+        const double ratio = lit.merit() / plain.merit();
+        std::printf(
+            "  %-28s seed %lu: %6.1f times %s from sources at %lu paths (at least %g: %s)\n", name,
+            seed, ratio, sampler.c_str(), paths, least, met(ratio >= least));
+    }
+}
+
+/// CPU time until the error of a leaf is 1 % of the mean irradiance, scattering included.
+void print_time(const char* name, const Case& one, double most_ms, const Effort& effort) {
+    constexpr double kError = 0.01;
+    for (const std::uint64_t seed : kSeeds) {
+        const Scene scene =
+            make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
+        const Sources sources = make_light(one.light, 1);
+        std::uint64_t paths = 1024;
+        Measured m;
+        do {
+            paths *= 2;
+            m = measure(
+                scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort),
+                1 - one.albedo);
+        } while (m.error > kError && paths < (std::uint64_t{1} << 24));
+        std::printf(
+            "  %-28s seed %lu: error %.2f %% in %7.1f ms, %lu paths (1 %% in %g ms: %s)\n", name,
+            seed, 100 * m.error, 1e3 * m.seconds, paths, most_ms,
+            met(m.error <= kError && 1e3 * m.seconds <= most_ms));
+    }
+}
+
+}  // namespace
+
+void print_bars(const Effort& effort) {
+    std::printf("\n== What tracing from lit surfaces is held to\n");
+    print_direct("direct sun, 500 leaves", {}, 1 << 17, 1e-7, 3, effort);
+    print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 96 * 1024, 1e-5, 20, effort);
+    print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 19, 2e-6, 200, effort);
+    for (const std::uint64_t paths : {effort.paths, 16 * effort.paths}) {
+        print_merit("500 leaves, PAR, sun", {}, "monte_carlo", 60, paths, effort);
+        print_merit("500 leaves, PAR, sun", {}, "korobov", 6, paths, effort);
+        print_merit("10,000 leaves, PAR, sun", {.leaves = 10000}, "monte_carlo", 20, paths, effort);
+        print_merit(
+            "500 leaves, PAR, sky", {.light = Light::sky}, "monte_carlo", 10, paths, effort);
+        print_merit("500 leaves, NIR, sun", {.albedo = 0.9}, "monte_carlo", 4, paths, effort);
+        print_merit(
+            "500 leaves, NIR, sky", {.albedo = 0.9, .light = Light::sky}, "monte_carlo", 1, paths,
+            effort);
+        print_merit(
+            "10,000 leaves, NIR, sun", {.leaves = 10000, .albedo = 0.9}, "monte_carlo", 1, paths,
+            effort);
+        print_merit(
+            "10,000 leaves, PAR, sky", {.leaves = 10000, .light = Light::sky}, "monte_carlo", 1,
+            paths, effort);
+        print_merit(
+            "10,000 leaves, NIR, sky", {.leaves = 10000, .albedo = 0.9, .light = Light::sky},
+            "monte_carlo", 1, paths, effort);
+    }
+    print_time("500 leaves, PAR, sun", {}, 20, effort);
+    print_time("10,000 leaves, PAR, sun", {.leaves = 10000}, 1000, effort);
+}
+
+}  // namespace quasimc::bench

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "quasimc/base/vec3.h"
+#include "quasimc/geometry/cell.h"
+#include "quasimc/geometry/local_mesh.h"
+
+namespace quasimc {
+
+/// How a beam meets a triangle.
+enum class SeenAs : std::uint8_t {
+    opaque,
+    sensor,    ///< receives light and lets it pass
+    left_out,  ///< another image of the same triangle stands for it (RayCaster::source)
+};
+
+/// A scene as beams see it.
+struct BeamScene {
+    const LocalMesh* mesh = nullptr;
+    Cell cell;                           ///< local coordinates
+    std::span<const SeenAs> roles = {};  ///< by triangle of the mesh; empty: all are opaque
+    std::span<const Vec3> outline = {};  ///< points whose hull holds the scene; empty: vertices
+
+    [[nodiscard]] SeenAs role(std::uint32_t triangle) const {
+        return roles.empty() ? SeenAs::opaque : roles[triangle];
+    }
+};
+
+/// The plane on which a beam sees a scene: points of one ray have the same place (s, t), and their
+/// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
+/// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
+/// both, so that one period holds an image of every ray.
+struct BeamPlane {
+    /// @param scene  with at least one triangle
+    /// @param direction  unit, in which the light travels; in a periodic scene one that has a
+    ///        window (Aperture::window)
+    /// @param rotation  0..1 for half a turn of s and t; in a periodic scene it picks one of the
+    ///        directions in which lines of equal t close, or run across a row
+    BeamPlane(const BeamScene& scene, const Vec3& direction, double rotation);
+
+    Vec3 s, t, depth;             ///< a point p is seen at (dot(s, p), dot(t, p)), dot(depth, p)
+    double area = 1;              ///< across the beam, per unit of s and t
+    double low_s = 0, low_t = 0;  ///< where the scene, or a period, begins
+    double size_s = 0, size_t = 0;
+    bool repeats_s = false, repeats_t = false;
+
+  private:
+    void set_layer(const Cell& cell, const Vec3& direction, double rotation);
+    void set_row(const BeamScene& scene, const Vec3& direction, double rotation);
+};
+
+/// The periods that a stretch reaches into, counted from where the first begins.
+struct Periods {
+    std::int32_t first = 0, last = 0;
+};
+/// @param low, high  of the stretch, from the beginning of the first period
+/// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
+///        many is lost (RayCaster::kMostCells)
+[[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
+
+}  // namespace quasimc

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quasimc/geometry/beam_plane.h"
+
+namespace quasimc {
+
+/// What a beam lights first, pixel by pixel: a regular grid of its rays, rasterized with a depth
+/// buffer. With a uniform shift of the grid, pixels x pixel_area() of a triangle is an unbiased
+/// estimate of the area of the beam that it catches; its variance falls with about the power 1.5 of
+/// the number of pixels. For many beams of which each need not be seen well, as those of a sky;
+/// for one beam ScanLines tell more.
+///
+/// Objects are used by one thread, and hold buffers for the next beam.
+class ItemBuffer {
+  public:
+    struct Spec {
+        Vec3 direction;                   ///< unit, in which the light travels
+        double rotation = 0;              ///< see BeamPlane
+        double shift_s = 0, shift_t = 0;  ///< of the grid, 0..1 of a pixel
+        double pixels = 1;                ///< about as many over the scene, or a period of it
+    };
+
+    /// A triangle that is seen. In a periodic scene each of its images that is.
+    struct Item {
+        std::uint32_t triangle = 0;  ///< of the mesh
+        std::uint32_t id = 0;        ///< in ids(); sensors, which hide nothing, have none: 0
+        std::uint32_t pixels = 0;
+        double cosine = 0;  ///< dot(unit normal of the upper side, direction of the beam)
+    };
+
+    void draw(const BeamScene& scene, const Spec& spec);
+
+    /// Area across the beam that a pixel stands for, local units squared.
+    [[nodiscard]] double pixel_area() const { return pixel_area_; }
+    /// What is seen, sensors last.
+    [[nodiscard]] std::span<const Item> items() const { return items_; }
+
+    /// By pixel, row by row: the id of what is seen; 0: nothing.
+    [[nodiscard]] std::span<const std::uint32_t> ids() const { return ids_; }
+    /// Ids are less than that.
+    [[nodiscard]] std::size_t id_count() const { return images_.size(); }
+    /// A place on a triangle, barycentric.
+    struct Place {
+        float u = 0, v = 0;
+    };
+    /// Where the ray of a pixel ends that sees something.
+    [[nodiscard]] Place place(std::size_t pixel) const;
+
+  private:
+    /// A triangle, moved by whole periods of the grid.
+    struct Image {
+        std::uint32_t triangle;
+        std::int32_t periods_x, periods_y;
+    };
+    /// Of an image: place on the grid, where ray (i, j) passes at x = i, y = j, and depth.
+    struct Corners {
+        double x[3], y[3], z[3];
+    };
+
+    void set_grid(const BeamScene& scene, const Spec& spec);
+    [[nodiscard]] Corners corners_of(std::uint32_t triangle) const;
+    [[nodiscard]] Corners corners_of(const Image& image) const;
+    /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
+    template <typename Draw>
+    void for_each_image(std::uint32_t triangle, const Draw& draw) const;
+    /// Calls `span(first pixel, count, depth there, depth from pixel to pixel)` row by row.
+    template <typename Span>
+    void rasterize(const Corners& corners, const Span& span) const;
+    void draw_opaque(std::uint32_t triangle);
+    void list_items();
+    void add_sensor(std::uint32_t triangle);
+    [[nodiscard]] double cosine_of(std::uint32_t triangle) const;
+
+    const LocalMesh* mesh_ = nullptr;
+    Vec3 direction_;
+    Vec3 x_, y_, z_;  // place on the grid, but for an offset, and depth
+    double x_offset_ = 0, y_offset_ = 0;
+    double pixel_area_ = 0;
+    std::uint32_t columns_ = 0, rows_ = 0;
+    bool repeats_x_ = false, repeats_y_ = false;
+    std::vector<float> depths_;       // by pixel
+    std::vector<std::uint32_t> ids_;  // by pixel: in images_
+    std::vector<Image> images_;       // the first stands for nothing
+    std::vector<std::uint32_t> counts_;
+    std::vector<Item> items_;
+};
+
+}  // namespace quasimc

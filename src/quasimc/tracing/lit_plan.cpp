@@ -1,0 +1,106 @@
+#include "quasimc/tracing/lit_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quasimc {
+namespace {
+
+/// How much light is looked at for each path that may start. Where all bands scatter most of the
+/// light, its noise is in the paths: fewer lines and pixels, which leaves time for more of them
+/// (the first scattering is split, as it were).
+struct Looks {
+    double paths_per_line, pixels_per_path;
+};
+constexpr Looks kDark{96, 20};
+constexpr Looks kBright{160, 6};
+/// Largest albedo from which on a band is bright.
+constexpr double kBrightAlbedo = 0.5;
+
+const Looks& looks_for(const Stage& stage) {
+    for (std::size_t band = 0; band < stage.bands(); ++band) {
+        double largest = 0;
+        for (const Material& material : stage.scene().materials()) {
+            for (const bool upper : {true, false}) {
+                const double albedo = material.side(upper).albedo()[band];
+                largest = std::max(largest, material.is_transparent() ? 0 : albedo);
+            }
+        }
+        if (largest < kBrightAlbedo) {
+            return kDark;
+        }
+    }
+    return kBright;
+}
+
+/// A beam has at least so many lines; where there are many beams, all together so many.
+constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 64;
+
+/// Pixels of a direction of a sky: of few triangles so many for each, which leaves more directions;
+/// then enough to see leaves; of very many triangles again so many for each.
+constexpr double kPixelsPerFew = 16, kPixelsPerMany = 2;
+constexpr double kFewestPixels = 1024, kUsualPixels = 8192, kMostPixels = 2048 * 2048;
+/// Directions of a sky: at least so many, in at most so many blocks of work.
+constexpr std::uint32_t kFewestDirections = 16;
+constexpr std::uint32_t kDirectionBlocks = 16;
+
+}  // namespace
+
+LitPlan::LitPlan(const Stage& stage, const SkyDirections& skies)
+    : stage_(stage),
+      skies_(skies),
+      paths_per_line_(looks_for(stage).paths_per_line),
+      pixels_per_path_(looks_for(stage).pixels_per_path) {}
+
+std::vector<LitPart> LitPlan::parts(const Round& round) const {
+    std::vector<LitPart> parts;
+    for (std::uint32_t i = 0; i < stage_.lights().size(); ++i) {
+        const Light& light = stage_.lights()[i];
+        if (light.source->is_sun()) {
+            add_beams(i, light.probability * static_cast<double>(round.count), parts);
+        }
+    }
+    if (!skies_.skies().empty()) {
+        add_skies(skies_.probability() * static_cast<double>(round.count), parts);
+    }
+    std::uint64_t first = 0;
+    for (LitPart& part : parts) {
+        part.first_block = first;
+        first += part.blocks;
+    }
+    return parts;
+}
+
+void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>& parts) const {
+    const auto& lights = stage_.lights();
+    const bool is_disk = !lights[light].emitter->beam_direction();
+    const auto suns = static_cast<std::uint32_t>(std::count_if(
+        lights.begin(), lights.end(), [](const Light& l) { return l.source->is_sun(); }));
+    const std::uint32_t beams = is_disk ? kDiskBeams : 1;
+    // A disk's beams need more lines than their share: errors fall with the third power.
+    const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
+    const std::uint32_t fewest =
+        std::clamp<std::uint32_t>(kFewestLinesInAll / suns, 1, kFewestLines);
+    const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
+    const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
+    for (std::uint32_t beam = 0; beam < beams; ++beam) {
+        parts.push_back({false, light, beam, beams, count, 0, blocks});
+    }
+}
+
+void LitPlan::add_skies(double paths, std::vector<LitPart>& parts) const {
+    const double directions = std::round(pixels_per_path_ * paths / pixels());
+    const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
+    const std::uint32_t count =
+        std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
+    parts.push_back({true, 0, 0, 1, count, 0, std::min(count, kDirectionBlocks)});
+}
+
+double LitPlan::pixels() const {
+    const double triangles = stage_.caster().mesh().triangle_count();
+    return std::clamp(
+        std::max(std::min(kPixelsPerFew * triangles, kUsualPixels), kPixelsPerMany * triangles),
+        kFewestPixels, kMostPixels);
+}
+
+}  // namespace quasimc

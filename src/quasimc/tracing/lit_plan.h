@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quasimc/tracing/estimator.h"
+#include "quasimc/tracing/sky_directions.h"
+
+namespace quasimc {
+
+/// Directions that stand for the disk of a sun.
+inline constexpr std::uint32_t kDiskBeams = 8;
+/// Scan lines that make up a block of work.
+inline constexpr std::uint32_t kLinesPerBlock = 128;
+
+/// Part of the light from far away in one round: a beam that is cut into scan lines, or all skies.
+struct LitPart {
+    bool is_sky = false;
+    std::uint32_t light = 0;            ///< of a beam
+    std::uint32_t beam = 0, beams = 1;  ///< of a sun's disk: which direction, and of how many
+    std::uint32_t count = 0;            ///< lines, or directions
+    std::uint64_t first_block = 0, blocks = 0;
+};
+
+/// How much is looked at for how many paths. Direct light and scattered light each have their
+/// error; these numbers make the figure of merit of both together the largest in our measurements
+/// (docs/theory/lit-surfaces.md).
+class LitPlan {
+  public:
+    LitPlan(const Stage& stage, const SkyDirections& skies);
+
+    [[nodiscard]] std::vector<LitPart> parts(const Round& round) const;
+    /// Pixels of one direction of the skies.
+    [[nodiscard]] double pixels() const;
+
+  private:
+    void add_beams(std::uint32_t light, double paths, std::vector<LitPart>& parts) const;
+    void add_skies(double paths, std::vector<LitPart>& parts) const;
+
+    const Stage& stage_;
+    const SkyDirections& skies_;
+    double paths_per_line_, pixels_per_path_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,169 @@
+#include "quasimc/geometry/item_buffer.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/geometry/intersector.h"
+#include "support/random_leaves.h"
+
+namespace quasimc {
+namespace {
+
+/// Area of the beam that each triangle catches.
+std::map<std::uint32_t, double> caught(const BeamScene& scene, const ItemBuffer::Spec& spec) {
+    ItemBuffer buffer;
+    buffer.draw(scene, spec);
+    std::map<std::uint32_t, double> areas;
+    for (const ItemBuffer::Item& item : buffer.items()) {
+        areas[item.triangle] += item.pixels * buffer.pixel_area();
+    }
+    return areas;
+}
+
+const Triangle kLeaf{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+const Vec3 kDown{0, 0, -1};
+
+TEST(ItemBuffer, MeasuresATriangleFromAllSides) {
+    const LocalMesh mesh = make_local_mesh({kLeaf});
+    const double area = .5 * mesh.scale * mesh.scale;
+    for (const double rotation : {.03, .1, .37, .9}) {
+        for (const Vec3& direction : {kDown, -kDown, normalized(Vec3{1, 2, -3})}) {
+            ItemBuffer buffer;
+            buffer.draw({&mesh, {}}, {direction, rotation, .3, .6, 1e6});
+            ASSERT_EQ(buffer.items().size(), 1U);
+            const ItemBuffer::Item& item = buffer.items()[0];
+            EXPECT_NEAR(item.pixels * buffer.pixel_area(), area * std::abs(direction.z), 1e-4);
+            EXPECT_NEAR(item.cosine, direction.z, 1e-6);
+        }
+    }
+}
+
+TEST(ItemBuffer, IsUnbiasedHoweverFewPixelsThereAre) {
+    const LocalMesh mesh = make_local_mesh({kLeaf});
+    constexpr int kShifts = 200;
+    double sum = 0;
+    for (int i = 0; i < kShifts; ++i) {
+        for (int j = 0; j < kShifts; ++j) {
+            const auto areas =
+                caught({&mesh, {}}, {kDown, .123, (i + .5) / kShifts, (j + .5) / kShifts, 3});
+            sum += areas.empty() ? 0 : areas.at(0);
+        }
+    }
+    EXPECT_NEAR(sum / (kShifts * kShifts), .5 * mesh.scale * mesh.scale, 1e-4);
+}
+
+TEST(ItemBuffer, SeesThroughSensorsAndWhatSensorsSee) {
+    const std::vector<Triangle> triangles{
+        {Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{0, 1, 1}},
+        kLeaf,
+        {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}}};
+    const LocalMesh mesh = make_local_mesh(triangles);
+    const std::vector<SeenAs> roles{SeenAs::sensor, SeenAs::opaque, SeenAs::sensor};
+    const auto areas = caught({&mesh, {}, roles}, {kDown, .2, .4, .1, 1e6});
+    const double area = .5 * mesh.scale * mesh.scale;
+    EXPECT_NEAR(areas.at(0), area, 1e-4);
+    EXPECT_NEAR(areas.at(1), area, 1e-4);
+    EXPECT_EQ(areas.count(2), 0U);
+}
+
+TEST(ItemBuffer, SeesNothingEdgeOn) {
+    const LocalMesh mesh = make_local_mesh({kLeaf});
+    EXPECT_TRUE(caught({&mesh, {}}, {{1, 0, 0}, .2, .4, .1, 1000}).empty());
+}
+
+/// The same buffer serves scenes of different size one after the other.
+TEST(ItemBuffer, ForgetsTheSceneBefore) {
+    const LocalMesh many = make_local_mesh(test::random_leaves(50, .3, 1, 7));
+    const LocalMesh one = make_local_mesh({kLeaf});
+    ItemBuffer buffer;
+    buffer.draw({&many, {}}, {kDown, .2, .4, .1, 1e4});
+    EXPECT_GT(buffer.items().size(), 10U);
+    buffer.draw({&one, {}}, {kDown, .2, .4, .1, 1e4});
+    ASSERT_EQ(buffer.items().size(), 1U);
+    EXPECT_EQ(buffer.items()[0].triangle, 0U);
+}
+
+/// Every pixel shows what a ray through it hits, and where.
+TEST(ItemBuffer, AgreesWithRays) {
+    const std::vector<Triangle> leaves = test::random_leaves(200, .3, 1, 7);
+    const LocalMesh mesh = make_local_mesh(leaves);
+    const auto engine = make_brute_force_intersector(mesh);
+    const Vec3 direction = normalized(Vec3{.3, -.2, -1});
+    ItemBuffer buffer;
+    buffer.draw({&mesh, {}}, {direction, .3, .7, .2, 3000});
+    std::map<std::uint32_t, std::uint32_t> triangle_of;
+    for (const ItemBuffer::Item& item : buffer.items()) {
+        triangle_of[item.id] = item.triangle;
+    }
+    int looks = 0;
+    int agreed = 0;
+    for (std::size_t i = 0; i < buffer.ids().size(); ++i) {
+        if (buffer.ids()[i] == 0) {
+            continue;
+        }
+        const std::uint32_t triangle = triangle_of.at(buffer.ids()[i]);
+        const auto [u, v] = buffer.place(i);
+        EXPECT_GT(u, -1e-6);
+        EXPECT_GT(v, -1e-6);
+        EXPECT_LT(u + v, 1 + 1e-6);
+        const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
+        ++looks;
+        agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
+    }
+    EXPECT_GT(looks, 1000);
+    // Rays in single precision may miss a leaf by its very edge.
+    EXPECT_GE(agreed, looks - looks / 200);
+}
+
+/// Two triangles that share a side leave no gap and do not overlap.
+TEST(ItemBuffer, JoinsNeighbours) {
+    const std::vector<Triangle> square{
+        {Vec3{0, 0, 0}, Vec3{1, .3, 0}, Vec3{.7, 1.3, 0}},
+        {Vec3{0, 0, 0}, Vec3{.7, 1.3, 0}, Vec3{-.3, 1, 0}}};
+    const LocalMesh mesh = make_local_mesh(square);
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 50; ++i) {
+        ItemBuffer buffer;
+        buffer.draw({&mesh, {}}, {kDown, uniform(random), uniform(random), uniform(random), 1000});
+        const double area = 1.09 * mesh.scale * mesh.scale;
+        double seen = 0;
+        for (const ItemBuffer::Item& item : buffer.items()) {
+            seen += item.pixels * buffer.pixel_area();
+        }
+        // Off by the pixels along the rim at most.
+        EXPECT_NEAR(seen, area, .15 * area);
+    }
+}
+
+TEST(ItemBuffer, ConvergesFasterThanRandomRays) {
+    const std::vector<Triangle> leaves = test::random_leaves(60, .3, 1, 3);
+    const LocalMesh mesh = make_local_mesh(leaves);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> uniform;
+    const auto variance = [&](double pixels) {
+        constexpr int kRuns = 40;
+        std::map<std::uint32_t, std::pair<double, double>> sums;
+        for (int run = 0; run < kRuns; ++run) {
+            for (const auto& [triangle, area] : caught(
+                     {&mesh, {}},
+                     {kDown, uniform(random), uniform(random), uniform(random), pixels})) {
+                sums[triangle].first += area / kRuns;
+                sums[triangle].second += area * area / kRuns;
+            }
+        }
+        double sum = 0;
+        for (const auto& [triangle, s] : sums) {
+            sum += s.second - s.first * s.first;
+        }
+        return sum;
+    };
+    const double slope = std::log(variance(160000) / variance(2500)) / std::log(64.0);
+    EXPECT_LT(slope, -1.3);
+}
+
+}  // namespace
+}  // namespace quasimc

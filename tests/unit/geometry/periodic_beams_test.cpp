@@ -1,0 +1,147 @@
+// Scan lines and item buffers of scenes that repeat themselves.
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/base/bounds.h"
+#include "quasimc/geometry/aperture.h"
+#include "quasimc/geometry/item_buffer.h"
+#include "quasimc/geometry/ray_caster.h"
+#include "quasimc/geometry/scan_lines.h"
+#include "support/random_leaves.h"
+
+namespace quasimc {
+namespace {
+
+/// A scene as its ray caster and its beams see it.
+struct Repeated {
+    Repeated(const std::vector<Triangle>& triangles, const Cell& cell)
+        : caster(triangles, cell, Engine::brute_force),
+          aperture(caster.mesh(), cell, WindowShape::silhouette) {
+        for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
+            const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
+            roles.push_back(image ? SeenAs::left_out : SeenAs::opaque);
+        }
+        scene = {&caster.mesh(), aperture.cell(), roles, aperture.outline()};
+    }
+
+    RayCaster caster;
+    Aperture aperture;
+    std::vector<SeenAs> roles;
+    BeamScene scene;
+};
+
+constexpr Cell kLayer{
+    .along_x = true, .along_y = true, .low_x = -.2, .low_y = .1, .size_x = 1.5, .size_y = .8};
+constexpr Cell kRowX{.along_x = true, .low_x = .1, .size_x = 1.2};
+constexpr Cell kRowY{.along_y = true, .low_y = -.3, .size_y = .9};
+
+const std::array<Vec3, 3> kDirections{
+    Vec3{0, 0, -1}, normalized(Vec3{1, 2, -3}), normalized(Vec3{-2, .5, -.6})};
+
+std::vector<Triangle> floor_of(const Cell& cell) {
+    const double x0 = cell.along_x ? cell.low_x : -.5;
+    const double x1 = cell.along_x ? x0 + cell.size_x : 1.5;
+    const double y0 = cell.along_y ? cell.low_y : -.5;
+    const double y1 = cell.along_y ? y0 + cell.size_y : 1.5;
+    return {
+        {Vec3{x0, y0, 0}, Vec3{x1, y0, 0}, Vec3{x1, y1, 0}},
+        {Vec3{x0, y0, 0}, Vec3{x1, y1, 0}, Vec3{x0, y1, 0}}};
+}
+
+class PeriodicBeams : public ::testing::TestWithParam<Cell> {};
+
+/// The floor of a cell catches its area, whatever the direction, and nothing is caught twice.
+TEST_P(PeriodicBeams, LightAFloorWholly) {
+    const std::vector<Triangle> floor = floor_of(GetParam());
+    const Repeated repeated(floor, GetParam());
+    const double scale = repeated.aperture.scale();
+    Bounds bounds;
+    for (const Vec3& corner : floor[0]) {
+        bounds.add(corner);
+    }
+    const Vec3 size = bounds.size();
+    for (const Vec3& direction : kDirections) {
+        const double area = size.x * size.y * scale * scale * std::abs(direction.z);
+        for (const double rotation : {.05, .3, .45, .6, .8, .95}) {
+            ItemBuffer buffer;
+            buffer.draw(repeated.scene, {direction, rotation, .3, .8, 1e5});
+            double seen = 0;
+            for (const ItemBuffer::Item& item : buffer.items()) {
+                seen += item.pixels * buffer.pixel_area();
+            }
+            EXPECT_NEAR(seen, area, 2e-3 * area);
+            ScanLines lines;
+            const ScanLines::Spec spec{direction, rotation, .4, 500};
+            lines.set(repeated.scene, spec);
+            double lit = 0;
+            for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
+                lines.visit(bin, [&](const LitSegment& s) { lit += s.length * lines.area(); });
+            }
+            EXPECT_NEAR(lit, area, 2e-3 * area);
+        }
+    }
+}
+
+/// Every place that is lit sees the sky between the images of the leaves, and both ways of looking
+/// find as much of it.
+TEST_P(PeriodicBeams, AgreeWithRays) {
+    const Repeated repeated(test::random_leaves(60, .4, 1, 5), GetParam());
+    const LocalMesh& mesh = repeated.caster.mesh();
+    int looks = 0;
+    int free = 0;
+    const auto look = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
+        ++looks;
+        const Vec3 place = mesh.point(triangle, u, v);
+        free += repeated.caster.occluded(place, -direction, triangle) ? 0 : 1;
+    };
+    for (const Vec3& direction : kDirections) {
+        std::map<std::uint32_t, double> by_lines;
+        std::map<std::uint32_t, double> by_pixels;
+        ScanLines lines;
+        const ScanLines::Spec spec{direction, .3, .7, 400};
+        lines.set(repeated.scene, spec);
+        for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
+            lines.visit(bin, [&](const LitSegment& s) {
+                by_lines[s.triangle] += s.length * lines.area();
+                look(s.triangle, .5 * (s.u[0] + s.u[1]), .5 * (s.v[0] + s.v[1]), direction);
+            });
+        }
+        ItemBuffer buffer;
+        buffer.draw(repeated.scene, {direction, .8, .2, .7, 4e4});
+        std::map<std::uint32_t, std::uint32_t> triangle_of;
+        for (const ItemBuffer::Item& item : buffer.items()) {
+            by_pixels[item.triangle] += item.pixels * buffer.pixel_area();
+            triangle_of[item.id] = item.triangle;
+        }
+        for (std::size_t i = 0; i < buffer.ids().size(); i += 17) {
+            if (buffer.ids()[i] > 0) {
+                const auto [u, v] = buffer.place(i);
+                look(triangle_of.at(buffer.ids()[i]), u, v, direction);
+            }
+        }
+        double whole = 0;
+        double apart = 0;
+        for (const auto& [triangle, area] : by_lines) {
+            whole += area;
+            apart += std::abs(area - by_pixels[triangle]);
+        }
+        EXPECT_LT(apart, .02 * whole);
+    }
+    EXPECT_GT(looks, 5000);
+    // Rays in single precision may graze an edge.
+    EXPECT_GE(free, looks - looks / 200);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cells, PeriodicBeams, ::testing::Values(kLayer, kRowX, kRowY), [](const auto& cell) {
+        const bool layer = cell.param.along_x && cell.param.along_y;
+        return std::string(layer ? "Layer" : cell.param.along_x ? "RowAlongX" : "RowAlongY");
+    });
+
+}  // namespace
+}  // namespace quasimc
