@@ -56,7 +56,7 @@ endif()
 if(QUASIMC_BUILD_FUZZ)
     if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
         message(FATAL_ERROR "QUASIMC_BUILD_FUZZ needs clang++ (libFuzzer); "
-                            "configure with -DCMAKE_CXX_COMPILER=clang++")
+                            "use the preset asan, or -DCMAKE_CXX_COMPILER=clang++")
     endif()
     target_compile_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
     target_link_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)

@@ -78,19 +78,24 @@ step_tsan() {
     sanitized tsan threads -L threads
 }
 
-# A short run of each fuzzer; its corpus is replayed by the ordinary tests as well.
+# A short run of a fuzzer; its corpus is replayed by the ordinary tests as well.
+fuzz_one() {
+    local fuzzer=$1
+    local name=${fuzzer##*/quasimc_fuzz_}
+    mkdir -p "build/asan/corpus/$name"
+    "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-10}" -timeout=10 -rss_limit_mb=2048 \
+        -print_final_stats=0 -verbosity=0 \
+        "build/asan/corpus/$name" "tests/fuzz/corpus/$name"
+}
+
+# As many fuzzers at a time as there are processors.
 step_fuzz() {
-    local fuzzer name
-    [[ -f tests/fuzz/CMakeLists.txt ]] || return 0
-    cmake --preset fuzz >/dev/null
-    cmake --build build/fuzz
-    for fuzzer in build/fuzz/bin/quasimc_fuzz_*; do
-        name=${fuzzer##*/quasimc_fuzz_}
-        mkdir -p "build/fuzz/corpus/$name"
-        "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-10}" -timeout=10 -rss_limit_mb=2048 \
-            -print_final_stats=0 -verbosity=0 \
-            "build/fuzz/corpus/$name" "tests/fuzz/corpus/$name"
-    done
+    cmake --preset asan >/dev/null
+    cmake --build build/asan --target quasimc_fuzzers
+    export -f fuzz_one
+    # shellcheck disable=SC2016  # expanded by the inner shell
+    printf '%s\0' build/asan/bin/quasimc_fuzz_* |
+        xargs -0 -n 1 -P "$jobs" bash -euo pipefail -c 'fuzz_one "$1"' fuzz_one
 }
 
 selected=("$@")

@@ -54,27 +54,32 @@ struct Comparison {
     std::vector<double> errors;       ///< standard errors, relative to the mean light
 };
 
+/// The light on one side of the organs in one band.
+void compare_sides(
+    const Result& plain, const Result& other, Quantity q, std::size_t band, Comparison& all) {
+    const std::size_t first = all.errors.size();
+    double light = 0;
+    for (std::size_t i = 0; i < plain.organs(); ++i) {
+        const Estimate& a = plain.at(i, q, band);
+        const Estimate& b = other.at(i, q, band);
+        const double error = std::hypot(a.standard_error, b.standard_error);
+        if (is_known(a) && is_known(b) && error > 0) {
+            all.differences.push_back(std::abs(a.mean - b.mean) / error);
+            all.errors.push_back(error);
+            light += a.mean;
+        }
+    }
+    const auto count = static_cast<double>(all.errors.size() - first);
+    for (std::size_t i = first; i < all.errors.size(); ++i) {
+        all.errors[i] *= count / light;
+    }
+}
+
 Comparison compare(const Result& plain, const Result& other) {
     Comparison comparison;
     for (std::size_t band = 0; band < plain.bands; ++band) {
-        const std::size_t first = comparison.errors.size();
-        double light = 0;
-        for (std::size_t i = 0; i < plain.organs(); ++i) {
-            for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
-                const Estimate& a = plain.at(i, q, band);
-                const Estimate& b = other.at(i, q, band);
-                const double error = std::hypot(a.standard_error, b.standard_error);
-                if (!is_known(a) || !is_known(b) || error == 0) {
-                    continue;
-                }
-                comparison.differences.push_back(std::abs(a.mean - b.mean) / error);
-                comparison.errors.push_back(error);
-                light += a.mean;
-            }
-        }
-        const auto count = static_cast<double>(comparison.errors.size() - first);
-        for (std::size_t i = first; i < comparison.errors.size(); ++i) {
-            comparison.errors[i] *= count / light;
+        for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
+            compare_sides(plain, other, q, band, comparison);
         }
     }
     return comparison;

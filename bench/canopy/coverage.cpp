@@ -71,7 +71,8 @@ void print_row(
     for (std::uint32_t i = 1; i <= repetitions; ++i) {
         const Result result = run(scene, sources, spec_of(way, i));
         organs.push_back(organs_right(result, truth));
-        totals += holds(result.budget[0].absorbed_by_organs, truth.budget[0].absorbed_by_organs);
+        totals +=
+            holds(result.budget[0].absorbed_by_organs, truth.budget[0].absorbed_by_organs) ? 1 : 0;
     }
     // Organs of one run are not independent: each run is one observation.
     const Estimate all = estimate_mean(organs);

@@ -138,13 +138,13 @@ void add_random_leaves(SceneBuilder& builder, std::uint32_t leaves) {
 void add_plants(SceneBuilder& builder, std::uint32_t leaves) {
     Numbers numbers;
     builder.add_material(opaque("stem", .1, .5));
-    for (const int row : {0, 1, 2}) {
-        for (const int column : {0, 1, 2}) {
-            const Vec3 foot{
-                kSide * (column + numbers.between(.3, .7)) / 3,
-                kSide * (row + numbers.between(.3, .7)) / 3, 0};
-            add_plant(builder, foot, (leaves + 8) / 9, numbers);
-        }
+    for (int i = 0; i < 9; ++i) {
+        const int column = i % 3;
+        const int row = i / 3;
+        const Vec3 foot{
+            kSide * (column + numbers.between(.3, .7)) / 3,
+            kSide * (row + numbers.between(.3, .7)) / 3, 0};
+        add_plant(builder, foot, (leaves + 8) / 9, numbers);
     }
 }
 

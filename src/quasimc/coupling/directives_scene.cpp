@@ -54,7 +54,6 @@ void read_cylinder_width(Values& values, DirectiveContext& context) {
 }
 
 void read_cell(Values& values, DirectiveContext& context) {
-    StatedCell cell;
     const auto size_x = values.number("the period along x", {1e-30, 1e30});
     const auto size_z = values.number("the period along z", {1e-30, 1e30});
     const auto low_x = values.number_or(0, "the low border along x", kAnyNumber);

@@ -64,8 +64,9 @@ double normal_quantile(double p) {
 /// to 15 digits. (That of the standard library writes to a global variable.)
 double log_gamma(double x) {
     double shift = 0;
-    for (; x < 20; ++x) {
+    while (x < 20) {
         shift += std::log(x);
+        x += 1;
     }
     const double y = 1 / (x * x);
     const double series = (1.0 / 12 - y * (1.0 / 360 - y * (1.0 / 1260 - y / 1680))) / x;
