@@ -113,14 +113,15 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
         const Scene scene =
             make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
         const Sources sources = make_light(one.light, 1);
-        std::uint64_t paths = 1024;
+        std::uint64_t paths = 0;
         Measured m;
-        do {
-            paths *= 2;
+        for (unsigned step = 20; m.error > kError || paths == 0; ++step) {
+            // 1024, 1536, 2048, 3072 ...
+            paths = (step % 2 == 0 ? std::uint64_t{2} : std::uint64_t{3}) << (step / 2 - 1U);
             m = measure(
                 scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort),
                 1 - one.albedo);
-        } while (m.error > kError && paths < (std::uint64_t{1} << 24));
+        }
         std::printf(
             "  %-28s seed %lu: error %.2f %% in %7.1f ms, %lu paths (1 %% in %g ms: %s)\n", name,
             seed, 100 * m.error, 1e3 * m.seconds, paths, most_ms,
@@ -135,26 +136,23 @@ void print_bars(const Effort& effort) {
     print_direct("direct sun, 500 leaves", {}, 1 << 17, 1e-7, 3, effort);
     print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 96 * 1024, 1e-5, 20, effort);
     print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 19, 2e-6, 200, effort);
-    for (const std::uint64_t paths : {effort.paths, 16 * effort.paths}) {
-        print_merit("500 leaves, PAR, sun", {}, "monte_carlo", 60, paths, effort);
-        print_merit("500 leaves, PAR, sun", {}, "korobov", 6, paths, effort);
-        print_merit("10,000 leaves, PAR, sun", {.leaves = 10000}, "monte_carlo", 20, paths, effort);
-        print_merit(
-            "500 leaves, PAR, sky", {.light = Light::sky}, "monte_carlo", 10, paths, effort);
-        print_merit("500 leaves, NIR, sun", {.albedo = 0.9}, "monte_carlo", 4, paths, effort);
-        print_merit(
-            "500 leaves, NIR, sky", {.albedo = 0.9, .light = Light::sky}, "monte_carlo", 1, paths,
-            effort);
-        print_merit(
-            "10,000 leaves, NIR, sun", {.leaves = 10000, .albedo = 0.9}, "monte_carlo", 1, paths,
-            effort);
-        print_merit(
-            "10,000 leaves, PAR, sky", {.leaves = 10000, .light = Light::sky}, "monte_carlo", 1,
-            paths, effort);
-        print_merit(
-            "10,000 leaves, NIR, sky", {.leaves = 10000, .albedo = 0.9, .light = Light::sky},
-            "monte_carlo", 1, paths, effort);
+    const std::uint64_t paths = effort.paths;
+    for (const std::uint64_t n : {paths, 16 * paths}) {
+        print_merit("500 leaves, PAR, sun", {}, "monte_carlo", 60, n, effort);
+        print_merit("500 leaves, PAR, sun", {}, "korobov", 6, n, effort);
     }
+    constexpr Case kMany{.leaves = 10000};
+    constexpr Case kSky{.light = Light::sky};
+    constexpr Case kNir{.albedo = 0.9};
+    print_merit("10,000 leaves, PAR, sun", kMany, "monte_carlo", 20, paths, effort);
+    print_merit("500 leaves, PAR, sky", kSky, "monte_carlo", 10, paths, effort);
+    print_merit("500 leaves, NIR, sun", kNir, "monte_carlo", 4, paths, effort);
+    print_merit("500 leaves, NIR, sky", {500, 0.9, Light::sky}, "monte_carlo", 1, paths, effort);
+    print_merit("10,000 leaves, NIR, sun", {10000, 0.9}, "monte_carlo", 1, paths, effort);
+    print_merit(
+        "10,000 leaves, PAR, sky", {10000, 0.2, Light::sky}, "monte_carlo", 1, paths, effort);
+    print_merit(
+        "10,000 leaves, NIR, sky", {10000, 0.9, Light::sky}, "monte_carlo", 1, paths, effort);
     print_time("500 leaves, PAR, sun", {}, 20, effort);
     print_time("10,000 leaves, PAR, sun", {.leaves = 10000}, 1000, effort);
 }
