@@ -88,6 +88,76 @@ const std::vector<LinePiece>& Envelope::of(std::vector<LinePiece>& segments) {
         return a.low != b.low ? a.low < b.low : a.segment < b.segment;
     });
     from_.swap(segments);
+    double length = 0;
+    double end = from_.empty() ? 0 : from_.front().high;
+    for (const LinePiece& segment : from_) {
+        length += segment.high - segment.low;
+        end = std::max(end, segment.high);
+    }
+    constexpr double kFewOverEachOther = 16;
+    if (from_.empty() || length < kFewOverEachOther * (end - from_.front().low)) {
+        sweep();
+    } else {
+        merge_by_halves();
+    }
+    return from_;
+}
+
+void Envelope::sweep() {
+    to_.clear();
+    here_.clear();
+    std::size_t next = 0;
+    double x = 0;
+    while (next < from_.size() || !here_.empty()) {
+        x = here_.empty() ? from_[next].low : x;
+        for (; next < from_.size() && from_[next].low <= x; ++next) {
+            here_.emplace_back(from_[next]);
+        }
+        double until = next < from_.size() ? from_[next].low : kEnd;
+        for (const Here& here : here_) {
+            until = std::min(until, here.segment->high);
+        }
+        if (here_.size() == 1) {
+            append(to_, 0, here_.front().part(x, until));
+        } else {
+            append_nearest(x, until);
+        }
+        x = until;
+        std::erase_if(here_, [x](const Here& here) { return here.segment->high <= x; });
+    }
+    from_.swap(to_);
+}
+
+/// The nearest of the segments that are here, all of which reach from `x` to `until`.
+void Envelope::append_nearest(double x, double until) {
+    const Here* nearest = &here_.front();
+    for (const Here& here : here_) {
+        nearest = here.depth(x) < nearest->depth(x) ? &here : nearest;
+    }
+    // Each that takes over is nearer at the end, so that this ends.
+    while (nearest != nullptr) {
+        const double ahead = nearest->depth(x);
+        const double ahead_at_end = nearest->depth(until);
+        const Here* crossed = nullptr;
+        double crossing = until;
+        for (const Here& here : here_) {
+            const double lead = ahead_at_end - here.depth(until);
+            if (lead > 0) {
+                const double behind = std::max(0.0, here.depth(x) - ahead);
+                const double at = std::min(x + (until - x) * (behind / (behind + lead)), until);
+                crossed = at < crossing ? &here : crossed;
+                crossing = std::min(at, crossing);
+            }
+        }
+        if (crossing > x) {
+            append(to_, 0, nearest->part(x, crossing));
+        }
+        x = crossing;
+        nearest = crossed;
+    }
+}
+
+void Envelope::merge_by_halves() {
     ends_.clear();
     for (std::size_t i = 1; i <= from_.size(); ++i) {
         ends_.push_back(i);
@@ -110,7 +180,6 @@ const std::vector<LinePiece>& Envelope::of(std::vector<LinePiece>& segments) {
         from_.swap(to_);
         ends_.swap(next_ends_);
     }
-    return from_;
 }
 
 void Envelope::seen_before(

@@ -23,7 +23,9 @@ struct LinePiece {
 /// may cross each other. Pieces come in order along the line and do not overlap. Where two segments
 /// are at the same depth either is seen.
 ///
-/// By halves: the envelopes of neighbours along the line are merged, O(n log n) for n segments.
+/// Where few segments lie over each other, as in most canopies, by a walk along the line that looks
+/// at those that do; else by halves: the envelopes of neighbours along the line are merged, O(n log
+/// n) for n segments.
 class Envelope {
   public:
     /// @param segments  of positive length, in any order; taken as scratch
@@ -37,7 +39,27 @@ class Envelope {
         std::vector<LinePiece>& out);
 
   private:
+    /// A segment that reaches over the place at hand.
+    struct Here {
+        explicit Here(const LinePiece& s)
+            : segment(&s), slope((s.depth_high - s.depth_low) / (s.high - s.low)) {}
+        [[nodiscard]] double depth(double x) const {
+            return segment->depth_low + (x - segment->low) * slope;
+        }
+        [[nodiscard]] LinePiece part(double from, double to) const {
+            return {from, to, depth(from), depth(to), segment->segment};
+        }
+
+        const LinePiece* segment;
+        double slope;
+    };
+
+    void sweep();
+    void append_nearest(double x, double until);
+    void merge_by_halves();
+
     std::vector<LinePiece> from_, to_;
+    std::vector<Here> here_;
     std::vector<std::size_t> ends_, next_ends_;
 };
 
