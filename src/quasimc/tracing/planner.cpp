@@ -23,7 +23,7 @@ struct Thresholds {
 // THE THRESHOLDS. Lit surfaces have direct light almost without noise: the more of the light is
 // direct, the more organs must gain elsewhere.
 constexpr Thresholds kSun{8, 5};
-constexpr Thresholds kSky{5, 2};
+constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
 /// Mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
