@@ -39,7 +39,8 @@ Vec3 sheared(const Vec3& v, const Vec3& across, const Vec3& direction) {
 
 }  // namespace
 
-BeamPlane::BeamPlane(const BeamScene& scene, const Vec3& direction, double rotation) {
+BeamPlane::BeamPlane(
+    const BeamScene& scene, const Vec3& direction, double rotation, AlongPeriods periods) {
     const Cell& cell = scene.cell;
     if (!cell.periodic()) {
         const Frame frame = frame_about(direction);
@@ -52,15 +53,16 @@ BeamPlane::BeamPlane(const BeamScene& scene, const Vec3& direction, double rotat
         return;
     }
     if (cell.along_x && cell.along_y) {
-        set_layer(cell, direction, rotation);
+        set_layer(cell, direction, rotation, periods);
     } else {
-        set_row(scene, direction, rotation);
+        set_row(scene, direction, rotation, periods);
     }
 }
 
-/// Seen on the horizontal plane, which the cell tiles. Lines along it would be lost on what stands
-/// in line with the cell: t is sheared by a whole number of periods to a period of s.
-void BeamPlane::set_layer(const Cell& cell, const Vec3& direction, double rotation) {
+/// Seen on the horizontal plane, which the cell tiles. Slanted, t is sheared by a whole number of
+/// periods to a period of s.
+void BeamPlane::set_layer(
+    const Cell& cell, const Vec3& direction, double rotation, AlongPeriods periods) {
     constexpr Vec3 kUp{0, 0, 1};
     depth = kUp / direction.z;
     area = std::abs(direction.z);
@@ -79,13 +81,14 @@ void BeamPlane::set_layer(const Cell& cell, const Vec3& direction, double rotati
         std::swap(size_s, size_t);
     }
     const auto pick = static_cast<std::size_t>((turn - std::floor(turn)) * kShears.size());
-    const double shear = kShears[pick] * size_t / size_s;
+    const double shear = periods == AlongPeriods::slanted ? kShears[pick] * size_t / size_s : 0;
     t += shear * s;
     low_t += shear * low_s;
 }
 
 /// Seen on the upright plane along the row, across the rest of the beam; lines run across the row.
-void BeamPlane::set_row(const BeamScene& scene, const Vec3& direction, double rotation) {
+void BeamPlane::set_row(
+    const BeamScene& scene, const Vec3& direction, double rotation, AlongPeriods periods) {
     const Cell& cell = scene.cell;
     const Vec3 axis = cell.along_x ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 across = normalized(direction - dot(direction, axis) * axis);
@@ -93,7 +96,8 @@ void BeamPlane::set_row(const BeamScene& scene, const Vec3& direction, double ro
     depth = across / area;
     s = cross(across, axis);
     std::tie(low_s, size_s) = extent_of(scene, s);
-    t = sheared(axis, across, direction) + (2 * rotation - 1) * s;
+    const double shear = periods == AlongPeriods::slanted ? 2 * rotation - 1 : 0;
+    t = sheared(axis, across, direction) + shear * s;
     low_t = cell.along_x ? cell.low_x : cell.low_y;
     size_t = cell.along_x ? cell.size_x : cell.size_y;
     repeats_t = true;

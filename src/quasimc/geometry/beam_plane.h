@@ -28,6 +28,10 @@ struct BeamScene {
     }
 };
 
+/// Whether s and t run along the periods of a scene, or t slantwise, so that lines are not lost on
+/// what stands in line with the cell.
+enum class AlongPeriods { straight, slanted };
+
 /// The plane on which a beam sees a scene: points of one ray have the same place (s, t), and their
 /// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
 /// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
@@ -38,7 +42,8 @@ struct BeamPlane {
     ///        window (Aperture::window)
     /// @param rotation  0..1 for half a turn of s and t; in a periodic scene it picks one of the
     ///        directions in which lines of equal t close, or run across a row
-    BeamPlane(const BeamScene& scene, const Vec3& direction, double rotation);
+    /// @param periods  how s and t stand in a periodic scene
+    BeamPlane(const BeamScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
 
     Vec3 s, t, depth;             ///< a point p is seen at (dot(s, p), dot(t, p)), dot(depth, p)
     double area = 1;              ///< across the beam, per unit of s and t
@@ -47,8 +52,9 @@ struct BeamPlane {
     bool repeats_s = false, repeats_t = false;
 
   private:
-    void set_layer(const Cell& cell, const Vec3& direction, double rotation);
-    void set_row(const BeamScene& scene, const Vec3& direction, double rotation);
+    void set_layer(const Cell& cell, const Vec3& direction, double rotation, AlongPeriods periods);
+    void set_row(
+        const BeamScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
 };
 
 /// The periods that a stretch reaches into, counted from where the first begins.

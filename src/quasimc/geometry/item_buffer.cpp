@@ -98,7 +98,7 @@ void ItemBuffer::draw(const BeamScene& scene, const Spec& spec) {
 }
 
 void ItemBuffer::set_grid(const BeamScene& scene, const Spec& spec) {
-    const BeamPlane plane(scene, spec.direction, spec.rotation);
+    const BeamPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
     columns_ = rows_ = 0;
     if (!(plane.size_s > 0 && plane.size_t > 0)) {
         return;  // seen edge-on
@@ -132,8 +132,7 @@ ItemBuffer::Corners ItemBuffer::corners_of(std::uint32_t triangle) const {
     return corners;
 }
 
-ItemBuffer::Corners ItemBuffer::corners_of(const Image& image) const {
-    Corners corners = corners_of(image.triangle);
+ItemBuffer::Corners ItemBuffer::moved(Corners corners, const Image& image) const {
     for (int i = 0; i < 3; ++i) {
         corners.x[i] -= static_cast<double>(image.periods_x) * columns_;
         corners.y[i] -= static_cast<double>(image.periods_y) * rows_;
@@ -157,7 +156,7 @@ void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const 
     for (std::int32_t py = y.first; py <= y.last; ++py) {
         for (std::int32_t px = x.first; px <= x.last; ++px) {
             const Image image{triangle, px, py};
-            draw(image, corners_of(image));
+            draw(image, moved(corners, image));
         }
     }
 }
@@ -256,7 +255,8 @@ double ItemBuffer::cosine_of(std::uint32_t triangle) const {
 }
 
 ItemBuffer::Place ItemBuffer::place(std::size_t pixel) const {
-    const Corners c = corners_of(images_[ids_[pixel]]);
+    const Image& image = images_[ids_[pixel]];
+    const Corners c = moved(corners_of(image.triangle), image);
     const double ax = c.x[1] - c.x[0];
     const double ay = c.y[1] - c.y[0];
     const double bx = c.x[2] - c.x[0];

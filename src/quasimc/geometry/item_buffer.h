@@ -63,7 +63,7 @@ class ItemBuffer {
 
     void set_grid(const BeamScene& scene, const Spec& spec);
     [[nodiscard]] Corners corners_of(std::uint32_t triangle) const;
-    [[nodiscard]] Corners corners_of(const Image& image) const;
+    [[nodiscard]] Corners moved(Corners corners, const Image& image) const;
     /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
     template <typename Draw>
     void for_each_image(std::uint32_t triangle, const Draw& draw) const;

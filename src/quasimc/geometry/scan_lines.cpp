@@ -21,7 +21,7 @@ void ScanLines::set(const BeamScene& scene, const Spec& spec) {
     EXPECT(scene.roles.empty() || scene.roles.size() == scene.mesh->triangle_count());
     scene_ = scene;
     spec_ = spec;
-    plane_.emplace(scene, spec.direction, spec.rotation);
+    plane_.emplace(scene, spec.direction, spec.rotation, AlongPeriods::slanted);
     pitch_ = plane_->size_t / spec.lines;
     area_ = pitch_ * plane_->area;
     find_images();

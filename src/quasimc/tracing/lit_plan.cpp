@@ -33,13 +33,16 @@ const Looks& looks_for(const Stage& stage) {
     return kBright;
 }
 
-/// A beam has at least so many lines; where there are many beams, all together so many.
-constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 64;
+/// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
+/// each four.
+constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
 
 /// Pixels of a direction of a sky: of few triangles so many for each, which leaves more directions;
 /// then enough to see leaves; of very many triangles again so many for each.
 constexpr double kPixelsPerFew = 16, kPixelsPerMany = 2;
 constexpr double kFewestPixels = 1024, kUsualPixels = 8192, kMostPixels = 2048 * 2048;
+/// Of a periodic scene none of them is empty.
+constexpr double kShareOfLayer = 1.0 / 3;
 /// Directions of a sky: at least so many, in at most so many blocks of work.
 constexpr std::uint32_t kFewestDirections = 16;
 constexpr std::uint32_t kDirectionBlocks = 16;
@@ -80,7 +83,7 @@ void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>&
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
     const std::uint32_t fewest =
-        std::clamp(kFewestLinesInAll / std::max(suns, 1U), 1U, kFewestLines);
+        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
     const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
     const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
     for (std::uint32_t beam = 0; beam < beams; ++beam) {
@@ -98,9 +101,10 @@ void LitPlan::add_skies(double paths, std::vector<LitPart>& parts) const {
 
 double LitPlan::pixels() const {
     const double triangles = stage_.caster().mesh().triangle_count();
-    return std::clamp(
-        std::max(std::min(kPixelsPerFew * triangles, kUsualPixels), kPixelsPerMany * triangles),
-        kFewestPixels, kMostPixels);
+    const double share = stage_.scene().cell().periodic() ? kShareOfLayer : 1;
+    const double usual =
+        std::max(std::min(kPixelsPerFew * triangles, kUsualPixels), kPixelsPerMany * triangles);
+    return std::clamp(share * usual, kFewestPixels, kMostPixels);
 }
 
 }  // namespace quasimc
