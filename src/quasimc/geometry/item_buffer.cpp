@@ -261,8 +261,9 @@ ItemBuffer::Place ItemBuffer::place(std::size_t pixel) const {
     const double ay = c.y[1] - c.y[0];
     const double bx = c.x[2] - c.x[0];
     const double by = c.y[2] - c.y[0];
-    const double px = static_cast<double>(pixel % columns_) - c.x[0];
-    const double py = static_cast<double>(pixel / columns_) - c.y[0];
+    const std::size_t row = pixel / columns_;
+    const double px = static_cast<double>(pixel - row * columns_) - c.x[0];
+    const double py = static_cast<double>(row) - c.y[0];
     const double twice_area = ax * by - ay * bx;
     return {
         static_cast<float>((px * by - py * bx) / twice_area),
