@@ -166,15 +166,15 @@ void ScanLines::add_cut(const Corners& corners, double line) {
     if (plane_->repeats_s) {
         add_periods(cut, z[0], z[1]);
     } else {
-        add_piece(cut, z[0], z[1]);
+        add_piece(cut, {cut.low, cut.high, z[0], z[1], 0});
     }
 }
 
-void ScanLines::add_piece(const Cut& cut, double z_low, double z_high) {
-    const auto index = static_cast<std::uint32_t>(cuts_.size());
+void ScanLines::add_piece(const Cut& cut, const LinePiece& part) {
+    LinePiece piece = part;
+    piece.segment = static_cast<std::uint32_t>(cuts_.size());
     cuts_.push_back(cut);
-    (cut.corners->transparent ? sensors_ : opaque_)
-        .push_back({cut.low, cut.high, z_low, z_high, index});
+    (cut.corners->transparent ? sensors_ : opaque_).push_back(piece);
 }
 
 /// Adds a cut where the line, which is but one period long, passes it.
@@ -190,10 +190,7 @@ void ScanLines::add_periods(const Cut& cut, double z_low, double z_high) {
         const double low = std::max(moved.low, plane_->low_s);
         const double high = std::min(moved.high, plane_->low_s + period);
         if (low < high) {
-            const auto index = static_cast<std::uint32_t>(cuts_.size());
-            cuts_.push_back(moved);
-            (cut.corners->transparent ? sensors_ : opaque_)
-                .push_back({low, high, whole.depth(low), whole.depth(high), index});
+            add_piece(moved, {low, high, whole.depth(low), whole.depth(high), 0});
         }
     }
 }

@@ -79,7 +79,8 @@ class ScanLines {
     [[nodiscard]] Corners corners_of(const Entry& entry) const;
     void cut_all(double line);
     void add_cut(const Corners& corners, double line);
-    void add_piece(const Cut& cut, double z_low, double z_high);
+    /// Adds what a line passes of a cut.
+    void add_piece(const Cut& cut, const LinePiece& part);
     void add_periods(const Cut& cut, double z_low, double z_high);
     [[nodiscard]] LitSegment segment_of(const LinePiece& piece) const;
 
