@@ -9,22 +9,10 @@
 #include "parts.h"
 #include "quasimc/tallies/statistics.h"
 #include "scenes.h"
+#include "ways.h"
 
 namespace quasimc::bench {
 namespace {
-
-struct Way {
-    TraceFrom from;
-    const char* sampler;
-    const char* name;
-};
-constexpr std::array kWays{
-    Way{TraceFrom::sources, "monte_carlo", "sources monte_carlo"},
-    Way{TraceFrom::sources, "korobov", "sources korobov"},
-    Way{TraceFrom::sources, "sobol", "sources sobol"},
-    Way{TraceFrom::organs, "sobol", "organs sobol"},
-    Way{TraceFrom::lit_surfaces, "sobol", "lit sobol"},
-    Way{TraceFrom::lit_surfaces, "korobov", "lit korobov"}};
 
 constexpr std::uint64_t kPaths = 4096;
 
