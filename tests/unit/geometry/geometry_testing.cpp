@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace quasimc::test {
 
@@ -157,6 +158,22 @@ FirstHit first_hit_among_copies(
         }
     }
     return first.result();
+}
+
+double variance_of_areas(const std::function<std::map<std::uint32_t, double>()>& caught) {
+    constexpr int kRuns = 40;
+    std::map<std::uint32_t, std::pair<double, double>> sums;
+    for (int run = 0; run < kRuns; ++run) {
+        for (const auto& [triangle, area] : caught()) {
+            sums[triangle].first += area / kRuns;
+            sums[triangle].second += area * area / kRuns;
+        }
+    }
+    double sum = 0;
+    for (const auto& [triangle, s] : sums) {
+        sum += s.second - s.first * s.first;
+    }
+    return sum;
 }
 
 }  // namespace quasimc::test

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -60,5 +62,10 @@ struct FirstHit {
     const Vec3& origin,
     const Vec3& direction,
     double near);
+
+/// The variance of the area that each triangle of a scene is found to catch, over 40 looks, summed.
+/// @param caught  looks: area by triangle
+[[nodiscard]] double variance_of_areas(
+    const std::function<std::map<std::uint32_t, double>()>& caught);
 
 }  // namespace quasimc::test

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry_testing.h"
 #include "quasimc/geometry/intersector.h"
 #include "support/random_leaves.h"
 
@@ -145,21 +146,10 @@ TEST(ItemBuffer, ConvergesFasterThanRandomRays) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> uniform;
     const auto variance = [&](double pixels) {
-        constexpr int kRuns = 40;
-        std::map<std::uint32_t, std::pair<double, double>> sums;
-        for (int run = 0; run < kRuns; ++run) {
-            for (const auto& [triangle, area] : caught(
-                     {&mesh, {}},
-                     {kDown, uniform(random), uniform(random), uniform(random), pixels})) {
-                sums[triangle].first += area / kRuns;
-                sums[triangle].second += area * area / kRuns;
-            }
-        }
-        double sum = 0;
-        for (const auto& [triangle, s] : sums) {
-            sum += s.second - s.first * s.first;
-        }
-        return sum;
+        return test::variance_of_areas([&] {
+            return caught(
+                {&mesh, {}}, {kDown, uniform(random), uniform(random), uniform(random), pixels});
+        });
     };
     const double slope = std::log(variance(160000) / variance(2500)) / std::log(64.0);
     EXPECT_LT(slope, -1.3);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry_testing.h"
 #include "quasimc/geometry/intersector.h"
 #include "support/random_leaves.h"
 
@@ -116,20 +117,9 @@ TEST(ScanLines, ConvergeWithTheThirdPowerOfTheirNumber) {
     std::mt19937_64 random(2);
     std::uniform_real_distribution<double> uniform;
     const auto variance = [&](std::uint32_t lines) {
-        constexpr int kRuns = 40;
-        std::map<std::uint32_t, std::pair<double, double>> sums;
-        for (int run = 0; run < kRuns; ++run) {
-            for (const auto& [triangle, area] :
-                 caught(mesh, {kDown, uniform(random), uniform(random), lines})) {
-                sums[triangle].first += area / kRuns;
-                sums[triangle].second += area * area / kRuns;
-            }
-        }
-        double sum = 0;
-        for (const auto& [triangle, s] : sums) {
-            sum += s.second - s.first * s.first;
-        }
-        return sum;
+        return test::variance_of_areas([&] {
+            return caught(mesh, {kDown, uniform(random), uniform(random), lines});
+        });
     };
     const double slope = std::log(variance(800) / variance(100)) / std::log(8.0);
     EXPECT_LT(slope, -2.5);
