@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "parts.h"
 #include "quasimc/sources/sky.h"
@@ -16,6 +18,7 @@ namespace quasimc::bench {
 namespace {
 
 constexpr std::array<std::uint64_t, 3> kSeeds{1, 7, 8};
+constexpr int kTimings = 5;
 
 struct Measured {
     double variance = 0;  ///< of the irradiance
@@ -34,6 +37,12 @@ struct Case {
 Measured measure(
     const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
     const Result result = run(scene, sources, spec);
+    std::vector<double> seconds{result.trace_cpu_seconds};
+    // Short runs are timed again: the machine has other things to do.
+    constexpr double kShort = 0.5;
+    for (int i = 1; i < kTimings && result.trace_cpu_seconds < kShort; ++i) {
+        seconds.push_back(run(scene, sources, spec).trace_cpu_seconds);
+    }
     double mean = 0;
     for (std::size_t i = 0; i < result.organs(); ++i) {
         mean += result.at(i, Quantity::absorbed_flux_density, 0).mean;
@@ -41,7 +50,7 @@ Measured measure(
     mean /= static_cast<double>(result.organs());
     const double variance = mean_variance(result);
     return {
-        variance / (absorptance * absorptance), result.trace_cpu_seconds / spec.replicates,
+        variance / (absorptance * absorptance), median(seconds) / spec.replicates,
         std::sqrt(variance) / mean};
 }
 
@@ -134,8 +143,8 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
 void print_bars(const Effort& effort) {
     std::printf("\n== What tracing from lit surfaces is held to\n");
     print_direct("direct sun, 500 leaves", {}, 1 << 17, 1e-7, 3, effort);
-    print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 96 * 1024, 1e-5, 20, effort);
-    print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 19, 2e-6, 200, effort);
+    print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 1 << 17, 1e-5, 20, effort);
+    print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 20, 2e-6, 200, effort);
     const std::uint64_t paths = effort.paths;
     for (const std::uint64_t n : {paths, 16 * paths}) {
         print_merit("500 leaves, PAR, sun", {}, "monte_carlo", 60, n, effort);

@@ -39,6 +39,44 @@ Vec3 sheared(const Vec3& v, const Vec3& across, const Vec3& direction) {
 
 }  // namespace
 
+Barycentric SeenTriangle::place(double at_x, double at_y) const {
+    const double ax = x[1] - x[0];
+    const double ay = y[1] - y[0];
+    const double bx = x[2] - x[0];
+    const double by = y[2] - y[0];
+    const double px = at_x - x[0];
+    const double py = at_y - y[0];
+    const double twice_area = ax * by - ay * bx;
+    return {
+        static_cast<float>((px * by - py * bx) / twice_area),
+        static_cast<float>((ax * py - ay * px) / twice_area)};
+}
+
+double BeamScene::cosine(std::uint32_t triangle, const Vec3& direction) const {
+    const Vec3 up = mesh->across(triangle);
+    const double size = length(up);
+    return size > 0 ? dot(up, direction) / size : 0;
+}
+
+std::pair<double, double> BeamScene::extent(std::uint32_t triangle, const Vec3& along) const {
+    const double a = dot(along, mesh->vertex(triangle, 0));
+    const double b = dot(along, mesh->vertex(triangle, 1));
+    const double c = dot(along, mesh->vertex(triangle, 2));
+    return {std::min({a, b, c}), std::max({a, b, c})};
+}
+
+SeenTriangle BeamScene::seen(
+    std::uint32_t triangle, const BeamAxis& x, const BeamAxis& y, const BeamAxis& z) const {
+    SeenTriangle seen{};
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 p = mesh->vertex(triangle, i);
+        seen.x[i] = dot(x.along, p) + x.offset;
+        seen.y[i] = dot(y.along, p) + y.offset;
+        seen.z[i] = dot(z.along, p) + z.offset;
+    }
+    return seen;
+}
+
 BeamPlane::BeamPlane(
     const BeamScene& scene, const Vec3& direction, double rotation, AlongPeriods periods) {
     const Cell& cell = scene.cell;

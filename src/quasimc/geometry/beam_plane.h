@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "quasimc/base/vec3.h"
 #include "quasimc/geometry/cell.h"
@@ -16,6 +17,25 @@ enum class SeenAs : std::uint8_t {
     left_out,  ///< another image of the same triangle stands for it (RayCaster::source)
 };
 
+/// A place v0 + u (v1 - v0) + v (v2 - v0) on a triangle.
+struct Barycentric {
+    float u = 0, v = 0;
+};
+
+/// A triangle on the plane of a beam: places x and y and depth z of its corners.
+struct SeenTriangle {
+    double x[3], y[3], z[3];
+
+    /// What of it is seen at a place. Its picture must have an area.
+    [[nodiscard]] Barycentric place(double at_x, double at_y) const;
+};
+
+/// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.
+struct BeamAxis {
+    Vec3 along;
+    double offset = 0;
+};
+
 /// A scene as beams see it.
 struct BeamScene {
     const LocalMesh* mesh = nullptr;
@@ -26,6 +46,12 @@ struct BeamScene {
     [[nodiscard]] SeenAs role(std::uint32_t triangle) const {
         return roles.empty() ? SeenAs::opaque : roles[triangle];
     }
+    /// dot(unit normal of the upper side of a triangle, direction), 0 if it has no area.
+    [[nodiscard]] double cosine(std::uint32_t triangle, const Vec3& direction) const;
+    /// The least and the largest dot(along, p) of the points of a triangle.
+    [[nodiscard]] std::pair<double, double> extent(std::uint32_t triangle, const Vec3& along) const;
+    [[nodiscard]] SeenTriangle seen(
+        std::uint32_t triangle, const BeamAxis& x, const BeamAxis& y, const BeamAxis& z) const;
 };
 
 /// Whether s and t run along the periods of a scene, or t slantwise, so that lines are not lost on

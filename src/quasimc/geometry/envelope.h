@@ -1,21 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace quasimc {
 
-/// A stretch of a scan line on which one segment is seen, or a whole segment: from place `low` to
-/// `high` along the line, at depths `near` and `far` of its ends (any unit, smaller is nearer).
+/// A segment that a scan line cuts out of a surface, or a stretch of it: from place `low` to `high`
+/// along the line, in any unit; of depths the smaller is nearer.
 struct LinePiece {
-    double low = 0, high = 0;              ///< along the line, low < high
-    double depth_low = 0, depth_high = 0;  ///< there
-    std::uint32_t segment = 0;             ///< which it is a part of
+    double low = 0, high = 0;  ///< along the line
+    double at_low = 0;         ///< depth there
+    double slope = 0;          ///< of the depth along the line
+    std::uint32_t segment = 0;
 
-    /// Depth at `x`, exact at both ends.
-    [[nodiscard]] double depth(double x) const {
-        const double f = (x - low) / (high - low);
-        return (1 - f) * depth_low + f * depth_high;
+    [[nodiscard]] double depth(double x) const { return at_low + (x - low) * slope; }
+    [[nodiscard]] double length() const { return high - low; }
+    [[nodiscard]] LinePiece part(double from, double to) const {
+        return {from, to, depth(from), slope, segment};
     }
 };
 
@@ -23,44 +25,33 @@ struct LinePiece {
 /// may cross each other. Pieces come in order along the line and do not overlap. Where two segments
 /// are at the same depth either is seen.
 ///
-/// Where few segments lie over each other, as in most canopies, by a walk along the line that looks
-/// at those that do; else by halves: the envelopes of neighbours along the line are merged, O(n log
-/// n) for n segments.
+/// A walk along the line that knows which segment is in front, and those behind it that may be seen
+/// further on: O(n k), k of n segments lying over each other.
 class Envelope {
   public:
-    /// @param segments  of positive length, in any order; taken as scratch
-    /// @return valid until the next call
-    [[nodiscard]] const std::vector<LinePiece>& of(std::vector<LinePiece>& segments);
+    /// Sets `out` to what is seen of segments in order of `low`; those without length are passed
+    /// over.
+    void find(std::span<const LinePiece> segments, std::vector<LinePiece>& out);
 
-    /// Appends to `out` what is seen of `segment` in front of pieces in order.
+    /// Appends to `out` what is seen of `segment` in front of pieces in order; nothing if it has no
+    /// length.
     static void seen_before(
-        const LinePiece& segment,
-        const std::vector<LinePiece>& pieces,
-        std::vector<LinePiece>& out);
+        const LinePiece& segment, std::span<const LinePiece> pieces, std::vector<LinePiece>& out);
 
   private:
-    /// A segment that reaches over the place at hand.
-    struct Here {
-        explicit Here(const LinePiece& s)
-            : segment(&s), slope((s.depth_high - s.depth_low) / (s.high - s.low)) {}
-        [[nodiscard]] double depth(double x) const {
-            return segment->depth_low + (x - segment->low) * slope;
-        }
-        [[nodiscard]] LinePiece part(double from, double to) const {
-            return {from, to, depth(from), depth(to), segment->segment};
-        }
+    void begin(const LinePiece& segment);
+    void take_over(const LinePiece& segment, double x);
+    void watch(const LinePiece& segment, double x);
+    [[nodiscard]] bool look_at(const LinePiece& segment, double x);
+    void look_behind(double x);
+    void go_on();
+    void put(double until);
 
-        const LinePiece* segment;
-        double slope;
-    };
-
-    void sweep();
-    void append_nearest(double x, double until);
-    void merge_by_halves();
-
-    std::vector<LinePiece> from_, to_;
-    std::vector<Here> here_;
-    std::vector<std::size_t> ends_, next_ends_;
+    const LinePiece* front_ = nullptr;      // the nearest at the place at hand
+    double from_ = 0, until_ = 0;           // where it is known to be so
+    const LinePiece* crossing_ = nullptr;   // what passes it at until_; none: it ends there
+    std::vector<const LinePiece*> behind_;  // what may yet come to the front
+    std::vector<LinePiece>* out_ = nullptr;
 };
 
 }  // namespace quasimc

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "quasimc/base/checks.h"
+#include "quasimc/base/multiversion.h"
 
 namespace quasimc {
 namespace {
@@ -26,6 +28,30 @@ Rays rays_of(double size, bool repeats, double pitch) {
     const double exact = size / pitch;
     const double count = std::max(1.0, repeats ? std::round(exact) : std::ceil(exact));
     return {repeats ? size / count : pitch, static_cast<std::uint32_t>(count)};
+}
+
+/// Pixels of a row that are drawn at one go; arrays have so much room behind their end.
+constexpr std::int32_t kLanes = 8;
+
+using Floats = float __attribute__((vector_size(4 * kLanes)));
+using Words = std::int32_t __attribute__((vector_size(4 * kLanes)));
+
+/// Draws a span of pixels, all lanes at once: spans are too short to be worth a branch for each.
+QUASIMC_MULTIVERSION void draw_span(
+    float* depths, std::int32_t* ids, std::int32_t count, float z, float step, std::int32_t id) {
+    Words at = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::int32_t first = 0; first < count; first += kLanes, at += kLanes) {
+        const Floats here = z + step * __builtin_convertvector(at, Floats);
+        Floats depth;
+        Words seen;
+        std::memcpy(&depth, depths + first, sizeof(depth));
+        std::memcpy(&seen, ids + first, sizeof(seen));
+        const Words nearer = (at < count) & (here < depth);
+        depth = nearer ? here : depth;
+        seen = nearer ? Words{} + id : seen;
+        std::memcpy(depths + first, &depth, sizeof(depth));
+        std::memcpy(ids + first, &seen, sizeof(seen));
+    }
 }
 
 /// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
@@ -70,27 +96,29 @@ class SidesByRow {
 
 void ItemBuffer::draw(const BeamScene& scene, const Spec& spec) {
     EXPECT(spec.pixels >= 1);
-    mesh_ = scene.mesh;
+    scene_ = scene;
     direction_ = spec.direction;
     items_.clear();
+    runs_.clear();
     images_.assign(1, {});
     set_grid(scene, spec);
     const std::size_t pixels = std::size_t{columns_} * rows_;
-    depths_.assign(pixels, std::numeric_limits<float>::infinity());
-    ids_.assign(pixels, 0);
+    depths_.assign(pixels + kLanes, std::numeric_limits<float>::infinity());
+    ids_.assign(pixels + kLanes, 0);
     if (pixels == 0) {
         return;
     }
     bool has_sensors = false;
-    for (std::uint32_t i = 0; i < mesh_->triangle_count(); ++i) {
+    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
         const SeenAs role = scene.role(i);
         has_sensors = has_sensors || role == SeenAs::sensor;
         if (role == SeenAs::opaque) {
             draw_opaque(i);
         }
     }
+    find_runs();
     list_items();
-    for (std::uint32_t i = 0; has_sensors && i < mesh_->triangle_count(); ++i) {
+    for (std::uint32_t i = 0; has_sensors && i < scene.mesh->triangle_count(); ++i) {
         if (scene.role(i) == SeenAs::sensor) {
             add_sensor(i);
         }
@@ -111,38 +139,29 @@ void ItemBuffer::set_grid(const BeamScene& scene, const Spec& spec) {
     const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
     columns_ = x.count;
     rows_ = y.count;
-    x_ = plane.s / x.pitch;
-    y_ = plane.t / y.pitch;
-    z_ = plane.depth;
-    x_offset_ = -plane.low_s / x.pitch - spec.shift_s;
-    y_offset_ = -plane.low_t / y.pitch - spec.shift_t;
+    x_ = {plane.s / x.pitch, -plane.low_s / x.pitch - spec.shift_s};
+    y_ = {plane.t / y.pitch, -plane.low_t / y.pitch - spec.shift_t};
+    z_ = {plane.depth, 0};
     repeats_x_ = plane.repeats_s;
     repeats_y_ = plane.repeats_t;
     pixel_area_ = x.pitch * y.pitch * plane.area;
 }
 
-ItemBuffer::Corners ItemBuffer::corners_of(std::uint32_t triangle) const {
-    Corners corners{};
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 p = mesh_->vertex(triangle, i);
-        corners.x[i] = dot(x_, p) + x_offset_;
-        corners.y[i] = dot(y_, p) + y_offset_;
-        corners.z[i] = dot(z_, p);
-    }
-    return corners;
+SeenTriangle ItemBuffer::seen(std::uint32_t triangle) const {
+    return scene_.seen(triangle, x_, y_, z_);
 }
 
-ItemBuffer::Corners ItemBuffer::moved(Corners corners, const Image& image) const {
+SeenTriangle ItemBuffer::moved(SeenTriangle seen, const Image& image) const {
     for (int i = 0; i < 3; ++i) {
-        corners.x[i] -= static_cast<double>(image.periods_x) * columns_;
-        corners.y[i] -= static_cast<double>(image.periods_y) * rows_;
+        seen.x[i] -= static_cast<double>(image.periods_x) * columns_;
+        seen.y[i] -= static_cast<double>(image.periods_y) * rows_;
     }
-    return corners;
+    return seen;
 }
 
 template <typename Draw>
 void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const {
-    const Corners corners = corners_of(triangle);
+    const SeenTriangle corners = seen(triangle);
     if (!repeats_x_ && !repeats_y_) {
         draw(Image{triangle, 0, 0}, corners);
         return;
@@ -162,7 +181,7 @@ void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const 
 }
 
 template <typename Span>
-void ItemBuffer::rasterize(const Corners& c, const Span& span) const {
+void ItemBuffer::rasterize(const SeenTriangle& c, const Span& span) const {
     const auto within = [](double x, std::uint32_t end) {
         return ceil_to_int(std::min(std::max(x, 0.0), static_cast<double>(end)));
     };
@@ -200,19 +219,12 @@ void ItemBuffer::rasterize(const Corners& c, const Span& span) const {
 }
 
 void ItemBuffer::draw_opaque(std::uint32_t triangle) {
-    for_each_image(triangle, [&](const Image& image, const Corners& corners) {
-        const auto id = static_cast<std::uint32_t>(images_.size());
+    for_each_image(triangle, [&](const Image& image, const SeenTriangle& corners) {
+        const auto id = static_cast<std::int32_t>(images_.size());
         bool touched = false;
         rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
             touched = true;
-            float* depths = &depths_[first];
-            std::uint32_t* ids = &ids_[first];
-            for (std::int32_t i = 0; i < count; ++i) {
-                const float here = z + step * static_cast<float>(i);
-                const bool nearer = here < depths[i];
-                depths[i] = nearer ? here : depths[i];
-                ids[i] = nearer ? id : ids[i];
-            }
+            draw_span(&depths_[first], &ids_[first], count, z, step, id);
         });
         if (touched) {
             images_.push_back(image);
@@ -220,22 +232,40 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
     });
 }
 
+/// Without a branch for each pixel.
+void ItemBuffer::find_runs() {
+    const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kLanes;
+    ids_[pixels] = -1;  // ends the last
+    ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
+    std::uint32_t* end = ends_.data();
+    for (std::uint32_t i = 0; i < pixels; ++i) {
+        *end = i + 1;
+        end += ids_[i] != ids_[i + 1] ? 1 : 0;
+    }
+    runs_.clear();
+    std::uint32_t first = 0;
+    for (const std::uint32_t* next = ends_.data(); next != end; ++next) {
+        runs_.push_back({first, *next - first, static_cast<std::uint32_t>(ids_[first])});
+        first = *next;
+    }
+}
+
 void ItemBuffer::list_items() {
     counts_.assign(images_.size(), 0);
-    for (const std::uint32_t id : ids_) {
-        ++counts_[id];
+    for (const Run& run : runs_) {
+        counts_[run.id] += run.count;
     }
     for (std::uint32_t id = 1; id < images_.size(); ++id) {
         if (counts_[id] > 0) {
             const std::uint32_t triangle = images_[id].triangle;
-            items_.push_back({triangle, id, counts_[id], cosine_of(triangle)});
+            items_.push_back({triangle, id, counts_[id], scene_.cosine(triangle, direction_)});
         }
     }
 }
 
 void ItemBuffer::add_sensor(std::uint32_t triangle) {
     std::uint32_t seen = 0;
-    for_each_image(triangle, [&](const Image&, const Corners& corners) {
+    for_each_image(triangle, [&](const Image&, const SeenTriangle& corners) {
         rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
             for (std::int32_t i = 0; i < count; ++i) {
                 const std::size_t pixel = first + static_cast<std::size_t>(i);
@@ -244,30 +274,15 @@ void ItemBuffer::add_sensor(std::uint32_t triangle) {
         });
     });
     if (seen > 0) {
-        items_.push_back({triangle, 0, seen, cosine_of(triangle)});
+        items_.push_back({triangle, 0, seen, scene_.cosine(triangle, direction_)});
     }
 }
 
-double ItemBuffer::cosine_of(std::uint32_t triangle) const {
-    const Vec3 up = mesh_->across(triangle);
-    const double size = length(up);
-    return size > 0 ? dot(up, direction_) / size : 0;
-}
-
-ItemBuffer::Place ItemBuffer::place(std::size_t pixel) const {
-    const Image& image = images_[ids_[pixel]];
-    const Corners c = moved(corners_of(image.triangle), image);
-    const double ax = c.x[1] - c.x[0];
-    const double ay = c.y[1] - c.y[0];
-    const double bx = c.x[2] - c.x[0];
-    const double by = c.y[2] - c.y[0];
-    const std::size_t row = pixel / columns_;
-    const double px = static_cast<double>(pixel - row * columns_) - c.x[0];
-    const double py = static_cast<double>(row) - c.y[0];
-    const double twice_area = ax * by - ay * bx;
-    return {
-        static_cast<float>((px * by - py * bx) / twice_area),
-        static_cast<float>((ax * py - ay * px) / twice_area)};
+Barycentric ItemBuffer::place(std::uint32_t pixel) const {
+    const Image& image = images_[static_cast<std::size_t>(ids_[pixel])];
+    const std::uint32_t row = pixel / columns_;
+    return moved(seen(image.triangle), image)
+        .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
 }
 
 }  // namespace quasimc

@@ -39,16 +39,17 @@ class ItemBuffer {
     /// What is seen, sensors last.
     [[nodiscard]] std::span<const Item> items() const { return items_; }
 
-    /// By pixel, row by row: the id of what is seen; 0: nothing.
-    [[nodiscard]] std::span<const std::uint32_t> ids() const { return ids_; }
+    /// Pixels next to each other that see the same.
+    struct Run {
+        std::uint32_t first = 0, count = 0;
+        std::uint32_t id = 0;  ///< of what is seen; 0: nothing
+    };
+    /// All pixels, row by row.
+    [[nodiscard]] std::span<const Run> runs() const { return runs_; }
     /// Ids are less than that.
     [[nodiscard]] std::size_t id_count() const { return images_.size(); }
-    /// A place on a triangle, barycentric.
-    struct Place {
-        float u = 0, v = 0;
-    };
     /// Where the ray of a pixel ends that sees something.
-    [[nodiscard]] Place place(std::size_t pixel) const;
+    [[nodiscard]] Barycentric place(std::uint32_t pixel) const;
 
   private:
     /// A triangle, moved by whole periods of the grid.
@@ -56,35 +57,33 @@ class ItemBuffer {
         std::uint32_t triangle;
         std::int32_t periods_x, periods_y;
     };
-    /// Of an image: place on the grid, where ray (i, j) passes at x = i, y = j, and depth.
-    struct Corners {
-        double x[3], y[3], z[3];
-    };
 
     void set_grid(const BeamScene& scene, const Spec& spec);
-    [[nodiscard]] Corners corners_of(std::uint32_t triangle) const;
-    [[nodiscard]] Corners moved(Corners corners, const Image& image) const;
+    /// On the grid, where ray (i, j) passes at x = i, y = j.
+    [[nodiscard]] SeenTriangle seen(std::uint32_t triangle) const;
+    [[nodiscard]] SeenTriangle moved(SeenTriangle seen, const Image& image) const;
     /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
     template <typename Draw>
     void for_each_image(std::uint32_t triangle, const Draw& draw) const;
     /// Calls `span(first pixel, count, depth there, depth from pixel to pixel)` row by row.
     template <typename Span>
-    void rasterize(const Corners& corners, const Span& span) const;
+    void rasterize(const SeenTriangle& corners, const Span& span) const;
     void draw_opaque(std::uint32_t triangle);
+    void find_runs();
     void list_items();
     void add_sensor(std::uint32_t triangle);
-    [[nodiscard]] double cosine_of(std::uint32_t triangle) const;
 
-    const LocalMesh* mesh_ = nullptr;
+    BeamScene scene_;
     Vec3 direction_;
-    Vec3 x_, y_, z_;  // place on the grid, but for an offset, and depth
-    double x_offset_ = 0, y_offset_ = 0;
+    BeamAxis x_, y_, z_;  // place on the grid, and depth
     double pixel_area_ = 0;
     std::uint32_t columns_ = 0, rows_ = 0;
     bool repeats_x_ = false, repeats_y_ = false;
-    std::vector<float> depths_;       // by pixel
-    std::vector<std::uint32_t> ids_;  // by pixel: in images_
-    std::vector<Image> images_;       // the first stands for nothing
+    std::vector<float> depths_;        // by pixel
+    std::vector<std::int32_t> ids_;    // by pixel: in images_
+    std::vector<std::uint32_t> ends_;  // scratch
+    std::vector<Run> runs_;
+    std::vector<Image> images_;  // the first stands for nothing
     std::vector<std::uint32_t> counts_;
     std::vector<Item> items_;
 };

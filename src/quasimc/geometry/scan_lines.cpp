@@ -1,18 +1,33 @@
 #include "quasimc/geometry/scan_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "quasimc/base/checks.h"
 
 namespace quasimc {
 namespace {
 
-/// What is seen at less than this cosine, or has no area, is seen edge-on: corners are told apart
-/// in single precision.
-constexpr double kEdgeOn = 0x1p-24;
+bool begins_before(const LinePiece& a, const LinePiece& b) {
+    return a.low < b.low;
+}
+
+/// Sorts what is nearly sorted.
+void sort_again(std::vector<LinePiece>& pieces) {
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        if (!begins_before(pieces[i], pieces[i - 1])) {
+            continue;
+        }
+        const LinePiece moved = pieces[i];
+        std::size_t to = i;
+        for (; to > 0 && begins_before(moved, pieces[to - 1]); --to) {
+            pieces[to] = pieces[to - 1];
+        }
+        pieces[to] = moved;
+    }
+}
 
 }  // namespace
 
@@ -24,190 +39,208 @@ void ScanLines::set(const BeamScene& scene, const Spec& spec) {
     plane_.emplace(scene, spec.direction, spec.rotation, AlongPeriods::slanted);
     pitch_ = plane_->size_t / spec.lines;
     area_ = pitch_ * plane_->area;
+    next_line_ = end_line_ = 0;
     find_images();
-    fill_bins();
+    sort_into_strips();
 }
 
-/// Finds the triangles, and in a scene that repeats itself across the lines their images, with the
-/// bins that they may touch.
+/// Finds the triangles, and in a scene that repeats itself their images, that touch the lines, with
+/// the strips that they may touch.
 void ScanLines::find_images() {
     images_.clear();
-    range_.clear();
     const double low = plane_->low_t;
-    const double period = plane_->size_t;
-    const std::uint32_t last_bin = bins(spec_.lines) - 1;
-    const double per_length = pitch_ > 0 ? 1 / (pitch_ * kBin) : 0;
+    const std::uint32_t last_strip = strips(spec_.lines) - 1;
+    const double per_length = pitch_ > 0 ? 1 / (pitch_ * kStrip) : 0;
     // Lines stand at most one pitch from where they would be without shift.
-    const auto bin_of = [&](double t) {
-        const double bin = std::floor((t - low - pitch_ * spec_.shift) * per_length);
-        return static_cast<std::uint32_t>(std::clamp(bin, 0.0, static_cast<double>(last_bin)));
+    const auto strip_of = [&](double t) {
+        const double strip = std::floor((t - low - pitch_ * spec_.shift) * per_length);
+        return static_cast<std::uint32_t>(std::clamp(strip, 0.0, static_cast<double>(last_strip)));
     };
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
         if (scene_.role(i) == SeenAs::left_out) {
             continue;
         }
-        const double a = dot(plane_->t, scene_.mesh->vertex(i, 0));
-        const double b = dot(plane_->t, scene_.mesh->vertex(i, 1));
-        const double c = dot(plane_->t, scene_.mesh->vertex(i, 2));
-        const double from = std::min({a, b, c});
-        const double to = std::max({a, b, c});
-        const Periods periods = periods_of(from - low, to - low, period, plane_->repeats_t);
-        for (std::int32_t k = periods.first; k <= periods.last; ++k) {
-            const double offset = -k * period;
-            images_.push_back({i, offset});
-            range_.push_back({bin_of(from + offset), bin_of(to + offset)});
+        const auto [from, to] = scene_.extent(i, plane_->t);
+        const Periods across = periods_of(from - low, to - low, plane_->size_t, plane_->repeats_t);
+        Periods along;
+        if (plane_->repeats_s) {
+            const auto [left, right] = scene_.extent(i, plane_->s);
+            along = periods_of(left - plane_->low_s, right - plane_->low_s, plane_->size_s, true);
         }
-    }
-}
-
-void ScanLines::fill_bins() {
-    first_in_bin_.assign(std::size_t{bins(spec_.lines)} + 1, 0);
-    for (const BinRange& range : range_) {
-        for (std::uint32_t bin = range.first; bin <= range.last; ++bin) {
-            ++first_in_bin_[bin + 1];
-        }
-    }
-    for (std::size_t bin = 1; bin < first_in_bin_.size(); ++bin) {
-        first_in_bin_[bin] += first_in_bin_[bin - 1];
-    }
-    entries_.resize(first_in_bin_.back());
-    std::vector<std::uint32_t> next(first_in_bin_.begin(), first_in_bin_.end() - 1);
-    for (std::size_t i = 0; i < images_.size(); ++i) {
-        for (std::uint32_t bin = range_[i].first; bin <= range_[i].last; ++bin) {
-            entries_[next[bin]++] = images_[i];
-        }
-    }
-}
-
-ScanLines::Corners ScanLines::corners_of(const Entry& entry) const {
-    Corners corners{};
-    corners.triangle = entry.triangle;
-    corners.transparent = scene_.role(entry.triangle) == SeenAs::sensor;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 p = scene_.mesh->vertex(entry.triangle, i);
-        corners.s[i] = dot(plane_->s, p);
-        corners.t[i] = dot(plane_->t, p) + entry.offset;
-        corners.z[i] = dot(plane_->depth, p);
-    }
-    const Vec3 up = scene_.mesh->across(entry.triangle);
-    const double size = length(up);
-    corners.cosine = size > 0 ? dot(up, spec_.direction) / size : 0;
-    return corners;
-}
-
-void ScanLines::visit(std::uint32_t bin, const std::function<void(const LitSegment&)>& visit) {
-    corners_.clear();
-    for (std::uint32_t i = first_in_bin_[bin]; i < first_in_bin_[bin + 1]; ++i) {
-        const Corners corners = corners_of(entries_[i]);
-        if (std::abs(corners.cosine) > kEdgeOn) {
-            corners_.push_back(corners);
-        }
-    }
-    const std::uint32_t end = std::min((bin + 1) * kBin, spec_.lines);
-    for (std::uint32_t line = bin * kBin; line < end; ++line) {
-        cut_all(plane_->low_t + (line + spec_.shift) * pitch_);
-        const std::vector<LinePiece>& pieces = envelope_.of(opaque_);
-        for (const LinePiece& piece : pieces) {
-            visit(segment_of(piece));
-        }
-        for (const LinePiece& sensor : sensors_) {
-            seen_.clear();
-            Envelope::seen_before(sensor, pieces, seen_);
-            for (const LinePiece& piece : seen_) {
-                visit(segment_of(piece));
+        for (std::int32_t k = across.first; k <= across.last; ++k) {
+            const double offset = -k * plane_->size_t;
+            if (!may_be_cut(from + offset, to + offset)) {
+                continue;
+            }
+            const std::uint32_t first = strip_of(from + offset);
+            const std::uint32_t last = strip_of(to + offset);
+            for (std::int32_t j = along.first; j <= along.last; ++j) {
+                images_.push_back({i, -j * plane_->size_s, offset, first, last});
             }
         }
     }
 }
 
-void ScanLines::cut_all(double line) {
-    cuts_.clear();
+double ScanLines::line_at(double number) const {
+    return plane_->low_t + (number + spec_.shift) * pitch_;
+}
+
+/// Whether a line runs between two places; in doubt it may.
+bool ScanLines::may_be_cut(double from, double to) const {
+    const double below = std::floor((from - plane_->low_t) / pitch_ - spec_.shift);
+    return line_at(below) > from || line_at(below + 1) <= to;
+}
+
+void ScanLines::sort_into_strips() {
+    first_in_strip_.assign(std::size_t{strips(spec_.lines)} + 1, 0);
+    for (const Image& image : images_) {
+        for (std::uint32_t strip = image.first_strip; strip <= image.last_strip; ++strip) {
+            ++first_in_strip_[strip + 1];
+        }
+    }
+    for (std::size_t strip = 1; strip < first_in_strip_.size(); ++strip) {
+        first_in_strip_[strip] += first_in_strip_[strip - 1];
+    }
+    in_strip_.resize(first_in_strip_.back());
+    std::vector<std::uint32_t> place(first_in_strip_.begin(), first_in_strip_.end() - 1);
+    for (std::uint32_t i = 0; i < images_.size(); ++i) {
+        for (std::uint32_t s = images_[i].first_strip; s <= images_[i].last_strip; ++s) {
+            in_strip_[place[s]++] = i;
+        }
+    }
+}
+
+SeenTriangle ScanLines::seen(const Image& image) const {
+    return scene_.seen(
+        image.triangle, {plane_->s, image.offset_s}, {plane_->t, image.offset_t},
+        {plane_->depth, 0});
+}
+
+ScanLines::Slice ScanLines::slice_of(const SeenTriangle& seen) {
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return seen.y[a] < seen.y[b]; });
+    const auto edge = [&](int from, int to) {
+        const double height = seen.y[to] - seen.y[from];
+        return Edge{
+            seen.x[from], seen.y[from], seen.z[from], (seen.x[to] - seen.x[from]) / height,
+            (seen.z[to] - seen.z[from]) / height};
+    };
+    const auto [low, middle, high] = order;
+    const Edge whole = edge(low, high);
+    const double opposite = whole.s + (seen.y[middle] - whole.t) * whole.s_by_t;
+    return {whole, edge(low, middle), edge(middle, high), seen.y[high], seen.x[middle] > opposite};
+}
+
+void ScanLines::begin(std::uint32_t strip) {
+    order_.clear();
+    for (std::uint32_t i = first_in_strip_[strip]; i < first_in_strip_[strip + 1]; ++i) {
+        const Image& image = images_[in_strip_[i]];
+        const double lowest = scene_.extent(image.triangle, plane_->t).first + image.offset_t;
+        order_.emplace_back(lowest, in_strip_[i]);
+    }
+    std::sort(order_.begin(), order_.end());
+    items_.clear();
+    slices_.clear();
+    seen_.clear();
+    for (const auto& [lowest, image] : order_) {
+        // What is seen at less than this cosine, or has no area, is seen edge-on: corners are told
+        // apart in single precision.
+        constexpr double kEdgeOn = 0x1p-24;
+        const std::uint32_t triangle = images_[image].triangle;
+        const double cosine = scene_.cosine(triangle, spec_.direction);
+        if (std::abs(cosine) > kEdgeOn) {
+            items_.push_back({triangle, cosine, 0});
+            seen_.push_back(seen(images_[image]));
+            slices_.push_back(slice_of(seen_.back()));
+        }
+    }
     opaque_.clear();
     sensors_.clear();
-    for (const Corners& corners : corners_) {
-        const bool below[3] = {corners.t[0] < line, corners.t[1] < line, corners.t[2] < line};
-        if (below[0] != below[1] || below[1] != below[2]) {
-            add_cut(corners, line);
+    next_item_ = 0;
+    next_line_ = strip * kStrip;
+    end_line_ = std::min(next_line_ + kStrip, spec_.lines);
+}
+
+bool ScanLines::next() {
+    if (next_line_ == end_line_) {
+        return false;
+    }
+    line_ = line_at(next_line_);
+    ++next_line_;
+    cut_again(opaque_);
+    cut_again(sensors_);
+    add_new_cuts();
+    envelope_.find(opaque_, pieces_);
+    before_.clear();
+    for (const LinePiece& sensor : sensors_) {
+        Envelope::seen_before(sensor, pieces_, before_);
+    }
+    pieces_.insert(pieces_.end(), before_.begin(), before_.end());
+    for (const LinePiece& piece : pieces_) {
+        items_[piece.segment].length += piece.length();
+    }
+    return true;
+}
+
+/// Moves cuts of the last line to this one, and forgets what it has passed.
+void ScanLines::cut_again(std::vector<LinePiece>& cuts) const {
+    std::size_t kept = 0;
+    for (const LinePiece& piece : cuts) {
+        if (slices_[piece.segment].top >= line_) {
+            cuts[kept++] = cut(piece.segment);
         }
     }
+    cuts.resize(kept);
+    sort_again(cuts);
 }
 
-void ScanLines::add_cut(const Corners& corners, double line) {
-    // Corners 0, 1, 2 have the barycentric coordinates (0, 0), (1, 0), (0, 1).
-    constexpr double kU[3] = {0, 1, 0};
-    constexpr double kV[3] = {0, 0, 1};
-    Cut cut{&corners, {}, {}, 0, 0};
-    double s[2];
-    double z[2];
-    int found = 0;
-    for (int a = 0; a < 3; ++a) {
-        const int b = (a + 1) % 3;
-        if ((corners.t[a] < line) == (corners.t[b] < line)) {
-            continue;
-        }
-        const double f = (line - corners.t[a]) / (corners.t[b] - corners.t[a]);
-        s[found] = corners.s[a] + f * (corners.s[b] - corners.s[a]);
-        z[found] = corners.z[a] + f * (corners.z[b] - corners.z[a]);
-        cut.u[found] = kU[a] + f * (kU[b] - kU[a]);
-        cut.v[found] = kV[a] + f * (kV[b] - kV[a]);
-        ++found;
-    }
-    if (s[0] == s[1]) {
-        return;
-    }
-    if (s[0] > s[1]) {
-        std::swap(s[0], s[1]);
-        std::swap(z[0], z[1]);
-        std::swap(cut.u[0], cut.u[1]);
-        std::swap(cut.v[0], cut.v[1]);
-    }
-    cut.low = s[0];
-    cut.high = s[1];
-    if (plane_->repeats_s) {
-        add_periods(cut, z[0], z[1]);
-    } else {
-        add_piece(cut, {cut.low, cut.high, z[0], z[1], 0});
-    }
-}
-
-void ScanLines::add_piece(const Cut& cut, const LinePiece& part) {
-    LinePiece piece = part;
-    piece.segment = static_cast<std::uint32_t>(cuts_.size());
-    cuts_.push_back(cut);
-    (cut.corners->transparent ? sensors_ : opaque_).push_back(piece);
-}
-
-/// Adds a cut where the line, which is but one period long, passes it.
-void ScanLines::add_periods(const Cut& cut, double z_low, double z_high) {
-    const double period = plane_->size_s;
-    const Periods periods =
-        periods_of(cut.low - plane_->low_s, cut.high - plane_->low_s, period, true);
-    for (std::int32_t k = periods.first; k <= periods.last; ++k) {
-        Cut moved = cut;
-        moved.low -= k * period;
-        moved.high -= k * period;
-        const LinePiece whole{moved.low, moved.high, z_low, z_high, 0};
-        const double low = std::max(moved.low, plane_->low_s);
-        const double high = std::min(moved.high, plane_->low_s + period);
-        if (low < high) {
-            add_piece(moved, {low, high, whole.depth(low), whole.depth(high), 0});
+void ScanLines::add_new_cuts() {
+    new_opaque_.clear();
+    new_sensors_.clear();
+    for (; next_item_ < slices_.size() && slices_[next_item_].whole.t < line_; ++next_item_) {
+        if (slices_[next_item_].top >= line_) {
+            const bool sensor = scene_.role(items_[next_item_].triangle) == SeenAs::sensor;
+            (sensor ? new_sensors_ : new_opaque_).push_back(cut(next_item_));
         }
     }
+    const auto merge_in = [&](std::vector<LinePiece>& added, std::vector<LinePiece>& cuts) {
+        if (added.empty()) {
+            return;
+        }
+        std::sort(added.begin(), added.end(), begins_before);
+        merged_.resize(cuts.size() + added.size());
+        std::merge(
+            cuts.begin(), cuts.end(), added.begin(), added.end(), merged_.begin(), begins_before);
+        cuts.swap(merged_);
+    };
+    merge_in(new_opaque_, opaque_);
+    merge_in(new_sensors_, sensors_);
 }
 
-LitSegment ScanLines::segment_of(const LinePiece& piece) const {
-    const Cut& cut = cuts_[piece.segment];
-    LitSegment lit;
-    lit.triangle = cut.corners->triangle;
-    lit.length = piece.high - piece.low;
-    lit.cosine = cut.corners->cosine;
-    const double ends[2] = {piece.low, piece.high};
-    for (int i = 0; i < 2; ++i) {
-        const double f = (ends[i] - cut.low) / (cut.high - cut.low);
-        lit.u[i] = (1 - f) * cut.u[0] + f * cut.u[1];
-        lit.v[i] = (1 - f) * cut.v[0] + f * cut.v[1];
+/// What the line at hand cuts out of an item. In a scene that repeats itself along the line, of the
+/// one period that the line is long.
+LinePiece ScanLines::cut(std::uint32_t item) const {
+    const Slice& slice = slices_[item];
+    const Edge& other = line_ > slice.upper.t ? slice.upper : slice.lower;
+    const double up = line_ - slice.whole.t;
+    const double other_up = line_ - other.t;
+    const double s = slice.whole.s + up * slice.whole.s_by_t;
+    const double z = slice.whole.z + up * slice.whole.z_by_t;
+    const double other_s = other.s + other_up * other.s_by_t;
+    const double other_z = other.z + other_up * other.z_by_t;
+    const double low = slice.is_middle_right ? s : other_s;
+    const double high = slice.is_middle_right ? other_s : s;
+    const double at_low = slice.is_middle_right ? z : other_z;
+    const double at_high = slice.is_middle_right ? other_z : z;
+    const LinePiece whole{low, high, at_low, (at_high - at_low) / (high - low), item};
+    if (!plane_->repeats_s) {
+        return whole;
     }
-    return lit;
+    return whole.part(std::max(low, plane_->low_s), std::min(high, plane_->low_s + plane_->size_s));
+}
+
+Barycentric ScanLines::place(const LinePiece& piece, double f) const {
+    return seen_[piece.segment].place((1 - f) * piece.low + f * piece.high, line_);
 }
 
 }  // namespace quasimc

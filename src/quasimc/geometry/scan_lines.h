@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "quasimc/base/vec3.h"
@@ -12,19 +12,16 @@
 
 namespace quasimc {
 
-/// A stretch of a triangle that a beam lights along a scan line.
-struct LitSegment {
-    std::uint32_t triangle = 0;  ///< of the mesh
-    double length = 0;           ///< along the line, see ScanLines::area()
-    double u[2] = {0, 0};        ///< barycentric coordinates of both ends
-    double v[2] = {0, 0};
-    double cosine = 0;  ///< dot(unit normal of the upper side, direction of the beam)
-};
-
 /// Parallel scan lines across a beam, and what of the scene each of them sees: exact visible
 /// segments, so that length x area() summed over lines is the area of the beam that a triangle
 /// catches. With a uniform shift of the lines that is unbiased; its variance falls with about the
 /// third power of the number of lines, the rotation taking care of edges along the lines.
+///
+///     lines.set(scene, spec);
+///     for each strip:
+///         lines.begin(strip);
+///         while (lines.next()) { lines.pieces() ... }
+///         lines.items() ...
 ///
 /// Objects are used by one thread, and hold buffers for the next beam.
 class ScanLines {
@@ -37,10 +34,17 @@ class ScanLines {
         std::uint32_t lines = 1;  ///< across the scene
     };
 
-    /// Lines that are handed out together.
-    static constexpr std::uint32_t kBin = 8;
-    [[nodiscard]] static std::uint32_t bins(std::uint32_t lines) {
-        return (lines + kBin - 1) / kBin;
+    /// A triangle that lines of the strip may cut; in a periodic scene, one of its images.
+    struct Item {
+        std::uint32_t triangle = 0;  ///< of the mesh
+        double cosine = 0;           ///< dot(unit normal of the upper side, direction of the beam)
+        double length = 0;           ///< lit so far, along all lines of the strip
+    };
+
+    /// Lines that are walked one after the other.
+    static constexpr std::uint32_t kStrip = 128;
+    [[nodiscard]] static std::uint32_t strips(std::uint32_t lines) {
+        return (lines + kStrip - 1) / kStrip;
     }
 
     /// @param scene  with at least one triangle; its mesh and roles must outlive the lines
@@ -48,53 +52,66 @@ class ScanLines {
 
     /// Area across the beam that a line stands for, local units squared per unit of its length.
     [[nodiscard]] double area() const { return area_; }
-    /// Calls `visit` for what is lit along the lines of a bin: line after line, in order along
-    /// each; then what sensors of the line see.
-    void visit(std::uint32_t bin, const std::function<void(const LitSegment&)>& visit);
+
+    /// Goes to the front of a strip.
+    void begin(std::uint32_t strip);
+    [[nodiscard]] std::span<const Item> items() const { return items_; }
+    /// Goes to the next line of the strip. False at its end.
+    [[nodiscard]] bool next();
+    /// What is lit along the line, in order; then what sensors see. Segments are items().
+    [[nodiscard]] std::span<const LinePiece> pieces() const { return pieces_; }
+    /// The place on its triangle at a part f in [0, 1] of a piece of the line.
+    [[nodiscard]] Barycentric place(const LinePiece& piece, double f) const;
 
   private:
-    /// A triangle of the bin at hand: place along the lines, across them, and depth of each corner.
-    struct Corners {
-        double s[3], t[3], z[3];
-        double cosine;
-        std::uint32_t triangle;
-        bool transparent;
-    };
-    /// A triangle in a bin, to be moved by `offset` across the lines.
-    struct Entry {
+    /// A triangle as images of it are seen, to be moved by so much.
+    struct Image {
         std::uint32_t triangle = 0;
-        double offset = 0;
+        double offset_s = 0, offset_t = 0;
+        std::uint32_t first_strip = 0, last_strip = 0;
     };
-    struct BinRange {
-        std::uint32_t first = 0, last = 0;
+    /// A side of a triangle, walked from its lower end (in t) up, so that triangles which share one
+    /// are cut at the same places.
+    struct Edge {
+        double s, t, z, s_by_t, z_by_t;
     };
-    /// A triangle's cut with a line.
-    struct Cut {
-        const Corners* corners;
-        double u[2], v[2], low, high;
+    /// A triangle ready to be cut: from its lowest corner to the highest, and by way of the middle.
+    struct Slice {
+        Edge whole, lower, upper;
+        double top;
+        bool is_middle_right;
     };
 
+    [[nodiscard]] double line_at(double number) const;
+    [[nodiscard]] bool may_be_cut(double from, double to) const;
     void find_images();
-    void fill_bins();
-    [[nodiscard]] Corners corners_of(const Entry& entry) const;
-    void cut_all(double line);
-    void add_cut(const Corners& corners, double line);
-    /// Adds what a line passes of a cut.
-    void add_piece(const Cut& cut, const LinePiece& part);
-    void add_periods(const Cut& cut, double z_low, double z_high);
-    [[nodiscard]] LitSegment segment_of(const LinePiece& piece) const;
+    void sort_into_strips();
+    [[nodiscard]] SeenTriangle seen(const Image& image) const;
+    [[nodiscard]] static Slice slice_of(const SeenTriangle& seen);
+    [[nodiscard]] LinePiece cut(std::uint32_t item) const;
+    void cut_again(std::vector<LinePiece>& cuts) const;
+    void add_new_cuts();
 
     BeamScene scene_;
     Spec spec_;
     std::optional<BeamPlane> plane_;
     double pitch_ = 0, area_ = 0;
-    std::vector<Entry> images_;                // scratch: what touches the lines
-    std::vector<BinRange> range_;              // scratch: the bins of each
-    std::vector<std::uint32_t> first_in_bin_;  // of bin i: entries_[first[i]] to first[i + 1]
-    std::vector<Entry> entries_;
-    std::vector<Corners> corners_;
-    std::vector<Cut> cuts_;
-    std::vector<LinePiece> opaque_, sensors_, seen_;
+    std::vector<Image> images_;                  // what touches the lines
+    std::vector<std::uint32_t> first_in_strip_;  // of strip i: in_strip_[first[i]] to first[i + 1]
+    std::vector<std::uint32_t> in_strip_;        // images
+
+    // The strip at hand; items in the order in which lines meet them.
+    std::vector<std::pair<double, std::uint32_t>> order_;  // scratch: lowest place, image
+    std::vector<Item> items_;
+    std::vector<SeenTriangle> seen_;
+    std::vector<Slice> slices_;
+    std::uint32_t next_line_ = 0, end_line_ = 0, next_item_ = 0;
+
+    // The line at hand.
+    double line_ = 0;
+    std::vector<LinePiece> opaque_, sensors_;  // all that it cuts, in order of `low`
+    std::vector<LinePiece> new_opaque_, new_sensors_, merged_;
+    std::vector<LinePiece> pieces_, before_;
     Envelope envelope_;
 };
 

@@ -144,8 +144,9 @@ LobeTable::Choice LobeTable::choose(const Draw& draw, std::span<const double> we
         if (!(weights[0] > 0)) {
             return {};
         }
-        // Relative to the weight.
-        const double total = std::max(largest_sum_, std::min(1.0, draw.enough / weights[0]));
+        // Relative to the weight. Little light is the rule, for which nothing need be divided.
+        const double whole = weights[0] <= draw.enough ? 1 : draw.enough / weights[0];
+        const double total = std::max(largest_sum_, whole);
         return choose_among(draw.u0, total, [this](const Row& row) { return albedo_[row.offset]; });
     }
     const auto power_of = [this, weights](const Row& row) {

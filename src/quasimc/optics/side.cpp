@@ -55,8 +55,17 @@ std::optional<Side::Scattered> Side::scatter(
     if (choice.row == nullptr) {
         return std::nullopt;
     }
+    return scatter_by(choice, n, wi, draw.u1, weights);
+}
+
+Side::Scattered Side::scatter_by(
+    const LobeTable::Choice& choice,
+    const Vec3& n,
+    const Vec3& wi,
+    double u1,
+    std::span<double> weights) const {
     const LobeTable::Row& row = *choice.row;
-    const Scattered scattered{row.sample(n, wi, choice.u, draw.u1), row.delta};
+    const Scattered scattered{row.sample(n, wi, choice.u, u1), row.delta};
     if (weights.size() == 1) {
         weights[0] *= choice.total;  // 1 where the light was played for by its albedo
         return scattered;
@@ -75,17 +84,6 @@ std::optional<Side::Scattered> Side::scatter(
     }
     table_.follow(row, choice.scale, weights);
     return scattered;
-}
-
-std::optional<Side::Scattered> Side::scatter_delta(
-    const Vec3& n, const Vec3& wi, const Draw& draw, std::span<double> weights) const {
-    const LobeTable::Choice choice =
-        has_delta_ ? table_.choose(draw, weights) : LobeTable::Choice{};
-    if (choice.row == nullptr || !choice.row->delta) {
-        return std::nullopt;
-    }
-    table_.follow(*choice.row, choice.scale, weights);
-    return Scattered{choice.row->sample(n, wi, choice.u, draw.u1), true};
 }
 
 }  // namespace quasimc

@@ -45,11 +45,18 @@ class Side {
     [[nodiscard]] std::optional<Scattered> scatter(
         const Vec3& n, const Vec3& wi, const Draw& draw, std::span<double> weights) const;
 
-    /// Like scatter, but only lobes of one direction are followed: others end the path.
-    /// (Probability q_k as above; weights in the same way.) For light that only light tracing can
-    /// find.
-    [[nodiscard]] std::optional<Scattered> scatter_delta(
-        const Vec3& n, const Vec3& wi, const Draw& draw, std::span<double> weights) const;
+    /// The same in two steps, for which the second number need not be drawn where the light ends.
+    [[nodiscard]] LobeTable::Choice choose(
+        const Draw& draw, std::span<const double> weights) const {
+        return table_.choose(draw, weights);
+    }
+    /// @param choice  with a lobe
+    [[nodiscard]] Scattered scatter_by(
+        const LobeTable::Choice& choice,
+        const Vec3& n,
+        const Vec3& wi,
+        double u1,
+        std::span<double> weights) const;
 
   private:
     std::vector<Lobe> lobes_;

@@ -4,10 +4,10 @@
 #include <bit>
 
 #include "quasimc/base/checks.h"
+#include "quasimc/base/multiversion.h"
 #include "quasimc/samplers/hash.h"
 #include "quasimc/samplers/korobov_table.h"
 #include "quasimc/samplers/monte_carlo.h"
-#include "quasimc/samplers/multiversion.h"
 
 namespace quasimc {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "quasimc/base/multiversion.h"
 #include "quasimc/samplers/hash.h"
-#include "quasimc/samplers/multiversion.h"
 #include "quasimc/samplers/sobol_directions.h"
 
 namespace quasimc {

@@ -36,6 +36,13 @@ struct SurfaceStart {
     double weight = 1;
 };
 
+/// Light on its way from a surface.
+struct Departure {
+    Vec3 place, direction;
+    std::uint32_t triangle = 0;  ///< from which it comes
+    std::size_t start = 0;       ///< number of its path in the block
+};
+
 /// A piece of a lit surface as paths start from it.
 struct ShiningPiece {
     double scattered = 0;  ///< as many starts, on average
@@ -56,7 +63,7 @@ struct alignas(2 * kCacheLine) Workspace {
     std::vector<double> u0, u1, u2;     // coordinates of a block's points
     std::vector<std::uint32_t> lights;  // the light each picks; empty if there is one
     std::vector<std::uint32_t> order;   // in which to trace them
-    std::vector<std::uint32_t> keys, key_counts;
+    std::vector<std::uint32_t> keys, key_counts, next_order;
     std::vector<double> weights, products, gathered;  // per band
     std::vector<std::int64_t> fixed;                  // per band
     ScanLines lines;
@@ -65,6 +72,8 @@ struct alignas(2 * kCacheLine) Workspace {
     std::vector<ShiningPiece> shining;  // by what the pixels show
     std::vector<SurfaceBeam> beams;
     std::vector<SurfaceStart> starts;
+    std::vector<Departure> departures;  // of some of the starts
+    std::vector<double> departing;      // their weights, per band
 };
 
 /// A way to compute the light on the organs: what one path does, and what a tally then means.

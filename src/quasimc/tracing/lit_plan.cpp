@@ -12,8 +12,8 @@ namespace {
 struct Looks {
     double paths_per_line, pixels_per_path;
 };
-constexpr Looks kDark{96, 20};
-constexpr Looks kBright{160, 6};
+constexpr Looks kDark{80, 40};
+constexpr Looks kBright{160, 10};
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
@@ -37,10 +37,12 @@ const Looks& looks_for(const Stage& stage) {
 /// each four.
 constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
 
-/// Pixels of a direction of a sky: of few triangles so many for each, which leaves more directions;
-/// then enough to see leaves; of very many triangles again so many for each.
-constexpr double kPixelsPerFew = 16, kPixelsPerMany = 2;
-constexpr double kFewestPixels = 1024, kUsualPixels = 8192, kMostPixels = 2048 * 2048;
+/// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
+/// there are more of them each may be seen less well: the root is between. Of very many paths
+/// directions become less of the error than pixels are, and each gets more.
+constexpr double kPixelsPerRootOfTriangles = 640;
+constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
+constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
 /// Of a periodic scene none of them is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
 /// Directions of a sky: at least so many, in at most so many blocks of work.
@@ -85,26 +87,33 @@ void LitPlan::add_beams(std::uint32_t light, double paths, std::vector<LitPart>&
     const std::uint32_t fewest =
         std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
     const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
-    const std::uint64_t blocks = (count + kLinesPerBlock - 1) / kLinesPerBlock;
+    const std::uint64_t blocks = ScanLines::strips(count);
     for (std::uint32_t beam = 0; beam < beams; ++beam) {
-        parts.push_back({false, light, beam, beams, count, 0, blocks});
+        parts.push_back(
+            {.light = light, .beam = beam, .beams = beams, .count = count, .blocks = blocks});
     }
 }
 
 void LitPlan::add_skies(double paths, std::vector<LitPart>& parts) const {
-    const double directions = std::round(pixels_per_path_ * paths / pixels());
+    const double pixels = pixels_for(paths);
+    const double directions = std::round(pixels_per_path_ * paths / pixels);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
-    parts.push_back({true, 0, 0, 1, count, 0, std::min(count, kDirectionBlocks)});
+    parts.push_back(
+        {.is_sky = true,
+         .count = count,
+         .pixels = pixels,
+         .blocks = std::min(count, kDirectionBlocks)});
 }
 
-double LitPlan::pixels() const {
+double LitPlan::pixels_for(double paths) const {
     const double triangles = stage_.caster().mesh().triangle_count();
     const double share = stage_.scene().cell().periodic() ? kShareOfLayer : 1;
-    const double usual =
-        std::max(std::min(kPixelsPerFew * triangles, kUsualPixels), kPixelsPerMany * triangles);
-    return std::clamp(share * usual, kFewestPixels, kMostPixels);
+    const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
+    return std::clamp(
+        share * growth * kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPixels,
+        kMostPixels);
 }
 
 }  // namespace quasimc

@@ -10,8 +10,6 @@ namespace quasimc {
 
 /// Directions that stand for the disk of a sun.
 inline constexpr std::uint32_t kDiskBeams = 8;
-/// Scan lines that make up a block of work.
-inline constexpr std::uint32_t kLinesPerBlock = 128;
 
 /// Part of the light from far away in one round: a beam that is cut into scan lines, or all skies.
 struct LitPart {
@@ -19,6 +17,7 @@ struct LitPart {
     std::uint32_t light = 0;            ///< of a beam
     std::uint32_t beam = 0, beams = 1;  ///< of a sun's disk: which direction, and of how many
     std::uint32_t count = 0;            ///< lines, or directions
+    double pixels = 0;                  ///< of each direction of the skies
     std::uint64_t first_block = 0, blocks = 0;
 };
 
@@ -30,12 +29,12 @@ class LitPlan {
     LitPlan(const Stage& stage, const SkyDirections& skies);
 
     [[nodiscard]] std::vector<LitPart> parts(const Round& round) const;
-    /// Pixels of one direction of the skies.
-    [[nodiscard]] double pixels() const;
 
   private:
     void add_beams(std::uint32_t light, double paths, std::vector<LitPart>& parts) const;
     void add_skies(double paths, std::vector<LitPart>& parts) const;
+
+    [[nodiscard]] double pixels_for(double paths) const;
 
     const Stage& stage_;
     const SkyDirections& skies_;

@@ -21,9 +21,6 @@
 namespace quasimc {
 namespace {
 
-/// Bins of lines that make up a block of work.
-constexpr std::uint32_t kBinsPerBlock = kLinesPerBlock / ScanLines::kBin;
-
 class LitSurfacesEstimator final : public Estimator {
   public:
     LitSurfacesEstimator(const Stage& stage, const Sampler& sampler, const RunSpec& spec)
@@ -178,16 +175,27 @@ class LitSurfacesEstimator final : public Estimator {
         ScanLines& lines = workspace.lines;
         SurfaceLight light(shares_, rules_of(work), workspace, tally);
         double to_next = sampler_.number(placing, placing.first + 1 + work.block, 2);
-        const double paths_per_length = beam.paths * lines.area() / beam.area;
         light.begin_beam(
             stage_.lights()[work.part.light], beam.direction, share_of_block(beam.paths, work),
             to_next);
-        const std::uint32_t bins = ScanLines::bins(work.part.count);
-        const auto first = static_cast<std::uint32_t>(work.block * kBinsPerBlock);
-        for (std::uint32_t bin = first; bin < std::min(first + kBinsPerBlock, bins); ++bin) {
-            lines.visit(bin, [&](const LitSegment& segment) {
-                light_segment(segment, paths_per_length * segment.length, light);
-            });
+        const double per_length = beam.paths * lines.area() / beam.area;
+        lines.begin(static_cast<std::uint32_t>(work.block));
+        std::vector<ShiningPiece>& shining = workspace.shining;
+        shining.clear();
+        for (const ScanLines::Item& item : lines.items()) {
+            shining.push_back(light.shining(item.triangle, item.cosine, per_length));
+        }
+        while (lines.next()) {
+            for (const LinePiece& piece : lines.pieces()) {
+                light.scatter(shining[piece.segment], piece.length(), [&](double f) {
+                    return lines.place(piece, f);
+                });
+            }
+        }
+        for (const ScanLines::Item& item : lines.items()) {
+            if (item.length > 0) {
+                light.fall(item.triangle, item.cosine, per_length * item.length);
+            }
         }
         light.end_beam();
         light.trace();
@@ -215,15 +223,6 @@ class LitSurfacesEstimator final : public Estimator {
         return until(work.block + 1) - until(work.block);
     }
 
-    static void light_segment(const LitSegment& segment, double amount, SurfaceLight& light) {
-        light.fall(segment.triangle, segment.cosine, amount);
-        light.scatter(light.shining(segment.triangle, segment.cosine, amount), [&](double f) {
-            return ItemBuffer::Place{
-                static_cast<float>((1 - f) * segment.u[0] + f * segment.u[1]),
-                static_cast<float>((1 - f) * segment.v[0] + f * segment.v[1])};
-        });
-    }
-
     /// Every so many-th direction of the skies: what is seen of it serves all of them.
     void trace_skies(const Work& work, Workspace& workspace, Tally& tally) const {
         const Stream placing = stream_of(work, 0);
@@ -245,7 +244,7 @@ class LitSurfacesEstimator final : public Estimator {
                          .rotation = sampler_.number(placing, point, 3),
                          .shift_s = sampler_.number(placing, point, 4),
                          .shift_t = sampler_.number(placing, point, 5),
-                         .pixels = plan_.pixels()});
+                         .pixels = work.part.pixels});
             for (std::size_t k = 0; k < skies.size(); ++k) {
                 const Beam beam =
                     beam_of(*skies[k], from.direction, from.density, work, work.part.count);
@@ -270,9 +269,10 @@ class LitSurfacesEstimator final : public Estimator {
                 shining[item.id] = light.shining(item.triangle, item.cosine, amount);
             }
         }
-        const std::span<const std::uint32_t> ids = pixels.ids();
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            light.scatter(shining[ids[i]], [&](double) { return pixels.place(i); });
+        for (const ItemBuffer::Run& run : pixels.runs()) {
+            light.scatter(shining[run.id], run.count, [&](double f) {
+                return pixels.place(run.first + static_cast<std::uint32_t>(f * run.count));
+            });
         }
     }
 

@@ -1,9 +1,20 @@
 #include "quasimc/tracing/path.h"
 
+#include <algorithm>
+
 #include "quasimc/tracing/surface.h"
 
 namespace quasimc {
 namespace {
+
+/// What a surface would have scattered is cut off.
+void tally_cut_off(const Side& side, std::span<const double> weights, Tally& tally) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        const std::int64_t fixed = to_fixed(weights[b] * side.albedo()[b]);
+        tally.add(tally.layout().scattered_out() + b, fixed);
+        tally.add(tally.layout().cut_off() + b, fixed);
+    }
+}
 
 /// A light path under way: the physics of light tracing.
 ///
@@ -24,20 +35,32 @@ class Follower {
           tally_(tally) {}
 
     std::uint64_t follow(const CastHit& first_hit, FirstHit first) {
+        return go_on(first_hit, 0, first == FirstHit::to_score);
+    }
+
+    std::uint64_t follow_on(const Departure& from, std::span<const double> weights) {
+        std::copy(weights.begin(), weights.end(), weights_.begin());
+        direction_ = from.direction;
+        send_off();
+        return 1 + go_on(stage_.caster().cast(from.place, direction_, from.triangle), 1, true);
+    }
+
+  private:
+    /// Follows light that was scattered `depth` times to all its further hits.
+    std::uint64_t go_on(const CastHit& first_hit, std::uint32_t depth, bool to_score) {
         std::uint64_t rays = 0;
         CastHit next;
         const CastHit* at = &first_hit;
-        for (std::uint32_t depth = 0; at->end == RayEnd::hit; ++rays) {
+        for (; at->end == RayEnd::hit; ++rays) {
             const Surface surface = surface_at(stage_, at->hit, direction_);
             const Material& material = stage_.material(surface.element);
-            if (first == FirstHit::to_score) {
+            if (to_score) {
                 score(surface);
             }
-            const double enough = first == FirstHit::surely_scattered ? 0 : rules_.enough;
-            first = FirstHit::to_score;
+            to_score = true;
             if (!material.is_transparent()) {
                 ++depth;
-                if (!scatter(material.side(surface.upper), surface, depth, enough)) {
+                if (!scatter(material.side(surface.upper), surface, depth)) {
                     return rays;
                 }
             }
@@ -49,7 +72,6 @@ class Follower {
         return rays;
     }
 
-  private:
     /// Adds what falls on the surface.
     void score(const Surface& surface) {
         const TallyLayout& layout = tally_.layout();
@@ -76,7 +98,7 @@ class Follower {
     }
 
     /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
-    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth, double enough) {
+    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
         if (direct_) {
             for (std::size_t b = 0; b < weights_.size(); ++b) {
                 weights_[b] = path_.light->start_weights[b] * path_.weight;
@@ -87,17 +109,24 @@ class Follower {
             return false;
         }
         const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
-        const Draw draw{
-            rules_.sampler->number(rules_.stream, path_.point, dimension),
-            rules_.sampler->number(rules_.stream, path_.point, dimension + 1), enough};
         const bool only_delta = direct_ && rules_.filter == PathFilter::delta_first;
-        const auto scattered = only_delta
-                                   ? side.scatter_delta(surface.normal, direction_, draw, weights_)
-                                   : side.scatter(surface.normal, direction_, draw, weights_);
-        if (!scattered) {
+        if (only_delta && !side.has_delta()) {
             return false;
         }
-        direction_ = scattered->wo;
+        const Draw draw{
+            rules_.sampler->number(rules_.stream, path_.point, dimension), 0, rules_.enough};
+        const LobeTable::Choice choice = side.choose(draw, weights_);
+        if (choice.row == nullptr || (only_delta && !choice.row->delta)) {
+            return false;
+        }
+        const double u1 = rules_.sampler->number(rules_.stream, path_.point, dimension + 1);
+        direction_ = side.scatter_by(choice, surface.normal, direction_, u1, weights_).wo;
+        send_off();
+        return true;
+    }
+
+    /// Scattered light leaves a surface.
+    void send_off() {
         direct_ = false;
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             fixed_[b] = to_fixed(weights_[b]);
@@ -105,17 +134,12 @@ class Follower {
         if (rules_.filter == PathFilter::all) {
             tally_.add(tally_.layout().scattered_out(), fixed_);
         }
-        return true;
     }
 
-    /// Ends the path at the user's limit: what the surface would have scattered is cut off.
+    /// Ends the path at the user's limit.
     void cut_off(const Side& side) {
-        for (std::size_t b = 0; b < weights_.size(); ++b) {
-            weights_[b] *= side.albedo()[b];
-        }
         if (rules_.filter == PathFilter::all) {
-            add_weights(tally_.layout().scattered_out(), 1);
-            add_weights(tally_.layout().cut_off(), 1);
+            tally_cut_off(side, weights_, tally_);
         }
     }
 
@@ -163,6 +187,36 @@ std::uint64_t follow(
     Workspace& workspace,
     Tally& tally) {
     return Follower(rules, path, workspace, tally).follow(at, first);
+}
+
+std::optional<Vec3> depart(
+    const PathRules& rules,
+    const LightPath& path,
+    const Side& side,
+    const Vec3& normal,
+    const std::array<double, 2>& numbers,
+    std::span<double> weights,
+    Tally& tally) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        weights[b] = path.light->start_weights[b] * path.weight;
+    }
+    if (rules.max_depth == 1) {
+        tally_cut_off(side, weights, tally);
+        return std::nullopt;
+    }
+    const auto scattered =
+        side.scatter(normal, path.direction, {numbers[0], numbers[1], 0}, weights);
+    return scattered ? std::optional(scattered->wo) : std::nullopt;
+}
+
+std::uint64_t follow_on(
+    const PathRules& rules,
+    const LightPath& path,
+    const Departure& from,
+    std::span<const double> weights,
+    Workspace& workspace,
+    Tally& tally) {
+    return Follower(rules, path, workspace, tally).follow_on(from, weights);
 }
 
 }  // namespace quasimc

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "quasimc/samplers/sampler.h"
@@ -40,11 +42,7 @@ struct LightPath {
 };
 
 /// What of a path's first hit is still to be done.
-enum class FirstHit {
-    to_score,
-    scored,
-    surely_scattered,  ///< scored, and roulette was played before: the light goes on, weighted down
-};
+enum class FirstHit { to_score, scored };
 
 /// Scores `at`, the first hit of `path` or its escape, and all that follow. Returns the number of
 /// rays cast.
@@ -54,6 +52,30 @@ std::uint64_t follow(
     const LightPath& path,
     const CastHit& at,
     FirstHit first,
+    Workspace& workspace,
+    Tally& tally);
+
+/// Lets the light of `path` go on from its first hit, which was scored and for which roulette was
+/// played: it is sure to be scattered, and weighted down.
+/// @param normal  unit, of the side that is lit
+/// @param numbers  that decide how: the first two of path.point
+/// @param weights  the light that goes on, or with max_depth 1 is cut off, per band
+/// @return its direction; none if it goes nowhere
+[[nodiscard]] std::optional<Vec3> depart(
+    const PathRules& rules,
+    const LightPath& path,
+    const Side& side,
+    const Vec3& normal,
+    const std::array<double, 2>& numbers,
+    std::span<double> weights,
+    Tally& tally);
+
+/// Follows light that has departed, as follow() does.
+std::uint64_t follow_on(
+    const PathRules& rules,
+    const LightPath& path,
+    const Departure& from,
+    std::span<const double> weights,
     Workspace& workspace,
     Tally& tally);
 

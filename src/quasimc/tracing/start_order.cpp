@@ -15,6 +15,10 @@ std::uint32_t spread(std::uint32_t x) {
 
 }  // namespace
 
+std::uint32_t interleaved(std::uint32_t column, std::uint32_t row) {
+    return spread(column) | (spread(row) << 1U);
+}
+
 void order_starts(
     std::span<const std::uint32_t> groups, std::uint32_t group_count, Workspace& workspace) {
     const auto n = static_cast<std::uint32_t>(workspace.u0.size());
@@ -30,7 +34,7 @@ void order_starts(
         const auto column = static_cast<std::uint32_t>(workspace.u0[i] * side);
         const auto row = static_cast<std::uint32_t>(workspace.u1[i] * side);
         const std::uint32_t group = groups.empty() ? 0 : groups[i];
-        workspace.keys[i] = group * tiles + (spread(column) | (spread(row) << 1U));
+        workspace.keys[i] = group * tiles + interleaved(column, row);
         ++workspace.key_counts[workspace.keys[i] + 1];
     }
     for (std::size_t key = 1; key < workspace.key_counts.size(); ++key) {

@@ -7,6 +7,9 @@
 
 namespace quasimc {
 
+/// The place of a tile on a Morton curve (Morton 1966). @param column, row  less than 256
+[[nodiscard]] std::uint32_t interleaved(std::uint32_t column, std::uint32_t row);
+
 /// Sets workspace.order to the order in which to trace the starts (workspace.u0[i], u1[i]) so that
 /// neighbours in time are neighbours in space: by group, then along a Morton curve (Morton 1966).
 /// Stable and the same on every machine.

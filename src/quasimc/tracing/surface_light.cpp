@@ -1,8 +1,11 @@
 #include "quasimc/tracing/surface_light.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
+
+#include "quasimc/tracing/start_order.h"
 
 namespace quasimc {
 namespace {
@@ -17,30 +20,43 @@ double mean_albedo(const Side& side, const std::vector<double>& spectrum) {
     return kept / sum;
 }
 
-/// The hit of a ray that met a triangle there.
-Hit hit_at(const LocalMesh& mesh, const SurfaceStart& start) {
-    const Vec3 up = mesh.across(start.triangle);
-    return {
-        start.triangle,
-        0,
-        start.u,
-        start.v,
-        {static_cast<float>(up.x), static_cast<float>(up.y), static_cast<float>(up.z)}};
+/// How many bits of a triangle's tiles, in both directions, are sorted by.
+unsigned tile_bits(std::size_t starts, std::uint32_t triangles) {
+    // About one start a tile, and at most 16 tiles a side.
+    const auto bits =
+        std::min(4U, static_cast<unsigned>(std::bit_width(starts / triangles + 1) - 1) / 2);
+    return std::bit_width(triangles) + 2 * bits <= 32 ? bits : 0;
 }
 
-/// Sets workspace.order to that of the triangles, stable: digit by digit from the lowest (radix
-/// sort), which a few thousand starts on any number of triangles need but two or three of.
-void order_by_triangle(
+/// Sets workspace.keys to where starts lie: triangle, then tile of it.
+void find_keys(
+    const std::vector<SurfaceStart>& starts, unsigned bits, std::vector<std::uint32_t>& keys) {
+    const auto side = static_cast<float>(1U << bits);
+    keys.clear();
+    for (const SurfaceStart& start : starts) {
+        const auto column = static_cast<std::uint32_t>(std::clamp(start.u, 0.0F, .999F) * side);
+        const auto row = static_cast<std::uint32_t>(std::clamp(start.v, 0.0F, .999F) * side);
+        keys.push_back(start.triangle << (2 * bits) | interleaved(column, row));
+    }
+}
+
+/// Sets workspace.order to that of the triangles and of places on each, stable: digit by digit from
+/// the lowest (radix sort), which a few thousand starts on any number of triangles need but two or
+/// three of.
+void order_by_place(
     const std::vector<SurfaceStart>& starts, std::uint32_t triangles, Workspace& workspace) {
     constexpr unsigned kDigit = 11;
     constexpr std::uint32_t kMask = (1U << kDigit) - 1;
+    const unsigned bits = tile_bits(starts.size(), triangles);
+    find_keys(starts, bits, workspace.keys);
+    const std::uint64_t keys = std::uint64_t{triangles} << (2 * bits);
     std::vector<std::uint32_t>& order = workspace.order;
-    std::vector<std::uint32_t>& next = workspace.keys;
+    std::vector<std::uint32_t>& next = workspace.next_order;
     order.resize(starts.size());
     next.resize(starts.size());
     std::iota(order.begin(), order.end(), 0U);
-    for (unsigned shift = 0; shift < 32 && (triangles >> shift) > 0; shift += kDigit) {
-        const auto digit = [&](std::uint32_t i) { return (starts[i].triangle >> shift) & kMask; };
+    for (unsigned shift = 0; (keys >> shift) > 0; shift += kDigit) {
+        const auto digit = [&](std::uint32_t i) { return (workspace.keys[i] >> shift) & kMask; };
         workspace.key_counts.assign(std::size_t{kMask} + 2, 0);
         for (const std::uint32_t i : order) {
             ++workspace.key_counts[digit(i) + 1];
@@ -119,23 +135,85 @@ void SurfaceLight::end_beam() {
 
 void SurfaceLight::trace() {
     const std::vector<SurfaceStart>& starts = workspace_.starts;
-    order_by_triangle(starts, stage_.caster().mesh().triangle_count(), workspace_);
+    order_by_place(starts, stage_.caster().mesh().triangle_count(), workspace_);
     rules_.stream.count = std::bit_ceil(starts.size() + 1);
     // Part of a lattice must be spread over all of it, and its first coordinate, which grows with
     // the number, is left out: a surface would send all its light one way.
-    const bool spread = rules_.sampler->needs_power_of_two();
-    rules_.scatter_dimension = spread ? 1 : 0;
+    spread_ = rules_.sampler->needs_power_of_two();
+    rules_.scatter_dimension = spread_ ? 1 : 0;
+    // As many at a time as stay in the cache.
+    constexpr std::size_t kMostAtOnce = 512, kWeightsAtOnce = 8192;
+    const std::size_t at_once =
+        std::clamp<std::size_t>(kWeightsAtOnce / stage_.bands(), 1, kMostAtOnce);
     std::uint64_t rays = 0;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        const SurfaceStart& start = starts[workspace_.order[i]];
-        const SurfaceBeam& beam = workspace_.beams[start.beam];
-        const std::uint64_t place = spread ? i * rules_.stream.count / starts.size() : i;
-        const LightPath path{beam.light, rules_.stream.first + place, beam.direction, start.weight};
-        rays += follow(
-            rules_, path, {RayEnd::hit, hit_at(stage_.caster().mesh(), start)},
-            FirstHit::surely_scattered, workspace_, tally_);
+    for (std::size_t first = 0; first < starts.size(); first += at_once) {
+        depart_from(first, std::min(first + at_once, starts.size()));
+        for (std::size_t i = 0; i < workspace_.departures.size(); ++i) {
+            const Departure& from = workspace_.departures[i];
+            rays += follow_on(rules_, path_of(from.start), from, weights_of(i), workspace_, tally_);
+        }
     }
     tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
+}
+
+LightPath SurfaceLight::path_of(std::size_t i) const {
+    const std::size_t count = workspace_.starts.size();
+    const SurfaceStart& start = workspace_.starts[workspace_.order[i]];
+    const SurfaceBeam& beam = workspace_.beams[start.beam];
+    const std::uint64_t place = spread_ ? i * rules_.stream.count / count : i;
+    return {beam.light, rules_.stream.first + place, beam.direction, start.weight};
+}
+
+/// Light departs from some starts, one right after the other, before any of it is followed:
+/// arithmetic that does not wait for rays overlaps in the processor.
+void SurfaceLight::depart_from(std::size_t first, std::size_t end) {
+    const LocalMesh& mesh = stage_.caster().mesh();
+    std::vector<Departure>& departures = workspace_.departures;
+    departures.clear();
+    workspace_.departing.resize((end - first) * stage_.bands());
+    draw_numbers(first, end);
+    std::uint32_t triangle = kNoTriangle;
+    Vec3 up;
+    for (std::size_t i = first; i < end; ++i) {
+        const SurfaceStart& start = workspace_.starts[workspace_.order[i]];
+        if (start.triangle != triangle) {
+            triangle = start.triangle;
+            up = normalized(mesh.across(triangle));
+        }
+        const LightPath path = path_of(i);
+        const bool upper = dot(up, path.direction) < 0;
+        const Side& side = stage_.material(stage_.element(triangle)).side(upper);
+        const std::array<double, 2> numbers{workspace_.u0[i - first], workspace_.u1[i - first]};
+        const auto direction = depart(
+            rules_, path, side, upper ? up : -up, numbers, weights_of(departures.size()), tally_);
+        if (direction) {
+            departures.push_back({mesh.point(triangle, start.u, start.v), *direction, triangle, i});
+        }
+    }
+}
+
+/// Per band, of light that departs.
+std::span<double> SurfaceLight::weights_of(std::size_t departure) {
+    return std::span(workspace_.departing).subspan(departure * stage_.bands(), stage_.bands());
+}
+
+/// The numbers by which light departs.
+void SurfaceLight::draw_numbers(std::size_t first, std::size_t end) {
+    const std::size_t count = end - first;
+    workspace_.u0.resize(count);
+    workspace_.u1.resize(count);
+    const std::uint32_t dimension = rules_.scatter_dimension;
+    if (!spread_) {
+        const std::uint64_t point = rules_.stream.first + first;
+        rules_.sampler->numbers(rules_.stream, point, dimension, workspace_.u0);
+        rules_.sampler->numbers(rules_.stream, point, dimension + 1, workspace_.u1);
+        return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint64_t point = path_of(first + k).point;
+        workspace_.u0[k] = rules_.sampler->number(rules_.stream, point, dimension);
+        workspace_.u1[k] = rules_.sampler->number(rules_.stream, point, dimension + 1);
+    }
 }
 
 }  // namespace quasimc

@@ -46,17 +46,18 @@ class SurfaceLight {
     void fall(std::uint32_t triangle, double cosine, double amount);
     /// What such light starts.
     [[nodiscard]] ShiningPiece shining(std::uint32_t triangle, double cosine, double amount) const;
-    /// Places starts on a piece.
+    /// Places starts on a stretch of so many pieces.
     /// @param place  (f) of a number in [0, 1) that grows along the light: where it falls, u and v
     template <typename Place>
-    void scatter(const ShiningPiece& piece, const Place& place) {
+    void scatter(const ShiningPiece& piece, double count, const Place& place) {
+        const double scattered = piece.scattered * count;
         double at = *to_next_;
-        while (at < piece.scattered) {
-            const auto [u, v] = place(at / piece.scattered);
+        while (at < scattered) {
+            const auto [u, v] = place(at / scattered);
             add_start(piece.triangle, u, v, piece.weight);
             at += 1;
         }
-        *to_next_ = at - piece.scattered;
+        *to_next_ = at - scattered;
     }
     /// What has fallen on nothing, flies by.
     void end_beam();
@@ -66,6 +67,10 @@ class SurfaceLight {
     void trace();
 
   private:
+    [[nodiscard]] LightPath path_of(std::size_t i) const;
+    void depart_from(std::size_t first, std::size_t end);
+    [[nodiscard]] std::span<double> weights_of(std::size_t departure);
+    void draw_numbers(std::size_t first, std::size_t end);
     void add_start(std::uint32_t triangle, float u, float v, double weight);
 
     const ScatteredShares& shares_;
@@ -75,6 +80,7 @@ class SurfaceLight {
     Tally& tally_;
     const Light* light_ = nullptr;
     double* to_next_ = nullptr;
+    bool spread_ = false;                     // points over all of the set
     std::int64_t emitted_ = 0, stopped_ = 0;  // of the beam, fixed point
 };
 

@@ -15,13 +15,29 @@ double uniform(std::mt19937_64& random) {
     return std::uniform_real_distribution<double>()(random);
 }
 
+/// From depth to depth.
+LinePiece segment(double low, double high, double at_low, double at_high, std::uint32_t number) {
+    return {low, high, at_low, (at_high - at_low) / (high - low), number};
+}
+
+/// What is seen of segments in any order.
+std::vector<LinePiece> envelope_of(std::vector<LinePiece> segments) {
+    std::sort(segments.begin(), segments.end(), [](const LinePiece& a, const LinePiece& b) {
+        return a.low < b.low;
+    });
+    Envelope envelope;
+    std::vector<LinePiece> pieces;
+    envelope.find(segments, pieces);
+    return pieces;
+}
+
 /// Segments of random places, lengths and slopes, many of which cross.
 std::vector<LinePiece> random_segments(std::size_t n, std::mt19937_64& random) {
     std::vector<LinePiece> segments;
     for (std::uint32_t i = 0; i < n; ++i) {
         const double low = uniform(random);
         const double length = .01 + .5 * std::pow(uniform(random), 3);
-        segments.push_back({low, low + length, uniform(random), uniform(random), i});
+        segments.push_back(segment(low, low + length, uniform(random), uniform(random), i));
     }
     return segments;
 }
@@ -61,9 +77,7 @@ RC_GTEST_PROP(Envelope, IsWhatLookingAtEverySegmentFinds, ()) {
     std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
     const auto n = *rc::gen::inRange<std::size_t>(0, 80);
     const std::vector<LinePiece> segments = random_segments(n, random);
-    std::vector<LinePiece> scratch = segments;
-    Envelope envelope;
-    const std::vector<LinePiece>& pieces = envelope.of(scratch);
+    const std::vector<LinePiece> pieces = envelope_of(segments);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         RC_ASSERT(pieces[i - 1].high <= pieces[i].low);
     }
@@ -78,10 +92,8 @@ RC_GTEST_PROP(Envelope, IsWhatLookingAtEverySegmentFinds, ()) {
 
 RC_GTEST_PROP(Envelope, ShowsOfASensorWhatIsNearerThanAllElse, ()) {
     std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
-    std::vector<LinePiece> segments = random_segments(20, random);
-    std::vector<LinePiece> scratch(segments.begin() + 1, segments.end());
-    Envelope envelope;
-    const std::vector<LinePiece> pieces = envelope.of(scratch);
+    const std::vector<LinePiece> segments = random_segments(20, random);
+    const std::vector<LinePiece> pieces = envelope_of({segments.begin() + 1, segments.end()});
     std::vector<LinePiece> seen;
     Envelope::seen_before(segments[0], pieces, seen);
     constexpr int kLooks = 100;
@@ -94,15 +106,12 @@ RC_GTEST_PROP(Envelope, ShowsOfASensorWhatIsNearerThanAllElse, ()) {
 }
 
 TEST(Envelope, OfNothingIsNothing) {
-    Envelope envelope;
-    std::vector<LinePiece> none;
-    EXPECT_TRUE(envelope.of(none).empty());
+    EXPECT_TRUE(envelope_of({}).empty());
+    EXPECT_TRUE(envelope_of({{1, 1, 0, 0, 0}}).empty());
 }
 
 TEST(Envelope, CutsTwoSegmentsWhereTheyCross) {
-    std::vector<LinePiece> segments{{0, 4, 0, 4, 0}, {0, 4, 3, -1, 1}};
-    Envelope envelope;
-    const std::vector<LinePiece>& pieces = envelope.of(segments);
+    const auto pieces = envelope_of({segment(0, 4, 0, 4, 0), segment(0, 4, 3, -1, 1)});
     ASSERT_EQ(pieces.size(), 2U);
     EXPECT_EQ(pieces[0].segment, 0U);
     EXPECT_DOUBLE_EQ(pieces[0].high, 1.5);
@@ -110,10 +119,35 @@ TEST(Envelope, CutsTwoSegmentsWhereTheyCross) {
     EXPECT_DOUBLE_EQ(pieces[1].high, 4);
 }
 
+/// Many that lie on one another, but for rounding, as planes of the same leaf do.
+RC_GTEST_PROP(Envelope, ComesToAnEndWhereSegmentsAreTheSame, ()) {
+    std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
+    const double slope = 2 * uniform(random) - 1;
+    std::vector<LinePiece> segments;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+        const double low = std::round(4 * uniform(random)) / 4;
+        const double high = low + .1 + std::round(4 * uniform(random)) / 4;
+        const double noise = 1e-16 * (uniform(random) - .5);
+        segments.push_back(segment(low, high, low * slope + noise, high * slope, i));
+    }
+    const std::vector<LinePiece> pieces = envelope_of(segments);
+    double covered = 0;
+    for (const LinePiece& piece : pieces) {
+        covered += piece.length();
+    }
+    for (int look = 0; look < 100; ++look) {
+        const double x = 2.2 * uniform(random);
+        const bool over = std::any_of(segments.begin(), segments.end(), [x](const LinePiece& s) {
+            return x > s.low && x < s.high;
+        });
+        RC_ASSERT((seen_at(pieces, x) != 0xffffffff) == over);
+    }
+    RC_ASSERT(covered <= 2.2);
+}
+
 TEST(Envelope, OfTouchingSegmentsHasNoGap) {
-    std::vector<LinePiece> segments{{1, 2, 0, 1, 0}, {0, 1, 0, 0, 1}, {2, 3, 1, 1, 2}};
-    Envelope envelope;
-    const std::vector<LinePiece>& pieces = envelope.of(segments);
+    const auto pieces =
+        envelope_of({segment(1, 2, 0, 1, 0), segment(0, 1, 0, 0, 1), segment(2, 3, 1, 1, 2)});
     ASSERT_EQ(pieces.size(), 3U);
     EXPECT_EQ(pieces[0].high, pieces[1].low);
     EXPECT_EQ(pieces[1].high, pieces[2].low);

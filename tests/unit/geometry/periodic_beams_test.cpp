@@ -79,8 +79,13 @@ TEST_P(PeriodicBeams, LightAFloorWholly) {
             const ScanLines::Spec spec{direction, rotation, .4, 500};
             lines.set(repeated.scene, spec);
             double lit = 0;
-            for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
-                lines.visit(bin, [&](const LitSegment& s) { lit += s.length * lines.area(); });
+            for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
+                lines.begin(strip);
+                while (lines.next()) {
+                    for (const LinePiece& piece : lines.pieces()) {
+                        lit += piece.length() * lines.area();
+                    }
+                }
             }
             EXPECT_NEAR(lit, area, 2e-3 * area);
         }
@@ -105,11 +110,16 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
         ScanLines lines;
         const ScanLines::Spec spec{direction, .3, .7, 400};
         lines.set(repeated.scene, spec);
-        for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
-            lines.visit(bin, [&](const LitSegment& s) {
-                by_lines[s.triangle] += s.length * lines.area();
-                look(s.triangle, .5 * (s.u[0] + s.u[1]), .5 * (s.v[0] + s.v[1]), direction);
-            });
+        for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
+            lines.begin(strip);
+            while (lines.next()) {
+                for (const LinePiece& piece : lines.pieces()) {
+                    const std::uint32_t triangle = lines.items()[piece.segment].triangle;
+                    by_lines[triangle] += piece.length() * lines.area();
+                    const auto [u, v] = lines.place(piece, .5);
+                    look(triangle, u, v, direction);
+                }
+            }
         }
         ItemBuffer buffer;
         buffer.draw(repeated.scene, {direction, .8, .2, .7, 4e4});
@@ -118,10 +128,11 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
             by_pixels[item.triangle] += item.pixels * buffer.pixel_area();
             triangle_of[item.id] = item.triangle;
         }
-        for (std::size_t i = 0; i < buffer.ids().size(); i += 17) {
-            if (buffer.ids()[i] > 0) {
-                const auto [u, v] = buffer.place(i);
-                look(triangle_of.at(buffer.ids()[i]), u, v, direction);
+        for (std::size_t i = 0; i < buffer.runs().size(); i += 3) {
+            const ItemBuffer::Run& run = buffer.runs()[i];
+            if (run.id > 0) {
+                const auto [u, v] = buffer.place(run.first + run.count / 2);
+                look(triangle_of.at(run.id), u, v, direction);
             }
         }
         double whole = 0;

@@ -19,9 +19,13 @@ std::map<std::uint32_t, double> caught(
     ScanLines lines;
     lines.set({&mesh, {}, roles}, spec);
     std::map<std::uint32_t, double> areas;
-    for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
-        lines.visit(
-            bin, [&](const LitSegment& lit) { areas[lit.triangle] += lit.length * lines.area(); });
+    for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
+        lines.begin(strip);
+        while (lines.next()) {
+            for (const LinePiece& piece : lines.pieces()) {
+                areas[lines.items()[piece.segment].triangle] += piece.length() * lines.area();
+            }
+        }
     }
     return areas;
 }
@@ -94,21 +98,67 @@ TEST(ScanLines, AgreeWithRays) {
     std::uniform_real_distribution<double> uniform;
     int looks = 0;
     int agreed = 0;
-    for (std::uint32_t bin = 0; bin < ScanLines::bins(spec.lines); ++bin) {
-        lines.visit(bin, [&](const LitSegment& lit) {
-            const double f = uniform(random);
-            const Vec3 place = mesh.point(
-                lit.triangle, (1 - f) * lit.u[0] + f * lit.u[1], (1 - f) * lit.v[0] + f * lit.v[1]);
-            const Vec3 origin = place - 4 * direction;
-            const Ray ray{origin, direction};
+    lines.begin(0);
+    while (lines.next()) {
+        for (const LinePiece& piece : lines.pieces()) {
+            const auto [u, v] = lines.place(piece, uniform(random));
+            const std::uint32_t triangle = lines.items()[piece.segment].triangle;
+            const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
             ++looks;
-            agreed += engine->closest(ray).triangle == lit.triangle ? 1 : 0;
-            EXPECT_GT(lit.length, 0);
-        });
+            agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
+            EXPECT_GT(piece.length(), 0);
+        }
     }
     EXPECT_GT(looks, 400);
     // Rays in single precision may miss a leaf by its very edge.
     EXPECT_GE(agreed, looks - looks / 200);
+}
+
+/// Lines do not depend on those before them: a strip alone, or another scene before, changes
+/// nothing.
+TEST(ScanLines, ForgetWhatWasBefore) {
+    const LocalMesh many = make_local_mesh(test::random_leaves(300, .2, 1, 9));
+    const LocalMesh one = make_local_mesh({kLeaf});
+    const ScanLines::Spec spec{kDown, .3, .6, 3 * ScanLines::kStrip};
+    const auto lengths_of = [](ScanLines& lines, std::uint32_t strip) {
+        lines.begin(strip);
+        while (lines.next()) {
+        }
+        std::map<std::uint32_t, double> lengths;
+        for (const ScanLines::Item& item : lines.items()) {
+            lengths[item.triangle] = item.length;
+        }
+        return lengths;
+    };
+    ScanLines fresh;
+    fresh.set({&many, {}}, spec);
+    const auto last = lengths_of(fresh, 2);
+    EXPECT_GT(last.size(), 50U);
+    ScanLines used;
+    used.set({&one, {}}, spec);
+    lengths_of(used, 1);
+    used.set({&many, {}}, spec);
+    for (const std::uint32_t strip : {0U, 1U}) {
+        lengths_of(used, strip);
+    }
+    EXPECT_EQ(lengths_of(used, 2), last);
+}
+
+/// What the items sum up is what the pieces of the lines are long.
+TEST(ScanLines, SumUpTheirPieces) {
+    const LocalMesh mesh = make_local_mesh(test::random_leaves(100, .3, 1, 4));
+    ScanLines lines;
+    lines.set({&mesh, {}}, {kDown, .1, .2, 100});
+    lines.begin(0);
+    std::map<std::uint32_t, double> lengths;
+    while (lines.next()) {
+        for (const LinePiece& piece : lines.pieces()) {
+            lengths[piece.segment] += piece.length();
+        }
+    }
+    for (std::uint32_t i = 0; i < lines.items().size(); ++i) {
+        EXPECT_DOUBLE_EQ(lines.items()[i].length, lengths[i]);
+    }
 }
 
 TEST(ScanLines, ConvergeWithTheThirdPowerOfTheirNumber) {

@@ -235,19 +235,21 @@ TEST_P(SideOfManyBands, IsSoundAtEveryEdge) {
     }
 }
 
-TEST_P(SideOfManyBands, FollowsMirrorsAloneTheSameWay) {
+TEST_P(SideOfManyBands, ScattersTheSameInTwoSteps) {
     Random random(8);
     for (int i = 0; i < 2000; ++i) {
         const double u0 = random();
         const double u1 = random();
         std::vector<double> weights = before_;
-        std::vector<double> weights_alone = before_;
-        const auto any = side_.scatter(at_.n, at_.wi, {u0, u1}, weights);
-        const auto alone = side_.scatter_delta(at_.n, at_.wi, {u0, u1}, weights_alone);
-        ASSERT_EQ(any && any->delta, alone.has_value());
-        if (alone) {
-            EXPECT_EQ(any->wo, alone->wo);
-            EXPECT_EQ(weights, weights_alone);
+        std::vector<double> weights_in_steps = before_;
+        const auto at_once = side_.scatter(at_.n, at_.wi, {u0, u1}, weights);
+        const LobeTable::Choice choice = side_.choose({u0, 0}, weights_in_steps);
+        ASSERT_EQ(at_once.has_value(), choice.row != nullptr);
+        if (at_once) {
+            const auto in_steps = side_.scatter_by(choice, at_.n, at_.wi, u1, weights_in_steps);
+            EXPECT_EQ(at_once->wo, in_steps.wo);
+            EXPECT_EQ(at_once->delta, choice.row->delta);
+            EXPECT_EQ(weights, weights_in_steps);
         }
     }
 }
