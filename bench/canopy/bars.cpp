@@ -3,6 +3,7 @@
 // the canopy that the numbers in tracing/lit_plan.cpp were chosen on; the others were not looked
 // at.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -118,18 +119,23 @@ void print_merit(
 /// CPU time until the error of a leaf is 1 % of the mean irradiance, scattering included.
 void print_time(const char* name, const Case& one, double most_ms, const Effort& effort) {
     constexpr double kError = 0.01;
+    constexpr double kLeastStep = 1.03;
     for (const std::uint64_t seed : kSeeds) {
         const Scene scene =
             make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
         const Sources sources = make_light(one.light, 1);
-        std::uint64_t paths = 0;
-        Measured m;
-        for (unsigned step = 20; m.error > kError || paths == 0; ++step) {
-            // 1024, 1536, 2048, 3072 ...
-            paths = (step % 2 == 0 ? std::uint64_t{2} : std::uint64_t{3}) << (step / 2 - 1U);
-            m = measure(
-                scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort),
-                1 - one.albedo);
+        std::uint64_t paths = 1024;
+        const auto try_paths = [&] {
+            const RunSpec spec = make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort);
+            return measure(scene, sources, spec, 1 - one.albedo);
+        };
+        Measured m = try_paths();
+        while (m.error > kError) {
+            // Variance falls at least with the number of paths.
+            const double missing = std::pow(m.error / kError, 2);
+            paths = static_cast<std::uint64_t>(
+                static_cast<double>(paths) * std::clamp(missing, kLeastStep, 2.0));
+            m = try_paths();
         }
         std::printf(
             "  %-28s seed %lu: error %.2f %% in %7.1f ms, %lu paths (1 %% in %g ms: %s)\n", name,
@@ -142,7 +148,7 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
 
 void print_bars(const Effort& effort) {
     std::printf("\n== What tracing from lit surfaces is held to\n");
-    print_direct("direct sun, 500 leaves", {}, 1 << 17, 1e-7, 3, effort);
+    print_direct("direct sun, 500 leaves", {}, 5 << 15, 1e-7, 3, effort);
     print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 1 << 17, 1e-5, 20, effort);
     print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 20, 2e-6, 200, effort);
     const std::uint64_t paths = effort.paths;
