@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "quasimc/tracing/surface.h"
-
 namespace quasimc {
 namespace {
 
@@ -192,11 +190,11 @@ std::uint64_t follow(
 std::optional<Vec3> depart(
     const PathRules& rules,
     const LightPath& path,
-    const Side& side,
-    const Vec3& normal,
+    const Surface& surface,
     const std::array<double, 2>& numbers,
     std::span<double> weights,
     Tally& tally) {
+    const Side& side = rules.stage->material(surface.element).side(surface.upper);
     for (std::size_t b = 0; b < weights.size(); ++b) {
         weights[b] = path.light->start_weights[b] * path.weight;
     }
@@ -205,7 +203,7 @@ std::optional<Vec3> depart(
         return std::nullopt;
     }
     const auto scattered =
-        side.scatter(normal, path.direction, {numbers[0], numbers[1], 0}, weights);
+        side.scatter(surface.normal, path.direction, {numbers[0], numbers[1], 0}, weights);
     return scattered ? std::optional(scattered->wo) : std::nullopt;
 }
 

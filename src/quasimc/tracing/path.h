@@ -9,6 +9,7 @@
 #include "quasimc/tallies/tally.h"
 #include "quasimc/tracing/estimator.h"
 #include "quasimc/tracing/stage.h"
+#include "quasimc/tracing/surface.h"
 
 namespace quasimc {
 
@@ -57,15 +58,14 @@ std::uint64_t follow(
 
 /// Lets the light of `path` go on from its first hit, which was scored and for which roulette was
 /// played: it is sure to be scattered, and weighted down.
-/// @param normal  unit, of the side that is lit
+/// @param surface  where that is; its cosine does not matter
 /// @param numbers  that decide how: the first two of path.point
 /// @param weights  the light that goes on, or with max_depth 1 is cut off, per band
 /// @return its direction; none if it goes nowhere
 [[nodiscard]] std::optional<Vec3> depart(
     const PathRules& rules,
     const LightPath& path,
-    const Side& side,
-    const Vec3& normal,
+    const Surface& surface,
     const std::array<double, 2>& numbers,
     std::span<double> weights,
     Tally& tally);

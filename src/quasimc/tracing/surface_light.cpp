@@ -172,22 +172,24 @@ void SurfaceLight::depart_from(std::size_t first, std::size_t end) {
     departures.clear();
     workspace_.departing.resize((end - first) * stage_.bands());
     draw_numbers(first, end);
-    std::uint32_t triangle = kNoTriangle;
+    Surface at;
     Vec3 up;
     for (std::size_t i = first; i < end; ++i) {
         const SurfaceStart& start = workspace_.starts[workspace_.order[i]];
-        if (start.triangle != triangle) {
-            triangle = start.triangle;
-            up = normalized(mesh.across(triangle));
+        if (start.triangle != at.triangle) {
+            at.triangle = start.triangle;
+            at.element = stage_.element(start.triangle);
+            up = normalized(mesh.across(start.triangle));
         }
         const LightPath path = path_of(i);
-        const bool upper = dot(up, path.direction) < 0;
-        const Side& side = stage_.material(stage_.element(triangle)).side(upper);
+        at.upper = dot(up, path.direction) < 0;
+        at.normal = at.upper ? up : -up;
         const std::array<double, 2> numbers{workspace_.u0[i - first], workspace_.u1[i - first]};
-        const auto direction = depart(
-            rules_, path, side, upper ? up : -up, numbers, weights_of(departures.size()), tally_);
+        const auto direction =
+            depart(rules_, path, at, numbers, weights_of(departures.size()), tally_);
         if (direction) {
-            departures.push_back({mesh.point(triangle, start.u, start.v), *direction, triangle, i});
+            departures.push_back(
+                {mesh.point(at.triangle, start.u, start.v), *direction, at.triangle, i});
         }
     }
 }
