@@ -1,7 +1,6 @@
 #include "quasimc/geometry/scan_lines.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -117,46 +116,51 @@ SeenTriangle ScanLines::seen(const Image& image) const {
 }
 
 ScanLines::Slice ScanLines::slice_of(const SeenTriangle& seen) {
-    std::array<int, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return seen.y[a] < seen.y[b]; });
+    int low = 0;
+    int middle = 1;
+    int high = 2;
+    const auto order = [&](int& a, int& b) {
+        if (seen.y[b] < seen.y[a]) {
+            std::swap(a, b);
+        }
+    };
+    order(low, middle);
+    order(middle, high);
+    order(low, middle);
     const auto edge = [&](int from, int to) {
         const double height = seen.y[to] - seen.y[from];
         return Edge{
             seen.x[from], seen.y[from], seen.z[from], (seen.x[to] - seen.x[from]) / height,
             (seen.z[to] - seen.z[from]) / height};
     };
-    const auto [low, middle, high] = order;
     const Edge whole = edge(low, high);
     const double opposite = whole.s + (seen.y[middle] - whole.t) * whole.s_by_t;
     return {whole, edge(low, middle), edge(middle, high), seen.y[high], seen.x[middle] > opposite};
 }
 
+/// Triangles are read in the order in which they stand in memory, and sorted then.
 void ScanLines::begin(std::uint32_t strip) {
+    items_.clear();
+    seen_.clear();
+    slices_.clear();
     order_.clear();
     for (std::uint32_t i = first_in_strip_[strip]; i < first_in_strip_[strip + 1]; ++i) {
-        const Image& image = images_[in_strip_[i]];
-        const double lowest = scene_.extent(image.triangle, plane_->t).first + image.offset_t;
-        order_.emplace_back(lowest, in_strip_[i]);
-    }
-    std::sort(order_.begin(), order_.end());
-    items_.clear();
-    slices_.clear();
-    seen_.clear();
-    for (const auto& [lowest, image] : order_) {
         // What is seen at less than this cosine, or has no area, is seen edge-on: corners are told
         // apart in single precision.
         constexpr double kEdgeOn = 0x1p-24;
-        const std::uint32_t triangle = images_[image].triangle;
-        const double cosine = scene_.cosine(triangle, spec_.direction);
+        const Image& image = images_[in_strip_[i]];
+        const double cosine = scene_.cosine(image.triangle, spec_.direction);
         if (std::abs(cosine) > kEdgeOn) {
-            items_.push_back({triangle, cosine, 0});
-            seen_.push_back(seen(images_[image]));
+            items_.push_back({image.triangle, cosine, 0});
+            seen_.push_back(seen(image));
             slices_.push_back(slice_of(seen_.back()));
+            order_.emplace_back(slices_.back().whole.t, static_cast<std::uint32_t>(order_.size()));
         }
     }
+    std::sort(order_.begin(), order_.end());
     opaque_.clear();
     sensors_.clear();
-    next_item_ = 0;
+    next_in_order_ = 0;
     next_line_ = strip * kStrip;
     end_line_ = std::min(next_line_ + kStrip, spec_.lines);
 }
@@ -197,10 +201,12 @@ void ScanLines::cut_again(std::vector<LinePiece>& cuts) const {
 void ScanLines::add_new_cuts() {
     new_opaque_.clear();
     new_sensors_.clear();
-    for (; next_item_ < slices_.size() && slices_[next_item_].whole.t < line_; ++next_item_) {
-        if (slices_[next_item_].top >= line_) {
-            const bool sensor = scene_.role(items_[next_item_].triangle) == SeenAs::sensor;
-            (sensor ? new_sensors_ : new_opaque_).push_back(cut(next_item_));
+    for (; next_in_order_ < order_.size() && order_[next_in_order_].first < line_;
+         ++next_in_order_) {
+        const std::uint32_t item = order_[next_in_order_].second;
+        if (slices_[item].top >= line_) {
+            const bool sensor = scene_.role(items_[item].triangle) == SeenAs::sensor;
+            (sensor ? new_sensors_ : new_opaque_).push_back(cut(item));
         }
     }
     const auto merge_in = [&](std::vector<LinePiece>& added, std::vector<LinePiece>& cuts) {

@@ -100,12 +100,13 @@ class ScanLines {
     std::vector<std::uint32_t> first_in_strip_;  // of strip i: in_strip_[first[i]] to first[i + 1]
     std::vector<std::uint32_t> in_strip_;        // images
 
-    // The strip at hand; items in the order in which lines meet them.
-    std::vector<std::pair<double, std::uint32_t>> order_;  // scratch: lowest place, image
+    // The strip at hand.
     std::vector<Item> items_;
     std::vector<SeenTriangle> seen_;
     std::vector<Slice> slices_;
-    std::uint32_t next_line_ = 0, end_line_ = 0, next_item_ = 0;
+    std::vector<std::pair<double, std::uint32_t>> order_;  // in which lines meet items: place, item
+    std::size_t next_in_order_ = 0;
+    std::uint32_t next_line_ = 0, end_line_ = 0;
 
     // The line at hand.
     double line_ = 0;

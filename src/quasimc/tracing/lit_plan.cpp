@@ -38,9 +38,10 @@ const Looks& looks_for(const Stage& stage) {
 constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
 
 /// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
-/// there are more of them each may be seen less well: the root is between. Of very many paths
-/// directions become less of the error than pixels are, and each gets more.
-constexpr double kPixelsPerRootOfTriangles = 640;
+/// there are more of them each may be seen less well, but not worse than by two pixels: the root is
+/// between. Of very many paths directions become less of the error than pixels are, and each gets
+/// more.
+constexpr double kPixelsPerRootOfTriangles = 640, kFewestPerTriangle = 2;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
 /// Of a periodic scene none of them is empty.
@@ -111,9 +112,9 @@ double LitPlan::pixels_for(double paths) const {
     const double triangles = stage_.caster().mesh().triangle_count();
     const double share = stage_.scene().cell().periodic() ? kShareOfLayer : 1;
     const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
-    return std::clamp(
-        share * growth * kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPixels,
-        kMostPixels);
+    const double pixels =
+        std::max(kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPerTriangle * triangles);
+    return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
 }
 
 }  // namespace quasimc
