@@ -2,6 +2,7 @@
 // to rounding, in every run.
 
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -38,11 +39,14 @@ void expect_consistent(const Scene& scene, const Result& result) {
     }
 }
 
-TEST(Energy, ClosesForEverySampler) {
+/// The ways of tracing that follow light.
+class FollowedEnergy : public ::testing::TestWithParam<TraceFrom> {};
+
+TEST_P(FollowedEnergy, ClosesForEverySampler) {
     const Scene scene = make_plot({});
     for (const SamplerEntry& sampler : sampler_catalogue()) {
         SCOPED_TRACE(sampler.name);
-        RunSpec spec = spec_of(TraceFrom::sources, 1 << 9);
+        RunSpec spec = spec_of(GetParam(), 1 << 9);
         spec.sampler = sampler.name;
         const Result result = run(scene, plot_sources({}), spec);
         expect_closed(result);
@@ -52,15 +56,15 @@ TEST(Energy, ClosesForEverySampler) {
     }
 }
 
-TEST(Energy, ClosesForEverySourceAlone) {
+TEST_P(FollowedEnergy, ClosesForEverySourceAlone) {
     const Scene scene = make_plot({});
     for (const auto& source : plot_sources({})) {
         SCOPED_TRACE(source->name());
-        expect_closed(run(scene, {source}, spec_of(TraceFrom::sources, 1 << 9)));
+        expect_closed(run(scene, {source}, spec_of(GetParam(), 1 << 9)));
     }
 }
 
-TEST(Energy, ClosesInPeriodicCells) {
+TEST_P(FollowedEnergy, ClosesInPeriodicCells) {
     for (const auto& [x, y] : {std::pair{true, false}, {false, true}, {true, true}}) {
         SceneBuilder builder = make_builder(kPlotBands);
         for (const MaterialSpec& material : plot_materials({0, 1, 2})) {
@@ -71,15 +75,15 @@ TEST(Energy, ClosesInPeriodicCells) {
         }
         builder.set_cell({.along_x = x, .along_y = y, .size_x = .7, .size_y = .9});
         expect_closed(
-            run(std::move(builder).build(), plot_sources({}), spec_of(TraceFrom::sources, 1 << 9)));
+            run(std::move(builder).build(), plot_sources({}), spec_of(GetParam(), 1 << 9)));
     }
 }
 
-TEST(Energy, CutOffIsReportedAndCloses) {
+TEST_P(FollowedEnergy, CutOffIsReportedAndCloses) {
     const Scene scene = make_plot({});
     double before = INFINITY;
     for (const std::uint32_t depth : {1U, 2U, 4U}) {
-        RunSpec spec = spec_of(TraceFrom::sources, 1 << 9);
+        RunSpec spec = spec_of(GetParam(), 1 << 9);
         spec.max_depth = depth;
         const Result result = run(scene, plot_sources({}), spec);
         expect_closed(result);
@@ -88,6 +92,14 @@ TEST(Energy, CutOffIsReportedAndCloses) {
         before = result.budget[0].cut_off.mean;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryWay,
+    FollowedEnergy,
+    ::testing::Values(TraceFrom::sources, TraceFrom::lit_surfaces),
+    [](const auto& way) {
+        return std::string(way.param == TraceFrom::sources ? "Sources" : "LitSurfaces");
+    });
 
 TEST(Energy, RouletteGivesAsMuchAsItTakes) {
     const Scene scene = make_plot({});

@@ -13,6 +13,30 @@ bool begins_before(const LinePiece& a, const LinePiece& b) {
     return a.low < b.low;
 }
 
+/// The least and the largest x of the part of a triangle where y lies from `low` to `high`; none if
+/// there is none.
+std::optional<std::pair<double, double>> extent_within(
+    const double (&x)[3], const double (&y)[3], double low, double high) {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -least;
+    const auto add = [&](double at) {
+        least = std::min(least, at);
+        largest = std::max(largest, at);
+    };
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if (y[i] >= low && y[i] <= high) {
+            add(x[i]);
+        }
+        for (const double end : {low, high}) {
+            if ((y[i] < end) != (y[j] < end)) {
+                add(x[i] + (x[j] - x[i]) * ((end - y[i]) / (y[j] - y[i])));
+            }
+        }
+    }
+    return least <= largest ? std::optional(std::pair{least, largest}) : std::nullopt;
+}
+
 /// Sorts what is nearly sorted.
 void sort_again(std::vector<LinePiece>& pieces) {
     for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -47,37 +71,64 @@ void ScanLines::set(const BeamScene& scene, const Spec& spec) {
 /// the strips that they may touch.
 void ScanLines::find_images() {
     images_.clear();
-    const double low = plane_->low_t;
-    const std::uint32_t last_strip = strips(spec_.lines) - 1;
-    const double per_length = pitch_ > 0 ? 1 / (pitch_ * kStrip) : 0;
-    // Lines stand at most one pitch from where they would be without shift.
-    const auto strip_of = [&](double t) {
-        const double strip = std::floor((t - low - pitch_ * spec_.shift) * per_length);
-        return static_cast<std::uint32_t>(std::clamp(strip, 0.0, static_cast<double>(last_strip)));
-    };
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
         if (scene_.role(i) == SeenAs::left_out) {
             continue;
         }
         const auto [from, to] = scene_.extent(i, plane_->t);
-        const Periods across = periods_of(from - low, to - low, plane_->size_t, plane_->repeats_t);
-        Periods along;
-        if (plane_->repeats_s) {
-            const auto [left, right] = scene_.extent(i, plane_->s);
-            along = periods_of(left - plane_->low_s, right - plane_->low_s, plane_->size_s, true);
-        }
+        const Periods across =
+            periods_of(from - plane_->low_t, to - plane_->low_t, plane_->size_t, plane_->repeats_t);
         for (std::int32_t k = across.first; k <= across.last; ++k) {
             const double offset = -k * plane_->size_t;
-            if (!may_be_cut(from + offset, to + offset)) {
-                continue;
-            }
-            const std::uint32_t first = strip_of(from + offset);
-            const std::uint32_t last = strip_of(to + offset);
-            for (std::int32_t j = along.first; j <= along.last; ++j) {
-                images_.push_back({i, -j * plane_->size_s, offset, first, last});
+            if (plane_->repeats_s) {
+                add_images_along({.triangle = i, .offset_t = offset});
+            } else {
+                add_image({.triangle = i, .offset_t = offset}, from + offset, to + offset);
             }
         }
     }
+}
+
+/// Adds the images along s of one that is known across the lines. Where light comes in low, a
+/// triangle is seen long and slanted: of the periods that it reaches into most lie beside it.
+void ScanLines::add_images_along(Image image) {
+    constexpr double kRounding = 1e-9;
+    const double margin_s = kRounding * plane_->size_s;
+    const double margin_t = kRounding * plane_->size_t;
+    const SeenTriangle at = seen(image);
+    const auto in_t = extent_within(
+        at.x, at.y, plane_->low_t - margin_t, plane_->low_t + plane_->size_t + margin_t);
+    if (!in_t) {
+        return;
+    }
+    const Periods along = periods_of(
+        in_t->first - margin_s - plane_->low_s, in_t->second + margin_s - plane_->low_s,
+        plane_->size_s, true);
+    for (std::int32_t j = along.first; j <= along.last; ++j) {
+        image.offset_s = -j * plane_->size_s;
+        const double begin = plane_->low_s - image.offset_s;
+        const auto in_s =
+            extent_within(at.y, at.x, begin - margin_s, begin + plane_->size_s + margin_s);
+        if (in_s) {
+            add_image(image, in_s->first - margin_t, in_s->second + margin_t);
+        }
+    }
+}
+
+/// Adds an image that is seen from place to place across the lines.
+void ScanLines::add_image(Image image, double from, double to) {
+    if (!may_be_cut(from, to)) {
+        return;
+    }
+    // Lines stand at most one pitch from where they would be without shift.
+    const double last = strips(spec_.lines) - 1;
+    const auto strip_of = [&](double t) {
+        const double strip = (t - line_at(0)) / (pitch_ * kStrip);
+        return static_cast<std::uint32_t>(std::clamp(std::floor(strip), 0.0, last));
+    };
+    image.first_strip = strip_of(from);
+    image.last_strip = strip_of(to);
+    images_.push_back(image);
 }
 
 double ScanLines::line_at(double number) const {

@@ -85,6 +85,8 @@ class ScanLines {
     [[nodiscard]] double line_at(double number) const;
     [[nodiscard]] bool may_be_cut(double from, double to) const;
     void find_images();
+    void add_images_along(Image image);
+    void add_image(Image image, double from, double to);
     void sort_into_strips();
     [[nodiscard]] SeenTriangle seen(const Image& image) const;
     [[nodiscard]] static Slice slice_of(const SeenTriangle& seen);

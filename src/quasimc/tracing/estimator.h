@@ -69,7 +69,7 @@ struct alignas(2 * kCacheLine) Workspace {
     ScanLines lines;
     std::optional<std::array<std::uint64_t, 3>> lines_of;  // their part, replicate and round
     ItemBuffer pixels;
-    std::vector<ShiningPiece> shining;  // by what the pixels show
+    std::vector<ShiningPiece> shining;  // by item of the lines or pixels
     std::vector<SurfaceBeam> beams;
     std::vector<SurfaceStart> starts;
     std::vector<Departure> departures;  // of some of the starts

@@ -38,8 +38,8 @@ const Looks& looks_for(const Stage& stage) {
 constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
 
 /// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
-/// there are more of them each may be seen less well, but not worse than by two pixels: the root is
-/// between. Of very many paths directions become less of the error than pixels are, and each gets
+/// there are more of them each may be seen less well: the root is between, until there are two for
+/// each. Of very many paths directions become less of the error than pixels are, and each gets
 /// more.
 constexpr double kPixelsPerRootOfTriangles = 640, kFewestPerTriangle = 2;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;

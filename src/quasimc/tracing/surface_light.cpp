@@ -1,5 +1,6 @@
 #include "quasimc/tracing/surface_light.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>

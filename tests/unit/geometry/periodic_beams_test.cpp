@@ -1,8 +1,10 @@
 // Scan lines and item buffers of scenes that repeat themselves.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -90,6 +92,42 @@ TEST_P(PeriodicBeams, LightAFloorWholly) {
             EXPECT_NEAR(lit, area, 2e-3 * area);
         }
     }
+}
+
+/// Light that comes in very low sees upright leaves over many periods, and most of these only from
+/// the side.
+TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
+    const Repeated repeated(test::random_leaves(30, .8, 1, 6), GetParam());
+    const double low = std::sin(1 * std::numbers::pi / 180);
+    const Vec3 direction = normalized(Vec3{.8, .6, -low});
+    std::map<std::uint32_t, double> by_lines;
+    ScanLines lines;
+    const ScanLines::Spec spec{direction, .3, .7, 2000};
+    lines.set(repeated.scene, spec);
+    std::size_t most_items = 0;
+    double by_all_lines = 0;
+    for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
+        lines.begin(strip);
+        while (lines.next()) {
+        }
+        most_items = std::max(most_items, lines.items().size());
+        for (const ScanLines::Item& item : lines.items()) {
+            by_lines[item.triangle] += item.length * lines.area();
+            by_all_lines += item.length * lines.area();
+        }
+    }
+    ItemBuffer buffer;
+    buffer.draw(repeated.scene, {direction, .8, .2, .7, 1e6});
+    double apart = 0;
+    for (const ItemBuffer::Item& item : buffer.items()) {
+        by_lines[item.triangle] -= item.pixels * buffer.pixel_area();
+    }
+    for (const auto& [triangle, difference] : by_lines) {
+        apart += std::abs(difference);
+    }
+    EXPECT_LT(apart, .02 * by_all_lines);
+    // A leaf is seen over some fifty periods, and not in all squares of as many on a side.
+    EXPECT_LT(most_items, 30U * 200U);
 }
 
 /// Every place that is lit sees the sky between the images of the leaves, and both ways of looking
