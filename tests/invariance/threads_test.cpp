@@ -131,6 +131,17 @@ TEST_P(Threads, DoNotChangeABitWhenTheyShareOneTally) {
     expect_the_same_bits(make_plot({}), plot_sources({}), spec);
 }
 
+/// So many that fewer paths depart at once.
+TEST_P(Threads, DoNotChangeABitOfManyBands) {
+    PlotSpec plot;
+    for (std::size_t band = 0; band < 40; ++band) {
+        plot.bands.push_back(band % kPlotBands);
+    }
+    RunSpec spec;
+    spec.paths = 1U << 13U;
+    expect_the_same_bits(make_plot(plot), plot_sources(plot), spec);
+}
+
 TEST_P(Threads, DoNotChangeABitOfARunThatStopsAtATarget) {
     RunSpec spec;
     spec.paths = 1U << 12U;
