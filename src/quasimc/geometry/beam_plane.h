@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -26,6 +27,23 @@ struct Barycentric {
 struct SeenTriangle {
     double x[3], y[3], z[3];
 
+    /// Its corners, the lowest in y first.
+    [[nodiscard]] std::array<int, 3> upwards() const {
+        int low = 0;
+        int middle = 1;
+        int high = 2;
+        // Without branches, which no processor could predict.
+        const auto order = [this](int& i, int& j) {
+            const bool swap = y[j] < y[i];
+            const int smaller = swap ? j : i;
+            j = swap ? i : j;
+            i = smaller;
+        };
+        order(low, middle);
+        order(middle, high);
+        order(low, middle);
+        return {low, middle, high};
+    }
     /// What of it is seen at a place. Its picture must have an area.
     [[nodiscard]] Barycentric place(double at_x, double at_y) const;
 };

@@ -58,19 +58,10 @@ QUASIMC_MULTIVERSION void draw_span(
 /// triangles which share one cut it at the same places.
 class SidesByRow {
   public:
-    SidesByRow(const double (&x)[3], const double (&y)[3]) {
-        int low = 0;
-        int middle = 1;
-        int high = 2;
-        const auto order = [&](int& i, int& j) {
-            const bool swap = y[j] < y[i];
-            const int smaller = swap ? j : i;
-            j = swap ? i : j;
-            i = smaller;
-        };
-        order(low, middle);
-        order(middle, high);
-        order(low, middle);
+    explicit SidesByRow(const SeenTriangle& seen) {
+        const auto [low, middle, high] = seen.upwards();
+        const auto& x = seen.x;
+        const auto& y = seen.y;
         low_x_ = x[low];
         low_y_ = y[low];
         middle_x_ = x[middle];
@@ -203,7 +194,7 @@ void ItemBuffer::rasterize(const SeenTriangle& c, const Span& span) const {
     const double per_area = 1 / twice_area;
     const double z_by_x = ((c.z[1] - c.z[0]) * by - (c.z[2] - c.z[0]) * ay) * per_area;
     const double z_by_y = ((c.z[2] - c.z[0]) * ax - (c.z[1] - c.z[0]) * bx) * per_area;
-    const SidesByRow sides(c.x, c.y);
+    const SidesByRow sides(c);
     for (; row < end; ++row) {
         const auto [left, right] = sides.at(row);
         const std::int32_t first = within(left, columns_);
@@ -242,7 +233,6 @@ void ItemBuffer::find_runs() {
         *end = i + 1;
         end += ids_[i] != ids_[i + 1] ? 1 : 0;
     }
-    runs_.clear();
     std::uint32_t first = 0;
     for (const std::uint32_t* next = ends_.data(); next != end; ++next) {
         runs_.push_back({first, *next - first, static_cast<std::uint32_t>(ids_[first])});

@@ -167,17 +167,7 @@ SeenTriangle ScanLines::seen(const Image& image) const {
 }
 
 ScanLines::Slice ScanLines::slice_of(const SeenTriangle& seen) {
-    int low = 0;
-    int middle = 1;
-    int high = 2;
-    const auto order = [&](int& a, int& b) {
-        if (seen.y[b] < seen.y[a]) {
-            std::swap(a, b);
-        }
-    };
-    order(low, middle);
-    order(middle, high);
-    order(low, middle);
+    const auto [low, middle, high] = seen.upwards();
     const auto edge = [&](int from, int to) {
         const double height = seen.y[to] - seen.y[from];
         return Edge{

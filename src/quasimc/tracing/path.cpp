@@ -5,6 +5,13 @@
 namespace quasimc {
 namespace {
 
+/// The light of a path as it leaves the source.
+void set_start_weights(const LightPath& path, std::span<double> weights) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        weights[b] = path.light->start_weights[b] * path.weight;
+    }
+}
+
 /// What a surface would have scattered is cut off.
 void tally_cut_off(const Side& side, std::span<const double> weights, Tally& tally) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
@@ -98,9 +105,7 @@ class Follower {
     /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
     bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
         if (direct_) {
-            for (std::size_t b = 0; b < weights_.size(); ++b) {
-                weights_[b] = path_.light->start_weights[b] * path_.weight;
-            }
+            set_start_weights(path_, weights_);
         }
         if (depth == rules_.max_depth) {
             cut_off(side);
@@ -152,9 +157,7 @@ class Follower {
         } else if (end == RayEnd::escaped) {
             tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
         } else {
-            for (std::size_t b = 0; b < weights_.size(); ++b) {
-                weights_[b] = path_.light->start_weights[b] * path_.weight;
-            }
+            set_start_weights(path_, weights_);
             add_weights(layout.cut_off(), 1);
         }
     }
@@ -195,9 +198,7 @@ std::optional<Vec3> depart(
     std::span<double> weights,
     Tally& tally) {
     const Side& side = rules.stage->material(surface.element).side(surface.upper);
-    for (std::size_t b = 0; b < weights.size(); ++b) {
-        weights[b] = path.light->start_weights[b] * path.weight;
-    }
+    set_start_weights(path, weights);
     if (rules.max_depth == 1) {
         tally_cut_off(side, weights, tally);
         return std::nullopt;
