@@ -12,7 +12,7 @@ install(
     NAMESPACE quasimc::
     DESTINATION "${quasimc_package_dir}")
 install(
-    DIRECTORY "${PROJECT_SOURCE_DIR}/src/quasimc" "${PROJECT_BINARY_DIR}/generated/quasimc"
+    DIRECTORY "${PROJECT_SOURCE_DIR}/src/" "${PROJECT_BINARY_DIR}/generated/quasimc"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     FILES_MATCHING
     PATTERN "*.h")

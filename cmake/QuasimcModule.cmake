@@ -16,11 +16,11 @@ set(QUASIMC_THIRD_PARTY_png PNG::PNG)
 
 # Sets QUASIMC_LAYER_<module> for every module of the table, and QUASIMC_MODULES in order.
 set(QUASIMC_MODULES "")
-file(STRINGS "${PROJECT_SOURCE_DIR}/src/quasimc/layers.txt" quasimc_rows REGEX "^[0-9]")
+file(STRINGS "${PROJECT_SOURCE_DIR}/src/layers.txt" quasimc_rows REGEX "^[0-9]")
 set_property(
     DIRECTORY
     APPEND
-    PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/quasimc/layers.txt")
+    PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/layers.txt")
 foreach(row IN LISTS quasimc_rows)
     separate_arguments(names UNIX_COMMAND "${row}")
     list(POP_FRONT names layer)
@@ -57,7 +57,7 @@ endfunction()
 function(quasimc_module)
     cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;PUBLIC;PRIVATE;DEFINITIONS")
     if(NOT DEFINED QUASIMC_LAYER_${arg_NAME})
-        message(FATAL_ERROR "Module ${arg_NAME} has no row in src/quasimc/layers.txt.")
+        message(FATAL_ERROR "Module ${arg_NAME} has no row in src/layers.txt.")
     endif()
     quasimc_resolve(${arg_NAME} public ${arg_PUBLIC})
     quasimc_resolve(${arg_NAME} private ${arg_PRIVATE})
@@ -78,7 +78,8 @@ function(quasimc_module)
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${arg_NAME})
     target_compile_features(${target} ${scope} cxx_std_20)
     target_include_directories(
-        ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+        ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
         $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     set_property(GLOBAL APPEND PROPERTY QUASIMC_LIBRARIES ${target})

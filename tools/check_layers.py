@@ -17,9 +17,9 @@ FENCES = {
     "openssl/": ["src/quasimc/io/", "tests/"],
     "CLI/": ["apps/", "bench/"],
     "pybind11/": ["python/"],
-    "embree3/": ["src/quasimc/geometry/embree.cpp", "bench/"],
-    "embree4/": ["src/quasimc/geometry/embree.cpp", "bench/"],
-    "tbb/": ["src/quasimc/geometry/embree.cpp"],
+    "embree3/": ["src/geometry/cast/embree.cpp", "bench/"],
+    "embree4/": ["src/geometry/cast/embree.cpp", "bench/"],
+    "tbb/": ["src/geometry/cast/embree.cpp"],
 }
 
 # Headers so slow to compile that they stay out of ours.
@@ -29,7 +29,7 @@ SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/")
 ENGINE_LAYERS = range(0, 4)
 ENGINE_HEADERS = {"iostream", "fstream", "filesystem", "cstdio", "stdio.h", "unistd.h"}
 ENGINE_CALLS = re.compile(r"\b(std::(cout|cerr|clog|exit|quick_exit|abort)\b|printf\s*\(|fopen\s*\()")
-ENGINE_EXCEPTIONS = {"src/quasimc/base/checks.h"}  # EXPECT and ENSURE end the program
+ENGINE_EXCEPTIONS = {"src/base/checks.h"}  # EXPECT and ENSURE end the program
 
 FILE_LINES_HINT = 300
 

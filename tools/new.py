@@ -21,13 +21,13 @@ class Family:
 
 
 FAMILIES = {
-    "sampler": Family("samplers", "monte_carlo", "add its row to src/quasimc/samplers/catalogue.cpp"),
+    "sampler": Family("samplers", "monte_carlo", "add its row to src/samplers/catalogue.cpp"),
     "source": Family("sources", "uniform_sky", "add its row to src/quasimc/sources/catalogue.cpp"),
-    "bsdf": Family("optics", "phong", "add its row to src/quasimc/optics/catalogue.cpp"),
+    "bsdf": Family("optics", "phong", "add its row to src/optics/catalogue.cpp"),
     "format": Family(
         "io",
         "read_tri",
-        "add its row to src/quasimc/io/formats.cpp, its inputs to tests/fuzz/corpus/, "
+        "add its row to src/io/meshes/formats.cpp, its inputs to tests/fuzz/corpus/, "
         "its page to docs/formats/",
     ),
 }

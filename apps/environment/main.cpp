@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/base/version.h"
-#include "quasimc/coupling/environment.h"
+#include "base/version.h"
+#include "coupling/environment.h"
 
 namespace {
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     } catch (const quasimc::UsageError& error) {
         std::fprintf(stderr, "QuasiMC: %s\n%s", error.what(), quasimc::usage_text().c_str());
         return kUsage;
-    } catch (const quasimc::MasterGone& error) {
+    } catch (const quasimc::PeerDisconnected& error) {
         tell(error.what());
         return kInputError;
     } catch (const quasimc::InputError& error) {

@@ -17,7 +17,7 @@ struct CheckArguments {
 
 std::string times_of(const quasimc::TimeSeries& series) {
     if (series.collapse == quasimc::Collapse::none) {
-        return fmt::format("{} times of {} days\n", series.moments.size(), series.days.size());
+        return fmt::format("{} times of {} days\n", series.time_steps.size(), series.days.size());
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -26,7 +26,7 @@ std::string times_of(const quasimc::TimeSeries& series) {
         suns += notes.suns;
     }
     return fmt::format(
-        "{} times collapsed into {} traces of {} suns in all\n", times, series.moments.size(),
+        "{} times collapsed into {} traces of {} suns in all\n", times, series.time_steps.size(),
         suns);
 }
 

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.h"
+#include "io/atomic_file.h"
+#include "io/meshes/formats.h"
 #include "option_flags.h"
-#include "quasimc/io/atomic_file.h"
-#include "quasimc/io/formats.h"
 #include "quasimc/quasimc.h"
 
 namespace {

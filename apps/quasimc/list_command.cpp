@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
-#include "quasimc/io/formats.h"
+#include "io/meshes/formats.h"
 #include "quasimc/quasimc.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "quasimc/io/options.h"
+#include "io/runfile/options.h"
 
 void OptionFlags::add_to(CLI::App& command) {
     for (const quasimc::Option& option : quasimc::option_table()) {

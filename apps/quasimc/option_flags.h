@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/io/run_file.h"
+#include "io/runfile/run_file.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;

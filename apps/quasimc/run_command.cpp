@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "io/atomic_file.h"
+#include "io/results/audit_words.h"
 #include "option_flags.h"
 #include "progress.h"
-#include "quasimc/io/atomic_file.h"
-#include "quasimc/io/audit_words.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -133,12 +133,13 @@ Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, 
     }
     quasimc::SeriesEvents events;
     events.on_progress = progress_line();
-    events.on_moment = [&](std::size_t moment, const quasimc::Result& result, std::size_t traced) {
+    events.on_time_step = [&](std::size_t time_step, const quasimc::Result& result,
+                              std::size_t traced) {
         if (has_csv) {
-            quasimc::write_series_csv_moment(file, moment, result, outputs.csv);
+            quasimc::write_series_csv_moment(file, time_step, result, outputs.csv);
         }
         if (json) {
-            json->add_moment(moment, result, traced);
+            json->add_moment(time_step, result, traced);
         }
     };
     events.on_day = [&](std::size_t day, const quasimc::SeriesSum& sum) {
@@ -150,7 +151,7 @@ Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, 
         }
     };
     const quasimc::SeriesSummary summary =
-        quasimc::run_series(file.scene, file.series->moments, file.spec, events);
+        quasimc::run_series(file.scene, file.series->time_steps, file.spec, events);
     end_progress_line();
     const std::string digest = json ? json->finish(summary) : "";
     outputs.commit();

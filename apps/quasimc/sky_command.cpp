@@ -8,17 +8,17 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "commands.h"
-#include "quasimc/base/text.h"
-#include "quasimc/io/atomic_file.h"
-#include "quasimc/io/civil_time_text.h"
-#include "quasimc/io/numbers.h"
+#include "io/atomic_file.h"
+#include "io/numbers.h"
+#include "io/runfile/civil_time_text.h"
 #include "quasimc/quasimc.h"
-#include "quasimc/sources/clear_sky.h"
-#include "quasimc/sources/daylight.h"
-#include "quasimc/sources/sky.h"
-#include "quasimc/sources/sun_position.h"
-#include "quasimc/view/sky_plot.h"
+#include "sources/clear_sky.h"
+#include "sources/daylight.h"
+#include "sources/sky.h"
+#include "sources/sun_position.h"
+#include "view/sky_plot.h"
 
 namespace {
 

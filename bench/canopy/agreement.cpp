@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/tallies/statistics.h"
-#include "quasimc/tracing/audit.h"
+#include "run/audit.h"
 #include "stands.h"
+#include "sums/statistics.h"
 #include "ways.h"
 
 namespace quasimc::bench {
@@ -34,7 +34,7 @@ bool is_known(const Estimate& e) {
 
 Result trace(const Scene& scene, const Way& way, std::uint64_t paths) {
     RunSpec spec;
-    spec.trace_from = way.from;
+    spec.method = way.from;
     spec.sampler = way.sampler;
     spec.paths = paths;
     spec.replicates = kReplicates;
@@ -107,18 +107,18 @@ void print_stand(StandKind kind, const Effort& effort) {
         const Audit audit = compare_results(scene, other, plain);
         double total = 0;
         double total_error = 0;
-        double chi = 0;
+        double reduced_chi_square = 0;
         for (std::size_t b = 0; b < plain.bands; ++b) {
             const BandAudit& band = audit.bands[b];
             total = std::max(total, std::abs(band.difference) / band.standard_error);
             total_error = std::max(
                 total_error, limit * band.standard_error / plain.budget[b].absorbed_by_organs.mean);
-            chi = std::max(chi, band.chi);
+            reduced_chi_square = std::max(reduced_chi_square, band.reduced_chi_square);
         }
         std::printf(
             "  %-16s %11zu %11.2f se %5.2f se %8.2f %% %6.2f %11.2f se %9.4f %%  %s\n", way.name,
             organs.differences.size(), largest, limit, 100 * limit * nine_in_ten(organs.errors),
-            chi, total, 100 * total_error,
+            reduced_chi_square, total, 100 * total_error,
             largest <= limit && total <= limit ? "agrees" : "DISAGREES");
         std::fflush(stdout);
     }

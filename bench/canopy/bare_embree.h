@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "quasimc/geometry/intersector.h"
+#include "geometry/cast/intersector.h"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

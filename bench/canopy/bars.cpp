@@ -1,7 +1,7 @@
 // The marks that tracing from lit surfaces is held to: variance of the irradiance of leaves (both
 // sides, per one-sided area, mean over leaves) and CPU time of one replicate, one thread. Seed 1 is
-// the canopy that the numbers in tracing/lit_plan.cpp were chosen on; the others were not looked
-// at.
+// the canopy that the numbers in solvers/sampling_budget.cpp were chosen on; the others were not
+// looked at.
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/sources/sky.h"
 #include "scenes.h"
+#include "sources/sky.h"
 
 namespace quasimc::bench {
 namespace {
@@ -55,9 +55,9 @@ Measured measure(
         std::sqrt(variance) / mean};
 }
 
-RunSpec make_spec(TraceFrom from, std::string sampler, std::uint64_t paths, const Effort& effort) {
+RunSpec make_spec(Method from, std::string sampler, std::uint64_t paths, const Effort& effort) {
     RunSpec spec;
-    spec.trace_from = from;
+    spec.method = from;
     spec.sampler = std::move(sampler);
     spec.paths = paths;
     spec.replicates = effort.replicates;
@@ -83,7 +83,7 @@ void print_direct(
                                     ? make_light(Light::sun, 1)
                                     : Sources{make_sky("overcast", cie_overcast_shape(), {1})};
         const Measured m =
-            measure(scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort), 1);
+            measure(scene, sources, make_spec(Method::first_hits, "sobol", paths, effort), 1);
         std::printf(
             "  %-28s seed %lu: variance %.2e in %6.2f ms (at most %.0e in %g ms: %s)\n", name, seed,
             m.variance, 1e3 * m.seconds, most_variance, most_ms,
@@ -105,10 +105,9 @@ void print_merit(
         const Sources sources = make_light(one.light, 1);
         const double absorptance = 1 - one.albedo;
         const Measured lit = measure(
-            scene, sources, make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort),
-            absorptance);
+            scene, sources, make_spec(Method::first_hits, "sobol", paths, effort), absorptance);
         const Measured plain = measure(
-            scene, sources, make_spec(TraceFrom::sources, sampler, paths, effort), absorptance);
+            scene, sources, make_spec(Method::light_tracing, sampler, paths, effort), absorptance);
         const double ratio = lit.merit() / plain.merit();
         std::printf(
             "  %-28s seed %lu: %6.1f times %s from sources at %lu paths (at least %g: %s)\n", name,
@@ -126,7 +125,7 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
         const Sources sources = make_light(one.light, 1);
         std::uint64_t paths = 1024;
         const auto try_paths = [&] {
-            const RunSpec spec = make_spec(TraceFrom::lit_surfaces, "sobol", paths, effort);
+            const RunSpec spec = make_spec(Method::first_hits, "sobol", paths, effort);
             return measure(scene, sources, spec, 1 - one.albedo);
         };
         Measured m = try_paths();

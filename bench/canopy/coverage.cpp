@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/tallies/statistics.h"
 #include "scenes.h"
+#include "sums/statistics.h"
 #include "ways.h"
 
 namespace quasimc::bench {
@@ -19,7 +19,7 @@ constexpr std::uint64_t kPaths = 4096;
 RunSpec spec_of(const Way& way, std::uint64_t seed) {
     RunSpec spec;
     spec.sampler = way.sampler;
-    spec.trace_from = way.from;
+    spec.method = way.from;
     spec.paths = kPaths;
     spec.replicates = 8;
     spec.seed = seed;

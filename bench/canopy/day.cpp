@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/sources/hour_light.h"
-#include "quasimc/sources/period_light.h"
-#include "quasimc/tracing/series.h"
+#include "run/series.h"
 #include "scenes.h"
+#include "sources/hour_light.h"
+#include "sources/period_light.h"
 
 namespace quasimc::bench {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kHour = 3600;
 
 /// 21 June at 52 degrees north, 5 to 20 h, without clouds: the sun every 5 minutes, and a sky.
 struct ClearDay {
-    std::vector<Moment> hours;
+    std::vector<TimeStep> hours;
     std::vector<HourParts> parts;
 };
 
@@ -37,7 +37,7 @@ ClearDay make_day() {
 }
 
 /// All hours as one moment.
-Moment collapsed(const ClearDay& day) {
+TimeStep collapsed(const ClearDay& day) {
     PeriodLight light(1);
     for (const HourParts& hour : day.parts) {
         for (const HourParts::Sun& sun : hour.suns) {
@@ -56,9 +56,9 @@ struct Cost {
     double seconds = 0, error = 0;
 };
 
-Cost cost_of(const Scene& scene, const std::vector<Moment>& moments, const RunSpec& spec) {
+Cost cost_of(const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     const double start = thread_seconds();
-    const SeriesSum sum = run_series(scene, moments, spec).total;
+    const SeriesSum sum = run_series(scene, time_steps, spec).total;
     Cost cost{thread_seconds() - start, 0};
     std::vector<double> errors;
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
@@ -77,21 +77,21 @@ void print_row(const std::string& what, const Cost& cost, const Cost& hour) {
         100 * cost.error);
 }
 
-void print_canopy(std::uint32_t leaves, TraceFrom from, const Effort& effort) {
+void print_canopy(std::uint32_t leaves, Method from, const Effort& effort) {
     const Scene scene = make_canopy({leaves, {0.2}, 1});
     RunSpec spec;
-    spec.trace_from = from;
+    spec.method = from;
     spec.paths = effort.paths;
     spec.replicates = effort.replicates;
     spec.threads = 1;
     RunSpec thorough = spec;
     thorough.paths *= 16;
     const ClearDay day = make_day();
-    const std::vector<Moment> one_hour{day.hours[kHours / 2]};
+    const std::vector<TimeStep> one_hour{day.hours[kHours / 2]};
     const Cost hour = cost_of(scene, one_hour, spec);
     std::printf(
         "%u leaves, from %s, %llu paths x %u\n", leaves,
-        from == TraceFrom::sources ? "sources" : "lit surfaces",
+        from == Method::light_tracing ? "sources" : "lit surfaces",
         static_cast<unsigned long long>(spec.paths), spec.replicates);
     print_row("one hour (12 to 13 h)", hour, hour);
     print_row("15 hours", cost_of(scene, day.hours, spec), hour);
@@ -106,9 +106,9 @@ void print_day(const Effort& effort) {
         "\n== A clear day in June: the sun every 5 minutes and a sky; one thread, from scratch\n"
         "%-34s %9s %9s %9s\n",
         "", "CPU s", "hours", "error %");
-    print_canopy(500, TraceFrom::sources, effort);
-    print_canopy(10000, TraceFrom::sources, effort);
-    print_canopy(10000, TraceFrom::lit_surfaces, effort);
+    print_canopy(500, Method::light_tracing, effort);
+    print_canopy(10000, Method::light_tracing, effort);
+    print_canopy(10000, Method::first_hits, effort);
 }
 
 }  // namespace quasimc::bench

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "parts.h"
-#include "quasimc/samplers/catalogue.h"
+#include "samplers/catalogue.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -21,15 +21,15 @@ Measured measure(const Scene& scene, const Sources& sources, const RunSpec& spec
     return {mean_variance(result), result.trace_cpu_seconds / spec.replicates};
 }
 
-const char* name_of(TraceFrom from) {
+const char* name_of(Method from) {
     switch (from) {
-        case TraceFrom::sources:
+        case Method::light_tracing:
             return "sources";
-        case TraceFrom::organs:
+        case Method::from_organs:
             return "organs";
-        case TraceFrom::lit_surfaces:
+        case Method::first_hits:
             break;
-        case TraceFrom::automatic:
+        case Method::automatic:
             return "auto";
     }
     return "lit";
@@ -43,11 +43,11 @@ void print_case(const Canopy& canopy, Light light, const std::string& title, con
         "  %-12s %-9s %11s %10s %12s %8s\n", "sampler", "from", "variance", "CPU ms", "1/(var s)",
         "x MC");
     double reference = 0;
-    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
+    for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
         for (const SamplerEntry& sampler : sampler_catalogue()) {
             RunSpec spec;
             spec.sampler = sampler.name;
-            spec.trace_from = from;
+            spec.method = from;
             spec.paths = effort.paths;
             spec.replicates = effort.replicates;
             spec.threads = 1;

@@ -4,10 +4,10 @@
 
 #include "bare_embree.h"
 #include "parts.h"
-#include "quasimc/samplers/catalogue.h"
-#include "quasimc/tracing/estimator.h"
-#include "quasimc/tracing/stage.h"
+#include "samplers/catalogue.h"
 #include "scenes.h"
+#include "solvers/estimator.h"
+#include "transport/prepared_scene.h"
 
 namespace quasimc::bench {
 namespace {
@@ -35,7 +35,7 @@ class Recorder final : public Intersector {
 };
 
 /// Traces all blocks of a round and returns the seconds it took.
-double trace_all(const Stage& stage, const Sampler& sampler, const RunSpec& spec) {
+double trace_all(const PreparedScene& stage, const Sampler& sampler, const RunSpec& spec) {
     const auto estimator = make_estimator(stage, sampler, spec);
     const Round round{0, spec.paths};
     Workspace workspace(stage.bands());
@@ -55,7 +55,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
     const auto sampler = make_sampler(spec.sampler);
     RayLog log;
     {
-        const Stage recording(
+        const PreparedScene recording(
             scene, sources, spec.window,
             std::make_shared<RayCaster>(
                 scene.triangles(), scene.cell(), [&](const LocalMesh& mesh) {
@@ -63,7 +63,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
                 }));
         static_cast<void>(trace_all(recording, *sampler, spec));
     }
-    const Stage stage(
+    const PreparedScene stage(
         scene, sources, spec.window,
         std::make_shared<RayCaster>(scene.triangles(), scene.cell(), spec.engine));
     const BareEmbree bare(stage.caster().mesh());

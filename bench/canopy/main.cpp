@@ -13,9 +13,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/parallel.h"
+#include "base/version.h"
 #include "parts.h"
-#include "quasimc/base/parallel.h"
-#include "quasimc/base/version.h"
 
 int main(int argc, char** argv) {
     using namespace quasimc::bench;

@@ -1,7 +1,7 @@
 // Whether trace_from = "auto" chooses well: every way of tracing on scenes of many kinds, by the
 // variance of the light on the organs that are measured.
 
-#include "quasimc/tracing/planner.h"
+#include "solvers/planner.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/scene/scene_builder.h"
-#include "quasimc/sources/lamp.h"
+#include "scene/scene_builder.h"
 #include "scenes.h"
+#include "sources/lamp.h"
 
 namespace quasimc::bench {
 namespace {
 
-constexpr std::array kWays{TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces};
+constexpr std::array kWays{Method::light_tracing, Method::from_organs, Method::first_hits};
 
 struct Case {
     std::string name;
@@ -57,19 +57,19 @@ double variance_of_measured(const Scene& scene, const Result& result) {
 void print_case(const Case& one, const Effort& effort) {
     const Scene scene = make_canopy(one.canopy);
     RunSpec spec;
-    spec.trace_from = TraceFrom::automatic;
-    const Method method = plan_method(scene, one.sources, spec);
+    spec.method = Method::automatic;
+    const ChosenMethod choice = plan_method(scene, one.sources, spec);
     std::array<double, kWays.size()> merit{};
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
-        spec.trace_from = kWays[i];
+        spec.method = kWays[i];
         spec.paths = effort.paths;
         spec.replicates = effort.replicates;
         spec.threads = 1;
         const Result result = run(scene, one.sources, spec);
         merit[i] = spec.replicates /
                    (variance_of_measured(scene, result) * std::max(result.trace_cpu_seconds, 1e-9));
-        chosen = method.trace_from == kWays[i] ? i : chosen;
+        chosen = choice.method == kWays[i] ? i : chosen;
     }
     const double best = *std::max_element(merit.begin(), merit.end());
     std::printf("  %-38s %7.1f", one.name.c_str(), gain_of_equal_shares(scene));

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "quasimc/scene/scene_builder.h"
+#include "scene/scene_builder.h"
 
 namespace quasimc::bench {
 namespace {

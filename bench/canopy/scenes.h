@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "quasimc/scene/scene.h"
-#include "quasimc/tracing/run.h"
+#include "run/run.h"
+#include "scene/scene.h"
 
 namespace quasimc::bench {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "quasimc/geometry/shapes.h"
-#include "quasimc/scene/scene_builder.h"
+#include "geometry/shapes/shapes.h"
+#include "scene/scene_builder.h"
 
 namespace quasimc::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "quasimc/scene/scene.h"
-#include "quasimc/tracing/run.h"
+#include "run/run.h"
+#include "scene/scene.h"
 
 namespace quasimc::bench {
 

@@ -2,24 +2,24 @@
 
 #include <array>
 
-#include "quasimc/tracing/run_spec.h"
+#include "solvers/run_spec.h"
 
 namespace quasimc::bench {
 
 /// A way of tracing with a point set.
 struct Way {
-    TraceFrom from;
+    Method from;
     const char* sampler;
     const char* name;
 };
 
 /// The plainest first.
 inline constexpr std::array kWays{
-    Way{TraceFrom::sources, "monte_carlo", "sources monte_carlo"},
-    Way{TraceFrom::sources, "korobov", "sources korobov"},
-    Way{TraceFrom::sources, "sobol", "sources sobol"},
-    Way{TraceFrom::organs, "sobol", "organs sobol"},
-    Way{TraceFrom::lit_surfaces, "sobol", "lit sobol"},
-    Way{TraceFrom::lit_surfaces, "korobov", "lit korobov"}};
+    Way{Method::light_tracing, "monte_carlo", "sources monte_carlo"},
+    Way{Method::light_tracing, "korobov", "sources korobov"},
+    Way{Method::light_tracing, "sobol", "sources sobol"},
+    Way{Method::from_organs, "sobol", "organs sobol"},
+    Way{Method::first_hits, "sobol", "lit sobol"},
+    Way{Method::first_hits, "korobov", "lit korobov"}};
 
 }  // namespace quasimc::bench

@@ -11,8 +11,8 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "quasimc/coupling/plant_light.h"
-#include "quasimc/coupling/session.h"
+#include "coupling/plant_light.h"
+#include "coupling/session.h"
 
 namespace {
 

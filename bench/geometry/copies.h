@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "quasimc/geometry/local_mesh.h"
+#include "geometry/mesh/local_mesh.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

@@ -1,10 +1,10 @@
 // Rays per second of the engine itself: closest hit, packets of parallel rays, any hit.
 
-#include "quasimc/geometry/intersector.h"
+#include "geometry/cast/intersector.h"
 
 #include <benchmark/benchmark.h>
 
-#include "quasimc/geometry/ray_caster.h"
+#include "geometry/cast/ray_caster.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

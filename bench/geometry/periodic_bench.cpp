@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "copies.h"
-#include "quasimc/geometry/ray_caster.h"
+#include "geometry/cast/ray_caster.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "quasimc/geometry/intersector.h"
-#include "quasimc/geometry/triangle.h"
+#include "geometry/cast/intersector.h"
+#include "geometry/mesh/triangle.h"
 
 namespace quasimc::bench {
 

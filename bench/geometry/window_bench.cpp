@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "quasimc/geometry/aperture.h"
+#include "geometry/raster/scene_projection.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -11,10 +11,10 @@ namespace {
 
 const Vec3 beam = normalized(Vec3{0.3, 0.2, -1});
 
-void places(benchmark::State& state, const Cell& cell, WindowShape shape) {
+void places(benchmark::State& state, const Cell& cell, CrossSectionShape shape) {
     const LocalMesh mesh = make_local_mesh(random_leaves(10000, 2.5));
-    const Aperture aperture(mesh, cell, shape);
-    const auto window = aperture.window(beam);
+    const SceneProjection projection(mesh, cell, shape);
+    const auto window = projection.window(beam);
     double u0 = 0.5, u1 = 0.5;
     for (auto _ : state) {
         u0 += 0.7548776662466927;
@@ -29,15 +29,15 @@ void places(benchmark::State& state, const Cell& cell, WindowShape shape) {
 void make_silhouette(benchmark::State& state) {
     const auto triangles = random_leaves(static_cast<std::size_t>(state.range(0)), 2.5);
     const LocalMesh mesh = make_local_mesh(triangles);
-    const Aperture aperture(mesh, Cell{}, WindowShape::silhouette);
+    const SceneProjection projection(mesh, Cell{}, CrossSectionShape::silhouette);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(aperture.window(beam));
+        benchmark::DoNotOptimize(projection.window(beam));
     }
 }
 
-BENCHMARK_CAPTURE(places, silhouette, Cell{}, WindowShape::silhouette);
-BENCHMARK_CAPTURE(places, sphere, Cell{}, WindowShape::sphere);
-BENCHMARK_CAPTURE(places, layer, Cell{true, true}, WindowShape::silhouette);
+BENCHMARK_CAPTURE(places, silhouette, Cell{}, CrossSectionShape::silhouette);
+BENCHMARK_CAPTURE(places, sphere, Cell{}, CrossSectionShape::sphere);
+BENCHMARK_CAPTURE(places, layer, Cell{true, true}, CrossSectionShape::silhouette);
 BENCHMARK(make_silhouette)->Arg(500)->Arg(10000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "quasimc/optics/catalogue.h"
-#include "quasimc/optics/directions.h"
-#include "quasimc/optics/material.h"
+#include "optics/catalogue.h"
+#include "optics/directions.h"
+#include "optics/material.h"
 
 namespace quasimc {
 namespace {

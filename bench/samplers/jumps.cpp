@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/samplers/catalogue.h"
-#include "quasimc/samplers/monte_carlo.h"
+#include "samplers/catalogue.h"
+#include "samplers/monte_carlo.h"
 
 namespace quasimc {
 namespace {
@@ -102,7 +102,7 @@ Gains gains(const Sampler& sampler, const Coordinates& coordinates, std::uint64_
     for (std::uint32_t replicate = 0; replicate < kReplicates; ++replicate) {
         const Stream stream{.seed = 3, .replicate = replicate, .count = n};
         for (std::size_t k = 0; k < coordinates.size(); ++k)
-            sampler.numbers(stream, 0, coordinates[k], x[k]);
+            sampler.coordinates(stream, 0, coordinates[k], x[k]);
         for (std::size_t i = 0; i < jumps.size(); ++i) {
             double sum = 0;
             for (std::uint64_t point = 0; point < n; ++point)

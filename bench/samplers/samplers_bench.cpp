@@ -9,7 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "quasimc/samplers/catalogue.h"
+#include "samplers/catalogue.h"
 
 namespace quasimc {
 namespace {
@@ -30,7 +30,7 @@ void random_access(benchmark::State& state, const Sampler& sampler) {
     for (auto _ : state) {
         double sum = 0;
         for (std::uint32_t dimension = 0; dimension < kPathDimensions; ++dimension)
-            sum += sampler.number(kStream, point, dimension);
+            sum += sampler.coordinate(kStream, point, dimension);
         benchmark::DoNotOptimize(sum);
         point = (point + 0x9e3779b1U) % kCount;
     }
@@ -42,7 +42,7 @@ void one_after_another(benchmark::State& state, const Sampler& sampler) {
     for (auto _ : state)
         for (std::uint32_t dimension = 0; dimension < kPathDimensions; ++dimension)
             point = static_cast<std::uint64_t>(
-                sampler.number(kStream, point, dimension) * static_cast<double>(kCount));
+                sampler.coordinate(kStream, point, dimension) * static_cast<double>(kCount));
     benchmark::DoNotOptimize(point);
     count_numbers(state, kPathDimensions);
 }
@@ -51,7 +51,7 @@ void consecutive(benchmark::State& state, const Sampler& sampler) {
     std::array<double, 4096> block;
     std::uint64_t point = 0;
     for (auto _ : state) {
-        sampler.numbers(kStream, point, 5, block);
+        sampler.coordinates(kStream, point, 5, block);
         benchmark::DoNotOptimize(block.data());
         benchmark::ClobberMemory();
         point = (point + block.size()) % kCount;

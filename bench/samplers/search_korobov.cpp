@@ -1,4 +1,4 @@
-// Searches the multipliers of src/quasimc/samplers/korobov_table.h and prints its rows.
+// Searches the multipliers of src/samplers/korobov_table.h and prints its rows.
 //
 //     quasimc_samplers_search_korobov [first m] [last m]
 //
@@ -21,9 +21,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "quasimc/samplers/hash.h"
-#include "quasimc/samplers/korobov_table.h"
-#include "quasimc/samplers/lattice_merit.h"
+#include "samplers/hash.h"
+#include "samplers/korobov_table.h"
+#include "samplers/lattice_merit.h"
 
 namespace quasimc {
 namespace {

@@ -1,5 +1,5 @@
 #include "fuzzing.h"
-#include "quasimc/io/read_ies.h"
+#include "io/weather/read_ies.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     quasimc::Reporter reporter{"file", {}, {}};

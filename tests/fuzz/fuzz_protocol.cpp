@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "quasimc/coupling/organ_shapes.h"
-#include "quasimc/coupling/session.h"
-#include "quasimc/coupling/trailing_values.h"
+#include "coupling/organ_shapes.h"
+#include "coupling/session.h"
+#include "coupling/trailing_values.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "quasimc/coupling/lighting.h"
-#include "quasimc/coupling/surface_file.h"
+#include "coupling/lighting.h"
+#include "coupling/surface_file.h"
 
 namespace {
 

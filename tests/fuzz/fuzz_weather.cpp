@@ -1,5 +1,5 @@
 #include "fuzzing.h"
-#include "quasimc/io/weather.h"
+#include "io/weather/weather.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(data, data + size);

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "quasimc/base/input_error.h"
-#include "quasimc/io/formats.h"
-#include "quasimc/io/input_files.h"
+#include "base/input_error.h"
+#include "io/input_files.h"
+#include "io/meshes/formats.h"
 
 namespace quasimc::fuzz {
 

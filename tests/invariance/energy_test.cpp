@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "invariance/plot.h"
-#include "quasimc/samplers/catalogue.h"
+#include "samplers/catalogue.h"
 
 namespace quasimc::test {
 namespace {
@@ -40,7 +40,7 @@ void expect_consistent(const Scene& scene, const Result& result) {
 }
 
 /// The ways of tracing that follow light.
-class FollowedEnergy : public ::testing::TestWithParam<TraceFrom> {};
+class FollowedEnergy : public ::testing::TestWithParam<Method> {};
 
 TEST_P(FollowedEnergy, ClosesForEverySampler) {
     const Scene scene = make_plot({});
@@ -96,14 +96,14 @@ TEST_P(FollowedEnergy, CutOffIsReportedAndCloses) {
 INSTANTIATE_TEST_SUITE_P(
     EveryWay,
     FollowedEnergy,
-    ::testing::Values(TraceFrom::sources, TraceFrom::lit_surfaces),
+    ::testing::Values(Method::light_tracing, Method::first_hits),
     [](const auto& way) {
-        return std::string(way.param == TraceFrom::sources ? "Sources" : "LitSurfaces");
+        return std::string(way.param == Method::light_tracing ? "Sources" : "LitSurfaces");
     });
 
 TEST(Energy, RouletteGivesAsMuchAsItTakes) {
     const Scene scene = make_plot({});
-    const Result result = run(scene, plot_sources({}), spec_of(TraceFrom::sources, 1 << 12));
+    const Result result = run(scene, plot_sources({}), spec_of(Method::light_tracing, 1 << 12));
     for (const BandBudget& budget : result.budget) {
         EXPECT_GT(budget.roulette.standard_error, 0);
         EXPECT_TRUE(agrees(
@@ -115,8 +115,8 @@ TEST(Energy, RouletteGivesAsMuchAsItTakes) {
 /// Seen from the organs, the light emitted is known, and what escaped is what is left.
 TEST(Energy, EscapedIsTheRemainderSeenFromTheOrgans) {
     const Scene scene = make_plot({});
-    const Result forward = run(scene, plot_sources({}), spec_of(TraceFrom::sources, 1 << 11));
-    const Result backward = run(scene, plot_sources({}), spec_of(TraceFrom::organs, 1 << 12));
+    const Result forward = run(scene, plot_sources({}), spec_of(Method::light_tracing, 1 << 11));
+    const Result backward = run(scene, plot_sources({}), spec_of(Method::from_organs, 1 << 12));
     EXPECT_TRUE(backward.escaped_is_remainder);
     expect_closed(backward);
     expect_consistent(scene, backward);

@@ -106,7 +106,7 @@ double absorbed(const Result& result, std::size_t organ) {
 TEST(Organs, SplittingOneAddsUpToTheLastDigit) {
     const Sources sources{sun(30, {1}), sky({1})};
     for (const bool of_one_material : {true, false}) {
-        const RunSpec spec = spec_of(TraceFrom::sources, 1 << 12);
+        const RunSpec spec = spec_of(Method::light_tracing, 1 << 12);
         const Result whole = run(make_pair(true, of_one_material), sources, spec);
         const Result split = run(make_pair(false, of_one_material), sources, spec);
         const double sum = absorbed(split, 0) + absorbed(split, 1);
@@ -117,7 +117,7 @@ TEST(Organs, SplittingOneAddsUpToTheLastDigit) {
 
 TEST(Organs, SplittingOneAddsUpSeenFromTheOrgans) {
     const Sources sources{sun(30, {1}), sky({1})};
-    const RunSpec spec = spec_of(TraceFrom::organs, 1 << 14);
+    const RunSpec spec = spec_of(Method::from_organs, 1 << 14);
     const Result whole = run(make_pair(true, false), sources, spec);
     const Result split = run(make_pair(false, false), sources, spec);
     const Estimate& one = split.at(0, Quantity::absorbed_flux, 0);
@@ -145,7 +145,7 @@ TEST(Organs, MayBeAddedInAnyOrder) {
         }
         const Scene scene = std::move(builder).build();
         Result& result = results[reversed ? 1 : 0];
-        result = run(scene, plot_sources({}), spec_of(TraceFrom::sources, 1 << 13));
+        result = run(scene, plot_sources({}), spec_of(Method::light_tracing, 1 << 13));
         if (reversed) {
             std::vector<Estimate> values;
             const std::size_t row = kQuantities * kPlotBands;

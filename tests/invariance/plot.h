@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/scene/scene_builder.h"
-#include "quasimc/tracing/run.h"
+#include "run/run.h"
+#include "scene/scene_builder.h"
 #include "statistical/scenes.h"
 
 // A small scene in which there is some of everything, to be turned, moved and taken to pieces.

@@ -23,9 +23,10 @@ class FirstCallWaits {
     mutable std::atomic<bool> done_{false};
 };
 
-class SlowEmitter final : public Emitter {
+class SlowEmitter final : public SourceSampler {
   public:
-    explicit SlowEmitter(std::unique_ptr<Emitter> emitter) : emitter_(std::move(emitter)) {}
+    explicit SlowEmitter(std::unique_ptr<SourceSampler> source_sampler)
+        : emitter_(std::move(source_sampler)) {}
     [[nodiscard]] double flux() const override { return emitter_->flux(); }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         first_.wait();
@@ -50,7 +51,7 @@ class SlowEmitter final : public Emitter {
     }
 
   private:
-    std::unique_ptr<Emitter> emitter_;
+    std::unique_ptr<SourceSampler> emitter_;
     FirstCallWaits first_;
 };
 
@@ -60,8 +61,9 @@ class SlowSource final : public Source {
     explicit SlowSource(std::shared_ptr<const Source> source)
         : Source(source->name(), {source->spectrum().begin(), source->spectrum().end()}),
           source_(std::move(source)) {}
-    [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
-        return std::make_unique<SlowEmitter>(source_->make_emitter(aperture));
+    [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
+        const SceneProjection& projection) const override {
+        return std::make_unique<SlowEmitter>(source_->make_sampler_in(projection));
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         first_.wait();
@@ -92,7 +94,7 @@ class Threads : public BothWays {
   protected:
     /// Runs that differ in nothing but threads.
     void expect_the_same_bits(const Scene& scene, const Sources& sources, RunSpec spec) const {
-        spec.trace_from = GetParam();
+        spec.method = GetParam();
         spec.replicates = 3;
         spec.threads = 1;
         const Result alone = run(scene, sources, spec);
@@ -149,7 +151,7 @@ TEST_P(Threads, DoNotChangeABitOfARunThatStopsAtATarget) {
     spec.target_fraction = .8;
     const Scene scene = make_plot({});
     expect_the_same_bits(scene, plot_sources({}), spec);
-    spec.trace_from = GetParam();
+    spec.method = GetParam();
     spec.replicates = 3;
     EXPECT_GT(run(scene, plot_sources({}), spec).paths, spec.paths) << "one round proves nothing";
 }
@@ -165,7 +167,7 @@ TEST_P(Threads, PrivateAndSharedTalliesHoldTheSame) {
 
 /// A control: the comparison sees the smallest change.
 TEST(SameBits, AreNotFoundInRunsOfDifferentSeeds) {
-    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    RunSpec spec = spec_of(Method::light_tracing, 256);
     const Scene scene = make_plot({});
     const Result a = run(scene, plot_sources({}), spec);
     Result b = a;

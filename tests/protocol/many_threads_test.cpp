@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "coupling/plant_light.h"
 #include "growth.h"
-#include "quasimc/coupling/plant_light.h"
 
 namespace quasimc::test {
 namespace {

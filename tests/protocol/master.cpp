@@ -19,7 +19,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 
-#include "quasimc/coupling/messages.h"
+#include "coupling/messages.h"
 
 namespace quasimc::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "coupling/comm_file.h"
 #include "process.h"
-#include "quasimc/coupling/comm_file.h"
 
 namespace quasimc::test {
 

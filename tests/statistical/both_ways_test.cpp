@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/optics/catalogue.h"
-#include "quasimc/samplers/catalogue.h"
-#include "quasimc/sources/lamp.h"
+#include "optics/catalogue.h"
+#include "samplers/catalogue.h"
+#include "sources/lamp.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -164,14 +164,14 @@ Scene make_stand(const StandSpec& spec) {
 }
 
 /// What is compared with tracing from the organs.
-constexpr std::array kForward{TraceFrom::sources, TraceFrom::lit_surfaces};
+constexpr std::array kForward{Method::light_tracing, Method::first_hits};
 
 /// Traces forward and from the organs, with seeds of their own.
 std::pair<Result, Result> trace_both_ways(
-    const Scene& scene, const Sources& sources, RunSpec spec, TraceFrom from) {
-    spec.trace_from = from;
+    const Scene& scene, const Sources& sources, RunSpec spec, Method from) {
+    spec.method = from;
     const Result forward = run(scene, sources, spec);
-    spec.trace_from = TraceFrom::organs;
+    spec.method = Method::from_organs;
     spec.seed += 1000;
     return {forward, run(scene, sources, spec)};
 }
@@ -188,7 +188,7 @@ TEST_P(ForwardAndBackward, AgreeWithEverySamplerAndSource) {
     Comparison comparison(
         static_cast<unsigned>(kForward.size() * lighting.size() * samplers.size()));
     RunSpec spec = spec_of({}, 1 << 12);
-    for (const TraceFrom from : kForward) {
+    for (const Method from : kForward) {
         for (const Lighting& lights : lighting) {
             for (const SamplerEntry& sampler : samplers) {
                 SCOPED_TRACE(fmt::format("{}, {}", lights.name, sampler.name));
@@ -211,7 +211,7 @@ void expect_agreement(
     const std::vector<Lighting>& lighting = all_lighting()) {
     const Scene scene = make_stand(stand);
     Comparison comparison(static_cast<unsigned>(kForward.size() * lighting.size()));
-    for (const TraceFrom from : kForward) {
+    for (const Method from : kForward) {
         for (const Lighting& lights : lighting) {
             SCOPED_TRACE(lights.name);
             const auto [forward, backward] = trace_both_ways(scene, lights.sources, spec, from);
@@ -269,9 +269,9 @@ TEST(ForwardAndBackward, DisagreeWhenOneSeesBrighterLeaves) {
     }
     const Sources sources = all_lighting().back().sources;
     const Result forward =
-        run(make_stand({uneven_leaf()}), sources, spec_of(TraceFrom::sources, 1 << 12));
+        run(make_stand({uneven_leaf()}), sources, spec_of(Method::light_tracing, 1 << 12));
     const Result backward =
-        run(make_stand({brighter}), sources, spec_of(TraceFrom::organs, 1 << 12));
+        run(make_stand({brighter}), sources, spec_of(Method::from_organs, 1 << 12));
     EXPECT_FALSE(Comparison(1).totals_agree(forward, backward));
 }
 

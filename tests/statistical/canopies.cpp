@@ -50,7 +50,7 @@ Scene make_crown(std::size_t leaves, double depth, std::uint64_t seed) {
 Result trace_once(
     const Scene& scene,
     const Sources& sources,
-    TraceFrom from,
+    Method from,
     std::uint64_t paths,
     std::uint64_t seed) {
     RunSpec spec = spec_of(from, paths);

@@ -32,7 +32,7 @@ inline constexpr std::size_t kSoil = 1;
 [[nodiscard]] Result trace_once(
     const Scene& scene,
     const Sources& sources,
-    TraceFrom from,
+    Method from,
     std::uint64_t paths,
     std::uint64_t seed);
 

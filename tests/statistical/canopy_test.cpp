@@ -60,7 +60,7 @@ TEST(LargerLeaves, AreNotTakenForSmallerOnes) {
     spec.leaf_area_index *= 1.1;
     const auto numbers = [&](std::uint64_t seed) {
         const Result result =
-            trace_once(make_canopy(spec, seed), {sky({1})}, TraceFrom::sources, 1 << 13, seed);
+            trace_once(make_canopy(spec, seed), {sky({1})}, Method::light_tracing, 1 << 13, seed);
         return std::vector<double>{result.at(kCanopy, Quantity::absorbed_flux, 0).mean / kCellArea};
     };
     EXPECT_FALSE(agrees(over_seeds(64, numbers)[0], .556791, .01));
@@ -117,7 +117,7 @@ class TurbidMedium : public BothWays {
         const auto numbers = [&](std::uint64_t seed) {
             const Scene scene = make_canopy(canopy(medium.leaf_area_index), seed);
             const Result result = trace_once(
-                scene, sources, GetParam(), GetParam() == TraceFrom::sources ? 1 << 13 : 1 << 14,
+                scene, sources, GetParam(), GetParam() == Method::light_tracing ? 1 << 13 : 1 << 14,
                 seed);
             std::vector<double> shares;
             for (std::size_t b = 0; b < 3; ++b) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/tracing/result.h"
+#include "results/result.h"
 
 namespace quasimc::test {
 

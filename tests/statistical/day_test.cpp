@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
-#include "quasimc/sources/hour_light.h"
-#include "quasimc/sources/period_light.h"
-#include "quasimc/tracing/series.h"
+#include "run/series.h"
+#include "sources/hour_light.h"
+#include "sources/period_light.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -17,7 +17,7 @@ const Place kPlace{.latitude_deg = 51.97, .longitude_deg = 5.67};
 
 /// The hours of 21 June, and the light on the horizontal in all, J m-2 of PAR.
 struct ClearDay {
-    std::vector<Moment> hours;
+    std::vector<TimeStep> hours;
     double horizontal = 0;
 };
 
@@ -63,7 +63,7 @@ struct TracedDay {
 TracedDay trace_day(const Scene& scene, const ClearDay& day, const RunSpec& spec) {
     TracedDay traced;
     SeriesEvents events;
-    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
         const Estimate& e = result.at(0, Quantity::absorbed_flux, kBand);
         if (e.mean > 0) {
             traced.hourly_errors.push_back(e.standard_error / e.mean);

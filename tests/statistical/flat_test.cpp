@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -135,7 +135,7 @@ TEST_P(FlatSurfaces, ADiskInAWellSeesTheSkyByItsViewFactor) {
 
 /// E R^2 / (R^2 + h^2). Of a point light tracing knows nothing.
 TEST(Well, APointAtTheBottomSeesTheSkyAsADisk) {
-    const Result result = run(make_well(1e-4), {sky({1})}, spec_of(TraceFrom::organs, 1 << 16));
+    const Result result = run(make_well(1e-4), {sky({1})}, spec_of(Method::from_organs, 1 << 16));
     EXPECT_TRUE(holds(
         {"point under a uniform disk, R .5, h .5", .5, 1e-3},
         result.at(0, Quantity::incident_upper, 0)));
@@ -196,7 +196,7 @@ TEST_P(TrianglePair, LightGoesToAndFroBetweenBrightTriangles) {
 /// Controls: an expectation one per cent off is refused, and so is a run too short to tell.
 TEST(ClosedForms, RefuseAWrongExpectationAndABluntRun) {
     const auto wall = [](std::uint64_t paths) {
-        return run(make_l(), {sun(0, {1000})}, spec_of(TraceFrom::sources, paths))
+        return run(make_l(), {sun(0, {1000})}, spec_of(Method::light_tracing, paths))
             .at(1, Quantity::absorbed_flux, 0);
     };
     EXPECT_TRUE(agrees(measured(wall(1 << 15), kReplicates), 60.013, .5));

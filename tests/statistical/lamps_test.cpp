@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/geometry/shapes.h"
-#include "quasimc/sources/lamp.h"
+#include "geometry/shapes/shapes.h"
+#include "sources/lamp.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -119,13 +119,13 @@ TEST(PeriodicLamps, RepeatWithTheCell) {
     const Scene scene = std::move(builder).build();
     for (const double height : {.5, 20.0}) {
         const auto lamp = lamp_above(height, {}, cosine_pattern(), 6);
-        const Result result = run(scene, {lamp}, spec_of(TraceFrom::sources, 1 << 12));
+        const Result result = run(scene, {lamp}, spec_of(Method::light_tracing, 1 << 12));
         EXPECT_TRUE(holds(
             {"lamps that repeat over a floor", 1, 1e-2, 2},
             result.at(0, Quantity::absorbed_flux_density, 0)));
     }
     const auto lamp = lamp_above(1, {}, cosine_pattern(), 6);
-    EXPECT_THROW(run(scene, {lamp}, spec_of(TraceFrom::organs, 1 << 12)), InputError);
+    EXPECT_THROW(run(scene, {lamp}, spec_of(Method::from_organs, 1 << 12)), InputError);
 }
 
 }  // namespace

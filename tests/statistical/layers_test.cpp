@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/geometry/shapes.h"
-#include "quasimc/samplers/catalogue.h"
+#include "geometry/shapes/shapes.h"
+#include "samplers/catalogue.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 
 namespace quasimc::test {
 namespace {
@@ -74,9 +74,9 @@ std::shared_ptr<const Source> sky(const std::vector<double>& horizontal) {
     return make_uniform_sky("sky", horizontal);
 }
 
-RunSpec spec_of(TraceFrom from, std::uint64_t paths) {
+RunSpec spec_of(Method from, std::uint64_t paths) {
     RunSpec spec;
-    spec.trace_from = from;
+    spec.method = from;
     spec.paths = paths;
     spec.replicates = kReplicates;
     spec.threads = 1;
@@ -97,15 +97,15 @@ RunSpec spec_of(TraceFrom from, std::uint64_t paths) {
     return holds(claim, measured(estimate, kReplicates));
 }
 
-std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info) {
+std::string name_of(const ::testing::TestParamInfo<Method>& info) {
     switch (info.param) {
-        case TraceFrom::sources:
+        case Method::light_tracing:
             return "FromSources";
-        case TraceFrom::organs:
+        case Method::from_organs:
             return "FromOrgans";
-        case TraceFrom::lit_surfaces:
+        case Method::first_hits:
             break;
-        case TraceFrom::automatic:
+        case Method::automatic:
             return "Automatic";
     }
     return "FromLitSurfaces";

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/triangle.h"
-#include "quasimc/optics/material.h"
-#include "quasimc/scene/scene_builder.h"
-#include "quasimc/tracing/run.h"
+#include "geometry/mesh/triangle.h"
+#include "optics/material.h"
+#include "run/run.h"
+#include "scene/scene_builder.h"
 #include "support/statistics.h"
 
 // What the tests of whole runs have in common: short words for scenes, sources and runs.
@@ -50,7 +50,7 @@ inline constexpr std::uint32_t kReplicates = 32;
 [[nodiscard]] std::shared_ptr<const Source> sky(const std::vector<double>& horizontal);
 
 /// A run in one thread with `paths` points in each of kReplicates replicates.
-[[nodiscard]] RunSpec spec_of(TraceFrom from, std::uint64_t paths);
+[[nodiscard]] RunSpec spec_of(Method from, std::uint64_t paths);
 
 /// A claim of a test about one number.
 struct Claim {
@@ -69,13 +69,13 @@ struct Claim {
 [[nodiscard]] ::testing::AssertionResult holds(const Claim& claim, const Estimate& estimate);
 
 /// Tests that are run in both directions of tracing, and from lit surfaces.
-class BothWays : public ::testing::TestWithParam<TraceFrom> {
+class BothWays : public ::testing::TestWithParam<Method> {
   protected:
-    [[nodiscard]] bool from_sources() const { return GetParam() != TraceFrom::organs; }
+    [[nodiscard]] bool from_sources() const { return GetParam() != Method::from_organs; }
     /// The resolution to ask for. From lit surfaces skies are seen by pixels, along some hundred
     /// directions: good for many leaves, while one plate is met by every path.
     [[nodiscard]] double resolution(double usual, double by_pixels) const {
-        return GetParam() == TraceFrom::lit_surfaces ? by_pixels : usual;
+        return GetParam() == Method::first_hits ? by_pixels : usual;
     }
     [[nodiscard]] Result trace(
         const Scene& scene, const Sources& sources, std::uint64_t paths) const {
@@ -84,15 +84,15 @@ class BothWays : public ::testing::TestWithParam<TraceFrom> {
 };
 
 /// "FromSources", "FromOrgans" or "FromLitSurfaces".
-[[nodiscard]] std::string name_of(const ::testing::TestParamInfo<TraceFrom>& info);
+[[nodiscard]] std::string name_of(const ::testing::TestParamInfo<Method>& info);
 
 }  // namespace quasimc::test
 
 /// Runs the tests of a suite of BothWays in both directions.
-#define QUASIMC_BOTH_WAYS(suite)                                         \
-    INSTANTIATE_TEST_SUITE_P(                                            \
-        BothWays, suite,                                                 \
-        ::testing::Values(                                               \
-            ::quasimc::TraceFrom::sources, ::quasimc::TraceFrom::organs, \
-            ::quasimc::TraceFrom::lit_surfaces),                         \
+#define QUASIMC_BOTH_WAYS(suite)                                              \
+    INSTANTIATE_TEST_SUITE_P(                                                 \
+        BothWays, suite,                                                      \
+        ::testing::Values(                                                    \
+            ::quasimc::Method::light_tracing, ::quasimc::Method::from_organs, \
+            ::quasimc::Method::first_hits),                                   \
         ::quasimc::test::name_of)

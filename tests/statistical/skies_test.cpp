@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/canopies.h"
 #include "statistical/comparison.h"
 #include "support/random_leaves.h"
@@ -58,7 +58,7 @@ TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
     const CanopySpec spec{
         .leaf_area_index = 1, .leaf = matt("leaf", 0, 0), .soil = matt("soil", 0, 0)};
     // Of few directions all leaves of a canopy see the same.
-    const std::uint64_t paths = GetParam() == TraceFrom::lit_surfaces ? 1 << 15 : 1 << 13;
+    const std::uint64_t paths = GetParam() == Method::first_hits ? 1 << 15 : 1 << 13;
     const auto numbers = [&](std::uint64_t seed) {
         const Result result = trace_once(make_canopy(spec, seed), {sky}, GetParam(), paths, seed);
         return std::vector<double>{
@@ -119,14 +119,14 @@ TEST_P(BothWaysUnderSkies, GiveTheSameLightOnEveryOrgan) {
     const Scene scene = make_stand(GetParam() ? layer : Cell{});
     const auto skies = sample_of_skies({1, .7});
     Comparison comparison(static_cast<unsigned>(skies.size()));
-    RunSpec spec = spec_of(TraceFrom::sources, 1 << 12);
+    RunSpec spec = spec_of(Method::light_tracing, 1 << 12);
     for (const auto& sky : skies) {
         SCOPED_TRACE(sky->name());
         ++spec.seed;
-        spec.trace_from = TraceFrom::sources;
+        spec.method = Method::light_tracing;
         const Result forward = run(scene, {sky}, spec);
         spec.seed += 1000;
-        spec.trace_from = TraceFrom::organs;
+        spec.method = Method::from_organs;
         const Result backward = run(scene, {sky}, spec);
         EXPECT_TRUE(comparison.totals_agree(forward, backward));
         EXPECT_TRUE(comparison.organs_agree(forward, backward));

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -17,12 +17,12 @@ namespace {
 using bench::StandKind;
 
 constexpr std::uint32_t kLeaves = 40;
-constexpr std::array kWays{TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces};
+constexpr std::array kWays{Method::light_tracing, Method::from_organs, Method::first_hits};
 
 class Stands : public ::testing::TestWithParam<StandKind> {};
 
 Result trace_plain(const Scene& scene) {
-    RunSpec spec = spec_of(TraceFrom::sources, 1 << 17);
+    RunSpec spec = spec_of(Method::light_tracing, 1 << 17);
     spec.sampler = "monte_carlo";
     spec.seed = 77;
     return run(scene, bench::light_of_stands(), spec);
@@ -32,7 +32,7 @@ TEST_P(Stands, GetTheLightOfPlainTracing) {
     const Scene scene = bench::make_stand(GetParam(), kLeaves);
     const Result plain = trace_plain(scene);
     Comparison comparison(kWays.size() * bench::kStandKinds.size());
-    for (const TraceFrom from : kWays) {
+    for (const Method from : kWays) {
         SCOPED_TRACE(fmt::format("from {}", name_of({from, 0})));
         const Result other = run(scene, bench::light_of_stands(), spec_of(from, 1 << 14));
         EXPECT_TRUE(comparison.totals_agree(plain, other));
@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(StandsControl, ShinyLeavesAreNotLikeDullOnes) {
     const Result plain = trace_plain(bench::make_stand(StandKind::random_leaves, kLeaves));
     const Scene shiny = bench::make_stand(StandKind::shiny_leaves, kLeaves);
-    const Result other = run(shiny, bench::light_of_stands(), spec_of(TraceFrom::sources, 1 << 14));
+    const Result other =
+        run(shiny, bench::light_of_stands(), spec_of(Method::light_tracing, 1 << 14));
     EXPECT_FALSE(Comparison(1).organs_agree(plain, other));
 }
 

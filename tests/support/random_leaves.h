@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quasimc/geometry/triangle.h"
+#include "geometry/mesh/triangle.h"
 
 namespace quasimc::test {
 

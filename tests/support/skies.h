@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/sources/sky.h"
-#include "quasimc/sources/sky_table.h"
+#include "sources/sky.h"
+#include "sources/sky_table.h"
 
 namespace quasimc::test {
 

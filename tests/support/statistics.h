@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/tallies/statistics.h"
+#include "sums/statistics.h"
 
 namespace quasimc::test {
 

@@ -1,4 +1,4 @@
-#include "quasimc/base/lazy.h"
+#include "base/lazy.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "quasimc/base/orientation.h"
+#include "base/orientation.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "quasimc/base/parallel.h"
+#include "base/parallel.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "quasimc/base/text.h"
+#include "base/text.h"
 
 #include <array>
 #include <cstdlib>

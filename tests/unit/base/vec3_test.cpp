@@ -1,4 +1,4 @@
-#include "quasimc/base/vec3.h"
+#include "base/vec3.h"
 
 #include <array>
 #include <limits>
@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "quasimc/base/affine.h"
-#include "quasimc/base/bounds.h"
-#include "quasimc/base/ids.h"
+#include "base/affine.h"
+#include "base/bounds.h"
+#include "base/ids.h"
 
 namespace quasimc {
 namespace {

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/arguments.h"
+#include "coupling/arguments.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/comm_file.h"
+#include "coupling/comm_file.h"
 
 #include <gtest/gtest.h>
 

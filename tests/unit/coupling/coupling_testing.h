@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/coupling/plant_light.h"
+#include "coupling/plant_light.h"
 
 namespace quasimc::test {
 

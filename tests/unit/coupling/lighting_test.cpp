@@ -1,4 +1,4 @@
-#include "quasimc/coupling/lighting.h"
+#include "coupling/lighting.h"
 
 #include <gtest/gtest.h>
 

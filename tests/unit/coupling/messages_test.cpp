@@ -1,4 +1,4 @@
-#include "quasimc/coupling/messages.h"
+#include "coupling/messages.h"
 
 #include <cmath>
 #include <cstdio>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "coupling/trailing_values.h"
 #include "coupling_testing.h"
-#include "quasimc/coupling/trailing_values.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/organ_shapes.h"
+#include "coupling/organ_shapes.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/plant_light.h"
+#include "coupling/plant_light.h"
 
 #include <gtest/gtest.h>
 
@@ -154,8 +154,8 @@ TEST_F(PlantLightTest, EndsWhenAskedTo) {
     Answers answers;
     EXPECT_THROW(
         light.answer(
-            pass_of(flat(0, "P(1,2)", 1)), [] { throw MasterGone("gone"); }, answers),
-        MasterGone);
+            pass_of(flat(0, "P(1,2)", 1)), [] { throw PeerDisconnected("gone"); }, answers),
+        PeerDisconnected);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/session.h"
+#include "coupling/session.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "quasimc/coupling/step_files.h"
+#include "coupling/step_files.h"
 
 #include <sstream>
 

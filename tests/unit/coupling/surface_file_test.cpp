@@ -1,4 +1,4 @@
-#include "quasimc/coupling/surface_file.h"
+#include "coupling/surface_file.h"
 
 #include <gtest/gtest.h>
 

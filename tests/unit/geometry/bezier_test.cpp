@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/bounds.h"
+#include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
-#include "quasimc/base/bounds.h"
-#include "quasimc/geometry/shapes.h"
 
 namespace quasimc {
 

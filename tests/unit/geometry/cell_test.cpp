@@ -1,4 +1,4 @@
-#include "quasimc/geometry/cell.h"
+#include "geometry/mesh/cell.h"
 
 #include <cmath>
 #include <map>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/input_error.h"
 #include "geometry_testing.h"
-#include "quasimc/base/input_error.h"
 
 namespace quasimc {
 

@@ -1,4 +1,4 @@
-#include "quasimc/geometry/envelope.h"
+#include "geometry/raster/envelope.h"
 
 #include <algorithm>
 #include <cmath>

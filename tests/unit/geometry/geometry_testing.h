@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "quasimc/geometry/cell.h"
-#include "quasimc/geometry/intersector.h"
-#include "quasimc/geometry/local_mesh.h"
-#include "quasimc/geometry/triangle.h"
+#include "geometry/cast/intersector.h"
+#include "geometry/mesh/cell.h"
+#include "geometry/mesh/local_mesh.h"
+#include "geometry/mesh/triangle.h"
 
 namespace quasimc::test {
 

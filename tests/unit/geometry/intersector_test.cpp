@@ -1,4 +1,4 @@
-#include "quasimc/geometry/intersector.h"
+#include "geometry/cast/intersector.h"
 
 #include <array>
 #include <cmath>

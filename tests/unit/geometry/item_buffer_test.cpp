@@ -1,4 +1,4 @@
-#include "quasimc/geometry/item_buffer.h"
+#include "geometry/raster/item_buffer.h"
 
 #include <cmath>
 #include <map>
@@ -6,15 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/cast/intersector.h"
 #include "geometry_testing.h"
-#include "quasimc/geometry/intersector.h"
 #include "support/random_leaves.h"
 
 namespace quasimc {
 namespace {
 
 /// Area of the beam that each triangle catches.
-std::map<std::uint32_t, double> caught(const BeamScene& scene, const ItemBuffer::Spec& spec) {
+std::map<std::uint32_t, double> caught(const ProjectedScene& scene, const ItemBuffer::Spec& spec) {
     ItemBuffer buffer;
     buffer.draw(scene, spec);
     std::map<std::uint32_t, double> areas;
@@ -45,7 +45,7 @@ TEST(ItemBuffer, MeasuresATriangleFromAllSides) {
 TEST(ItemBuffer, IsUnbiasedHoweverFewPixelsThereAre) {
     const LocalMesh mesh = make_local_mesh({kLeaf});
     constexpr int kShifts = 200;
-    const BeamScene scene{&mesh, {}};
+    const ProjectedScene scene{&mesh, {}};
     ItemBuffer buffer;
     double sum = 0;
     for (int i = 0; i < kShifts; ++i) {
@@ -65,7 +65,8 @@ TEST(ItemBuffer, SeesThroughSensorsAndWhatSensorsSee) {
         kLeaf,
         {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const std::vector<SeenAs> roles{SeenAs::sensor, SeenAs::opaque, SeenAs::sensor};
+    const std::vector<VisibilityRole> roles{
+        VisibilityRole::sensor, VisibilityRole::opaque, VisibilityRole::sensor};
     const auto areas = caught({&mesh, {}, roles}, {kDown, .2, .4, .1, 1e6});
     const double area = .5 * mesh.scale * mesh.scale;
     EXPECT_NEAR(areas.at(0), area, 1e-4);

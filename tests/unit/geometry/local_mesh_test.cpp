@@ -1,4 +1,4 @@
-#include "quasimc/geometry/local_mesh.h"
+#include "geometry/mesh/local_mesh.h"
 
 #include <algorithm>
 #include <cmath>

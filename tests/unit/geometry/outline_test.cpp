@@ -1,4 +1,4 @@
-#include "quasimc/geometry/outline.h"
+#include "geometry/raster/outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
-#include "quasimc/geometry/shapes.h"
 
 namespace quasimc {
 

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/base/bounds.h"
-#include "quasimc/geometry/aperture.h"
-#include "quasimc/geometry/item_buffer.h"
-#include "quasimc/geometry/ray_caster.h"
-#include "quasimc/geometry/scan_lines.h"
+#include "base/bounds.h"
+#include "geometry/cast/ray_caster.h"
+#include "geometry/raster/item_buffer.h"
+#include "geometry/raster/scan_lines.h"
+#include "geometry/raster/scene_projection.h"
 #include "support/random_leaves.h"
 
 namespace quasimc {
@@ -23,18 +23,18 @@ namespace {
 struct Repeated {
     Repeated(const std::vector<Triangle>& triangles, const Cell& cell)
         : caster(triangles, cell, Engine::brute_force),
-          aperture(caster.mesh(), cell, WindowShape::silhouette) {
+          projection(caster.mesh(), cell, CrossSectionShape::silhouette) {
         for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
-            roles.push_back(image ? SeenAs::left_out : SeenAs::opaque);
+            roles.push_back(image ? VisibilityRole::left_out : VisibilityRole::opaque);
         }
-        scene = {&caster.mesh(), aperture.cell(), roles, aperture.outline()};
+        scene = {&caster.mesh(), projection.cell(), roles, projection.outline()};
     }
 
     RayCaster caster;
-    Aperture aperture;
-    std::vector<SeenAs> roles;
-    BeamScene scene;
+    SceneProjection projection;
+    std::vector<VisibilityRole> roles;
+    ProjectedScene scene;
 };
 
 constexpr Cell kLayer{
@@ -61,7 +61,7 @@ class PeriodicBeams : public ::testing::TestWithParam<Cell> {};
 TEST_P(PeriodicBeams, LightAFloorWholly) {
     const std::vector<Triangle> floor = floor_of(GetParam());
     const Repeated repeated(floor, GetParam());
-    const double scale = repeated.aperture.scale();
+    const double scale = repeated.projection.scale();
     Bounds bounds;
     for (const Vec3& corner : floor[0]) {
         bounds.add(corner);

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/cast/ray_caster.h"
+#include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
-#include "quasimc/geometry/ray_caster.h"
-#include "quasimc/geometry/shapes.h"
 
 namespace quasimc {
 

@@ -1,4 +1,4 @@
-#include "quasimc/geometry/ray_caster.h"
+#include "geometry/cast/ray_caster.h"
 
 #include <array>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "geometry_testing.h"
-#include "quasimc/base/parallel.h"
 
 namespace quasimc {
 

@@ -1,4 +1,4 @@
-#include "quasimc/geometry/scan_lines.h"
+#include "geometry/raster/scan_lines.h"
 
 #include <cmath>
 #include <map>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/cast/intersector.h"
 #include "geometry_testing.h"
-#include "quasimc/geometry/intersector.h"
 #include "support/random_leaves.h"
 
 namespace quasimc {
@@ -15,7 +15,9 @@ namespace {
 
 /// Area of the beam that each triangle catches.
 std::map<std::uint32_t, double> caught(
-    const LocalMesh& mesh, const ScanLines::Spec& spec, std::span<const SeenAs> roles = {}) {
+    const LocalMesh& mesh,
+    const ScanLines::Spec& spec,
+    std::span<const VisibilityRole> roles = {}) {
     ScanLines lines;
     lines.set({&mesh, {}, roles}, spec);
     std::map<std::uint32_t, double> areas;
@@ -77,7 +79,8 @@ TEST(ScanLines, SeeThroughSensorsAndWhatSensorsSee) {
         kLeaf,
         {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const std::vector<SeenAs> roles{SeenAs::sensor, SeenAs::opaque, SeenAs::sensor};
+    const std::vector<VisibilityRole> roles{
+        VisibilityRole::sensor, VisibilityRole::opaque, VisibilityRole::sensor};
     const auto areas = caught(mesh, {kDown, .2, .4, 1000}, roles);
     const double area = .5 * mesh.scale * mesh.scale;
     EXPECT_NEAR(areas.at(0), area, 1e-6);

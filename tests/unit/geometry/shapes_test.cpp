@@ -1,4 +1,4 @@
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 
 #include <cmath>
 #include <numbers>

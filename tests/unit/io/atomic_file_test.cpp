@@ -1,9 +1,9 @@
-#include "quasimc/io/atomic_file.h"
+#include "io/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "quasimc/base/input_error.h"
+#include "base/input_error.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

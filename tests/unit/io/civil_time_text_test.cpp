@@ -1,4 +1,4 @@
-#include "quasimc/io/civil_time_text.h"
+#include "io/runfile/civil_time_text.h"
 
 #include <gtest/gtest.h>
 

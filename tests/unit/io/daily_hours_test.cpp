@@ -1,4 +1,4 @@
-#include "quasimc/io/daily_hours.h"
+#include "io/weather/daily_hours.h"
 
 #include <gtest/gtest.h>
 
@@ -60,22 +60,22 @@ constexpr const char* kNight =
 
 TEST(RunFileOnHours, SwitchLamps) {
     const RunFile run = read_text(lamp_text("on_hours = [[0, 2], [3.5, 5]]\n", kNight));
-    ASSERT_EQ(run.series->moments.size(), 6U);
+    ASSERT_EQ(run.series->time_steps.size(), 6U);
     std::vector<double> power;
-    for (const Moment& moment : run.series->moments) {
-        ASSERT_EQ(moment.sources.size(), 1U);
-        EXPECT_TRUE(moment.sources[0]->is_lamp());
-        power.push_back(moment.sources[0]->spectrum()[0]);
+    for (const TimeStep& time_step : run.series->time_steps) {
+        ASSERT_EQ(time_step.sources.size(), 1U);
+        EXPECT_TRUE(time_step.sources[0]->is_lamp());
+        power.push_back(time_step.sources[0]->spectrum()[0]);
     }
     EXPECT_EQ(power, (std::vector<double>{9, 9, 0, 4.5, 9, 0}));
-    const auto plans = plan_series(run.series->moments);
+    const auto plans = plan_series(run.series->time_steps);
     EXPECT_EQ(plans[2].factor, 0) << "dark";
     EXPECT_EQ(plans[3].traced, 0U);
     EXPECT_NEAR(plans[3].factor, .5, 1e-12);
     const RunFile sum = read_text(
         lamp_text("on_hours = [[0, 2], [3.5, 5]]\n", std::string(kNight) + "collapse = 'days'\n"));
-    ASSERT_EQ(sum.series->moments.size(), 1U);
-    EXPECT_NEAR(sum.series->moments[0].sources[0]->spectrum()[0], 9 * 3.5 / 6, 1e-9);
+    ASSERT_EQ(sum.series->time_steps.size(), 1U);
+    EXPECT_NEAR(sum.series->time_steps[0].sources[0]->spectrum()[0], 9 * 3.5 / 6, 1e-9);
     EXPECT_NE(run.source_notes[0].find("; on from 0 to 2 h, from 3.5 to 5 h"), std::string::npos);
 }
 

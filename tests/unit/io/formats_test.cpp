@@ -1,11 +1,11 @@
-#include "quasimc/io/formats.h"
+#include "io/meshes/formats.h"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "io/line_scanner.h"
 #include "io_testing.h"
-#include "quasimc/io/line_scanner.h"
 
 namespace quasimc::test {
 namespace {
@@ -62,8 +62,7 @@ TEST(Formats, ThoseWithGroupsReadBackOrgansAndMaterials) {
         for (std::size_t i = 0; i < scene.organs().size(); ++i) {
             EXPECT_DOUBLE_EQ(back.organs()[i].area, scene.organs()[i].area) << format.name;
             EXPECT_EQ(
-                back.material(back.elements()[i]).name(),
-                scene.material(scene.elements()[i]).name())
+                back.material(back.regions()[i]).name(), scene.material(scene.regions()[i]).name())
                 << format.name;
         }
     }

@@ -1,9 +1,9 @@
-#include "quasimc/io/input_files.h"
+#include "io/input_files.h"
 
 #include <gtest/gtest.h>
 
-#include "quasimc/base/input_error.h"
-#include "quasimc/io/sha256.h"
+#include "base/input_error.h"
+#include "io/sha256.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

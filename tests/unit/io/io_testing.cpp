@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "quasimc/base/input_error.h"
+#include "base/input_error.h"
 
 namespace quasimc::test {
 namespace {

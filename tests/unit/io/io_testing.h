@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/io/formats.h"
-#include "quasimc/io/run_file.h"
+#include "io/meshes/formats.h"
+#include "io/runfile/run_file.h"
 
 namespace quasimc::test {
 

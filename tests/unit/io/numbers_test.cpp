@@ -1,11 +1,11 @@
-#include "quasimc/io/numbers.h"
+#include "io/numbers.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "quasimc/base/text.h"
+#include "base/text.h"
 
 namespace quasimc::test {
 namespace {

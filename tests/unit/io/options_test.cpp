@@ -1,4 +1,4 @@
-#include "quasimc/io/options.h"
+#include "io/runfile/options.h"
 
 #include <gtest/gtest.h>
 

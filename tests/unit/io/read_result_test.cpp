@@ -1,12 +1,12 @@
-#include "quasimc/io/read_result.h"
+#include "io/results/read_result.h"
 
 #include <gtest/gtest.h>
 
+#include "base/input_error.h"
+#include "io/results/write_result.h"
+#include "io/runfile/options.h"
 #include "io_testing.h"
-#include "quasimc/base/input_error.h"
-#include "quasimc/io/options.h"
-#include "quasimc/io/write_result.h"
-#include "quasimc/tracing/run.h"
+#include "run/run.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/text.h"
 #include "io_testing.h"
-#include "quasimc/base/text.h"
 
 namespace quasimc::test {
 namespace {

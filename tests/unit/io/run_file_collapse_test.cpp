@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/io/write_series.h"
-#include "quasimc/tracing/series.h"
+#include "io/results/write_series.h"
+#include "run/series.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {
@@ -24,9 +24,9 @@ constexpr const char* kDays = "from = '2024-06-20'\nto = '2024-06-22'\nutc_offse
 /// Light on the horizontal times seconds, summed over moments.
 double sum_over(const TimeSeries& series, std::size_t band) {
     double sum = 0;
-    for (const Moment& moment : series.moments) {
-        for (const auto& source : moment.sources) {
-            sum += moment.seconds * source->spectrum()[band] * source->horizontal_irradiance();
+    for (const TimeStep& time_step : series.time_steps) {
+        for (const auto& source : time_step.sources) {
+            sum += time_step.seconds * source->spectrum()[band] * source->horizontal_irradiance();
         }
     }
     return sum;
@@ -36,8 +36,8 @@ TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
     const TimeSeries hours = *read_text(with_time(kDays)).series;
     const TimeSeries one =
         *read_text(with_time(std::string(kDays) + "collapse = 'period'\n")).series;
-    ASSERT_EQ(one.moments.size(), 1U);
-    EXPECT_EQ(one.moments[0].seconds, 3 * 86400);
+    ASSERT_EQ(one.time_steps.size(), 1U);
+    EXPECT_EQ(one.time_steps[0].seconds, 3 * 86400);
     EXPECT_EQ(one.days, std::vector<std::string>{"2024-06-20/2024-06-22"});
     for (const std::size_t band : {0U, 1U}) {
         EXPECT_NEAR(sum_over(one, band), sum_over(hours, band), 1e-6 * sum_over(hours, band));
@@ -55,7 +55,7 @@ TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
     EXPECT_EQ(notes.collapsed->times, 72U);
     EXPECT_EQ(notes.collapsed->with_light, lit);
     EXPECT_EQ(notes.collapsed->skies, 2U) << "blue and white";
-    EXPECT_EQ(one.moments[0].sources.size(), suns + 2);
+    EXPECT_EQ(one.time_steps[0].sources.size(), suns + 2);
     EXPECT_EQ(notes.time, "2024-06-20T00:00+01:00");
     EXPECT_EQ(notes.collapsed->until, "2024-06-23T00:00+01:00");
 }
@@ -64,12 +64,12 @@ TEST(RunFileCollapse, MakesAMomentOfEachDay) {
     const TimeSeries hours = *read_text(with_time(kDays)).series;
     const TimeSeries days =
         *read_text(with_time(std::string(kDays) + "collapse = 'days'\n")).series;
-    ASSERT_EQ(days.moments.size(), 3U);
+    ASSERT_EQ(days.time_steps.size(), 3U);
     EXPECT_EQ(days.days, hours.days);
-    EXPECT_EQ(days.moments[2].day, 2U);
-    EXPECT_EQ(days.moments[1].seconds, 86400);
+    EXPECT_EQ(days.time_steps[2].day, 2U);
+    EXPECT_EQ(days.time_steps[1].seconds, 86400);
     EXPECT_NEAR(sum_over(days, 0), sum_over(hours, 0), 1e-6 * sum_over(hours, 0));
-    EXPECT_EQ(plan_series(days.moments)[1].traced, 1U) << "no two days are alike";
+    EXPECT_EQ(plan_series(days.time_steps)[1].traced, 1U) << "no two days are alike";
 }
 
 TEST(RunFileCollapse, LetsLampsShineOn) {
@@ -79,16 +79,17 @@ TEST(RunFileCollapse, LetsLampsShineOn) {
         "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = '2024-06-21'\n"
         "utc_offset_hours = 1\ncollapse = 'days'\nhours = [0, 3]\n";
     const RunFile run = read_text(text.text());
-    ASSERT_EQ(run.series->moments.size(), 1U);
-    ASSERT_EQ(run.series->moments[0].sources.size(), 1U) << "it is night";
-    EXPECT_TRUE(run.series->moments[0].sources[0]->is_lamp());
-    EXPECT_EQ(run.series->moments[0].seconds, 3 * 3600);
+    ASSERT_EQ(run.series->time_steps.size(), 1U);
+    ASSERT_EQ(run.series->time_steps[0].sources.size(), 1U) << "it is night";
+    EXPECT_TRUE(run.series->time_steps[0].sources[0]->is_lamp());
+    EXPECT_EQ(run.series->time_steps[0].seconds, 3 * 3600);
 }
 
 TEST(RunFileCollapse, NeedsTimesWithALength) {
     const std::string times = "times = ['2024-06-21T13:40+02:00']\ncollapse = 'period'\n";
     EXPECT_TRUE(mentions(faults_of(with_time(times)), "instants are to be collapsed"));
-    EXPECT_EQ(read_text(with_time(times + "duration_minutes = 10\n")).series->moments.size(), 1U);
+    EXPECT_EQ(
+        read_text(with_time(times + "duration_minutes = 10\n")).series->time_steps.size(), 1U);
     EXPECT_TRUE(mentions(
         faults_of(with_time(std::string(kDays) + "collapse = 'weeks'\n")), "collapse is 'weeks'"));
 }

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "quasimc/io/read_ies.h"
-#include "quasimc/tracing/run.h"
+#include "io/weather/read_ies.h"
+#include "run/run.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/io/read_sky_table.h"
-#include "quasimc/sources/sun_position.h"
+#include "io/weather/read_sky_table.h"
+#include "sources/sun_position.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

@@ -1,12 +1,12 @@
-#include "quasimc/io/run_file.h"
+#include "io/runfile/run_file.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "base/input_error.h"
+#include "io/runfile/options.h"
 #include "io_testing.h"
-#include "quasimc/base/input_error.h"
-#include "quasimc/io/options.h"
 
 namespace quasimc::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "quasimc/tracing/series.h"
+#include "run/series.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {
@@ -26,9 +26,9 @@ TimeSeries series_of(const std::string& keys, const FakeFiles& files = {}) {
 }
 
 /// Light on the horizontal of a moment, band 0.
-double on_the_horizontal(const Moment& moment) {
+double on_the_horizontal(const TimeStep& time_step) {
     double sum = 0;
-    for (const auto& source : moment.sources) {
+    for (const auto& source : time_step.sources) {
         sum += source->spectrum()[0] * source->horizontal_irradiance();
     }
     return sum;
@@ -36,15 +36,15 @@ double on_the_horizontal(const Moment& moment) {
 
 TEST(RunFileTime, OfADayIsItsHours) {
     const TimeSeries day = series_of("day = '2024-06-21'\nutc_offset_hours = 2\n");
-    ASSERT_EQ(day.moments.size(), 24U);
+    ASSERT_EQ(day.time_steps.size(), 24U);
     EXPECT_EQ(day.days, std::vector<std::string>{"2024-06-21"});
     EXPECT_EQ(day.notes[12].time, "2024-06-21T12:00+02:00");
-    EXPECT_EQ(day.moments[12].seconds, 3600);
-    EXPECT_TRUE(day.moments[0].sources.empty()) << "night";
-    EXPECT_EQ(day.moments[13].sources.size(), 13U) << "a sun every 5 minutes, and the sky";
+    EXPECT_EQ(day.time_steps[12].seconds, 3600);
+    EXPECT_TRUE(day.time_steps[0].sources.empty()) << "night";
+    EXPECT_EQ(day.time_steps[13].sources.size(), 13U) << "a sun every 5 minutes, and the sky";
     EXPECT_EQ(day.notes[13].suns, 12U);
     // PAR is 43 % of a clear noon's 870 W m-2.
-    EXPECT_NEAR(on_the_horizontal(day.moments[13]), .43 * 870, 20);
+    EXPECT_NEAR(on_the_horizontal(day.time_steps[13]), .43 * 870, 20);
 }
 
 TEST(RunFileTime, OfASeasonIsItsDaysAndHoursAskedFor) {
@@ -52,27 +52,27 @@ TEST(RunFileTime, OfASeasonIsItsDaysAndHoursAskedFor) {
         "from = '2024-02-28'\nto = '2024-03-01'\nhours = [9, 15]\nstep_minutes = 120\n"
         "sun_step_minutes = 0\nutc_offset_hours = 1\n");
     EXPECT_EQ(season.days, (std::vector<std::string>{"2024-02-28", "2024-02-29", "2024-03-01"}));
-    ASSERT_EQ(season.moments.size(), 9U);
+    ASSERT_EQ(season.time_steps.size(), 9U);
     EXPECT_EQ(season.notes[3].time, "2024-02-29T09:00+01:00");
-    EXPECT_EQ(season.moments[3].day, 1U);
-    EXPECT_EQ(season.moments[0].seconds, 7200);
+    EXPECT_EQ(season.time_steps[3].day, 1U);
+    EXPECT_EQ(season.time_steps[0].seconds, 7200);
     EXPECT_EQ(season.notes[4].suns, 1U) << "one sun in the middle";
 }
 
 TEST(RunFileTime, OfTimesMayHaveAmountsInAnyUnit) {
     const std::string times = "times = ['2024-06-21T13:40+02:00', '2024-06-21T09:00+02:00']\n";
     const TimeSeries clear = series_of(times);
-    ASSERT_EQ(clear.moments.size(), 2U);
+    ASSERT_EQ(clear.time_steps.size(), 2U);
     EXPECT_EQ(clear.notes[0].time, "2024-06-21T09:00+02:00") << "in order";
-    EXPECT_EQ(clear.moments[0].seconds, 0);
+    EXPECT_EQ(clear.time_steps[0].seconds, 0);
     RunText text;
     text.top = "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n";
     text.sources = "";
     text.rest = std::string(kPlace) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
     const RunFile run = read_text(text.text());
     // In the order of the times as stated.
-    EXPECT_NEAR(on_the_horizontal(run.series->moments[1]), 1500, 1e-6 * 1500);
-    EXPECT_NEAR(on_the_horizontal(run.series->moments[0]), 200, 1e-6 * 200);
+    EXPECT_NEAR(on_the_horizontal(run.series->time_steps[1]), 1500, 1e-6 * 1500);
+    EXPECT_NEAR(on_the_horizontal(run.series->time_steps[0]), 200, 1e-6 * 200);
 }
 
 TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
@@ -83,7 +83,7 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
     text.sources = "";
     text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T13:40+02:00']\n";
     const RunFile run = read_text(text.text());
-    const auto spectrum = run.series->moments[0].sources[0]->spectrum();
+    const auto spectrum = run.series->time_steps[0].sources[0]->spectrum();
     EXPECT_DOUBLE_EQ(spectrum[0], spectrum[1]);
     EXPECT_NEAR(spectrum[2] / spectrum[1], 660 * 8.3593e-3, .01);
     text.top = "bands = ['green stuff']\n";
@@ -102,7 +102,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
                 "[time]\ntimes = ['2024-06-21T13:40+02:00']\nspectrum = 's.csv'\n"
                 "direct_horizontal = 400\ndiffuse = 100\n";
     const RunFile run = read_text(text.text(), files);
-    EXPECT_NEAR(on_the_horizontal(run.series->moments[0]), .5 * 400 + .5 * 100, 1e-6);
+    EXPECT_NEAR(on_the_horizontal(run.series->time_steps[0]), .5 * 400 + .5 * 100, 1e-6);
     const auto bad = faults_of(
         text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
     EXPECT_EQ(bad.size(), 3U);
@@ -121,9 +121,9 @@ TEST(RunFileTime, LampsShineAtAllTimes) {
         std::string(kPlace) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
     const RunFile run = read_text(text.text());
     EXPECT_EQ(run.sources.size(), 1U);
-    EXPECT_EQ(run.series->moments[0].sources.size(), 1U);
-    EXPECT_EQ(run.series->moments[12].sources.size(), 14U);
-    const auto plans = plan_series(run.series->moments);
+    EXPECT_EQ(run.series->time_steps[0].sources.size(), 1U);
+    EXPECT_EQ(run.series->time_steps[12].sources.size(), 14U);
+    const auto plans = plan_series(run.series->time_steps);
     EXPECT_EQ(plans[23].traced, 0U) << "all night alike";
 }
 
@@ -167,8 +167,8 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     EXPECT_TRUE(mentions(faults_of(with_time(day, svalbard)), "dark at all these times"));
     const RunFile summer = read_text(
         with_time("day = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n", svalbard));
-    for (const Moment& moment : summer.series->moments) {
-        EXPECT_FALSE(moment.sources.empty());
+    for (const TimeStep& time_step : summer.series->time_steps) {
+        EXPECT_FALSE(time_step.sources.empty());
     }
 }
 
@@ -196,20 +196,20 @@ std::string day_table(int from_hour = 0, int to_hour = 24) {
 TEST(RunFileWeather, GivesTheLightOfATable) {
     const TimeSeries series =
         series_of("weather = 'w.csv'\nstamp = 'start'\n", {{"w.csv", day_table()}});
-    ASSERT_EQ(series.moments.size(), 48U);
-    EXPECT_EQ(series.moments[0].seconds, 1800);
+    ASSERT_EQ(series.time_steps.size(), 48U);
+    EXPECT_EQ(series.time_steps[0].seconds, 1800);
     const MomentNotes& noon = series.notes[24];
     EXPECT_EQ(noon.time, "2024-06-21T12:00+01:00");
     EXPECT_NEAR(noon.daylight.diffuse / noon.daylight.global(), .3, 1e-4);
     const TimeSeries some = series_of(
         "weather = 'w.csv'\nstamp = 'start'\nday = '2024-06-21'\nhours = [10, 12]\n",
         {{"w.csv", day_table()}});
-    EXPECT_EQ(some.moments.size(), 4U);
+    EXPECT_EQ(some.time_steps.size(), 4U);
     EXPECT_EQ(some.notes[0].time, "2024-06-21T10:00+01:00") << "on the clock of the rows";
     EXPECT_EQ(
         series_of(
             "weather = 'w.csv'\nstamp = 'start'\nday = '2024-06-21'\n", {{"w.csv", day_table()}})
-            .moments.size(),
+            .time_steps.size(),
         48U);
     EXPECT_TRUE(mentions(
         faults_of(
@@ -242,7 +242,7 @@ TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
     EXPECT_TRUE(mentions(faults, "1 rows are missing from 2024-06-21T12:00+01:00"));
     EXPECT_TRUE(mentions(faults, "no light at 2024-06-21T14:00+01:00"));
     const RunFile run = read_text(with_time(keys + "gaps = 'skip'\n"), {{"w.csv", holey}});
-    EXPECT_EQ(run.series->moments.size(), 46U);
+    EXPECT_EQ(run.series->time_steps.size(), 46U);
     EXPECT_FALSE(run.warnings.empty());
     const std::string day = "day = '2024-06-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(mentions(
@@ -274,7 +274,7 @@ TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
     text.sources = "";
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
     const RunFile run = read_text(text.text(), {{"w.epw", epw_text()}});
-    ASSERT_EQ(run.series->moments.size(), 24U);
+    ASSERT_EQ(run.series->time_steps.size(), 24U);
     EXPECT_EQ(run.series->notes[12].time, "2024-06-21T12:00+01:00") << "of the year asked for";
     EXPECT_NEAR(run.series->notes[12].daylight.diffuse, 100, 1e-6);
     EXPECT_NEAR(
@@ -296,8 +296,8 @@ TEST(RunFileWeather, OvercastHoursShareATrace) {
         text += fmt::format("2024-06-21T{:02d}:00+01:00,0,{}\n", hour, 10 * hour);
     }
     const TimeSeries series = series_of("weather = 'w.csv'\n", {{"w.csv", text}});
-    const auto plans = plan_series(series.moments);
-    for (const MomentPlan& plan : plans) {
+    const auto plans = plan_series(series.time_steps);
+    for (const TimeStepPlan& plan : plans) {
         EXPECT_EQ(plan.traced, 0U);
     }
     EXPECT_NEAR(plans[7].factor, 15 / 8.0, 1e-9);

@@ -1,4 +1,4 @@
-#include "quasimc/io/weather.h"
+#include "io/weather/weather.h"
 
 #include <string>
 

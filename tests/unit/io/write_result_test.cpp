@@ -1,4 +1,4 @@
-#include "quasimc/io/write_result.h"
+#include "io/results/write_result.h"
 
 #include <cmath>
 #include <limits>
@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/line_scanner.h"
+#include "io/results/audit_words.h"
+#include "io/runfile/units.h"
 #include "io_testing.h"
-#include "quasimc/io/audit_words.h"
-#include "quasimc/io/line_scanner.h"
-#include "quasimc/io/units.h"
 
 namespace quasimc::test {
 namespace {
@@ -165,9 +165,9 @@ TEST(Summary, IsShortAndTellsTheEnergy) {
 /// What "auto" chose and why stands in every form of the result.
 TEST(Method, IsToldWithItsReason) {
     RunFile run = small_run();
-    run.spec.trace_from = TraceFrom::automatic;
+    run.spec.method = Method::automatic;
     Result result = small_result();
-    result.method = {TraceFrom::lit_surfaces, "it is sunny"};
+    result.chosen = {Method::first_hits, "it is sunny"};
     EXPECT_NE(summary(run, result, {}).find("from lit_surfaces: it is sunny"), std::string::npos);
     const auto json = json_of(run, result)["method"];
     EXPECT_EQ(json["trace_from"], "lit_surfaces");
@@ -180,9 +180,9 @@ TEST(Method, IsToldWithItsReason) {
 
 TEST(Method, IsNoNewsToWhoAskedForIt) {
     Result result = small_result();
-    result.method = {TraceFrom::sources, "asked for"};
+    result.chosen = {Method::light_tracing, "asked for"};
     RunFile run = small_run();
-    run.spec.trace_from = TraceFrom::sources;
+    run.spec.method = Method::light_tracing;
     EXPECT_EQ(summary(run, result, {}).find("asked for"), std::string::npos);
 }
 
@@ -190,8 +190,8 @@ Audit small_audit(double chance) {
     return {
         10,
         8,
-        {{.chi = 1.5, .freedom = 3, .difference = -2, .standard_error = 1},
-         {.chi = .5, .difference = kNan, .standard_error = kNan}},
+        {{.reduced_chi_square = 1.5, .freedom = 3, .difference = -2, .standard_error = 1},
+         {.reduced_chi_square = .5, .difference = kNan, .standard_error = kNan}},
         chance};
 }
 

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "optics/catalogue.h"
 #include "optics_testing.h"
-#include "quasimc/optics/catalogue.h"
 
 namespace quasimc::test {
 namespace {
@@ -16,7 +16,8 @@ struct Spectrum {
     std::size_t bands, exponents;
     double theta_deg;
     unsigned paths;
-    double enough = std::numeric_limits<double>::infinity();  ///< of the sum of the weights
+    double roulette_threshold =
+        std::numeric_limits<double>::infinity();  ///< of the sum of the weights
 };
 
 class ManyBands : public ::testing::TestWithParam<Spectrum> {
@@ -87,7 +88,8 @@ TEST_P(ManyBands, ScatterIsUnbiasedInEveryBand) {
         add_expected(lobe, pdf, lobe.shape->sample(at_.n, at_.wi, 0, 0), expected);
     }
     const auto draw = [&](double u0, double u1, std::span<double> w) {
-        const auto scattered = side.scatter(at_.n, at_.wi, {u0, u1, GetParam().enough}, w);
+        const auto scattered =
+            side.scatter(at_.n, at_.wi, {u0, u1, GetParam().roulette_threshold}, w);
         return scattered ? std::optional(scattered->wo) : std::nullopt;
     };
     expect_unbiased(draw, expected, 0.2);
@@ -113,7 +115,8 @@ TEST_P(ManyBands, GatherIsUnbiasedInEveryBand) {
         }
     }
     const auto draw = [&](double u0, double u1, std::span<double> w) {
-        const auto gathered = leaf_.gather(at_.n, false, wo, {u0, u1, GetParam().enough}, w);
+        const auto gathered =
+            leaf_.gather(at_.n, false, wo, {u0, u1, GetParam().roulette_threshold}, w);
         return gathered ? std::optional(gathered->wi) : std::nullopt;
     };
     expect_unbiased(draw, expected, 0.2);
@@ -146,7 +149,7 @@ TEST_P(ManyBands, LookingUpEqualsTheDefinition) {
 std::string spectrum_name(const ::testing::TestParamInfo<Spectrum>& info) {
     return std::to_string(info.param.bands) + "_bands_" + std::to_string(info.param.exponents) +
            "_exponents_at_" + std::to_string(static_cast<int>(info.param.theta_deg)) + "_degrees" +
-           (std::isfinite(info.param.enough) ? "_certain" : "");
+           (std::isfinite(info.param.roulette_threshold) ? "_certain" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,4 +1,4 @@
-#include "quasimc/optics/lambertian.h"
+#include "optics/lambertian.h"
 
 #include <numbers>
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/optics/catalogue.h"
-#include "quasimc/optics/material.h"
+#include "optics/catalogue.h"
+#include "optics/material.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "quasimc/optics/material.h"
+#include "optics/material.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "quasimc/optics/mirror.h"
+#include "optics/mirror.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "optics/catalogue.h"
+#include "optics/directions.h"
 #include "optics_testing.h"
-#include "quasimc/optics/catalogue.h"
-#include "quasimc/optics/directions.h"
 
 namespace quasimc::test {
 namespace {

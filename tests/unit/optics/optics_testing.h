@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/base/vec3.h"
-#include "quasimc/optics/bsdf.h"
-#include "quasimc/optics/material.h"
+#include "base/vec3.h"
+#include "optics/bsdf.h"
+#include "optics/material.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {

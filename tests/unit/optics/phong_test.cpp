@@ -1,11 +1,11 @@
-#include "quasimc/optics/phong.h"
+#include "optics/phong.h"
 
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "optics/catalogue.h"
 #include "optics_testing.h"
-#include "quasimc/optics/catalogue.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "quasimc/optics/side.h"
+#include "optics/side.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "optics/catalogue.h"
 #include "optics_testing.h"
-#include "quasimc/optics/catalogue.h"
 
 namespace quasimc::test {
 namespace {
@@ -197,13 +197,14 @@ TEST_P(SideOfManyBands, BringsTheWeightsDownToWhatIsEnough) {
     const double all = sum(before_);
     const double kept = mean_albedo(side_, before_) * all;
     Random random(14);
-    for (const double enough : {0.0, 0.5 * kept, (kept + all) / 2, 2 * all}) {
-        const double after = std::max(std::min(enough, all), kept);
+    for (const double roulette_threshold : {0.0, 0.5 * kept, (kept + all) / 2, 2 * all}) {
+        const double after = std::max(std::min(roulette_threshold, all), kept);
         for (int i = 0; i < 500; ++i) {
             std::vector<double> weights = before_;
             const double u0 = i == 0 ? kBelowOne : random();
             const bool goes_on =
-                side_.scatter(at_.n, at_.wi, {u0, random(), enough}, weights).has_value();
+                side_.scatter(at_.n, at_.wi, {u0, random(), roulette_threshold}, weights)
+                    .has_value();
             ASSERT_TRUE(goes_on || after > kept) << "certain, but ended at u0 = " << u0;
             ASSERT_NEAR(sum(weights), goes_on ? after : all, 1e-12 * all);
         }

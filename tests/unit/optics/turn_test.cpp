@@ -1,11 +1,11 @@
-#include "quasimc/optics/turn.h"
+#include "optics/turn.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "optics/directions.h"
 #include "optics_testing.h"
-#include "quasimc/optics/directions.h"
 
 namespace quasimc::test {
 namespace {

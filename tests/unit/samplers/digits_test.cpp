@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/digit_scramble.h"
-#include "quasimc/samplers/faure.h"
-#include "quasimc/samplers/halton.h"
-#include "quasimc/samplers/hash.h"
 #include "sampler_testing.h"
+#include "samplers/digit_scramble.h"
+#include "samplers/faure.h"
+#include "samplers/halton.h"
+#include "samplers/hash.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {
@@ -49,8 +49,8 @@ TEST_P(DigitScrambleInBase, KeepsPrefixes) {
             const auto key = scramble.key(mix64(i));
             const auto a = static_cast<std::uint32_t>(mix64(i + 1000) % scramble.period());
             const std::uint32_t b = (a + difference) % scramble.period();
-            const auto x = digits(scramble.number(a, key), base, common + 1);
-            const auto y = digits(scramble.number(b, key), base, common + 1);
+            const auto x = digits(scramble.coordinate(a, key), base, common + 1);
+            const auto y = digits(scramble.coordinate(b, key), base, common + 1);
             for (int k = 0; k < common; ++k)
                 ASSERT_EQ(x[k], y[k]);
             ASSERT_NE(x[common], y[common]);
@@ -76,8 +76,8 @@ TEST_P(DigitScrambleInSmallBase, TreatsPairsAsOwensDoes) {
     std::vector<std::uint64_t> third(base * base);
     for (std::uint64_t i = 0; i < kKeys; ++i) {
         const auto key = scramble.key(mix64(i));
-        const auto x = digits(scramble.number(a, key), base, 3);
-        const auto y = digits(scramble.number(b, key), base, 3);
+        const auto x = digits(scramble.coordinate(a, key), base, 3);
+        const auto y = digits(scramble.coordinate(b, key), base, 3);
         ASSERT_EQ(x[0], y[0]);
         ++first[x[0]];
         ++second[x[1] * (base - 1) + (y[1] + base - x[1]) % base - 1];
@@ -162,7 +162,7 @@ TEST(Faure, HasOnePointInEveryElementaryBoxOfFourDimensions) {
     for (std::uint64_t i = 0; i < stream.count; ++i) {
         std::size_t at = 0;
         for (const std::uint32_t j : {0U, 2U, 3U, 9U})
-            at = at * 11 + static_cast<std::size_t>(sampler->number(stream, i, j) * 11);
+            at = at * 11 + static_cast<std::size_t>(sampler->coordinate(stream, i, j) * 11);
         ++box[at];
     }
     EXPECT_TRUE(all_one(box));

@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/hash.h"
 #include "sampler_testing.h"
+#include "samplers/hash.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {
@@ -48,18 +48,18 @@ TEST_P(EverySampler, GivesTheSameBitsInAnyOrder) {
              .replicate = static_cast<std::uint32_t>(random >> 60),
              .number = 0});
     }
-    const auto number = [&](const Sampler& sampler, const Draw& draw) {
+    const auto coordinate = [&](const Sampler& sampler, const Draw& draw) {
         const Stream stream{.seed = 3, .sequence = 9, .replicate = draw.replicate, .count = 1024};
-        return sampler.number(stream, draw.point, draw.dimension);
+        return sampler.coordinate(stream, draw.point, draw.dimension);
     };
     for (Draw& draw : draws)
-        draw.number = number(sampler(), draw);
+        draw.number = coordinate(sampler(), draw);
     std::sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
         return a.number < b.number;
     });
     const auto another = make_sampler(GetParam());
     for (const Draw& draw : draws)
-        ASSERT_EQ(number(*another, draw), draw.number);
+        ASSERT_EQ(coordinate(*another, draw), draw.number);
 }
 
 /// Expects numbers() to repeat number(), from `first` on.
@@ -71,9 +71,9 @@ void expect_same_bits(
     std::size_t length) {
     // A canary behind the end shows if too much is written.
     std::vector<double> many(length + 1, -1.0);
-    sampler.numbers(stream, first, dimension, std::span(many).first(length));
+    sampler.coordinates(stream, first, dimension, std::span(many).first(length));
     for (std::size_t i = 0; i < length; ++i)
-        ASSERT_EQ(many[i], sampler.number(stream, first + i, dimension))
+        ASSERT_EQ(many[i], sampler.coordinate(stream, first + i, dimension))
             << "point " << first << " + " << i << ", dimension " << dimension;
     ASSERT_EQ(many[length], -1.0);
 }
@@ -113,7 +113,8 @@ TEST_P(EverySampler, ContinuesItsSequenceUnlessItNeedsWholeRounds) {
     const Stream second{.seed = 4, .first = 1024, .count = 1024};
     int same = 0;
     for (std::uint64_t point = 1024; point < 2048; ++point)
-        same += sampler().number(whole, point, 1) == sampler().number(second, point, 1) ? 1 : 0;
+        same +=
+            sampler().coordinate(whole, point, 1) == sampler().coordinate(second, point, 1) ? 1 : 0;
     EXPECT_EQ(same, sampler().needs_power_of_two() ? 0 : 1024);
 }
 
@@ -127,7 +128,7 @@ std::vector<double> over_replicates(
     std::vector<double> x;
     for (int replicate = 0; replicate < count; ++replicate) {
         stream.replicate = static_cast<std::uint32_t>(replicate);
-        x.push_back(sampler.number(stream, point, dimension));
+        x.push_back(sampler.coordinate(stream, point, dimension));
     }
     return x;
 }

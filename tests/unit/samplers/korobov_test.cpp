@@ -1,4 +1,4 @@
-#include "quasimc/samplers/korobov.h"
+#include "samplers/korobov.h"
 
 #include <array>
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/korobov_table.h"
-#include "quasimc/samplers/lattice_merit.h"
 #include "sampler_testing.h"
+#include "samplers/korobov_table.h"
+#include "samplers/lattice_merit.h"
 
 namespace quasimc::test {
 namespace {
@@ -75,10 +75,10 @@ TEST(Korobov, IsTheShiftedLatticeToTheLastBit) {
     const auto bits = [](double x) { return static_cast<std::uint64_t>(x * 0x1p53); };
     std::uint64_t power = 1;
     for (std::uint32_t j = 0; j < 8; ++j) {
-        const std::uint64_t shift = bits(sampler->number(stream, stream.first, j));
+        const std::uint64_t shift = bits(sampler->coordinate(stream, stream.first, j));
         for (std::uint64_t i = 0; i < n; i += 37) {
             const std::uint64_t sum = shift + ((i * power % n) << (53 - m));
-            ASSERT_EQ(bits(sampler->number(stream, stream.first + i, j)), sum % (1ULL << 53));
+            ASSERT_EQ(bits(sampler->coordinate(stream, stream.first + i, j)), sum % (1ULL << 53));
         }
         power = power * kKorobovLattices[m].multiplier % n;
     }
@@ -91,7 +91,7 @@ TEST(Korobov, ShiftsEveryRoundAndDimensionAnew) {
         for (std::uint32_t dimension = 0; dimension < 16; ++dimension)
             for (std::uint32_t replicate = 0; replicate < 4; ++replicate) {
                 const Stream stream{.replicate = replicate, .first = round * 1024, .count = 1024};
-                shifts.insert(sampler->number(stream, stream.first, dimension));
+                shifts.insert(sampler->coordinate(stream, stream.first, dimension));
             }
     EXPECT_EQ(shifts.size(), 20U * 16 * 4);
 }
@@ -110,15 +110,15 @@ TEST(Korobov, TakesRoundsOfAnyPowerOfTwo) {
     for (int m = 0; m <= 50; ++m) {
         const std::uint64_t n = std::uint64_t{1} << m;
         const Stream stream{.first = n, .count = n};
-        EXPECT_NE(sampler->number(stream, n, 0), sampler->number(stream, n + n / 2, 1));
-        EXPECT_LT(sampler->number(stream, 2 * n - 1, 0), 1);
+        EXPECT_NE(sampler->coordinate(stream, n, 0), sampler->coordinate(stream, n + n / 2, 1));
+        EXPECT_LT(sampler->coordinate(stream, 2 * n - 1, 0), 1);
     }
 }
 
 #ifndef NDEBUG
 TEST(KorobovDeathTest, EndsAtARoundThatIsNoPowerOfTwo) {
     EXPECT_DEATH(
-        static_cast<void>(make_korobov()->number({.count = 1000}, 0, 0)), "has_single_bit");
+        static_cast<void>(make_korobov()->coordinate({.count = 1000}, 0, 0)), "has_single_bit");
 }
 #endif
 

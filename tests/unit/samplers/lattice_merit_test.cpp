@@ -1,4 +1,4 @@
-#include "quasimc/samplers/lattice_merit.h"
+#include "samplers/lattice_merit.h"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/hash.h"
+#include "samplers/hash.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "quasimc/samplers/monte_carlo.h"
+#include "samplers/monte_carlo.h"
 
 #include <array>
 #include <cstdint>
@@ -28,8 +28,8 @@ TEST(MonteCarlo, TakesPointsBeyond32Bits) {
     const auto sampler = make_monte_carlo();
     const Stream stream{.count = ~std::uint64_t{0}};
     const std::uint64_t far = std::uint64_t{1} << 40;
-    EXPECT_NE(sampler->number(stream, far, 0), sampler->number(stream, 0, 0));
-    EXPECT_NE(sampler->number(stream, far, 0), sampler->number(stream, far << 10, 0));
+    EXPECT_NE(sampler->coordinate(stream, far, 0), sampler->coordinate(stream, 0, 0));
+    EXPECT_NE(sampler->coordinate(stream, far, 0), sampler->coordinate(stream, far << 10, 0));
 }
 
 TEST(MonteCarlo, IsNotStratified) {

@@ -18,7 +18,7 @@ std::vector<std::string> sampler_names() {
 std::vector<double> coordinates(
     const Sampler& sampler, const Stream& stream, std::uint32_t dimension) {
     std::vector<double> x(stream.count);
-    sampler.numbers(stream, stream.first, dimension, x);
+    sampler.coordinates(stream, stream.first, dimension, x);
     return x;
 }
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/catalogue.h"
+#include "samplers/catalogue.h"
 
 namespace quasimc::test {
 

@@ -16,7 +16,7 @@ namespace {
 class OneCoordinate final : public Sampler {
   public:
     explicit OneCoordinate(double distance) : distance_(distance) {}
-    double number(
+    double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const override {
         const double x =
             static_cast<double>(point) / static_cast<double>(stream.count) + distance_ * dimension;

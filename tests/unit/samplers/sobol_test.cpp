@@ -1,4 +1,4 @@
-#include "quasimc/samplers/sobol.h"
+#include "samplers/sobol.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/hash.h"
 #include "sampler_testing.h"
+#include "samplers/hash.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {
@@ -119,7 +119,7 @@ TEST(Sobol, TakesPointsBeyond32Bits) {
     const std::uint64_t period = std::uint64_t{1} << 32;
     const Stream stream{.first = 3 * period, .count = 1024};
     EXPECT_TRUE(is_net(*sampler, stream, 0, 1));
-    EXPECT_NE(sampler->number(stream, period, 0), sampler->number(stream, 0, 0));
+    EXPECT_NE(sampler->coordinate(stream, period, 0), sampler->coordinate(stream, 0, 0));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST(VarianceTest, ABiasedSamplerIsFoundOut) {
     // The negative control: the lattice without its shift.
     class Unshifted final : public Sampler {
       public:
-        double number(
+        double coordinate(
             const Stream& stream, std::uint64_t point, std::uint32_t dimension) const override {
             const std::uint64_t multiple = dimension == 0 ? point : point * 381;
             const auto n = static_cast<double>(stream.count);

@@ -1,4 +1,4 @@
-#include "quasimc/scene/coplanar.h"
+#include "scene/coplanar.h"
 
 #include <gtest/gtest.h>
 

@@ -55,7 +55,7 @@ TEST(Ground, IsTheLastOrganAndMarked) {
     EXPECT_TRUE(scene.organs()[1].is_ground);
     EXPECT_EQ(scene.organs()[1].name, "ground");
     EXPECT_EQ(scene.organs()[1].id, 2);
-    EXPECT_EQ(scene.material(scene.elements().back()).name(), "soil");
+    EXPECT_EQ(scene.material(scene.regions().back()).name(), "soil");
 }
 
 TEST(Ground, IsTwoTrianglesWithTheUpperSideUp) {

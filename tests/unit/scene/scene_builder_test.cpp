@@ -1,4 +1,4 @@
-#include "quasimc/scene/scene_builder.h"
+#include "scene/scene_builder.h"
 
 #include <cmath>
 
@@ -71,17 +71,17 @@ TEST(SceneBuilder, MergesPartsOfOneMaterialAndKeepsTheirTrianglesTogether) {
     const Organ& organ = scene.organs()[1];
     EXPECT_EQ(organ.first_triangle, 1U);
     EXPECT_EQ(organ.triangle_count, 5U);
-    EXPECT_EQ(organ.first_element, 1U);
-    ASSERT_EQ(organ.element_count, 2U);
+    EXPECT_EQ(organ.first_region, 1U);
+    ASSERT_EQ(organ.region_count, 2U);
     EXPECT_DOUBLE_EQ(organ.area, 2.5);
-    EXPECT_EQ(scene.material(scene.elements()[1]).name(), "soil");
-    EXPECT_EQ(scene.material(scene.elements()[2]).name(), "leaf");
-    EXPECT_DOUBLE_EQ(scene.elements()[1].area, 1);
-    EXPECT_DOUBLE_EQ(scene.elements()[2].area, 1.5);
+    EXPECT_EQ(scene.material(scene.regions()[1]).name(), "soil");
+    EXPECT_EQ(scene.material(scene.regions()[2]).name(), "leaf");
+    EXPECT_DOUBLE_EQ(scene.regions()[1].area, 1);
+    EXPECT_DOUBLE_EQ(scene.regions()[2].area, 1.5);
     const std::vector<Triangle> expected{z(9), z(1), z(4), z(2), z(3), z(5)};
     EXPECT_EQ(scene.triangles(), expected);
-    const std::vector<ElementIndex> elements{{0}, {1}, {1}, {2}, {2}, {2}};
-    EXPECT_EQ(scene.triangle_elements(), elements);
+    const std::vector<RegionIndex> regions{{0}, {1}, {1}, {2}, {2}, {2}};
+    EXPECT_EQ(scene.triangle_regions(), regions);
 }
 
 TEST(SceneBuilder, SharesNoElementBetweenOrgans) {
@@ -89,9 +89,9 @@ TEST(SceneBuilder, SharesNoElementBetweenOrgans) {
     builder.add_organ(one_triangle("a", flat_triangle({0, 0, 1})));
     builder.add_organ(one_triangle("b", flat_triangle({0, 0, 2})));
     const Scene scene = std::move(builder).build();
-    ASSERT_EQ(scene.elements().size(), 2U);
-    EXPECT_EQ(scene.elements()[0].organ, OrganIndex{0});
-    EXPECT_EQ(scene.elements()[1].organ, OrganIndex{1});
+    ASSERT_EQ(scene.regions().size(), 2U);
+    EXPECT_EQ(scene.regions()[0].organ, OrganIndex{0});
+    EXPECT_EQ(scene.regions()[1].organ, OrganIndex{1});
 }
 
 RC_GTEST_PROP(SceneBuilder, GivesEveryTriangleOneElementOfItsOrgan, ()) {
@@ -113,23 +113,23 @@ RC_GTEST_PROP(SceneBuilder, GivesEveryTriangleOneElementOfItsOrgan, ()) {
     const Scene scene = std::move(builder).build();
 
     RC_ASSERT(scene.triangles().size() == triangles);
-    RC_ASSERT(scene.triangle_elements().size() == triangles);
+    RC_ASSERT(scene.triangle_regions().size() == triangles);
     std::size_t next_triangle = 0;
     std::size_t next_element = 0;
     for (std::size_t o = 0; o < organs; ++o) {
         const Organ& organ = scene.organs()[o];
         RC_ASSERT(organ.first_triangle == next_triangle);
-        RC_ASSERT(organ.first_element == next_element);
+        RC_ASSERT(organ.first_region == next_element);
         next_triangle += organ.triangle_count;
-        next_element += organ.element_count;
+        next_element += organ.region_count;
         for (std::size_t t = organ.first_triangle; t < next_triangle; ++t) {
-            const ElementIndex e = scene.triangle_elements()[t];
-            RC_ASSERT(e.value >= organ.first_element && e.value < next_element);
-            RC_ASSERT(scene.elements()[e.value].organ.value == o);
+            const RegionIndex e = scene.triangle_regions()[t];
+            RC_ASSERT(e.value >= organ.first_region && e.value < next_element);
+            RC_ASSERT(scene.regions()[e.value].organ.value == o);
         }
     }
     RC_ASSERT(next_triangle == triangles);
-    RC_ASSERT(next_element == scene.elements().size());
+    RC_ASSERT(next_element == scene.regions().size());
 }
 
 TEST(SceneBuilder, TakesMaterialsBeforeAndAfterOrgans) {
@@ -139,7 +139,7 @@ TEST(SceneBuilder, TakesMaterialsBeforeAndAfterOrgans) {
     builder.add_organ(std::move(organ));
     builder.add_material(lambertian("bark", 0.3, 0));
     const Scene scene = std::move(builder).build();
-    EXPECT_EQ(scene.material(scene.elements()[0]).name(), "bark");
+    EXPECT_EQ(scene.material(scene.regions()[0]).name(), "bark");
     EXPECT_DOUBLE_EQ(scene.materials()[0].side(true).albedo()[0], 0.3);
 }
 

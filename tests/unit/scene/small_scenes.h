@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/scene/scene_builder.h"
+#include "scene/scene_builder.h"
 
 namespace quasimc::test {
 

@@ -1,4 +1,4 @@
-#include "quasimc/sources/civil_time.h"
+#include "sources/civil_time.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "quasimc/sources/daylight.h"
+#include "sources/daylight.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sources/clear_sky.h"
-#include "quasimc/sources/diffuse_fraction.h"
-#include "quasimc/sources/solar_reference.h"
+#include "sources/clear_sky.h"
+#include "sources/diffuse_fraction.h"
+#include "sources/solar_reference.h"
 
 namespace quasimc::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
-#include "quasimc/sources/source.h"
+#include "geometry/shapes/shapes.h"
+#include "sources/source.h"
 #include "support/statistics.h"
 #include "unit/samplers/sampler_testing.h"
 
@@ -22,13 +22,13 @@ Vec3 slanted() {
 /// The aperture of some triangles, with the mesh it looks at.
 struct Opening {
     LocalMesh mesh;
-    Aperture aperture;
+    SceneProjection projection;
 
     explicit Opening(
         const std::vector<Triangle>& triangles,
         const Cell& cell = kOpen,
-        WindowShape shape = WindowShape::silhouette)
-        : mesh(make_local_mesh(triangles)), aperture(mesh, cell, shape) {}
+        CrossSectionShape shape = CrossSectionShape::silhouette)
+        : mesh(make_local_mesh(triangles)), projection(mesh, cell, shape) {}
     Opening(const Opening&) = delete;
     Opening& operator=(const Opening&) = delete;
 };
@@ -40,8 +40,8 @@ std::vector<Triangle> make_floor() {
 
 /// Flux into the scene in square units of the world, 0 if there is none.
 double world_flux(const Source& source, const Opening& opening) {
-    const auto emitter = source.make_emitter(opening.aperture);
-    return emitter ? emitter->flux() * opening.aperture.world_area() : 0;
+    const auto sampler = source.make_sampler_in(opening.projection);
+    return sampler ? sampler->flux() * opening.projection.world_area() : 0;
 }
 
 /// A window may be larger than the silhouette by a tenth, if its map is simpler for it.
@@ -56,7 +56,7 @@ TEST(Directional, SendsHardlyMoreLightThanTheSilhouetteCatches) {
 
 TEST(Directional, SendsTheLightOfTheDiscAcrossTheBoundingSphereIfAsked) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    const Opening opening(make_floor(), kOpen, WindowShape::sphere);
+    const Opening opening(make_floor(), kOpen, CrossSectionShape::sphere);
     EXPECT_NEAR(world_flux(*source, opening), std::numbers::pi * 1.25, 2e-5);
 }
 
@@ -69,37 +69,38 @@ TEST(Directional, SendsTheLightOfOneCellIntoAPeriodicScene) {
 TEST(Directional, SendsNothingIntoAFloorSeenEdgeOn) {
     const Cell cell{.along_x = true, .along_y = true, .size_x = 3, .size_y = 5};
     const auto source = make_directional_source("horizontal", {1, 0, 0}, {1});
-    EXPECT_EQ(source->make_emitter(Opening(make_floor()).aperture), nullptr);
-    EXPECT_EQ(source->make_emitter(Opening(make_floor(), cell).aperture), nullptr);
+    EXPECT_EQ(source->make_sampler_in(Opening(make_floor()).projection), nullptr);
+    EXPECT_EQ(source->make_sampler_in(Opening(make_floor(), cell).projection), nullptr);
 }
 
 TEST(Directional, StartsAllPathsAlikeOutsideTheScene) {
     const auto source = make_directional_source("sun", 3.0 * slanted(), {1});
     const Opening opening(make_floor());
-    const auto emitter = source->make_emitter(opening.aperture);
-    ASSERT_TRUE(emitter->beam_direction());
-    EXPECT_LT(length(*emitter->beam_direction() - slanted()), 1e-15);
+    const auto sampler = source->make_sampler_in(opening.projection);
+    ASSERT_TRUE(sampler->beam_direction());
+    EXPECT_LT(length(*sampler->beam_direction() - slanted()), 1e-15);
     std::mt19937_64 bits(1);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 1000; ++i) {
-        const Emission start = emitter->emit({uniform(bits), uniform(bits), .5, .5});
+        const Emission start = sampler->emit({uniform(bits), uniform(bits), .5, .5});
         EXPECT_EQ(start.weight, 1);
-        EXPECT_EQ(start.direction, *emitter->beam_direction());
+        EXPECT_EQ(start.direction, *sampler->beam_direction());
         EXPECT_GT(start.origin.z, 0) << "the floor is at 0";
     }
 }
 
 TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    for (const WindowShape shape : {WindowShape::silhouette, WindowShape::sphere}) {
+    for (const CrossSectionShape shape :
+         {CrossSectionShape::silhouette, CrossSectionShape::sphere}) {
         const Opening opening(make_floor(), kOpen, shape);
-        const auto emitter = source->make_emitter(opening.aperture);
+        const auto sampler = source->make_sampler_in(opening.projection);
         constexpr std::array<double, 5> kU0{0, .1, .5, .7, .999999};
         constexpr std::array<double, 5> kU1{.9, 0, .5, .999999, .2};
         std::array<Vec3, 5> origins;
-        emitter->beam_origins(kU0, kU1, origins);
+        sampler->beam_origins(kU0, kU1, origins);
         for (std::size_t i = 0; i < origins.size(); ++i) {
-            EXPECT_EQ(origins[i], emitter->emit({kU0[i], kU1[i], 0, 0}).origin);
+            EXPECT_EQ(origins[i], sampler->emit({kU0[i], kU1[i], 0, 0}).origin);
         }
     }
 }
@@ -108,14 +109,14 @@ TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
 TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
     const auto source = make_directional_source("sun", slanted(), {1});
     const Opening opening(make_floor());
-    const auto emitter = source->make_emitter(opening.aperture);
+    const auto sampler = source->make_sampler_in(opening.projection);
     std::mt19937_64 bits(2);
     std::uniform_real_distribution<double> uniform;
     std::vector<double> x;
     std::vector<double> y;
     constexpr int kStarts = 40000;
     for (int i = 0; i < kStarts; ++i) {
-        const Emission start = emitter->emit({uniform(bits), uniform(bits), 0, 0});
+        const Emission start = sampler->emit({uniform(bits), uniform(bits), 0, 0});
         const Vec3 from = opening.mesh.origin + start.origin / opening.mesh.scale;
         const Vec3 place = from - (from.z / start.direction.z) * start.direction;
         if (place.x >= 0 && place.x < 2 && place.y >= 0 && place.y < 1) {
@@ -146,7 +147,7 @@ TEST(Directional, FromBelowTheHorizonBringsNothingToTheUpperSideOfTheHorizontal)
     EXPECT_EQ(source->horizontal_irradiance(), 0);
     const Opening opening(make_floor());
     EXPECT_NEAR(world_flux(*source, opening), 2 * .8, 2e-5);
-    EXPECT_LT(source->make_emitter(opening.aperture)->emit({.5, .5, 0, 0}).origin.z, 0);
+    EXPECT_LT(source->make_sampler_in(opening.projection)->emit({.5, .5, 0, 0}).origin.z, 0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/base/vec3.h"
+#include "base/vec3.h"
 
 // Yardsticks for skies that share nothing with the code they measure.
 

@@ -1,4 +1,4 @@
-#include "quasimc/sources/hour_light.h"
+#include "sources/hour_light.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "quasimc/sources/lamp.h"
+#include "sources/lamp.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 
 namespace quasimc::test {
 namespace {
@@ -126,9 +126,9 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
     const auto lamp = make_lamp(spec);
     const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});
     const LocalMesh mesh = make_local_mesh(triangles);
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
-    const auto emitter = lamp->make_emitter(aperture);
-    ASSERT_NE(emitter, nullptr);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const auto sampler = lamp->make_sampler_in(projection);
+    ASSERT_NE(sampler, nullptr);
     std::mt19937_64 bits(7);
     std::uniform_real_distribution<double> uniform;
     constexpr int kStarts = 200000;
@@ -136,7 +136,7 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
     double weights = 0;
     for (int i = 0; i < kStarts; ++i) {
         const Emission e =
-            emitter->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
+            sampler->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
         weights += e.weight;
         EXPECT_NEAR(length(e.direction), 1, 1e-12);
         const Vec3 from = mesh.to_world(e.origin);
@@ -147,7 +147,7 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
         sent += hits ? e.weight : 0;
     }
     EXPECT_NEAR(weights / kStarts, 1, .01);
-    const double flux = emitter->flux() * aperture.world_area() * sent / kStarts;
+    const double flux = sampler->flux() * projection.world_area() * sent / kStarts;
     double seen = 0;
     constexpr int kPlaces = 400000;
     for (int i = 0; i < kPlaces; ++i) {
@@ -177,12 +177,12 @@ TEST(Lamp, FarAwayAimsAtTheScene) {
     LampSpec spec = lamp_of({}, isotropic_pattern());
     spec.position = {0, 0, 1000};
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
-    const auto emitter = make_lamp(spec)->make_emitter(aperture);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const auto sampler = make_lamp(spec)->make_sampler_in(projection);
     // The cone of the bounding sphere, of radius sqrt(1/2).
-    EXPECT_NEAR(emitter->flux() * aperture.world_area(), .5 / (4 * 1e6), 1e-9);
+    EXPECT_NEAR(sampler->flux() * projection.world_area(), .5 / (4 * 1e6), 1e-9);
     for (const double u : {0.0, .1, .3, .45}) {
-        const Emission e = emitter->emit({u, .3, .5, .5});
+        const Emission e = sampler->emit({u, .3, .5, .5});
         EXPECT_LT(length(e.origin), 3) << "starts near the scene";
     }
 }
@@ -192,11 +192,11 @@ TEST(Lamp, ThatShinesAwayFromTheSceneSendsNothing) {
     spec.position = {0, 0, 5};
     spec.axes = lamp_axes({0, 0, 1}, {1, 0, 0});
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-    const Aperture open(mesh, {}, WindowShape::silhouette);
-    EXPECT_EQ(make_lamp(spec)->make_emitter(open), nullptr);
+    const SceneProjection open(mesh, {}, CrossSectionShape::silhouette);
+    EXPECT_EQ(make_lamp(spec)->make_sampler_in(open), nullptr);
     const Cell cell{.along_x = true, .along_y = true, .size_x = 1, .size_y = 1};
-    const Aperture layer(mesh, cell, WindowShape::silhouette);
-    EXPECT_EQ(make_lamp(spec)->make_emitter(layer), nullptr);
+    const SceneProjection layer(mesh, cell, CrossSectionShape::silhouette);
+    EXPECT_EQ(make_lamp(spec)->make_sampler_in(layer), nullptr);
 }
 
 TEST(Lamp, IsNoSky) {

@@ -1,4 +1,4 @@
-#include "quasimc/sources/pattern.h"
+#include "sources/pattern.h"
 
 #include <cmath>
 #include <functional>

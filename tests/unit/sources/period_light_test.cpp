@@ -1,4 +1,4 @@
-#include "quasimc/sources/period_light.h"
+#include "sources/period_light.h"
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "quasimc/sources/entry.h"
-#include "quasimc/sources/period_light.h"
+#include "sources/entry.h"
+#include "sources/period_light.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"
@@ -267,22 +267,22 @@ TEST(SunDisk, MayStandOnTheHorizon) {
 TEST(SunDisk, SendsTheLightThatEntersTheBox) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
     for (const Vec3& to_sun : {sun_at(60), sun_at(1), Vec3{0, 0, 1}, Vec3{0, 1, 0}}) {
-        const auto emitter = make_sun_disk("sun", to_sun, 3, {1})->make_emitter(aperture);
+        const auto sampler = make_sun_disk("sun", to_sun, 3, {1})->make_sampler_in(projection);
         double mean = 0;
         constexpr int kSide = 300;
         for (int i = 0; i < kSide * kSide; ++i) {
             const Emission start =
-                emitter->emit({.3, .6, (i / kSide + .5) / kSide, (i % kSide + .5) / kSide});
+                sampler->emit({.3, .6, (i / kSide + .5) / kSide, (i % kSide + .5) / kSide});
             EXPECT_GE(dot(-start.direction, to_sun), std::cos(3 * pi / 180) - 1e-12);
             mean += start.weight / (kSide * kSide);
         }
         EXPECT_NEAR(mean, 1, 1e-5);
         if (to_sun.z > .5 && to_sun.z < 1) {
             EXPECT_NEAR(
-                emitter->flux(), aperture.entry_box().projected_area(to_sun),
-                1e-9 * emitter->flux());
+                sampler->flux(), projection.entry_box().projected_area(to_sun),
+                1e-9 * sampler->flux());
         }
     }
 }
@@ -290,16 +290,16 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
 TEST(SunDisk, DrawsItsDirectionsEvenly) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
     constexpr double kRadius = 3 * pi / 180;
     const Vec3 to_sun = sun_at(60);
-    const auto emitter = make_sun_disk("sun", to_sun, 3, {1})->make_emitter(aperture);
+    const auto sampler = make_sun_disk("sun", to_sun, 3, {1})->make_sampler_in(projection);
     const double inside = 1 / (2 * pi * (1 - std::cos(kRadius)));
-    EXPECT_NEAR(emitter->density(-to_sun), inside, 1e-9 * inside);
-    EXPECT_NEAR(emitter->draw_direction(.999, .2).density, inside, 1e-9 * inside);
-    EXPECT_EQ(emitter->density(to_sun), 0);
-    EXPECT_EQ(emitter->density(-sun_at(56.9)), 0);
-    const auto beam = make_directional_source("sun", -to_sun, {1})->make_emitter(aperture);
+    EXPECT_NEAR(sampler->density(-to_sun), inside, 1e-9 * inside);
+    EXPECT_NEAR(sampler->draw_direction(.999, .2).density, inside, 1e-9 * inside);
+    EXPECT_EQ(sampler->density(to_sun), 0);
+    EXPECT_EQ(sampler->density(-sun_at(56.9)), 0);
+    const auto beam = make_directional_source("sun", -to_sun, {1})->make_sampler_in(projection);
     EXPECT_EQ(beam->density(-to_sun), 0);  // has none
 }
 

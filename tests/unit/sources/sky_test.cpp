@@ -1,6 +1,6 @@
 // Every sky that there is: normalization, sampling, what enters a scene.
 
-#include "quasimc/sources/sky.h"
+#include "sources/sky.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"
@@ -23,12 +23,12 @@ using std::numbers::pi;
 /// A box of 4 x 2 x 1 to be lit, and its aperture.
 struct LitBox {
     LocalMesh mesh;
-    Aperture aperture;
+    SceneProjection projection;
 
     explicit LitBox(const Cell& cell = {})
         : mesh(make_local_mesh(
               std::vector<Triangle>{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}})),
-          aperture(mesh, cell, WindowShape::silhouette) {}
+          projection(mesh, cell, CrossSectionShape::silhouette) {}
     LitBox(const LitBox&) = delete;
     LitBox& operator=(const LitBox&) = delete;
 };
@@ -75,11 +75,11 @@ TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
 /// Cells are so small, too, that weights hardly differ: a path's noise is that of its place.
 TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     const LitBox lit;
-    const EntryBox& box = lit.aperture.entry_box();
-    const auto emitter = sky_->make_emitter(lit.aperture);
-    ASSERT_NE(emitter, nullptr);
+    const EntryBox& box = lit.projection.entry_box();
+    const auto sampler = sky_->make_sampler_in(lit.projection);
+    ASSERT_NE(sampler, nullptr);
     const auto entering = [&](const Vec3& d) { return sky_->radiance(d) * box.projected_area(d); };
-    EXPECT_NEAR(emitter->flux(), mesh_.integral(entering), 1e-6 * emitter->flux());
+    EXPECT_NEAR(sampler->flux(), mesh_.integral(entering), 1e-6 * sampler->flux());
     std::mt19937_64 bits(7);
     std::uniform_real_distribution<double> uniform;
     std::vector<WeightedDirection> draws;
@@ -88,9 +88,9 @@ TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     constexpr int kDraws = 20000;
     for (int i = 0; i < kDraws; ++i) {
         const Emission start =
-            emitter->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
+            sampler->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
         EXPECT_LE(start.direction.z, 0);
-        draws.push_back({-start.direction, start.weight * emitter->flux()});
+        draws.push_back({-start.direction, start.weight * sampler->flux()});
         weights.push_back(start.weight);
         squares += (start.weight - 1) * (start.weight - 1);
     }
@@ -109,7 +109,7 @@ std::vector<double> borders(std::vector<double> some, std::span<const double> mo
 }
 
 /// The integral of an emitter's density over all directions: it is the same all over a cell.
-double integral_of_density(const Emitter& emitter, const SkyShape& shape) {
+double integral_of_density(const SourceSampler& sampler, const SkyShape& shape) {
     std::vector<double> azimuths;
     std::vector<double> sines;
     for (int i = 0; i <= 64; ++i) {
@@ -125,9 +125,9 @@ double integral_of_density(const Emitter& emitter, const SkyShape& shape) {
         for (std::size_t j = 0; j + 1 < sines.size(); ++j) {
             const Vec3 d =
                 upward(.5 * (azimuths[i] + azimuths[i + 1]), .5 * (sines[j] + sines[j + 1]));
-            EXPECT_EQ(emitter.density(d), 0);  // light doesn't come from below
+            EXPECT_EQ(sampler.density(d), 0);  // light doesn't come from below
             sum +=
-                emitter.density(-d) * (azimuths[i + 1] - azimuths[i]) * (sines[j + 1] - sines[j]);
+                sampler.density(-d) * (azimuths[i + 1] - azimuths[i]) * (sines[j + 1] - sines[j]);
         }
     }
     return sum;
@@ -135,22 +135,22 @@ double integral_of_density(const Emitter& emitter, const SkyShape& shape) {
 
 TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
     const LitBox lit;
-    const auto emitter = sky_->make_emitter(lit.aperture);
-    ASSERT_NE(emitter, nullptr);
-    EXPECT_NEAR(integral_of_density(*emitter, shape_), 1, 1e-9);
+    const auto sampler = sky_->make_sampler_in(lit.projection);
+    ASSERT_NE(sampler, nullptr);
+    EXPECT_NEAR(integral_of_density(*sampler, shape_), 1, 1e-9);
     std::mt19937_64 bits(17);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 20000; ++i) {
         const double u0 = uniform(bits);
         const double u1 = uniform(bits);
-        const Emission start = emitter->emit({.5, .5, u0, u1});
+        const Emission start = sampler->emit({.5, .5, u0, u1});
         const Vec3& d = start.direction;
-        const DrawnDirection drawn = emitter->draw_direction(u0, u1);
+        const DrawnDirection drawn = sampler->draw_direction(u0, u1);
         EXPECT_EQ(length(drawn.direction - d), 0);
-        EXPECT_NEAR(drawn.density, emitter->density(d), 1e-12 * drawn.density);
+        EXPECT_NEAR(drawn.density, sampler->density(d), 1e-12 * drawn.density);
         const double light =
-            sky_->radiance(-d) * lit.aperture.entry_box().projected_area(d) / emitter->flux();
-        EXPECT_NEAR(start.weight * emitter->density(d), light, 1e-9 * light);
+            sky_->radiance(-d) * lit.projection.entry_box().projected_area(d) / sampler->flux();
+        EXPECT_NEAR(start.weight * sampler->density(d), light, 1e-9 * light);
     }
 }
 
@@ -163,7 +163,7 @@ TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
     const LitBox lit;
     const SkyShape shape = half_dark_shape();
     const auto sky = make_sky("sky", shape, {1});
-    const auto emitter = sky->make_emitter(lit.aperture);
+    const auto sampler = sky->make_sampler_in(lit.projection);
     std::mt19937_64 bits(18);
     std::uniform_real_distribution<double> uniform;
     int lit_places = 0;
@@ -171,13 +171,13 @@ TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
         const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
         if (shape.radiance(d) > 0) {
             ++lit_places;
-            ASSERT_GT(emitter->density(-d), 0);
+            ASSERT_GT(sampler->density(-d), 0);
         }
     }
     EXPECT_GT(lit_places, 1000);
     std::vector<double> weights;
     for (int i = 0; i < 20000; ++i) {
-        weights.push_back(emitter->emit({.5, .5, uniform(bits), uniform(bits)}).weight);
+        weights.push_back(sampler->emit({.5, .5, uniform(bits), uniform(bits)}).weight);
     }
     EXPECT_TRUE(agrees(measured(weights), 1, .02));
 }
@@ -208,15 +208,15 @@ TEST(Skies, EnterPeriodicScenesThroughTheirOpenFaces) {
     const Cell row{.along_x = true, .size_x = 3};
     for (const auto& sky : sample_of_skies({1})) {
         const LitBox lit(layer);
-        const auto emitter = sky->make_emitter(lit.aperture);
+        const auto sampler = sky->make_sampler_in(lit.projection);
         const double expected = 15 * sky->horizontal_irradiance();
-        EXPECT_NEAR(emitter->flux() * lit.aperture.world_area(), expected, 1e-6 * expected)
+        EXPECT_NEAR(sampler->flux() * lit.projection.world_area(), expected, 1e-6 * expected)
             << sky->name();
-        const double top = lit.aperture.entry_box().bounds.high.z;
-        EXPECT_EQ(emitter->emit({.1, .2, .3, .4}).origin.z, top);
+        const double top = lit.projection.entry_box().bounds.high.z;
+        EXPECT_EQ(sampler->emit({.1, .2, .3, .4}).origin.z, top);
         const LitBox lit_row(row);
         EXPECT_GT(
-            sky->make_emitter(lit_row.aperture)->flux() * lit_row.aperture.world_area(),
+            sky->make_sampler_in(lit_row.projection)->flux() * lit_row.projection.world_area(),
             6 * sky->horizontal_irradiance());
     }
 }

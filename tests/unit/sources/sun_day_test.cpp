@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sources/sun_position.h"
+#include "sources/sun_position.h"
 
 namespace quasimc::test {
 namespace {

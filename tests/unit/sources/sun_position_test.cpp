@@ -1,4 +1,4 @@
-#include "quasimc/sources/sun_position.h"
+#include "sources/sun_position.h"
 
 #include <array>
 #include <cmath>

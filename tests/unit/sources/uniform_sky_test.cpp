@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
-#include "quasimc/sources/source.h"
+#include "geometry/shapes/shapes.h"
+#include "sources/source.h"
 #include "support/statistics.h"
 #include "unit/samplers/sampler_testing.h"
 
@@ -44,20 +44,21 @@ double over_hemisphere(const Function& f) {
 
 double world_flux(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const Aperture aperture(mesh, cell, WindowShape::silhouette);
-    return make_uniform_sky("sky", {1})->make_emitter(aperture)->flux() * aperture.world_area();
+    const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
+    return make_uniform_sky("sky", {1})->make_sampler_in(projection)->flux() *
+           projection.world_area();
 }
 
 TEST(UniformSky, SendsTheLightThatEntersTheBoxAroundTheScene) {
     // E through the top, E/2 through each side.
     EXPECT_NEAR(world_flux({}), 4 * 2 + .5 * 2 * (4 * 1 + 2 * 1), 1e-4);
     const LocalMesh mesh = make_local_mesh(make_box());
-    const EntryBox box = Aperture(mesh, {}, WindowShape::silhouette).entry_box();
+    const EntryBox box = SceneProjection(mesh, {}, CrossSectionShape::silhouette).entry_box();
     const auto sky = make_uniform_sky("sky", {1});
     const double integral =
         over_hemisphere([&](const Vec3& d) { return sky->radiance(d) * box.projected_area(d); });
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
-    EXPECT_NEAR(sky->make_emitter(aperture)->flux(), integral, 1e-4 * integral);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    EXPECT_NEAR(sky->make_sampler_in(projection)->flux(), integral, 1e-4 * integral);
 }
 
 TEST(UniformSky, EntersAPeriodicSceneThroughItsOpenFacesOnly) {
@@ -76,15 +77,15 @@ struct Face {
 /// Many starts, by face: top, low x, high x, low y, high y.
 std::array<Face, 5> draw_faces(int starts) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const Aperture aperture(mesh, {}, WindowShape::silhouette);
-    const Bounds& box = aperture.entry_box().bounds;
-    const auto emitter = make_uniform_sky("sky", {1})->make_emitter(aperture);
+    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const Bounds& box = projection.entry_box().bounds;
+    const auto sampler = make_uniform_sky("sky", {1})->make_sampler_in(projection);
     std::array<Face, 5> faces;
     std::mt19937_64 bits(3);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < starts; ++i) {
         const Emission e =
-            emitter->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
+            sampler->emit({uniform(bits), uniform(bits), uniform(bits), uniform(bits)});
         EXPECT_EQ(e.weight, 1);
         EXPECT_NEAR(length(e.direction), 1, 1e-14);
         EXPECT_LE(e.direction.z, 0) << "the sky is above";
@@ -170,10 +171,10 @@ TEST(UniformSky, IsDarkBelowTheHorizon) {
 
 void tell_the_density(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const Aperture aperture(mesh, cell, WindowShape::silhouette);
-    const auto emitter = make_uniform_sky("sky", {1})->make_emitter(aperture);
-    EXPECT_NEAR(over_hemisphere([&](const Vec3& d) { return emitter->density(-d); }), 1, 1e-4);
-    EXPECT_EQ(emitter->density({0, .6, .8}), 0);
+    const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
+    const auto sampler = make_uniform_sky("sky", {1})->make_sampler_in(projection);
+    EXPECT_NEAR(over_hemisphere([&](const Vec3& d) { return sampler->density(-d); }), 1, 1e-4);
+    EXPECT_EQ(sampler->density({0, .6, .8}), 0);
     constexpr std::size_t kOctants = 4;
     constexpr int kDraws = 60000;
     std::array<double, 2 * kOctants> found{};
@@ -185,13 +186,13 @@ void tell_the_density(const Cell& cell) {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < kDraws; ++i) {
         const double u0 = uniform(bits);
-        const DrawnDirection drawn = emitter->draw_direction(u0, uniform(bits));
-        EXPECT_EQ(drawn.density, emitter->density(drawn.direction));
+        const DrawnDirection drawn = sampler->draw_direction(u0, uniform(bits));
+        EXPECT_EQ(drawn.density, sampler->density(drawn.direction));
         found[place_of(drawn.direction)] += 1;
     }
     for (std::size_t place = 0; place < found.size(); ++place) {
         expected[place] = over_hemisphere(
-            [&](const Vec3& d) { return place_of(-d) == place ? emitter->density(-d) : 0; });
+            [&](const Vec3& d) { return place_of(-d) == place ? sampler->density(-d) : 0; });
         EXPECT_TRUE(agrees(
             measured_fraction(found[place], kDraws, expected[place]), expected[place], .01,
             sidak_level(kLevel, found.size())));

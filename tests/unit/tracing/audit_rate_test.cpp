@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/tracing/audit.h"
+#include "run/audit.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -30,7 +30,7 @@ TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     }
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(30, {1}), sky({.3})};
-    RunSpec spec = spec_of(TraceFrom::sources, stand.paths);
+    RunSpec spec = spec_of(Method::light_tracing, stand.paths);
     spec.replicates = 8;
     spec.audit = .25;
     constexpr int kSeeds = 2000;

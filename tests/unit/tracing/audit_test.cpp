@@ -1,4 +1,4 @@
-#include "quasimc/tracing/audit.h"
+#include "run/audit.h"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/tracing/series.h"
+#include "run/series.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -78,7 +78,7 @@ TEST(Audit, ChiIsTheSumOfSquaresOverTheSumOfVariances) {
     const Result b = result_of({known(11, 1.2), known(18, .3)}, known(29, .8));
     const Audit audit = compare_results(two_leaves(), a, b);
     // (1 + 4) / (.09 + 1.44 + .16 + .09), but for the least that a number scatters.
-    EXPECT_NEAR(audit.bands[0].chi, 5 / 1.78, 1e-6);
+    EXPECT_NEAR(audit.bands[0].reduced_chi_square, 5 / 1.78, 1e-6);
     EXPECT_NEAR(audit.bands[0].freedom, 1.78 * 1.78 / (1.53 * 1.53 + .25 * .25), 1e-6);
     EXPECT_NEAR(audit.bands[0].difference, 1, 1e-12);
     EXPECT_NEAR(audit.bands[0].standard_error, 1, 1e-6);
@@ -93,7 +93,7 @@ TEST(Audit, CountsWhatWasNeverSeenAndSkipsWhatWasNotMeasured) {
     const Result a = result_of({known(1, .5), unknown}, {kNan, kNan, kNan, kNan});
     const Result b = result_of({unseen, known(1, 1)}, known(2, 1));
     const Audit audit = compare_results(two_leaves(), a, b);
-    EXPECT_NEAR(audit.bands[0].chi, 1 / .25, 1e-6);
+    EXPECT_NEAR(audit.bands[0].reduced_chi_square, 1 / .25, 1e-6);
     EXPECT_TRUE(std::isnan(audit.bands[0].difference));
     EXPECT_EQ(audit.bands[0].difference_chance, 1);
 }
@@ -101,23 +101,23 @@ TEST(Audit, CountsWhatWasNeverSeenAndSkipsWhatWasNotMeasured) {
 TEST(Audit, OfDarknessAgrees) {
     const Result dark = result_of({known(0, 0), known(0, 0)}, known(0, 0));
     const Audit audit = compare_results(two_leaves(), dark, dark);
-    EXPECT_EQ(audit.bands[0].chi, 1);
+    EXPECT_EQ(audit.bands[0].reduced_chi_square, 1);
     EXPECT_EQ(audit.chance, 1);
 }
 
 TEST(Audit, AgreesWithEveryWayOfTracing) {
     const Scene scene = make_stand();
-    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
+    for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
         RunSpec spec = audited_spec();
-        spec.trace_from = from;
+        spec.method = from;
         const Result result = run(scene, make_sources(), spec);
         ASSERT_TRUE(result.audit.has_value());
         EXPECT_TRUE(result.audit->agrees()) << result.audit->chance;
         EXPECT_EQ(result.audit->paths, 410U);
         EXPECT_EQ(result.audit->replicates, 8U);
         for (const BandAudit& band : result.audit->bands) {
-            EXPECT_GT(band.chi, .5);
-            EXPECT_LT(band.chi, 1.6);
+            EXPECT_GT(band.reduced_chi_square, .5);
+            EXPECT_LT(band.reduced_chi_square, 1.6);
             EXPECT_GT(band.freedom, 20);
             EXPECT_GT(band.standard_error, 0);
         }
@@ -138,7 +138,7 @@ TEST(Audit, LeavesTheResultAsItWas) {
 
 TEST(Audit, KnowsTheOrgansThatAreMeasured) {
     RunSpec spec = audited_spec();
-    spec.trace_from = TraceFrom::organs;
+    spec.method = Method::from_organs;
     const Result result = run(make_stand(.2, 5), make_sources(), spec);
     EXPECT_TRUE(result.audit->agrees());
     EXPECT_TRUE(std::isnan(result.audit->bands[0].difference));
@@ -195,24 +195,24 @@ TEST(Audit, FindsLightOnTheWrongOrgan) {
 
 TEST(Audit, IsMadeOfEachTraceOfASeries) {
     const Scene scene = make_stand();
-    std::vector<Moment> moments;
+    std::vector<TimeStep> time_steps;
     for (const double zenith : {20.0, 50.0}) {
-        moments.push_back(
-            {"", {sun(zenith, {1, .5})}, std::to_string(zenith), 3600, moments.size()});
+        time_steps.push_back(
+            {"", {sun(zenith, {1, .5})}, std::to_string(zenith), 3600, time_steps.size()});
     }
-    moments.push_back({"", {sun(20, {2, 1})}, moments[0].shapes, 3600, 2});
+    time_steps.push_back({"", {sun(20, {2, 1})}, time_steps[0].shapes, 3600, 2});
     std::vector<Audit> audits;
     SeriesEvents events;
-    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
         audits.push_back(*result.audit);
     };
-    const SeriesSummary summary = run_series(scene, moments, audited_spec(), events);
+    const SeriesSummary summary = run_series(scene, time_steps, audited_spec(), events);
     ASSERT_EQ(audits.size(), 3U);
     EXPECT_EQ(summary.audited, 2U);
     EXPECT_DOUBLE_EQ(
         summary.audit_chance, std::min(1.0, 2 * std::min(audits[0].chance, audits[1].chance)));
     // The third is twice the first.
-    EXPECT_EQ(audits[2].bands[1].chi, audits[0].bands[1].chi);
+    EXPECT_EQ(audits[2].bands[1].reduced_chi_square, audits[0].bands[1].reduced_chi_square);
     EXPECT_NEAR(audits[2].bands[1].difference, 2 * audits[0].bands[1].difference, 1e-12);
 }
 

@@ -34,7 +34,7 @@ Sources make_sources() {
 }
 
 struct Trial {
-    TraceFrom from;
+    Method from;
     const char* sampler;
 };
 
@@ -42,7 +42,7 @@ class Coverage : public ::testing::TestWithParam<Trial> {
   protected:
     [[nodiscard]] RunSpec spec() const {
         RunSpec spec;
-        spec.trace_from = GetParam().from;
+        spec.method = GetParam().from;
         spec.sampler = GetParam().sampler;
         spec.threads = 1;
         spec.paths = 1 << 10;
@@ -98,13 +98,13 @@ INSTANTIATE_TEST_SUITE_P(
     EveryWay,
     Coverage,
     ::testing::Values(
-        Trial{TraceFrom::sources, "monte_carlo"},
-        Trial{TraceFrom::sources, "sobol"},
-        Trial{TraceFrom::sources, "korobov"},
-        Trial{TraceFrom::lit_surfaces, "sobol"},
-        Trial{TraceFrom::lit_surfaces, "korobov"},
-        Trial{TraceFrom::organs, "monte_carlo"},
-        Trial{TraceFrom::organs, "sobol"}),
+        Trial{Method::light_tracing, "monte_carlo"},
+        Trial{Method::light_tracing, "sobol"},
+        Trial{Method::light_tracing, "korobov"},
+        Trial{Method::first_hits, "sobol"},
+        Trial{Method::first_hits, "korobov"},
+        Trial{Method::from_organs, "monte_carlo"},
+        Trial{Method::from_organs, "sobol"}),
     [](const auto& trial) {
         return name_of({trial.param.from, trial.index}) + "_" + trial.param.sampler;
     });
@@ -113,8 +113,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
     const Scene scene = make_stand();
     const Sources sources = make_sources();
-    const double truth =
-        run(scene, sources, spec_of(TraceFrom::sources, 1 << 16)).budget[0].absorbed_by_organs.mean;
+    const double truth = run(scene, sources, spec_of(Method::light_tracing, 1 << 16))
+                             .budget[0]
+                             .absorbed_by_organs.mean;
     constexpr int kSeeds = 3000;
     RunSpec spec;
     spec.threads = 1;

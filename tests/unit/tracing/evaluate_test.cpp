@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -60,7 +60,7 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
 /// Rule of three: 3 finds in all tries, each of which could have brought the light of one path.
 TEST(Evaluate, TheBoundIsThatOfTheRuleOfThree) {
     const Scene scene = make_dark_room();
-    const Result result = run(scene, {sun(0, {10, 20})}, spec_of(TraceFrom::sources, kPaths));
+    const Result result = run(scene, {sun(0, {10, 20})}, spec_of(Method::light_tracing, kPaths));
     const double one_path = result.budget[1].emitted / kPaths;
     EXPECT_NEAR(
         result.at(0, Quantity::absorbed_flux, 1).high, 3 * one_path * .6 / kReplicates,

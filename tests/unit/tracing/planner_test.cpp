@@ -1,11 +1,11 @@
-#include "quasimc/tracing/planner.h"
+#include "solvers/planner.h"
 
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sources/lamp.h"
+#include "sources/lamp.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -50,68 +50,68 @@ MaterialSpec glossy(const std::string& model, double exponent) {
     return leaf;
 }
 
-Method plan(const StandSpec& stand, const Sources& sources) {
+ChosenMethod plan(const StandSpec& stand, const Sources& sources) {
     RunSpec spec;
-    spec.trace_from = TraceFrom::automatic;
+    spec.method = Method::automatic;
     return plan_method(make_stand(stand), sources, spec);
 }
 
 constexpr Cell kField{.along_x = true, .along_y = true};
 
 TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
-    for (const TraceFrom from : {TraceFrom::sources, TraceFrom::organs, TraceFrom::lit_surfaces}) {
-        const Method method = plan_method(make_stand({}), {sun(0, {1})}, spec_of(from, 1));
-        EXPECT_EQ(method.trace_from, from);
-        EXPECT_EQ(method.reason, "asked for");
+    for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
+        const ChosenMethod choice = plan_method(make_stand({}), {sun(0, {1})}, spec_of(from, 1));
+        EXPECT_EQ(choice.method, from);
+        EXPECT_EQ(choice.reason, "asked for");
     }
 }
 
 TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
-    EXPECT_EQ(plan({}, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
-    EXPECT_EQ(plan({}, {sky({1})}).trace_from, TraceFrom::lit_surfaces);
-    EXPECT_EQ(plan({}, {lamp(), sky({1})}).trace_from, TraceFrom::lit_surfaces);
-    EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({}, {sun(0, {1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({}, {sky({1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({}, {lamp(), sky({1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).method, Method::first_hits);
 }
 
 TEST(Planner, TracesLampsFromThemselves) {
-    EXPECT_EQ(plan({}, {lamp()}).trace_from, TraceFrom::sources);
+    EXPECT_EQ(plan({}, {lamp()}).method, Method::light_tracing);
     // A dark source is none.
-    EXPECT_EQ(plan({}, {lamp(), sun(0, {0})}).trace_from, TraceFrom::sources);
-    EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({}, {lamp(), sun(0, {0})}).method, Method::light_tracing);
+    EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).method, Method::first_hits);
 }
 
 TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
     const StandSpec few{.measured = 2};
     for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
-        EXPECT_EQ(plan(few, {source}).trace_from, TraceFrom::organs) << source->name();
+        EXPECT_EQ(plan(few, {source}).method, Method::from_organs) << source->name();
     }
     EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
-    EXPECT_EQ(plan({.measured = 60}, {sky({1})}).trace_from, TraceFrom::lit_surfaces);
+    EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::first_hits);
 }
 
 TEST(Planner, NeverChoosesOrgansWhenNoneIsMeasured) {
     for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
-        EXPECT_NE(plan({.measured = 0}, {source}).trace_from, TraceFrom::organs);
+        EXPECT_NE(plan({.measured = 0}, {source}).method, Method::from_organs);
     }
 }
 
 TEST(Planner, KnowsThatShinyLeavesHideTheSun) {
     for (const MaterialSpec& leaf : {glossy("mirror", 0), glossy("phong", 2000)}) {
         const StandSpec shiny{.measured = 2, .leaf = leaf};
-        EXPECT_EQ(plan(shiny, {sun(0, {1})}).trace_from, TraceFrom::lit_surfaces);
-        EXPECT_EQ(plan(shiny, {sky({1})}).trace_from, TraceFrom::organs);
+        EXPECT_EQ(plan(shiny, {sun(0, {1})}).method, Method::first_hits);
+        EXPECT_EQ(plan(shiny, {sky({1})}).method, Method::from_organs);
         const StandSpec one{.measured = 1, .leaf = leaf};
-        EXPECT_EQ(plan(one, {sun(0, {1})}).trace_from, TraceFrom::organs);
+        EXPECT_EQ(plan(one, {sun(0, {1})}).method, Method::from_organs);
     }
     const StandSpec dull{.measured = 2, .leaf = glossy("phong", 20)};
-    EXPECT_EQ(plan(dull, {sun(0, {1})}).trace_from, TraceFrom::organs);
+    EXPECT_EQ(plan(dull, {sun(0, {1})}).method, Method::from_organs);
 }
 
 TEST(Planner, NeverTracesRepeatedLampsFromTheOrgans) {
     const StandSpec few{.measured = 2, .cell = kField};
-    EXPECT_EQ(plan(few, {lamp()}).trace_from, TraceFrom::sources);
-    EXPECT_EQ(plan(few, {lamp(), sky({1})}).trace_from, TraceFrom::lit_surfaces);
-    EXPECT_EQ(plan(few, {sky({1})}).trace_from, TraceFrom::organs);
+    EXPECT_EQ(plan(few, {lamp()}).method, Method::light_tracing);
+    EXPECT_EQ(plan(few, {lamp(), sky({1})}).method, Method::first_hits);
+    EXPECT_EQ(plan(few, {sky({1})}).method, Method::from_organs);
 }
 
 TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
@@ -141,12 +141,12 @@ TEST(Planner, MeasuresLobesByTheirPeaks) {
 TEST(Planner, MakesTheRunThatItNames) {
     const Scene scene = make_stand({.measured = 2});
     for (const Sources& sources : {Sources{sun(0, {1})}, Sources{lamp()}}) {
-        RunSpec spec = spec_of(TraceFrom::automatic, 1 << 8);
+        RunSpec spec = spec_of(Method::automatic, 1 << 8);
         const Result chosen = run(scene, sources, spec);
-        EXPECT_EQ(chosen.method.trace_from, plan_method(scene, sources, spec).trace_from);
-        spec.trace_from = chosen.method.trace_from;
+        EXPECT_EQ(chosen.chosen.method, plan_method(scene, sources, spec).method);
+        spec.method = chosen.chosen.method;
         const Result asked = run(scene, sources, spec);
-        EXPECT_EQ(asked.method.reason, "asked for");
+        EXPECT_EQ(asked.chosen.reason, "asked for");
         EXPECT_EQ(
             chosen.at(0, Quantity::absorbed_flux, 0).mean,
             asked.at(0, Quantity::absorbed_flux, 0).mean);

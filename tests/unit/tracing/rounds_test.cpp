@@ -1,4 +1,4 @@
-#include "quasimc/tracing/rounds.h"
+#include "run/rounds.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -28,8 +28,9 @@ Scene make_leaf(double rho = .4, double tau = .2) {
 class TiredSky final : public Source {
   public:
     TiredSky() : Source("tired", {1}), sky_(make_uniform_sky("sky", {1})) {}
-    [[nodiscard]] std::unique_ptr<Emitter> make_emitter(const Aperture& aperture) const override {
-        return sky_->make_emitter(aperture);
+    [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
+        const SceneProjection& projection) const override {
+        return sky_->make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         constexpr unsigned kBetween = 512;
@@ -52,7 +53,7 @@ class TiredSky final : public Source {
 /// A run of half a second or more on two threads.
 RunSpec long_run() {
     RunSpec spec;
-    spec.trace_from = TraceFrom::organs;
+    spec.method = Method::from_organs;
     spec.threads = 2;
     spec.paths = 1U << 14U;
     spec.replicates = 10;
@@ -84,7 +85,7 @@ TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
 }
 
 TEST(Run, StopsWhenTheTargetIsReached) {
-    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    RunSpec spec = spec_of(Method::light_tracing, 256);
     spec.target_error = .01;
     spec.target_fraction = 1;
     const Result result = run(make_leaf(), {sky({1})}, spec);
@@ -98,7 +99,7 @@ TEST(Run, StopsWhenTheTargetIsReached) {
 }
 
 TEST(Run, SaysWhyItMissedTheTarget) {
-    RunSpec spec = spec_of(TraceFrom::sources, 256);
+    RunSpec spec = spec_of(Method::light_tracing, 256);
     spec.target_error = 1e-9;
     spec.max_paths = 1000;
     Result result = run(make_leaf(), {sky({1})}, spec);
@@ -161,7 +162,7 @@ TEST_P(RunBothWays, WithADepthOfOneNothingIsScattered) {
 
 /// All that would have been scattered is cut off.
 TEST(Run, ReportsWhatADepthOfOneCutsOff) {
-    RunSpec spec = spec_of(TraceFrom::sources, 1024);
+    RunSpec spec = spec_of(Method::light_tracing, 1024);
     spec.max_depth = 1;
     const Result result = run(make_leaf(.4, .2), {sun(0, {1})}, spec);
     const BandBudget& budget = result.budget[0];

@@ -10,7 +10,7 @@
 namespace quasimc::test {
 namespace {
 
-class Sensors : public ::testing::TestWithParam<TraceFrom> {
+class Sensors : public ::testing::TestWithParam<Method> {
   protected:
     /// A sensor of a field of view, close above a wide ground that reflects one half.
     static Scene above_ground(double field_of_view_deg) {
@@ -25,7 +25,7 @@ class Sensors : public ::testing::TestWithParam<TraceFrom> {
         builder.set_ground(soil);
         return std::move(builder).build();
     }
-    static Result run_from(TraceFrom from, const Scene& scene, const Sources& sources) {
+    static Result run_from(Method from, const Scene& scene, const Sources& sources) {
         RunSpec spec = spec_of(from, 1U << 15U);
         return run(scene, sources, spec);
     }
@@ -79,9 +79,9 @@ TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
 INSTANTIATE_TEST_SUITE_P(
     BothWays,
     Sensors,
-    ::testing::Values(TraceFrom::sources, TraceFrom::organs),
+    ::testing::Values(Method::light_tracing, Method::from_organs),
     [](const auto& each) {
-        return each.param == TraceFrom::sources ? "FromSources" : "FromOrgans";
+        return each.param == Method::light_tracing ? "FromSources" : "FromOrgans";
     });
 
 TEST(SensorFaults, FieldsOfViewAreAnglesAndForSensors) {
@@ -116,7 +116,7 @@ Scene half_measured(bool measured) {
 }
 
 TEST(Unmeasured, OrgansShadeAndAreNotTracedFrom) {
-    const RunSpec spec = spec_of(TraceFrom::organs, 1U << 15U);
+    const RunSpec spec = spec_of(Method::from_organs, 1U << 15U);
     const Result part = run(half_measured(false), {sky({1})}, spec);
     const Result all = run(half_measured(true), {sky({1})}, spec);
     const Estimate& asked = part.at(0, Quantity::absorbed_flux, 0);
@@ -132,7 +132,7 @@ TEST(Unmeasured, OrgansShadeAndAreNotTracedFrom) {
 }
 
 TEST(Unmeasured, OrgansAreMeasuredAllTheSameFromSources) {
-    const RunSpec spec = spec_of(TraceFrom::sources, 1U << 10U);
+    const RunSpec spec = spec_of(Method::light_tracing, 1U << 10U);
     const Result part = run(half_measured(false), {sky({1})}, spec);
     const Result all = run(half_measured(true), {sky({1})}, spec);
     EXPECT_EQ(
@@ -147,7 +147,7 @@ TEST(Unmeasured, AllOrgansIsAFault) {
     builder.add_organ(leaf);
     const Scene scene = std::move(builder).build();
     EXPECT_THROW(
-        static_cast<void>(run(scene, {sky({1})}, spec_of(TraceFrom::organs, 1024))), InputError);
+        static_cast<void>(run(scene, {sky({1})}, spec_of(Method::from_organs, 1024))), InputError);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "quasimc/tracing/series.h"
+#include "run/series.h"
 
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "quasimc/tracing/series_sum.h"
+#include "run/series_sum.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -20,7 +20,8 @@ Scene make_scene(std::size_t bands = 1) {
     return std::move(builder).build();
 }
 
-Moment moment_of(Sources sources, std::string shapes, std::size_t day = 0, double seconds = 3600) {
+TimeStep moment_of(
+    Sources sources, std::string shapes, std::size_t day = 0, double seconds = 3600) {
     return {"moment", std::move(sources), std::move(shapes), seconds, day};
 }
 
@@ -33,13 +34,13 @@ RunSpec small_spec() {
 
 /// The results of all moments.
 std::vector<Result> results_of(
-    const Scene& scene, const std::vector<Moment>& moments, const RunSpec& spec) {
+    const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     std::vector<Result> results;
     SeriesEvents events;
-    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    run_series(scene, moments, spec, events);
+    run_series(scene, time_steps, spec, events);
     return results;
 }
 
@@ -58,14 +59,14 @@ TEST(Series, OfOneMomentIsTheRun) {
 }
 
 TEST(Series, TracesProportionalMomentsOnce) {
-    const std::vector<Moment> moments{
+    const std::vector<TimeStep> time_steps{
         moment_of({sky({100, 40})}, "overcast"),
         moment_of({sun(20, {100, 40})}, "sun"),
         moment_of({sky({50, 20})}, "overcast"),
         moment_of({sky({50, 21})}, "overcast"),
         moment_of({}, ""),
         moment_of({sky({0, 0})}, "overcast")};
-    const auto plans = plan_series(moments);
+    const auto plans = plan_series(time_steps);
     EXPECT_EQ(plans[0].traced, 0U);
     EXPECT_EQ(plans[1].traced, 1U);
     EXPECT_EQ(plans[2].traced, 0U);
@@ -74,7 +75,7 @@ TEST(Series, TracesProportionalMomentsOnce) {
     EXPECT_EQ(plans[4].factor, 0);
     EXPECT_EQ(plans[5].factor, 0);
     const Scene scene = make_scene(2);
-    const auto results = results_of(scene, moments, small_spec());
+    const auto results = results_of(scene, time_steps, small_spec());
     for (std::size_t i = 0; i < results[0].values.size(); ++i) {
         EXPECT_DOUBLE_EQ(results[2].values[i].mean, .5 * results[0].values[i].mean);
         EXPECT_EQ(results[4].values[i].mean, 0);
@@ -86,32 +87,32 @@ TEST(Series, TracesProportionalMomentsOnce) {
 
 TEST(Series, GivesEachTraceNumbersOfItsOwn) {
     const Scene scene = make_scene();
-    const std::vector<Moment> moments{
+    const std::vector<TimeStep> time_steps{
         moment_of({sun(30, {1})}, "a"), moment_of({sun(30, {1})}, "b")};
-    const auto results = results_of(scene, moments, small_spec());
+    const auto results = results_of(scene, time_steps, small_spec());
     EXPECT_NE(results[0].values[0].mean, results[1].values[0].mean);
-    const auto again = results_of(scene, moments, small_spec());
+    const auto again = results_of(scene, time_steps, small_spec());
     EXPECT_TRUE(same_numbers(results[1], again[1]));
 }
 
 /// Sums are those of the moments; their errors add in squares, unless they share a trace.
 TEST(Series, SumsOverDaysAndInAll) {
     const Scene scene = make_scene();
-    const std::vector<Moment> moments{
+    const std::vector<TimeStep> time_steps{
         moment_of({sky({10})}, "o"),           moment_of({sun(30, {20})}, "s"),
         moment_of({sky({30})}, "o"),           moment_of({sky({20})}, "o", 1, 7200),
         moment_of({sun(40, {5})}, "t", 1, 60), moment_of({}, "", 1)};
     std::vector<Result> results;
     std::vector<SeriesSum> days;
     SeriesEvents events;
-    events.on_moment = [&](std::size_t, const Result& result, std::size_t) {
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
     events.on_day = [&](std::size_t day, const SeriesSum& sum) {
         EXPECT_EQ(day, days.size());
         days.push_back(sum);
     };
-    const SeriesSummary summary = run_series(scene, moments, small_spec(), events);
+    const SeriesSummary summary = run_series(scene, time_steps, small_spec(), events);
     EXPECT_EQ(summary.traced, 3U);
     ASSERT_EQ(days.size(), 2U);
     EXPECT_EQ(days[0].seconds, 3 * 3600);

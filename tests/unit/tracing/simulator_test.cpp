@@ -1,4 +1,4 @@
-#include "quasimc/tracing/simulator.h"
+#include "run/simulator.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "quasimc/tracing/start_order.h"
+#include "transport/start_order.h"
 
 #include <algorithm>
 #include <cmath>

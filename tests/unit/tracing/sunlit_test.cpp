@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/geometry/shapes.h"
+#include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

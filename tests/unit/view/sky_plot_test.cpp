@@ -1,8 +1,8 @@
-#include "quasimc/view/sky_plot.h"
+#include "view/sky_plot.h"
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sources/sky.h"
+#include "sources/sky.h"
 #include "support/skies.h"
 
 namespace quasimc::test {

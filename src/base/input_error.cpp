@@ -1,0 +1,52 @@
+#include "base/input_error.h"
+
+#include <algorithm>
+
+#include "base/checks.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kMostShown = 50;
+
+std::string joined(const std::vector<Fault>& faults) {
+    std::string text;
+    const std::size_t shown = std::min(faults.size(), kMostShown);
+    for (std::size_t i = 0; i < shown; ++i) {
+        text += (i > 0 ? "\n" : "") + faults[i].text();
+    }
+    if (shown < faults.size()) {
+        text += "\n... and " + std::to_string(faults.size() - shown) + " more";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string Fault::text() const {
+    std::string text = place.empty() ? problem : place + ": " + problem;
+    if (!why.empty()) {
+        text += " (" + why + ")";
+    }
+    if (!suggestion.empty()) {
+        text += "; " + suggestion;
+    }
+    return text;
+}
+
+InputError::InputError(std::vector<Fault> faults)
+    : std::runtime_error(joined(faults)), faults_(std::move(faults)) {
+    EXPECT(!faults_.empty());
+}
+
+void Faults::add(const InputError& error) {
+    faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
+}
+
+void Faults::throw_if_any() const {
+    if (!faults_.empty()) {
+        throw InputError(faults_);
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,62 @@
+#include "base/parallel.h"
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace quasimc {
+
+void parallel_blocks(
+    std::uint64_t blocks,
+    unsigned workers,
+    const std::function<void(std::uint64_t block, unsigned worker)>& work) {
+    std::atomic<std::uint64_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto loop = [&](unsigned worker) {
+        try {
+            for (std::uint64_t block = next++; block < blocks; block = next++) {
+                work(block, worker);
+            }
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            failure = failure ? failure : std::current_exception();
+            next = blocks;
+        }
+    };
+    {
+        const auto extra = static_cast<unsigned>(
+            std::min<std::uint64_t>(std::max(workers, 1U), std::max<std::uint64_t>(blocks, 1)) - 1);
+        std::vector<std::jthread> threads;
+        threads.reserve(extra);
+        for (unsigned worker = 1; worker <= extra; ++worker) {
+            threads.emplace_back(loop, worker);
+        }
+        loop(0);
+    }
+    if (failure) {
+        std::rethrow_exception(failure);
+    }
+}
+
+unsigned thread_count(unsigned asked) {
+    if (asked > 0) {
+        return asked;
+    }
+#ifdef __linux__
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
+        return static_cast<unsigned>(std::max(1, CPU_COUNT(&allowed)));
+    }
+#endif
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace quasimc

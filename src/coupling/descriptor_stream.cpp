@@ -1,0 +1,121 @@
+#include "coupling/descriptor_stream.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <limits>
+#include <system_error>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <sys/ioctl.h>
+
+#include "coupling/messages.h"
+
+namespace quasimc {
+namespace {
+
+/// The byte by which we say that we are there, and that we go.
+constexpr std::string_view kSign = "\x01";
+
+[[noreturn]] void gone(const char* what) {
+    throw PeerDisconnected(std::string("the plant simulator is gone: ") + what);
+}
+
+}  // namespace
+
+DescriptorStream::DescriptorStream(int in, int out, Ownership ownership)
+    : in_(in), out_(out), ownership_(ownership) {
+    write_all(kSign);
+}
+
+DescriptorStream::~DescriptorStream() {
+    if (ownership_ == Ownership::owned) {
+        ::close(in_);
+        if (out_ != in_) {
+            ::close(out_);
+        }
+    }
+}
+
+std::string_view DescriptorStream::receive() {
+    buffer_.erase(0, taken_);
+    taken_ = 0;
+    std::size_t seen = 0;  // start of a line that was not whole when we looked
+    while (true) {
+        const std::size_t end = message_end(buffer_, seen);
+        if (end != std::string::npos) {
+            taken_ = end;
+            return std::string_view(buffer_).substr(0, end);
+        }
+        const std::size_t last_line = buffer_.rfind('\n');
+        seen = last_line == std::string::npos ? 0 : last_line + 1;
+        if (!read_some()) {
+            const bool is_blank = buffer_.find_first_not_of(" \t\r\n") == std::string::npos;
+            gone(
+                is_blank ? "its end of input came without an order to exit"
+                         : "its last message breaks off");
+        }
+    }
+}
+
+bool DescriptorStream::read_some() {
+    constexpr std::size_t kPiece = 262144;
+    const std::size_t size = buffer_.size();
+    buffer_.resize(size + kPiece);
+    ssize_t count = 0;
+    do {
+        count = ::read(in_, buffer_.data() + size, kPiece);
+    } while (count < 0 && errno == EINTR);
+    buffer_.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count < 0 && errno != ECONNRESET) {
+        gone(std::generic_category().message(errno).c_str());
+    }
+    return count > 0;
+}
+
+void DescriptorStream::send(std::string_view message, Continuation /*continuation*/) {
+    write_all(message);
+}
+
+void DescriptorStream::write_all(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(out_, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) {
+            gone("it no longer reads our answers");
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    }
+}
+
+void DescriptorStream::check() {
+    std::array<pollfd, 2> ends{{{in_, POLLRDHUP, 0}, {out_, 0, 0}}};
+    if (::poll(ends.data(), ends.size(), 0) <= 0) {
+        return;
+    }
+    if ((ends[1].revents & (POLLHUP | POLLERR)) != 0) {
+        gone("it no longer reads our answers");
+    }
+    // An end that comes after further messages (a recorded conversation) is none yet.
+    int unread = 0;
+    const bool has_more =
+        buffer_.size() > taken_ || (::ioctl(in_, FIONREAD, &unread) == 0 && unread > 0);
+    if ((ends[0].revents & (POLLHUP | POLLRDHUP | POLLERR)) != 0 && !has_more) {
+        gone("it has closed the line during a computation");
+    }
+}
+
+void DescriptorStream::finish() {
+    write_all(kSign);
+}
+
+std::size_t DescriptorStream::capacity() const {
+    return std::numeric_limits<std::size_t>::max();
+}
+
+std::unique_ptr<ByteStream> make_pipe_stream(int in, int out) {
+    return std::make_unique<DescriptorStream>(in, out, DescriptorStream::Ownership::borrowed);
+}
+
+}  // namespace quasimc

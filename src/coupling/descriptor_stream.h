@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "coupling/byte_stream.h"
+
+namespace quasimc {
+
+/// Messages through a pair of file descriptors: pipes and sockets.
+class DescriptorStream final : public ByteStream {
+  public:
+    /// What becomes of the descriptors at the end.
+    enum class Ownership { borrowed, owned };
+    /// Says "here I am" at once. May name one descriptor for both directions.
+    DescriptorStream(int in, int out, Ownership ownership);
+    ~DescriptorStream() override;
+    DescriptorStream(const DescriptorStream&) = delete;
+    DescriptorStream& operator=(const DescriptorStream&) = delete;
+
+    [[nodiscard]] std::string_view receive() override;
+    void send(std::string_view message, Continuation continuation) override;
+    void check() override;
+    void finish() override;
+    [[nodiscard]] std::size_t capacity() const override;
+    [[nodiscard]] std::size_t default_chunk() const override { return 100; }
+
+  private:
+    void write_all(std::string_view bytes);
+    /// Reads what there is; false at the end of input.
+    [[nodiscard]] bool read_some();
+
+    int in_, out_;
+    Ownership ownership_;
+    std::string buffer_;
+    std::size_t taken_ = 0;  // bytes of the buffer that were given out
+};
+
+}  // namespace quasimc

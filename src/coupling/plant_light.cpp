@@ -1,0 +1,266 @@
+#include "coupling/plant_light.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "coupling/step_files.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30U;
+/// Steps take consecutive seeds; bands that are traced by themselves stand far apart.
+constexpr std::uint64_t kBetweenBands = std::uint64_t{1} << 40U;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether a module sets something, and is no organ.
+bool is_setting(const Query& query) {
+    return query.organ == "Q" || query.organ == "J";
+}
+
+}  // namespace
+
+PlantLight::PlantLight(Specification spec, Notices& notices)
+    : spec_(std::move(spec)),
+      notices_(notices),
+      shapes_(spec_, notices),
+      sky_(spec_.sky),
+      lighting_(make_lighting(spec_, sky_)) {}
+
+bool PlantLight::is_dark() const {
+    const auto is_zero = [](double x) { return !(x > 0); };
+    return lighting_.shares.empty() ||
+           std::all_of(spec_.irradiance.begin(), spec_.irradiance.end(), is_zero);
+}
+
+void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
+    apply_settings(pass);
+    std::vector<PlacedShape> shapes = place_shapes(pass);
+    if (is_dark()) {
+        notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
+    } else if (!shapes.empty()) {
+        unshaded_ = trace_unshaded(pass, shapes, check);
+        light_ = trace(pass, std::move(shapes), simulator_, check);
+    }
+    for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
+        const Query& query = pass.queries[i];
+        if (query.asks && !is_setting(query)) {
+            const auto first = static_cast<std::uint32_t>(answers.values.size());
+            fill(query, i, answers.values);
+            const auto end = static_cast<std::uint32_t>(answers.values.size());
+            answers.list.push_back({i, {first, end - first}});
+        }
+    }
+    write_files(pass);
+    ++steps_;
+}
+
+void PlantLight::apply_settings(const Pass& pass) {
+    for (const Query& query : pass.queries) {
+        if (query.organ == "J") {
+            set_day(pass.parameters_of(query));
+        } else if (query.organ == "Q") {
+            set_rays(pass.parameters_of(query));
+        }
+    }
+}
+
+void PlantLight::set_day(std::span<const double> parameters) {
+    constexpr double kLastDay = 366;
+    const bool has_weather = parameters.size() >= 3;
+    const bool is_good =
+        !parameters.empty() && parameters[0] >= 1 && parameters[0] <= kLastDay &&
+        (!has_weather || (parameters[2] >= kTurbidities.low && parameters[2] <= kTurbidities.high));
+    if (!sky_ || !is_good) {
+        notices_.once(
+            sky_ ? "J range" : "J without a sky",
+            sky_ ? fmt::format(
+                       "J(day, clear, turbidity) is left out: the day is 1 to {}, the turbidity {} "
+                       "to {}",
+                       kLastDay, kTurbidities.low, kTurbidities.high)
+                 : "J(day) changes nothing: the specification file has no sky of a place and day");
+        return;
+    }
+    SkyOfDay sky = *sky_;
+    sky.day = parameters[0];
+    if (has_weather) {
+        sky.weather = parameters[1] > 0 ? Weather::clear : Weather::overcast;
+        sky.turbidity = parameters[2];
+    }
+    if (sky != *sky_) {
+        sky_ = sky;
+        lighting_ = make_lighting(spec_, sky_);
+    }
+}
+
+void PlantLight::set_rays(std::span<const double> parameters) {
+    const double rays = parameters.empty() ? 0 : parameters[0];
+    if (!(rays >= 1 && rays <= static_cast<double>(kMostPaths))) {
+        notices_.once("Q range", "Q(rays) is left out: it takes a number of rays from 1 to 2^30");
+        return;
+    }
+    const auto count = static_cast<std::uint64_t>(rays);
+    spec_.run.paths = spec_.run.sampler == "korobov" ? nearest_power_of_two(count) : count;
+}
+
+std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
+    std::vector<PlacedShape> placed;
+    placed.reserve(pass.queries.size());
+    for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
+        const Query& query = pass.queries[i];
+        if (is_setting(query)) {
+            continue;
+        }
+        OrganShape shape =
+            is_sensor(query) ? shapes_.make_sensor(pass, query) : shapes_.make(pass, query);
+        if (!shape.triangles.empty()) {
+            placed.push_back({i, is_sensor(query), std::move(shape)});
+        }
+    }
+    light_ = {};
+    light_.organs.assign(pass.queries.size(), kNoOrgan);
+    unshaded_ = light_;
+    return placed;
+}
+
+StepLight PlantLight::trace(
+    const Pass& pass,
+    std::vector<PlacedShape> shapes,
+    Simulator& simulator,
+    const std::function<void()>& check) {
+    StepLight light;
+    light.organs.assign(pass.queries.size(), kNoOrgan);
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+        light.organs[shapes[i].query] = i;
+    }
+    RunSpec run = spec_.run;
+    run.seed += steps_;
+    if (spec_.sensor_half_angle_deg) {
+        run.method = Method::from_organs;
+        const auto sensors = std::count_if(
+            shapes.begin(), shapes.end(), [](const PlacedShape& s) { return s.is_sensor; });
+        run.paths = std::min(run.paths * static_cast<std::uint64_t>(sensors), kMostPaths);
+        if (sensors == 0) {
+            return light;  // nothing asks
+        }
+    }
+    std::vector<std::size_t> bands(spec_.band_count());
+    std::iota(bands.begin(), bands.end(), std::size_t{0});
+    const auto trace_some = [&](std::span<const std::size_t> some, std::vector<PlacedShape> parts) {
+        const Sources& sources = lighting_.sources[light.results.size()];
+        light.scene.emplace(build_plant_scene(spec_, some, pass, std::move(parts)));
+        light.results.push_back(
+            simulator.run(*light.scene, sources, run, [&](const Progress&) { check(); }));
+    };
+    if (spec_.one_ray_per_spectrum) {
+        trace_some(bands, std::move(shapes));
+        return light;
+    }
+    for (const std::size_t& band : bands) {
+        run.seed += kBetweenBands;
+        if (spec_.irradiance[band] > 0) {
+            trace_some({&band, 1}, shapes);
+        } else {
+            light.results.emplace_back();
+        }
+    }
+    return light;
+}
+
+StepLight PlantLight::trace_unshaded(
+    const Pass& pass, const std::vector<PlacedShape>& shapes, const std::function<void()>& check) {
+    const bool is_asked = std::find(spec_.returns.begin(), spec_.returns.end(), ReturnType::hits) !=
+                          spec_.returns.end();
+    std::vector<PlacedShape> sensors;
+    std::copy_if(
+        shapes.begin(), shapes.end(), std::back_inserter(sensors),
+        [](const PlacedShape& shape) { return shape.is_sensor; });
+    return is_asked && !sensors.empty()
+               ? trace(pass, std::move(sensors), unshaded_simulator_, check)
+               : unshaded_;
+}
+
+void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<double>& values) const {
+    const std::size_t before = values.size();
+    if (spec_.quantities.empty()) {
+        for (std::size_t b = 0; b < spec_.band_count(); ++b) {
+            values.push_back(returned(query, index, b).mean);
+        }
+    }
+    for (const ReturnQuantity& wanted : spec_.quantities) {
+        const auto put = [&](const Estimate& estimate) {
+            values.push_back(wanted.is_error ? estimate.standard_error : estimate.mean);
+        };
+        if (!wanted.quantity) {
+            const Estimate unknown{kUnknown, kUnknown, kUnknown, kUnknown};
+            put(light_.sunlit(light_.organs[index]).value_or(unknown));
+            continue;
+        }
+        for (std::size_t b = 0; b < spec_.band_count(); ++b) {
+            put(light_.at(light_.organs[index], *wanted.quantity, b));
+        }
+    }
+    const std::size_t count = values.size() - before;
+    if (count > query.slots) {
+        notices_.once(
+            "slots", fmt::format(
+                         "a query has {} parameters, but {} values to take: those that are left "
+                         "are not sent",
+                         query.slots, count));
+    }
+}
+
+Estimate PlantLight::returned(const Query& query, std::uint32_t index, std::size_t band) const {
+    const ReturnType type = spec_.returns[band];
+    return is_sensor(query) ? of_sensor(index, type, band) : of_organ(index, type, band);
+}
+
+Estimate PlantLight::of_sensor(std::uint32_t index, ReturnType type, std::size_t band) const {
+    const Quantity side =
+        type == ReturnType::lower ? Quantity::incident_lower : Quantity::incident_upper;
+    const Estimate seen = light_.at(light_.organs[index], side, band);
+    if (type != ReturnType::hits) {
+        return seen;
+    }
+    const Estimate available = unshaded_.at(unshaded_.organs[index], side, band);
+    return {available.mean > 0 ? seen.mean / available.mean : 0, kUnknown, kUnknown, kUnknown};
+}
+
+Estimate PlantLight::of_organ(std::uint32_t index, ReturnType type, std::size_t band) const {
+    const std::uint32_t organ = light_.organs[index];
+    switch (type) {
+        case ReturnType::flux:
+            return light_.at(organ, Quantity::absorbed_flux, band);
+        case ReturnType::density:
+            return light_.at(organ, Quantity::absorbed_flux_density, band);
+        case ReturnType::upper:
+            return light_.at(organ, Quantity::incident_upper, band);
+        case ReturnType::lower:
+            return light_.at(organ, Quantity::incident_lower, band);
+        case ReturnType::hits:
+            break;
+    }
+    const double incident = light_.at(organ, Quantity::incident_upper, band).mean +
+                            light_.at(organ, Quantity::incident_lower, band).mean;
+    const double sent = spec_.irradiance[band];
+    return {sent > 0 ? incident / sent : 0, kUnknown, kUnknown, kUnknown};
+}
+
+void PlantLight::write_files(const Pass& pass) const {
+    const auto returned_by = [&](std::uint32_t index, std::size_t band) {
+        return returned(pass.queries[index], index, band);
+    };
+    const StepView view{spec_, pass, lighting_, light_, steps_, returned_by};
+    if (spec_.variance_file) {
+        write_variance_file(view);
+    }
+    if (spec_.picture_file) {
+        write_picture_file(view);
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coupling/lighting.h"
+#include "coupling/organ_shapes.h"
+#include "coupling/plant_scene.h"
+#include "coupling/session.h"
+#include "coupling/specification.h"
+#include "coupling/step_light.h"
+#include "run/simulator.h"
+
+namespace quasimc {
+
+/// The light program: answers a plant step after step, as its specification says.
+class PlantLight {
+  public:
+    /// @param notices  outlives the object
+    PlantLight(Specification spec, Notices& notices);
+    PlantLight(const PlantLight&) = delete;
+    PlantLight& operator=(const PlantLight&) = delete;
+    ~PlantLight() = default;
+
+    /// Computes the light on the organs of a step and answers its queries, in their order. Settings
+    /// among them (Q, J) hold from this step on, and have no answer. Writes the files that the
+    /// specification asks for.
+    /// @param check  called now and then during the computation; what it throws ends it
+    void answer(const Pass& pass, const std::function<void()>& check, Answers& answers);
+
+    /// The light of the last step.
+    [[nodiscard]] const StepLight& last() const { return light_; }
+    [[nodiscard]] const Specification& specification() const { return spec_; }
+    /// How often an acceleration structure had to be built.
+    [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
+
+  private:
+    void apply_settings(const Pass& pass);
+    void set_day(std::span<const double> parameters);
+    void set_rays(std::span<const double> parameters);
+    [[nodiscard]] bool is_sensor(const Query& query) const {
+        return query.asks && spec_.sensor_half_angle_deg.has_value();
+    }
+    [[nodiscard]] bool is_dark() const;
+
+    [[nodiscard]] std::vector<PlacedShape> place_shapes(const Pass& pass);
+    [[nodiscard]] StepLight trace(
+        const Pass& pass,
+        std::vector<PlacedShape> shapes,
+        Simulator& simulator,
+        const std::function<void()>& check);
+    /// Sensors alone: what they would see with nothing in the way.
+    [[nodiscard]] StepLight trace_unshaded(
+        const Pass& pass,
+        const std::vector<PlacedShape>& shapes,
+        const std::function<void()>& check);
+    void fill(const Query& query, std::uint32_t index, std::vector<double>& values) const;
+    /// What the return type of a band asks for. @param index  of the query
+    [[nodiscard]] Estimate returned(
+        const Query& query, std::uint32_t index, std::size_t band) const;
+    [[nodiscard]] Estimate of_sensor(std::uint32_t index, ReturnType type, std::size_t band) const;
+    [[nodiscard]] Estimate of_organ(std::uint32_t index, ReturnType type, std::size_t band) const;
+    void write_files(const Pass& pass) const;
+
+    Specification spec_;
+    Notices& notices_;
+    OrganShapes shapes_;
+    std::optional<SkyOfDay> sky_;
+    Lighting lighting_;
+    Simulator simulator_, unshaded_simulator_;
+    StepLight light_, unshaded_;
+    std::uint64_t steps_ = 0;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,104 @@
+#include "coupling/plant_scene.h"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "coupling/lighting.h"
+#include "scene/scene_builder.h"
+
+namespace quasimc {
+namespace {
+
+const std::string kSensorName = "sensor";
+
+/// The materials of a scene: each pair of sides once, under a name.
+class SceneMaterials {
+  public:
+    SceneMaterials(const Specification& spec, std::span<const std::size_t> bands)
+        : spec_(spec), bands_(bands) {}
+
+    /// The name of a pair of sides, which joins the builder the first time it is asked for.
+    const std::string& name_of(const SideMaterials& sides, SceneBuilder& builder) {
+        const auto [entry, is_new] = names_.try_emplace(sides);
+        if (is_new) {
+            entry->second = fmt::format("{}/{}", sides.upper, sides.lower);
+            builder.add_material({entry->second, optics_of(sides.upper), optics_of(sides.lower)});
+        }
+        return entry->second;
+    }
+    /// What light passes as if nothing were there.
+    const std::string& sensor(SceneBuilder& builder) {
+        if (!has_sensor_) {
+            has_sensor_ = true;
+            SideOptics open;
+            open.transmittance = 1;
+            open.transmission_model = "mirror";
+            const std::vector<SideOptics> all(bands_.size(), open);
+            builder.add_material({kSensorName, all, all});
+        }
+        return kSensorName;
+    }
+
+  private:
+    [[nodiscard]] std::vector<SideOptics> optics_of(std::size_t material) const {
+        std::vector<SideOptics> optics;
+        optics.reserve(bands_.size());
+        for (const std::size_t band : bands_) {
+            optics.push_back(spec_.materials[material][band]);
+        }
+        return optics;
+    }
+
+    const Specification& spec_;
+    std::span<const std::size_t> bands_;
+    std::map<SideMaterials, std::string> names_;
+    bool has_sensor_ = false;
+};
+
+}  // namespace
+
+Scene build_plant_scene(
+    const Specification& spec,
+    std::span<const std::size_t> bands,
+    const Pass& pass,
+    std::vector<PlacedShape> shapes) {
+    std::vector<Band> names;
+    names.reserve(bands.size());
+    for (const std::size_t band : bands) {
+        names.push_back(spec.bands[band]);
+    }
+    SceneBuilder builder(std::move(names), plant_orientation());
+    SceneMaterials materials(spec, bands);
+    for (PlacedShape& placed : shapes) {
+        OrganSpec organ;
+        organ.id = static_cast<std::int64_t>(placed.query) + 1;
+        organ.name = pass.queries[placed.query].organ;
+        if (placed.is_sensor) {
+            organ.field_of_view_deg = *spec.sensor_half_angle_deg;
+        } else {
+            // Where sensors ask, the organs themselves need no rays.
+            organ.measured = !spec.sensor_half_angle_deg;
+        }
+        organ.parts.push_back(
+            {placed.is_sensor ? materials.sensor(builder)
+                              : materials.name_of(placed.shape.materials, builder),
+             std::move(placed.shape.triangles)});
+        builder.add_organ(std::move(organ));
+    }
+    if (spec.ground) {
+        const SideMaterials sides{spec.ground->material, spec.ground->material};
+        GroundSpec ground;
+        ground.material = materials.name_of(sides, builder);
+        ground.height = spec.ground->height;
+        builder.set_ground(std::move(ground));
+    }
+    if (spec.cell) {
+        // Inward, the plant's z is x and its x is y.
+        const StatedCell& c = *spec.cell;
+        builder.set_cell({true, true, c.low_z, c.low_x, c.size_z, c.size_x});
+    }
+    return std::move(builder).build();
+}
+
+}  // namespace quasimc

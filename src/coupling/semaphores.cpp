@@ -1,0 +1,120 @@
+#include "coupling/semaphores.h"
+
+#include <array>
+#include <cerrno>
+#include <ctime>
+#include <string>
+#include <system_error>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <sys/ipc.h>
+#include <sys/sem.h>
+#include <sys/syscall.h>
+
+#include "base/input_error.h"
+#include "coupling/byte_stream.h"
+
+namespace quasimc {
+namespace {
+
+constexpr unsigned short kFromMaster = 0, kToMaster = 1;
+
+/// How often we look whether the simulator still lives while we wait for it.
+constexpr long kLookEveryNanoseconds = 100'000'000;
+
+/// The argument of semctl, which the caller has to define.
+union SemaphoreArgument {
+    int value;
+    semid_ds* status;
+    unsigned short* values;
+};
+
+[[noreturn]] void gone(const char* how) {
+    throw PeerDisconnected(std::string("the plant simulator is gone: ") + how);
+}
+
+[[noreturn]] void gone_by_error(int error) {
+    gone(
+        error == EIDRM || error == EINVAL ? "its semaphores were removed"
+                                          : std::generic_category().message(error).c_str());
+}
+
+/// A descriptor of the process that made the semaphores: the last to have touched them so far. -1,
+/// and errno, if there is none.
+int watch_maker(int set) {
+    const int maker = ::semctl(set, kFromMaster, GETPID);
+    errno = 0;  // whose process can't be told is not watched
+    return maker > 0 ? static_cast<int>(::syscall(SYS_pidfd_open, maker, 0)) : -1;
+}
+
+}  // namespace
+
+SemaphorePair::SemaphorePair(long key) {
+    constexpr int kCount = 2, kMode = 0600;
+    set_ = ::semget(static_cast<key_t>(key), kCount, kMode);
+    if (set_ < 0) {
+        throw InputError(
+            {{fmt::format("-k {}", key), "there is no pair of semaphores of that key",
+              std::generic_category().message(errno),
+              "the plant simulator makes it and passes the key; without -k, pipes are used"}});
+    }
+    master_ = watch_maker(set_);
+    died_early_ = master_ < 0 && errno == ESRCH;
+}
+
+SemaphorePair::~SemaphorePair() {
+    if (master_ >= 0) {
+        ::close(master_);
+    }
+}
+
+void SemaphorePair::announce() {
+    SemaphoreArgument zero{};
+    zero.value = 0;
+    if (::semctl(set_, kToMaster, SETVAL, zero) < 0) {
+        gone_by_error(errno);
+    }
+}
+
+void SemaphorePair::wait_for_master() {
+    sembuf take{kFromMaster, -1, 0};
+    const timespec limit{0, kLookEveryNanoseconds};
+    while (::semtimedop(set_, &take, 1, &limit) < 0) {
+        if (errno != EAGAIN && errno != EINTR) {
+            gone_by_error(errno);
+        }
+        check();
+    }
+}
+
+void SemaphorePair::post_to_master() {
+    sembuf give{kToMaster, 1, 0};
+    while (::semop(set_, &give, 1) < 0) {
+        if (errno != EINTR) {
+            gone_by_error(errno);
+        }
+    }
+}
+
+bool SemaphorePair::master_died() const {
+    pollfd process{master_, POLLIN, 0};
+    return died_early_ || (master_ >= 0 && ::poll(&process, 1, 0) > 0);
+}
+
+void SemaphorePair::check() const {
+    if (::semctl(set_, kFromMaster, GETVAL) < 0) {
+        gone_by_error(errno);
+    }
+    if (master_died()) {
+        gone("its process has ended without an order to exit");
+    }
+}
+
+void SemaphorePair::remove() const {
+    ::semctl(set_, 0, IPC_RMID);
+}
+
+}  // namespace quasimc

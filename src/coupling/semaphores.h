@@ -1,0 +1,35 @@
+#pragma once
+
+namespace quasimc {
+
+/// The pair of System V semaphores that the plant simulator made: the first counts its messages,
+/// the second ours. Notices when the simulator dies, which the semaphores alone don't tell.
+class SemaphorePair {
+  public:
+    /// @throws InputError  if there are no semaphores of that key
+    explicit SemaphorePair(long key);
+    ~SemaphorePair();
+    SemaphorePair(const SemaphorePair&) = delete;
+    SemaphorePair& operator=(const SemaphorePair&) = delete;
+
+    /// Tells the simulator that we are there.
+    void announce();
+    /// Waits for a message. @throws PeerDisconnected
+    void wait_for_master();
+    /// Says that our answer is there. @throws PeerDisconnected
+    void post_to_master();
+    /// Throws PeerDisconnected if the simulator has died or removed the semaphores.
+    void check() const;
+    /// Whether the simulator was seen to have died, and nobody is left who would remove what it
+    /// made.
+    [[nodiscard]] bool master_died() const;
+    /// Removes the semaphores of a simulator that has died.
+    void remove() const;
+
+  private:
+    int set_ = -1;
+    int master_ = -1;          // process descriptor; -1 if it can't be watched
+    bool died_early_ = false;  // before we looked
+};
+
+}  // namespace quasimc

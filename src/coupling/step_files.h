@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "coupling/lighting.h"
+#include "coupling/messages.h"
+#include "coupling/specification.h"
+#include "coupling/step_light.h"
+
+namespace quasimc {
+
+/// One step, for the files that are written of it.
+struct StepView {
+    const Specification& spec;
+    const Pass& pass;
+    const Lighting& lighting;
+    const StepLight& light;
+    std::uint64_t step = 0;  ///< counted from 0
+    /// What the return type of a band gives for a query, by its place in the pass.
+    std::function<Estimate(std::uint32_t query, std::size_t band)> returned;
+};
+
+/// `name` with the number of the step before its extension: "light.dat" -> "light0012.dat".
+[[nodiscard]] std::string numbered_name(const std::string& name, std::uint64_t step);
+
+/// The table of a step: a header, then a line for each organ that asked, in the order of the
+/// queries: area, mean projected area, sunlit and shaded part of it; for each band the mean of the
+/// absorbed flux (or what the band's return type says), the mean over the irradiance of the
+/// horizontal, and the variance between runs; with two bands their ratio and its variance.
+[[nodiscard]] std::string variance_table(const StepView& view);
+
+/// Writes variance_table. @throws InputError  if it can't be written
+void write_variance_file(const StepView& view);
+
+/// Writes the organs of a step, coloured by the light they absorb per area in the first band, as a
+/// PLY file: blue is dark, yellow what an organ absorbs that faces all light. @throws InputError
+void write_picture_file(const StepView& view);
+
+}  // namespace quasimc

@@ -1,0 +1,228 @@
+// The only file that includes Embree; it compiles with Embree 3 and with Embree 4.
+
+#ifndef QUASIMC_EMBREE_MAJOR
+#if __has_include(<embree4/rtcore.h>)
+#define QUASIMC_EMBREE_MAJOR 4
+#else
+#define QUASIMC_EMBREE_MAJOR 3
+#endif
+#endif
+
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#if QUASIMC_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include "geometry/cast/intersector.h"
+#include "geometry/cast/rounding.h"
+
+namespace quasimc {
+
+namespace {
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+using Geometry = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
+
+/// Throws if a call of this thread to Embree has failed. `device` may be null: then the making of
+/// one did.
+void throw_if_failed(RTCDevice device) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) {
+        throw std::bad_alloc();
+    }
+    if (error != RTC_ERROR_NONE) {
+        throw std::runtime_error("Embree failed with error " + std::to_string(error));
+    }
+}
+
+Device make_device() {
+    Device device(rtcNewDevice(nullptr));
+    if (!device) {
+        throw_if_failed(nullptr);
+        throw std::runtime_error("Embree could not be started");
+    }
+    return device;
+}
+
+Geometry make_geometry(RTCDevice device, const LocalMesh& mesh) {
+    Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+    const std::size_t corners = std::size_t{3} * mesh.triangle_count();
+    rtcSetSharedGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
+        3 * sizeof(float), corners);
+    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+        mesh.triangle_count()));
+    throw_if_failed(device);
+    std::iota(index, index + corners, 0U);
+    return geometry;
+}
+
+/// What a query for any hit carries to the filter below; Embree hands back a pointer to its first
+/// part.
+struct OcclusionContext {
+#if QUASIMC_EMBREE_MAJOR >= 4
+    RTCRayQueryContext embree;
+#else
+    RTCIntersectContext embree;
+#endif
+    const LocalMesh* mesh;
+    const Ray* ray;
+    std::uint32_t except;
+};
+
+/// Refuses the hit with the triangle that is excepted, and hits that are there only because of
+/// rounding. We trace single rays here, so N is 1.
+void refuse_excepted(const RTCFilterFunctionNArguments* arguments) {
+    const auto* context = reinterpret_cast<const OcclusionContext*>(arguments->context);
+    const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
+    const float t = RTCRayN_tfar(arguments->ray, 1, 0);
+    if (triangle == context->except || is_rounding(*context->mesh, *context->ray, triangle, t)) {
+        arguments->valid[0] = 0;
+    }
+}
+
+RTCRay to_embree(const Ray& ray) {
+    RTCRay r;
+    r.org_x = static_cast<float>(ray.origin.x);
+    r.org_y = static_cast<float>(ray.origin.y);
+    r.org_z = static_cast<float>(ray.origin.z);
+    r.tnear = ray.near;
+    r.dir_x = static_cast<float>(ray.direction.x);
+    r.dir_y = static_cast<float>(ray.direction.y);
+    r.dir_z = static_cast<float>(ray.direction.z);
+    r.time = 0;
+    r.tfar = ray.far;
+    r.mask = 0xFFFFFFFFU;
+    r.id = 0;
+    r.flags = 0;
+    return r;
+}
+
+class EmbreeIntersector final : public Intersector {
+  public:
+    explicit EmbreeIntersector(const LocalMesh& mesh)
+        : mesh_(mesh), device_(make_device()), scene_(rtcNewScene(device_.get())) {
+        const Geometry geometry = make_geometry(device_.get(), mesh);
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), refuse_excepted);
+        rtcCommitGeometry(geometry.get());
+        rtcAttachGeometry(scene_.get(), geometry.get());
+        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
+        rtcCommitScene(scene_.get());
+        throw_if_failed(device_.get());
+    }
+
+    [[nodiscard]] Hit closest(const Ray& ray) const override {
+        RTCRayHit query;
+        query.ray = to_embree(ray);
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.primID = kNoTriangle;
+        query.hit.u = query.hit.v = 0;
+        query.hit.Ng_x = query.hit.Ng_y = query.hit.Ng_z = 0;
+#if QUASIMC_EMBREE_MAJOR >= 4
+        rtcIntersect1(scene_.get(), &query, nullptr);
+#else
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        rtcIntersect1(scene_.get(), &context, &query);
+#endif
+        const RTCHit& hit = query.hit;
+        return {hit.primID, query.ray.tfar, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
+    }
+
+    void closest(Packet& packet) const override;
+
+    [[nodiscard]] bool occluded(const Ray& ray, std::uint32_t except) const override {
+        RTCRay query = to_embree(ray);
+        OcclusionContext context;
+        context.mesh = &mesh_;
+        context.ray = &ray;
+        context.except = except;
+#if QUASIMC_EMBREE_MAJOR >= 4
+        rtcInitRayQueryContext(&context.embree);
+        RTCOccludedArguments arguments;
+        rtcInitOccludedArguments(&arguments);
+        arguments.context = &context.embree;
+        rtcOccluded1(scene_.get(), &query, &arguments);
+#else
+        rtcInitIntersectContext(&context.embree);
+        rtcOccluded1(scene_.get(), &context.embree, &query);
+#endif
+        return query.tfar < 0;
+    }
+
+  private:
+    const LocalMesh& mesh_;
+    Device device_;
+    EmbreeScene scene_;
+};
+
+void EmbreeIntersector::closest(Packet& packet) const {
+    alignas(64) RTCRayHit16 query;
+    alignas(64) std::array<int, kPacket> valid;
+    for (std::size_t i = 0; i < kPacket; ++i) {
+        valid[i] = packet.far[i] >= packet.near[i] ? -1 : 0;
+        query.ray.org_x[i] = packet.origin_x[i];
+        query.ray.org_y[i] = packet.origin_y[i];
+        query.ray.org_z[i] = packet.origin_z[i];
+        query.ray.tnear[i] = packet.near[i];
+        query.ray.dir_x[i] = packet.direction_x[i];
+        query.ray.dir_y[i] = packet.direction_y[i];
+        query.ray.dir_z[i] = packet.direction_z[i];
+        query.ray.tfar[i] = packet.far[i];
+        query.ray.time[i] = 0;
+        query.ray.mask[i] = 0xFFFFFFFFU;
+        query.ray.id[i] = 0;
+        query.ray.flags[i] = 0;
+        query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.primID[i] = kNoTriangle;
+        query.hit.u[i] = query.hit.v[i] = 0;
+        query.hit.Ng_x[i] = query.hit.Ng_y[i] = query.hit.Ng_z[i] = 0;
+    }
+#if QUASIMC_EMBREE_MAJOR >= 4
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid.data(), scene_.get(), &query, &arguments);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid.data(), scene_.get(), &context, &query);
+#endif
+    for (std::size_t i = 0; i < kPacket; ++i) {
+        packet.triangle[i] = query.hit.primID[i];
+        packet.t[i] = query.ray.tfar[i];
+        packet.u[i] = query.hit.u[i];
+        packet.v[i] = query.hit.v[i];
+        packet.normal_x[i] = query.hit.Ng_x[i];
+        packet.normal_y[i] = query.hit.Ng_y[i];
+        packet.normal_z[i] = query.hit.Ng_z[i];
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<Intersector> make_embree_intersector(const LocalMesh& mesh) {
+    return std::make_unique<EmbreeIntersector>(mesh);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "geometry/mesh/local_mesh.h"
+
+namespace quasimc {
+
+inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
+
+/// A ray in local coordinates; hits count for near < t < far (t in units of the direction's
+/// length).
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  ///< unit length
+    float near = 0;
+    float far = std::numeric_limits<float>::infinity();
+};
+
+/// What a ray met first.
+struct Hit {
+    std::uint32_t triangle = kNoTriangle;
+    float t = 0;
+    float u = 0, v = 0;  ///< LocalMesh::point(triangle, u, v) is the place
+    std::array<float, 3>
+        normal{};  ///< area_vector of the triangle (not normalized), local coordinates
+
+    [[nodiscard]] bool found() const { return triangle != kNoTriangle; }
+};
+
+inline constexpr std::size_t kPacket = 16;
+
+/// Sixteen rays and what they met; a lane with far < near is idle.
+struct alignas(64) Packet {
+    std::array<float, kPacket> origin_x, origin_y, origin_z;
+    std::array<float, kPacket> direction_x, direction_y, direction_z;
+    std::array<float, kPacket> near, far;
+    std::array<float, kPacket> t, u, v, normal_x, normal_y, normal_z;
+    std::array<std::uint32_t, kPacket> triangle;
+};
+
+/// Finds where rays meet the triangles of a mesh. Const and free of locks after construction.
+/// The mesh outlives the intersector.
+class Intersector {
+  public:
+    virtual ~Intersector() = default;
+    Intersector() = default;
+    Intersector(const Intersector&) = delete;
+    Intersector& operator=(const Intersector&) = delete;
+
+    /// The hit with the smallest t in (near, far).
+    [[nodiscard]] virtual Hit closest(const Ray& ray) const = 0;
+    /// The same for sixteen rays that start near each other in about the same direction.
+    virtual void closest(Packet& packet) const = 0;
+    /// Whether there is any hit in (near, far), but for triangle `except`. Unlike closest(), which
+    /// may report the rounding of the origin as a hit just beyond `near`, this looks at t in double
+    /// precision.
+    [[nodiscard]] virtual bool occluded(const Ray& ray, std::uint32_t except) const = 0;
+};
+
+/// The engine for production: Embree.
+[[nodiscard]] std::unique_ptr<Intersector> make_embree_intersector(const LocalMesh& mesh);
+
+/// Tries every triangle in double precision: the oracle of the tests, and for scenes of a few
+/// triangles.
+[[nodiscard]] std::unique_ptr<Intersector> make_brute_force_intersector(const LocalMesh& mesh);
+
+}  // namespace quasimc

@@ -1,0 +1,260 @@
+#include "geometry/cast/ray_caster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/bounds.h"
+#include "base/checks.h"
+#include "geometry/cast/cell_walk.h"
+#include "geometry/cast/rounding.h"
+
+namespace quasimc {
+
+namespace {
+
+/// Whether `hit` is with the triangle that the ray starts on, or with another in its plane.
+bool is_start(const LocalMesh& mesh, const Ray& ray, std::uint32_t self, const Hit& hit) {
+    return hit.found() && (hit.triangle == self || is_rounding(mesh, ray, hit.triangle, hit.t));
+}
+
+/// The first hit of a ray that starts on `self`: past hits with self, or with others in its plane,
+/// the ray is started again.
+Hit closest_past(
+    const Intersector& engine, const LocalMesh& mesh, const Ray& ray, std::uint32_t self) {
+    Hit hit = engine.closest(ray);
+    if (is_start(mesh, ray, self, hit)) [[unlikely]] {
+        Ray rest = ray;
+        do {
+            rest.near = std::nextafter(std::max(rest.near, hit.t), INFINITY);
+            hit = engine.closest(rest);
+        } while (is_start(mesh, ray, self, hit));
+    }
+    return hit;
+}
+
+/// Cell and scene bounds in local coordinates.
+Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
+    Tile tile{{}, cell.along_x, cell.along_y};
+    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            tile.box.add(mesh.vertex(i, corner));
+        }
+    }
+    constexpr Vec3 kMargin{kOverlap, kOverlap, kOverlap};
+    tile.box.low -= kMargin;
+    tile.box.high += kMargin;
+    if (cell.along_x) {
+        tile.box.low.x = mesh.scale * (cell.low_x - mesh.origin.x);
+        tile.box.high.x = tile.box.low.x + mesh.scale * cell.size_x;
+    }
+    if (cell.along_y) {
+        tile.box.low.y = mesh.scale * (cell.low_y - mesh.origin.y);
+        tile.box.high.y = tile.box.low.y + mesh.scale * cell.size_y;
+    }
+    return tile;
+}
+
+}  // namespace
+
+struct RayCaster::Impl {
+    LocalMesh mesh;
+    std::vector<std::uint32_t> sources;  // empty if every triangle is its own
+    Tile tile;
+    std::unique_ptr<Intersector> engine;
+
+    [[nodiscard]] bool periodic() const { return tile.along_x || tile.along_y; }
+
+    [[nodiscard]] Hit first_hit(const Ray& ray, std::uint32_t self) const {
+        return self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self);
+    }
+    [[nodiscard]] std::uint32_t image_of(std::uint32_t self, double shift_x, double shift_y) const;
+    [[nodiscard]] CastHit follow(CellWalk& walk, std::uint32_t self) const;
+    [[nodiscard]] bool is_blocked(CellWalk& walk, std::uint32_t self) const;
+    void cast_periodic(Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const;
+};
+
+/// The triangle of the mesh that is `self` seen from the cell `shift` periods away: the image moved
+/// back by as much. kNoTriangle if self does not reach into that cell.
+std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, double shift_y) const {
+    if (self == kNoTriangle || (shift_x == 0 && shift_y == 0)) {
+        return self;
+    }
+    const Vec3 size = tile.box.size();
+    const Vec3 corner = mesh.vertex(self, 0);
+    const auto is_it = [&](std::uint32_t other) {
+        const Vec3 moved = corner - mesh.vertex(other, 0);
+        return (!tile.along_x || std::round(moved.x / size.x) == shift_x) &&
+               (!tile.along_y || std::round(moved.y / size.y) == shift_y);
+    };
+    // Images of one triangle stand next to each other.
+    for (std::uint32_t i = self; i-- > 0 && sources[i] == sources[self];) {
+        if (is_it(i)) {
+            return i;
+        }
+    }
+    for (std::uint32_t i = self + 1; i < sources.size() && sources[i] == sources[self]; ++i) {
+        if (is_it(i)) {
+            return i;
+        }
+    }
+    return kNoTriangle;
+}
+
+/// Follows a ray from cell to cell up to its first hit; the walk is used up.
+CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
+    for (int cells = 0; walk.inside(); ++cells, walk.step()) {
+        if (cells == kMostCells) {
+            return {RayEnd::lost, {}};
+        }
+        const std::uint32_t self_here = image_of(self, walk.shift_x(), walk.shift_y());
+        CastHit result{RayEnd::hit, first_hit(walk.piece(), self_here)};
+        if (result.hit.found()) {
+            result.hit.t += static_cast<float>(walk.start());
+            return result;
+        }
+    }
+    return {RayEnd::escaped, {}};
+}
+
+bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
+    for (int cells = 0; cells < kMostCells && walk.inside(); ++cells, walk.step()) {
+        if (engine->occluded(walk.piece(), image_of(self, walk.shift_x(), walk.shift_y()))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+RayCaster::RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine)
+    : RayCaster(
+          triangles,
+          cell,
+          engine == Engine::embree ? make_embree_intersector : make_brute_force_intersector) {}
+
+RayCaster::RayCaster(
+    const std::vector<Triangle>& triangles, const Cell& cell, const MakeIntersector& make)
+    : impl_(std::make_unique<Impl>()) {
+    EXPECT(!triangles.empty());
+    if (cell.periodic()) {
+        WrappedTriangles wrapped = wrap_into_cell(triangles, cell);
+        impl_->mesh = make_local_mesh(wrapped.triangles);
+        impl_->sources = std::move(wrapped.source);
+    } else {
+        impl_->mesh = make_local_mesh(triangles);
+    }
+    impl_->tile = make_tile(impl_->mesh, cell);
+    impl_->engine = make(impl_->mesh);
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+const LocalMesh& RayCaster::mesh() const {
+    return impl_->mesh;
+}
+
+std::uint32_t RayCaster::source(std::uint32_t i) const {
+    return impl_->sources.empty() ? i : impl_->sources[i];
+}
+
+CastHit RayCaster::cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const {
+    if (impl_->periodic()) {
+        CellWalk walk(impl_->tile, origin, direction);
+        return impl_->follow(walk, self);
+    }
+    Ray ray{origin, direction};
+    ray.near = kNear;
+    CastHit result{RayEnd::escaped, impl_->first_hit(ray, self)};
+    if (result.hit.found()) {
+        result.end = RayEnd::hit;
+    }
+    return result;
+}
+
+bool RayCaster::occluded(
+    const Vec3& origin, const Vec3& direction, std::uint32_t self, double distance) const {
+    if (impl_->periodic()) {
+        EXPECT(std::isinf(distance));
+        CellWalk walk(impl_->tile, origin, direction);
+        return impl_->is_blocked(walk, self);
+    }
+    Ray ray{origin, direction};
+    ray.near = kNear;
+    ray.far = static_cast<float>(distance);
+    return impl_->engine->occluded(ray, self);
+}
+
+void RayCaster::cast(Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const {
+    EXPECT(count <= kPacket);
+    if (impl_->periodic()) {
+        impl_->cast_periodic(packet, count, ends);
+        return;
+    }
+    for (std::size_t i = 0; i < kPacket; ++i) {
+        packet.near[i] = 0;
+        packet.far[i] = i < count ? INFINITY : -1.0F;
+    }
+    impl_->engine->closest(packet);
+    for (std::size_t i = 0; i < count; ++i) {
+        ends[i] = packet.triangle[i] == kNoTriangle ? RayEnd::escaped : RayEnd::hit;
+    }
+}
+
+/// The rays' first pieces go as a packet; those that leave the cell sideways go on one by one.
+void RayCaster::Impl::cast_periodic(
+    Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const {
+    std::array<std::optional<CellWalk>, kPacket> walks;
+    Packet pieces{};
+    for (std::size_t i = 0; i < kPacket; ++i) {
+        pieces.near[i] = 0;
+        pieces.far[i] = -1;
+        if (i >= count) {
+            continue;
+        }
+        const Vec3 origin{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]};
+        const Vec3 direction{packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]};
+        walks[i].emplace(tile, origin, direction);
+        if (!walks[i]->inside()) {
+            continue;
+        }
+        const Ray piece = walks[i]->piece();
+        pieces.origin_x[i] = static_cast<float>(piece.origin.x);
+        pieces.origin_y[i] = static_cast<float>(piece.origin.y);
+        pieces.origin_z[i] = static_cast<float>(piece.origin.z);
+        pieces.far[i] = piece.far;
+    }
+    pieces.direction_x = packet.direction_x;
+    pieces.direction_y = packet.direction_y;
+    pieces.direction_z = packet.direction_z;
+    engine->closest(pieces);
+    packet.triangle = pieces.triangle;
+    packet.u = pieces.u;
+    packet.v = pieces.v;
+    packet.normal_x = pieces.normal_x;
+    packet.normal_y = pieces.normal_y;
+    packet.normal_z = pieces.normal_z;
+    for (std::size_t i = 0; i < count; ++i) {
+        packet.t[i] = pieces.t[i] + static_cast<float>(walks[i]->start());
+        if (pieces.triangle[i] != kNoTriangle) {
+            ends[i] = RayEnd::hit;
+            continue;
+        }
+        walks[i]->step();
+        const CastHit rest = follow(*walks[i], kNoTriangle);
+        ends[i] = rest.end;
+        if (rest.end == RayEnd::hit) {
+            packet.triangle[i] = rest.hit.triangle;
+            packet.t[i] = rest.hit.t;
+            packet.u[i] = rest.hit.u;
+            packet.v[i] = rest.hit.v;
+            packet.normal_x[i] = rest.hit.normal[0];
+            packet.normal_y[i] = rest.hit.normal[1];
+            packet.normal_z[i] = rest.hit.normal[2];
+        }
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/vec3.h"
+#include "geometry/cast/intersector.h"
+#include "geometry/mesh/local_mesh.h"
+
+namespace quasimc {
+
+/// Hits nearer than this, in local units, do not count: the place where a ray starts is rounded to
+/// single precision when it is traced.
+inline constexpr float kNear = 0x1p-22F;
+
+/// Hits nearer than this are looked at again in double precision. A ray that starts in a triangle's
+/// plane and leaves it at a small angle can meet it only because it starts a rounding error behind
+/// it.
+inline constexpr float kDoubtful = 0x1p-10F;
+
+/// Whether the hit at `t` on `triangle` is there only because of rounding: in double precision the
+/// ray meets the triangle's plane no further than ray.near.
+inline bool is_rounding(const LocalMesh& mesh, const Ray& ray, std::uint32_t triangle, float t) {
+    if (t > kDoubtful) {
+        return false;
+    }
+    const Vec3 corner = mesh.vertex(triangle, 0);
+    const Vec3 normal = cross(mesh.vertex(triangle, 1) - corner, mesh.vertex(triangle, 2) - corner);
+    const double exact = dot(corner - ray.origin, normal) / dot(ray.direction, normal);
+    return !(exact > ray.near);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/vec3.h"
+
+namespace quasimc {
+
+/// A point of a plane.
+struct Point2 {
+    double s = 0, t = 0;
+};
+
+/// The corners of the convex hull of `points`, counter-clockwise; fewer than three when the points
+/// lie on a line.
+[[nodiscard]] std::vector<Point2> convex_hull(std::vector<Point2> points);
+
+/// Area of a polygon whose corners run counter-clockwise.
+[[nodiscard]] double polygon_area(const std::vector<Point2>& corners);
+
+/// An area-preserving, continuous map of the unit square onto a convex polygon: lines of equal u0
+/// go to chords along t, moved along s so that equal steps of u0 sweep equal areas; u1 runs along
+/// the chord.
+class ConvexMap {
+  public:
+    /// @param hull  a convex polygon of some area, corners counter-clockwise
+    explicit ConvexMap(const std::vector<Point2>& hull);
+
+    [[nodiscard]] double area() const { return area_; }
+    [[nodiscard]] Point2 place(double u0, double u1) const;
+
+  private:
+    /// The part of the polygon between two neighbouring corners along s: a trapezium. One cache
+    /// line.
+    struct alignas(64) Slab {
+        double s = 0, width = 0;            ///< begin and extent along s
+        double low = 0, low_slope = 0;      ///< lower border at the begin, and how it rises
+        double chord = 0, chord_slope = 0;  ///< the same of the chord's length
+        double area_before = 0;             ///< of all slabs up to here
+        double area_after = 0;              ///< including this one
+    };
+
+    static constexpr std::size_t kGuides = 1024;
+
+    std::vector<Slab> slabs_;
+    std::vector<std::uint16_t> guide_;  ///< the slab in which each equal part of the area begins
+    double area_ = 0;
+};
+
+}  // namespace quasimc

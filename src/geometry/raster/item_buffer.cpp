@@ -1,0 +1,278 @@
+#include "geometry/raster/item_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "base/checks.h"
+#include "base/multiversion.h"
+
+namespace quasimc {
+namespace {
+
+/// The smallest integer >= x, for 0 <= x <= 2^31.
+std::int32_t ceil_to_int(double x) {
+    const auto whole = static_cast<std::int32_t>(x);
+    return whole + (whole < x ? 1 : 0);
+}
+
+/// How the rays of one coordinate stand.
+struct Rays {
+    double pitch = 1;
+    std::uint32_t count = 1;
+};
+
+Rays rays_of(double size, bool repeats, double pitch) {
+    const double exact = size / pitch;
+    const double count = std::max(1.0, repeats ? std::round(exact) : std::ceil(exact));
+    return {repeats ? size / count : pitch, static_cast<std::uint32_t>(count)};
+}
+
+/// Pixels of a row that are drawn at one go; arrays have so much room behind their end.
+constexpr std::int32_t kLanes = 8;
+
+using Floats = float __attribute__((vector_size(4 * kLanes)));
+using Words = std::int32_t __attribute__((vector_size(4 * kLanes)));
+
+/// Draws a span of pixels, all lanes at once: spans are too short to be worth a branch for each.
+QUASIMC_MULTIVERSION void draw_span(
+    float* depths, std::int32_t* ids, std::int32_t count, float z, float step, std::int32_t id) {
+    Words at = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::int32_t first = 0; first < count; first += kLanes, at += kLanes) {
+        const Floats here = z + step * __builtin_convertvector(at, Floats);
+        Floats depth;
+        Words seen;
+        std::memcpy(&depth, depths + first, sizeof(depth));
+        std::memcpy(&seen, ids + first, sizeof(seen));
+        const Words nearer = (at < count) & (here < depth);
+        depth = nearer ? here : depth;
+        seen = nearer ? Words{} + id : seen;
+        std::memcpy(depths + first, &depth, sizeof(depth));
+        std::memcpy(ids + first, &seen, sizeof(seen));
+    }
+}
+
+/// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
+/// triangles which share one cut it at the same places.
+class SidesByRow {
+  public:
+    explicit SidesByRow(const ProjectedTriangle& seen) {
+        const auto [low, middle, high] = seen.upwards();
+        const auto& x = seen.x;
+        const auto& y = seen.y;
+        low_x_ = x[low];
+        low_y_ = y[low];
+        middle_x_ = x[middle];
+        middle_y_ = y[middle];
+        slope_long_ = (x[high] - x[low]) / (y[high] - y[low]);
+        slope_low_ = (x[middle] - x[low]) / (y[middle] - y[low]);
+        slope_high_ = (x[high] - x[middle]) / (y[high] - y[middle]);
+    }
+
+    /// Left and right of a row between the lowest and the highest corner.
+    [[nodiscard]] std::pair<double, double> at(double row) const {
+        const double along = low_x_ + (row - low_y_) * slope_long_;
+        const double other = row < middle_y_ ? low_x_ + (row - low_y_) * slope_low_
+                                             : middle_x_ + (row - middle_y_) * slope_high_;
+        return {std::min(along, other), std::max(along, other)};
+    }
+
+  private:
+    double low_x_, low_y_, middle_x_, middle_y_, slope_long_, slope_low_, slope_high_;
+};
+
+}  // namespace
+
+void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
+    EXPECT(spec.pixels >= 1);
+    scene_ = scene;
+    direction_ = spec.direction;
+    items_.clear();
+    runs_.clear();
+    images_.assign(1, {});
+    set_grid(scene, spec);
+    const std::size_t pixels = std::size_t{columns_} * rows_;
+    depths_.assign(pixels + kLanes, std::numeric_limits<float>::infinity());
+    ids_.assign(pixels + kLanes, 0);
+    if (pixels == 0) {
+        return;
+    }
+    bool has_sensors = false;
+    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
+        const VisibilityRole role = scene.role(i);
+        has_sensors = has_sensors || role == VisibilityRole::sensor;
+        if (role == VisibilityRole::opaque) {
+            draw_opaque(i);
+        }
+    }
+    find_runs();
+    list_items();
+    for (std::uint32_t i = 0; has_sensors && i < scene.mesh->triangle_count(); ++i) {
+        if (scene.role(i) == VisibilityRole::sensor) {
+            add_sensor(i);
+        }
+    }
+}
+
+void ItemBuffer::set_grid(const ProjectedScene& scene, const Spec& spec) {
+    const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
+    columns_ = rows_ = 0;
+    if (!(plane.size_s > 0 && plane.size_t > 0)) {
+        return;  // seen edge-on
+    }
+    // Squares, unless the scene is so narrow that there would be no end of them.
+    const double pitch = std::max(
+        std::sqrt(plane.size_s * plane.size_t / spec.pixels),
+        std::max(plane.size_s, plane.size_t) / spec.pixels);
+    const Rays x = rays_of(plane.size_s, plane.repeats_s, pitch);
+    const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
+    columns_ = x.count;
+    rows_ = y.count;
+    x_ = {plane.s / x.pitch, -plane.low_s / x.pitch - spec.shift_s};
+    y_ = {plane.t / y.pitch, -plane.low_t / y.pitch - spec.shift_t};
+    z_ = {plane.depth, 0};
+    repeats_x_ = plane.repeats_s;
+    repeats_y_ = plane.repeats_t;
+    pixel_area_ = x.pitch * y.pitch * plane.area;
+}
+
+ProjectedTriangle ItemBuffer::seen(std::uint32_t triangle) const {
+    return scene_.seen(triangle, x_, y_, z_);
+}
+
+ProjectedTriangle ItemBuffer::moved(ProjectedTriangle seen, const Image& image) const {
+    for (int i = 0; i < 3; ++i) {
+        seen.x[i] -= static_cast<double>(image.periods_x) * columns_;
+        seen.y[i] -= static_cast<double>(image.periods_y) * rows_;
+    }
+    return seen;
+}
+
+template <typename Draw>
+void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const {
+    const ProjectedTriangle corners = seen(triangle);
+    if (!repeats_x_ && !repeats_y_) {
+        draw(Image{triangle, 0, 0}, corners);
+        return;
+    }
+    const auto periods = [](const double(&at)[3], bool repeats, std::uint32_t rays) {
+        return periods_of(
+            std::min({at[0], at[1], at[2]}), std::max({at[0], at[1], at[2]}), rays, repeats);
+    };
+    const Periods x = periods(corners.x, repeats_x_, columns_);
+    const Periods y = periods(corners.y, repeats_y_, rows_);
+    for (std::int32_t py = y.first; py <= y.last; ++py) {
+        for (std::int32_t px = x.first; px <= x.last; ++px) {
+            const Image image{triangle, px, py};
+            draw(image, moved(corners, image));
+        }
+    }
+}
+
+template <typename Span>
+void ItemBuffer::rasterize(const ProjectedTriangle& c, const Span& span) const {
+    const auto within = [](double x, std::uint32_t end) {
+        return ceil_to_int(std::min(std::max(x, 0.0), static_cast<double>(end)));
+    };
+    const std::int32_t end = within(std::max({c.y[0], c.y[1], c.y[2]}), rows_);
+    std::int32_t row = within(std::min({c.y[0], c.y[1], c.y[2]}), rows_);
+    if (row >= end) {
+        return;
+    }
+    const double ax = c.x[1] - c.x[0];
+    const double ay = c.y[1] - c.y[0];
+    const double bx = c.x[2] - c.x[0];
+    const double by = c.y[2] - c.y[0];
+    const double twice_area = ax * by - ay * bx;
+    // Corners are told apart in single precision: what is thinner is seen edge-on.
+    constexpr double kEdgeOn = 0x1p-24;
+    if (std::abs(twice_area) <= kEdgeOn * (ax * ax + ay * ay + bx * bx + by * by)) {
+        return;
+    }
+    const double per_area = 1 / twice_area;
+    const double z_by_x = ((c.z[1] - c.z[0]) * by - (c.z[2] - c.z[0]) * ay) * per_area;
+    const double z_by_y = ((c.z[2] - c.z[0]) * ax - (c.z[1] - c.z[0]) * bx) * per_area;
+    const SidesByRow sides(c);
+    for (; row < end; ++row) {
+        const auto [left, right] = sides.at(row);
+        const std::int32_t first = within(left, columns_);
+        const std::int32_t last = within(right, columns_);
+        if (first < last) {
+            const double z = c.z[0] + (first - c.x[0]) * z_by_x + (row - c.y[0]) * z_by_y;
+            span(
+                std::size_t{columns_} * static_cast<std::size_t>(row) +
+                    static_cast<std::size_t>(first),
+                last - first, static_cast<float>(z), static_cast<float>(z_by_x));
+        }
+    }
+}
+
+void ItemBuffer::draw_opaque(std::uint32_t triangle) {
+    for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
+        const auto id = static_cast<std::int32_t>(images_.size());
+        bool touched = false;
+        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
+            touched = true;
+            draw_span(&depths_[first], &ids_[first], count, z, step, id);
+        });
+        if (touched) {
+            images_.push_back(image);
+        }
+    });
+}
+
+/// Without a branch for each pixel.
+void ItemBuffer::find_runs() {
+    const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kLanes;
+    ids_[pixels] = -1;  // ends the last
+    ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
+    std::uint32_t* end = ends_.data();
+    for (std::uint32_t i = 0; i < pixels; ++i) {
+        *end = i + 1;
+        end += ids_[i] != ids_[i + 1] ? 1 : 0;
+    }
+    std::uint32_t first = 0;
+    for (const std::uint32_t* next = ends_.data(); next != end; ++next) {
+        runs_.push_back({first, *next - first, static_cast<std::uint32_t>(ids_[first])});
+        first = *next;
+    }
+}
+
+void ItemBuffer::list_items() {
+    counts_.assign(images_.size(), 0);
+    for (const Run& run : runs_) {
+        counts_[run.id] += run.count;
+    }
+    for (std::uint32_t id = 1; id < images_.size(); ++id) {
+        if (counts_[id] > 0) {
+            const std::uint32_t triangle = images_[id].triangle;
+            items_.push_back({triangle, id, counts_[id], scene_.cosine(triangle, direction_)});
+        }
+    }
+}
+
+void ItemBuffer::add_sensor(std::uint32_t triangle) {
+    std::uint32_t seen = 0;
+    for_each_image(triangle, [&](const Image&, const ProjectedTriangle& corners) {
+        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
+            for (std::int32_t i = 0; i < count; ++i) {
+                const std::size_t pixel = first + static_cast<std::size_t>(i);
+                seen += z + step * static_cast<float>(i) < depths_[pixel] ? 1 : 0;
+            }
+        });
+    });
+    if (seen > 0) {
+        items_.push_back({triangle, 0, seen, scene_.cosine(triangle, direction_)});
+    }
+}
+
+Barycentric ItemBuffer::place(std::uint32_t pixel) const {
+    const Image& image = images_[static_cast<std::size_t>(ids_[pixel])];
+    const std::uint32_t row = pixel / columns_;
+    return moved(seen(image.triangle), image)
+        .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
+}
+
+}  // namespace quasimc

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "base/vec3.h"
+#include "geometry/mesh/cell.h"
+#include "geometry/mesh/local_mesh.h"
+
+namespace quasimc {
+
+/// How a beam meets a triangle.
+enum class VisibilityRole : std::uint8_t {
+    opaque,
+    sensor,    ///< receives light and lets it pass
+    left_out,  ///< another image of the same triangle stands for it (RayCaster::source)
+};
+
+/// A place v0 + u (v1 - v0) + v (v2 - v0) on a triangle.
+struct Barycentric {
+    float u = 0, v = 0;
+};
+
+/// A triangle on the plane of a beam: places x and y and depth z of its corners.
+struct ProjectedTriangle {
+    double x[3], y[3], z[3];
+
+    /// Its corners, the lowest in y first.
+    [[nodiscard]] std::array<int, 3> upwards() const {
+        int low = 0;
+        int middle = 1;
+        int high = 2;
+        // Without branches, which no processor could predict.
+        const auto order = [this](int& i, int& j) {
+            const bool swap = y[j] < y[i];
+            const int smaller = swap ? j : i;
+            j = swap ? i : j;
+            i = smaller;
+        };
+        order(low, middle);
+        order(middle, high);
+        order(low, middle);
+        return {low, middle, high};
+    }
+    /// What of it is seen at a place. Its picture must have an area.
+    [[nodiscard]] Barycentric place(double at_x, double at_y) const;
+};
+
+/// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.
+struct BeamAxis {
+    Vec3 along;
+    double offset = 0;
+};
+
+/// A scene as beams see it.
+struct ProjectedScene {
+    const LocalMesh* mesh = nullptr;
+    Cell cell;                                   ///< local coordinates
+    std::span<const VisibilityRole> roles = {};  ///< by triangle of the mesh; empty: all are opaque
+    std::span<const Vec3> outline = {};  ///< points whose hull holds the scene; empty: vertices
+
+    [[nodiscard]] VisibilityRole role(std::uint32_t triangle) const {
+        return roles.empty() ? VisibilityRole::opaque : roles[triangle];
+    }
+    /// dot(unit normal of the upper side of a triangle, direction), 0 if it has no area.
+    [[nodiscard]] double cosine(std::uint32_t triangle, const Vec3& direction) const;
+    /// The least and the largest dot(along, p) of the points of a triangle.
+    [[nodiscard]] std::pair<double, double> extent(std::uint32_t triangle, const Vec3& along) const;
+    [[nodiscard]] ProjectedTriangle seen(
+        std::uint32_t triangle, const BeamAxis& x, const BeamAxis& y, const BeamAxis& z) const;
+};
+
+/// Whether s and t run along the periods of a scene, or t slantwise, so that lines are not lost on
+/// what stands in line with the cell.
+enum class AlongPeriods { straight, slanted };
+
+/// The plane on which a beam sees a scene: points of one ray have the same place (s, t), and their
+/// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
+/// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
+/// both, so that one period holds an image of every ray.
+struct ProjectionPlane {
+    /// @param scene  with at least one triangle
+    /// @param direction  unit, in which the light travels; in a periodic scene one that has a
+    ///        window (SceneProjection::window)
+    /// @param rotation  0..1 for half a turn of s and t; in a periodic scene it picks one of the
+    ///        directions in which lines of equal t close, or run across a row
+    /// @param periods  how s and t stand in a periodic scene
+    ProjectionPlane(
+        const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
+
+    Vec3 s, t, depth;             ///< a point p is seen at (dot(s, p), dot(t, p)), dot(depth, p)
+    double area = 1;              ///< across the beam, per unit of s and t
+    double low_s = 0, low_t = 0;  ///< where the scene, or a period, begins
+    double size_s = 0, size_t = 0;
+    bool repeats_s = false, repeats_t = false;
+
+  private:
+    void set_layer(const Cell& cell, const Vec3& direction, double rotation, AlongPeriods periods);
+    void set_row(
+        const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
+};
+
+/// The periods that a stretch reaches into, counted from where the first begins.
+struct Periods {
+    std::int32_t first = 0, last = 0;
+};
+/// @param low, high  of the stretch, from the beginning of the first period
+/// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
+///        many is lost (RayCaster::kMostCells)
+[[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
+
+}  // namespace quasimc

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/vec3.h"
+#include "geometry/mesh/cell.h"
+#include "geometry/mesh/local_mesh.h"
+
+namespace quasimc {
+
+/// A region of a plane across a beam, through which every ray of the beam that can meet the scene
+/// passes (in a periodic scene: one image of every such ray).
+class BeamCrossSection {
+  public:
+    virtual ~BeamCrossSection() = default;
+    /// Area perpendicular to the beam, local units squared.
+    [[nodiscard]] virtual double area() const = 0;
+    /// A place in the window, outside the scene on the beam's side: an area-preserving, continuous
+    /// map of the unit square. Local coordinates.
+    [[nodiscard]] virtual Vec3 place(double u0, double u1) const = 0;
+    /// place() of several points, faster.
+    virtual void places(
+        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places) const = 0;
+};
+
+enum class CrossSectionShape {
+    silhouette,  ///< the convex hull of the scene seen along the beam: the fewest rays that miss
+    sphere,      ///< the disc across the bounding sphere, as in Cieslak et al. (2008)
+};
+
+/// The faces of the box around the scene that light from far away enters through. Of a periodic
+/// scene only the faces across the open axes count: those of the layer (x and y periodic: top and
+/// bottom).
+struct EntryBox {
+    Bounds bounds;   ///< local coordinates; along periodic axes: the cell
+    Vec3 face_area;  ///< area of the faces across x, y, z; 0 where the scene is periodic along that
+                     ///< axis
+
+    /// Area of the scene's box seen along direction `d` (unit).
+    [[nodiscard]] double projected_area(const Vec3& d) const {
+        return face_area.x * std::abs(d.x) + face_area.y * std::abs(d.y) +
+               face_area.z * std::abs(d.z);
+    }
+};
+
+/// A sphere in local coordinates.
+struct Ball {
+    Vec3 center;
+    double radius = 0;
+};
+
+/// Where light from far away enters a scene.
+class SceneProjection {
+  public:
+    /// @param mesh  the scene in local coordinates
+    /// @param cell  world coordinates, as given to the RayCaster of the same mesh
+    SceneProjection(const LocalMesh& mesh, const Cell& cell, CrossSectionShape shape);
+
+    /// The window of a beam that travels along `direction` (unit). Null if a periodic scene is
+    /// never met by it: the beam runs along a periodic axis, or in the layer's plane.
+    ///
+    /// Open scenes: as `shape` says; of area 0 if the scene is seen edge-on. Periodic along x and
+    /// y: the cell, on the side that the beam comes from. Periodic along one axis: one period of
+    /// the strip that the row of cells is seen as.
+    [[nodiscard]] std::unique_ptr<BeamCrossSection> window(const Vec3& direction) const;
+
+    /// Points whose convex hull holds the scene; none of a scene periodic along x and y.
+    [[nodiscard]] const std::vector<Vec3>& outline() const { return outline_; }
+    [[nodiscard]] const EntryBox& entry_box() const { return box_; }
+    /// Square world units per square local unit.
+    [[nodiscard]] double world_area() const { return 1 / (scale_ * scale_); }
+    /// Local units per world unit.
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale_ * (world - origin_); }
+    /// Along which axes the scene repeats; local coordinates.
+    [[nodiscard]] const Cell& cell() const { return cell_; }
+
+  private:
+    std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
+    Ball ball_;                  // holds the scene; for windows of that shape only
+    Cell cell_;                  // local coordinates
+    CrossSectionShape shape_;
+    EntryBox box_;
+    Vec3 origin_;  // of the local coordinates, in the world
+    double scale_ = 1;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,129 @@
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "base/checks.h"
+#include "base/input_error.h"
+#include "geometry/shapes/shapes.h"
+
+namespace quasimc {
+
+namespace {
+
+/// A corner seen along the polygon's normal.
+struct FlatCorner {
+    double s = 0, t = 0;
+    std::size_t index = 0;  ///< among the corners given
+};
+
+/// Twice the area of a, b, c; positive when they turn left.
+double turn(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c) {
+    return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
+}
+
+bool same_place(const FlatCorner& a, const FlatCorner& b) {
+    return a.s == b.s && a.t == b.t;
+}
+
+/// Twice the vector area: the normal that fits corners best that are not quite in a plane (Newell).
+Vec3 newell_normal(std::span<const Vec3> corners) {
+    Vec3 sum;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        sum += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+    }
+    return sum;
+}
+
+/// The corners seen along `normal`, without repetitions, counter-clockwise.
+std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& normal) {
+    const Frame frame = frame_about(normalized(normal));
+    std::vector<FlatCorner> flat;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 p = corners[i] - corners[0];
+        const FlatCorner corner{dot(p, frame.s), dot(p, frame.t), i};
+        if (flat.empty() || !same_place(flat.back(), corner)) {
+            flat.push_back(corner);
+        }
+    }
+    while (flat.size() > 1 && same_place(flat.front(), flat.back())) {
+        flat.pop_back();
+    }
+    return flat;
+}
+
+/// What counts as in the way of an ear.
+enum class Blocking { inside_or_on_border, inside };
+
+/// Whether the triangle at corner `i` can be cut off: it turns left and no other corner lies in it.
+bool is_ear(const std::vector<FlatCorner>& rest, std::size_t i, Blocking blocking) {
+    const std::size_t n = rest.size();
+    const FlatCorner &a = rest[(i + n - 1) % n], &b = rest[i], &c = rest[(i + 1) % n];
+    if (!(turn(a, b, c) > 0)) {
+        return false;
+    }
+    for (const FlatCorner& p : rest) {
+        if (same_place(p, a) || same_place(p, b) || same_place(p, c)) {
+            continue;
+        }
+        const double u = turn(a, b, p), v = turn(b, c, p), w = turn(c, a, p);
+        const bool blocks =
+            blocking == Blocking::inside ? u > 0 && v > 0 && w > 0 : u >= 0 && v >= 0 && w >= 0;
+        if (blocks) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether the polygon has no area at corner `i`: a straight side, or a spike.
+bool is_flat(const std::vector<FlatCorner>& rest, std::size_t i) {
+    const std::size_t n = rest.size();
+    return turn(rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]) == 0;
+}
+
+/// The corner to cut off next; `rest.size()` if there is none.
+std::size_t find_ear(const std::vector<FlatCorner>& rest) {
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        if (is_flat(rest, i)) {
+            return i;
+        }
+    }
+    for (const Blocking blocking : {Blocking::inside_or_on_border, Blocking::inside}) {
+        for (std::size_t i = 0; i < rest.size(); ++i) {
+            if (is_ear(rest, i, blocking)) {
+                return i;
+            }
+        }
+    }
+    return rest.size();
+}
+
+}  // namespace
+
+std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
+    EXPECT(corners.size() >= 3);
+    const Vec3 normal = newell_normal(corners);
+    if (!(length(normal) > 0)) {
+        return {{corners[0], corners[1], corners[2]}};
+    }
+    std::vector<FlatCorner> rest = flatten(corners, normal);
+    std::vector<Triangle> triangles;
+    while (rest.size() >= 3) {
+        const std::size_t n = rest.size(), i = find_ear(rest);
+        if (i == n) {
+            throw InputError(
+                {{"polygon of " + std::to_string(corners.size()) + " corners",
+                  "it can't be cut into triangles", "its sides cross each other",
+                  "give the corners in order around it"}});
+        }
+        if (!is_flat(rest, i)) {
+            triangles.push_back(
+                {corners[rest[(i + n - 1) % n].index], corners[rest[i].index],
+                 corners[rest[(i + 1) % n].index]});
+        }
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return triangles;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/mesh/triangle.h"
+#include "io/input_files.h"
+#include "io/runfile/table_reader.h"
+#include "io/text_sink.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// Triangles of one material.
+struct MeshPart {
+    std::string material;  ///< as the file calls it; "" if it does not say
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> lines;  ///< of each triangle: line, or number of the face, from 1
+};
+
+/// Faces and lists have no more corners than this.
+inline constexpr std::size_t kMostCorners = 1024;
+
+/// The triangles of a face of 3 to kMostCorners corners. @throws InputError  if its sides cross
+[[nodiscard]] std::vector<Triangle> face_triangles(std::span<const Vec3> corners);
+
+/// What a file puts together: a group, an object.
+struct MeshGroup {
+    std::string name;                ///< "" if the file gives none
+    std::optional<std::int64_t> id;  ///< if the file gives one
+    std::vector<MeshPart> parts;
+};
+
+/// What a file says of the looks of a material.
+struct MeshMaterial {
+    std::string name;
+    double reflectance = 0;  ///< mean of its diffuse colour
+};
+
+/// The geometry in a file.
+struct MeshFile {
+    std::vector<MeshGroup> groups;        ///< in the order of the file
+    std::vector<MeshMaterial> materials;  ///< of the material libraries that it names
+    std::string_view line_word;           ///< what `lines` count: "line" or "face"
+};
+
+/// What a reader is told beside the bytes. Faults go to `reporter`, whose `file` is the file that
+/// is read.
+struct FormatContext {
+    Reporter& reporter;
+    InputFiles& files;   ///< for files that the file names
+    std::string folder;  ///< of the file, relative to that of `files`; "" or with a '/' at the end
+};
+
+/// One row of the table of geometry formats.
+struct FormatEntry {
+    std::string_view name;        ///< as in `format = "..."`
+    std::string_view extensions;  ///< ".tri", lower case, separated by blanks
+    std::string_view summary;     ///< one line for the manual
+    std::string_view organs;  ///< what its organs are unless the run file says: each, groups or one
+    MeshFile (*read)(std::string_view bytes, FormatContext& context);
+    void (*write)(const Scene& scene, const TextSink& sink);
+};
+
+/// All formats, in the order of the manual.
+[[nodiscard]] std::span<const FormatEntry> format_table();
+
+/// The row of that name, or null.
+[[nodiscard]] const FormatEntry* find_format(std::string_view name);
+/// The row for the extension of a path, whatever its case, or null.
+[[nodiscard]] const FormatEntry* format_of_path(std::string_view path);
+
+// The readers. Each adds every fault it finds (up to a hundred) and returns what it could read.
+[[nodiscard]] MeshFile read_tri(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_obj(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_ply(std::string_view bytes, FormatContext& context);
+
+// The writers. Coordinates come out in the axes of the scene's file, with all their digits.
+
+/// One triangle a line; before an organ a comment with its id and name.
+void write_tri(const Scene& scene, const TextSink& sink);
+/// An object for each organ; materials are named, without a library.
+void write_obj(const Scene& scene, const TextSink& sink);
+/// Binary, double precision; each face has the id of its organ and the number of its material.
+void write_ply(const Scene& scene, const TextSink& sink);
+
+/// The materials of an OBJ file's library.
+[[nodiscard]] std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context);
+
+}  // namespace quasimc

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/meshes/formats.h"
+#include "io/numbers.h"
+
+namespace quasimc {
+namespace {
+
+std::string rest_of_line(std::string_view line) {
+    std::string text;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+        text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text;
+}
+
+/// What the statements of a file have built so far.
+class ObjReader {
+  public:
+    explicit ObjReader(FormatContext& context) : context_(context) {}
+
+    MeshFile read(std::string_view bytes) {
+        LineScanner scanner(bytes);
+        std::string joined;
+        while (scanner.next() && !context_.reporter.is_full()) {
+            std::string_view line = scanner.line();
+            if (line.ends_with('\\')) {
+                joined += line.substr(0, line.size() - 1);
+                joined += ' ';
+                continue;
+            }
+            line_ = scanner.number();
+            if (joined.empty()) {
+                read_statement(line);
+            } else {
+                joined += line;
+                read_statement(joined);
+                joined.clear();
+            }
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    void read_statement(std::string_view line) {
+        line = line.substr(0, line.find('#'));
+        const std::string_view word = take_word(line);
+        if (word == "v") {
+            read_vertex(line);
+        } else if (word == "f" || word == "fo") {
+            read_face(line);
+        } else if (word == "o") {
+            read_name(line, object_);
+            group_.clear();
+        } else if (word == "g") {
+            read_name(line, group_);
+        } else if (word == "usemtl") {
+            read_name(line, material_);
+        } else if (word == "mtllib") {
+            read_library(rest_of_line(line));
+        } else if (!word.empty()) {
+            check_ignored(word);
+        }
+    }
+
+    void read_vertex(std::string_view line) {
+        std::array<double, 3> v{};
+        for (double& x : v) {
+            const std::string_view word = take_word(line);
+            const std::optional<double> number = parse_real(word);
+            if (!number || !std::isfinite(*number)) {
+                fault(
+                    word.empty() ? "a vertex of less than three numbers"
+                                 : shown(word) + " is not a finite number");
+                break;
+            }
+            x = *number;
+        }
+        vertices_.push_back({v[0], v[1], v[2]});
+    }
+
+    void read_face(std::string_view line) {
+        corners_.clear();
+        for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+            const std::optional<Vec3> corner = read_corner(word.substr(0, word.find('/')));
+            if (!corner) {
+                fault(
+                    shown(word) + " names no vertex",
+                    fmt::format(
+                        "{} vertices come before it, counted from 1, or from the last as -1",
+                        vertices_.size()));
+                return;
+            }
+            corners_.push_back(*corner);
+        }
+        if (corners_.size() < 3 || corners_.size() > kMostCorners) {
+            fault(
+                fmt::format("a face of {} corners", corners_.size()),
+                fmt::format("a face has 3 to {}", kMostCorners));
+            return;
+        }
+        try {
+            const std::vector<Triangle> triangles = face_triangles(corners_);
+            MeshPart& part = current_part();
+            part.triangles.insert(part.triangles.end(), triangles.begin(), triangles.end());
+            part.lines.insert(part.lines.end(), triangles.size(), line_);
+        } catch (const InputError& error) {
+            const Fault& first = error.faults().front();
+            fault("the face " + first.problem, first.why, first.suggestion);
+        }
+    }
+
+    [[nodiscard]] std::optional<Vec3> read_corner(std::string_view word) const {
+        const std::optional<std::int64_t> number = parse_integer(word);
+        const auto count = static_cast<std::int64_t>(vertices_.size());
+        if (!number || *number == 0 || *number > count || *number < -count) {
+            return std::nullopt;
+        }
+        const std::int64_t index = *number > 0 ? *number - 1 : count + *number;
+        return vertices_[static_cast<std::size_t>(index)];
+    }
+
+    void read_name(std::string_view line, std::string& name) {
+        std::string text = rest_of_line(line);
+        if (!is_utf8(text)) {
+            fault("the name " + shown(text) + " is not UTF-8", "", "save the file as UTF-8");
+            return;
+        }
+        name = std::move(text);
+        part_ = nullptr;
+    }
+
+    /// The part for the present object, group and material; parts of one organ may stand anywhere.
+    MeshPart& current_part() {
+        if (part_ == nullptr) {
+            const auto [group, is_new] =
+                groups_.try_emplace({object_, group_}, mesh_.groups.size());
+            if (is_new) {
+                const std::string separator = object_.empty() || group_.empty() ? "" : "/";
+                mesh_.groups.push_back({object_ + separator + group_, {}, {}});
+            }
+            std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
+            const auto found = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& p) {
+                return p.material == material_;
+            });
+            part_ =
+                found != parts.end() ? &*found : &parts.emplace_back(MeshPart{material_, {}, {}});
+        }
+        return *part_;
+    }
+
+    void read_library(const std::string& name) {
+        try {
+            const std::string path = context_.folder + name;
+            Reporter reporter{path, {}, {}};
+            FormatContext inner{reporter, context_.files, ""};
+            const std::string bytes = context_.files.read(path);
+            for (MeshMaterial& material : read_mtl(bytes, inner)) {
+                mesh_.materials.push_back(std::move(material));
+            }
+            context_.reporter.add(reporter);
+        } catch (const InputError& error) {
+            // Often missing, and needed only for materials that the run file does not state.
+            warn(fmt::format(
+                "the material library '{}' can't be read ({})", name, error.faults().front().why));
+        }
+    }
+
+    /// Statements that say nothing of the shape are passed over; others are named once.
+    void check_ignored(std::string_view word) {
+        constexpr std::array<std::string_view, 9> kHarmless{"vt", "vn", "vp",     "s",     "l",
+                                                            "p",  "mg", "usemap", "maplib"};
+        if (std::find(kHarmless.begin(), kHarmless.end(), word) != kHarmless.end()) {
+            return;
+        }
+        constexpr std::array<std::string_view, 9> kSurfaces{
+            "curv", "curv2", "surf", "cstype", "deg", "bmat", "step", "parm", "end"};
+        if (std::find(kSurfaces.begin(), kSurfaces.end(), word) == kSurfaces.end()) {
+            fault(shown(word) + " is no statement of OBJ");
+        } else if (warned_.insert(std::string(word)).second) {
+            warn(shown(word) + " is ignored: free-form curves and surfaces are not read");
+        }
+    }
+
+    void fault(std::string problem, std::string why = {}, std::string suggestion = {}) {
+        context_.reporter.fault(line_, std::move(problem), std::move(why), std::move(suggestion));
+    }
+    void warn(std::string text) {
+        context_.reporter.warnings.push_back({context_.reporter.place(line_), std::move(text)});
+    }
+
+    FormatContext& context_;
+    MeshFile mesh_{{}, {}, "line"};
+    std::vector<Vec3> vertices_, corners_;
+    std::string object_, group_, material_;
+    std::map<std::pair<std::string, std::string>, std::size_t> groups_;
+    MeshPart* part_ = nullptr;
+    std::set<std::string> warned_;
+    std::uint32_t line_ = 0;
+};
+
+}  // namespace
+
+MeshFile read_obj(std::string_view bytes, FormatContext& context) {
+    return ObjReader(context).read(bytes);
+}
+
+std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context) {
+    std::vector<MeshMaterial> materials;
+    LineScanner scanner(bytes);
+    while (scanner.next() && !context.reporter.is_full()) {
+        std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
+        const std::string_view word = take_word(line);
+        if (word == "newmtl") {
+            materials.push_back({rest_of_line(line), 0});
+        }
+        if (word != "Kd" || materials.empty()) {
+            continue;
+        }
+        double sum = 0;
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view text = take_word(line);
+            const std::optional<double> number = parse_real(text);
+            if (!number || !(*number >= 0 && *number <= 1)) {
+                context.reporter.fault(
+                    scanner.number(), "Kd " + shown(text) + " is not a number from 0 to 1", "");
+                break;
+            }
+            sum += *number;
+        }
+        materials.back().reflectance = sum / 3;
+    }
+    return materials;
+}
+
+}  // namespace quasimc

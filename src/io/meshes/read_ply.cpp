@@ -1,0 +1,274 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/meshes/formats.h"
+#include "io/meshes/ply_header.h"
+#include "io/numbers.h"
+
+namespace quasimc {
+namespace {
+
+/// Takes the values of a PLY file one after the other, whatever its encoding.
+class PlyValues {
+  public:
+    PlyValues(std::string_view bytes, PlyEncoding encoding) : rest_(bytes), encoding_(encoding) {}
+
+    /// The next value; nothing if the file ends before it, or it is no number.
+    std::optional<double> next(PlyType type) {
+        return encoding_ == PlyEncoding::ascii ? next_word() : next_binary(type);
+    }
+    [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
+
+  private:
+    std::optional<double> next_word() {
+        const std::size_t begin = rest_.find_first_not_of(" \t\r\n\v\f");
+        if (begin == std::string_view::npos) {
+            rest_ = {};
+            return std::nullopt;
+        }
+        rest_.remove_prefix(begin);
+        const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n\v\f"));
+        rest_.remove_prefix(word.size());
+        return parse_real(word);
+    }
+
+    template <typename T>
+    std::optional<double> take() {
+        if (rest_.size() < sizeof(T)) {
+            rest_ = {};
+            return std::nullopt;
+        }
+        std::array<char, sizeof(T)> bytes{};
+        std::copy_n(rest_.begin(), sizeof(T), bytes.begin());
+        rest_.remove_prefix(sizeof(T));
+        const bool is_little = encoding_ == PlyEncoding::little_endian;
+        if (is_little != (std::endian::native == std::endian::little)) {
+            std::reverse(bytes.begin(), bytes.end());
+        }
+        return static_cast<double>(std::bit_cast<T>(bytes));
+    }
+
+    std::optional<double> next_binary(PlyType type) {
+        switch (type) {
+            case PlyType::int8:
+                return take<std::int8_t>();
+            case PlyType::uint8:
+                return take<std::uint8_t>();
+            case PlyType::int16:
+                return take<std::int16_t>();
+            case PlyType::uint16:
+                return take<std::uint16_t>();
+            case PlyType::int32:
+                return take<std::int32_t>();
+            case PlyType::uint32:
+                return take<std::uint32_t>();
+            case PlyType::float32:
+                return take<float>();
+            default:
+                return take<double>();
+        }
+    }
+
+    std::string_view rest_;
+    PlyEncoding encoding_;
+};
+
+/// Thrown inside this file where nothing sensible can follow.
+struct Broken {
+    std::string problem, why;
+};
+
+class PlyReader {
+  public:
+    PlyReader(const PlyHeader& header, std::string_view body, FormatContext& context)
+        : header_(header), values_(body, header.encoding), context_(context) {}
+
+    MeshFile read() {
+        try {
+            for (const PlyElement& element : header_.elements) {
+                read_element(element);
+            }
+        } catch (const Broken& broken) {
+            context_.reporter.fault(0, broken.problem, broken.why);
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    void read_element(const PlyElement& element) {
+        if (element.properties.empty()) {
+            return;
+        }
+        if (element.name == "vertex") {
+            vertices_.reserve(std::min<std::uint64_t>(element.count, values_.bytes_left() / 3));
+        }
+        for (std::uint64_t i = 0; i < element.count && !context_.reporter.is_full(); ++i) {
+            number_ = i + 1;
+            if (element.name == "vertex") {
+                read_vertex(element);
+            } else if (element.name == "face") {
+                read_face(element);
+            } else {
+                skip(element);
+            }
+        }
+    }
+
+    double value(const PlyElement& element, PlyType type) {
+        const std::optional<double> number = values_.next(type);
+        if (!number) {
+            throw Broken{
+                fmt::format("{} {} is cut short or no number", element.name, number_),
+                fmt::format("the header says that there are {}", element.count)};
+        }
+        return *number;
+    }
+
+    void read_vertex(const PlyElement& element) {
+        std::array<double, 3> p{};
+        for (const PlyProperty& property : element.properties) {
+            const double x = scalar_or_list(element, property);
+            if (property.role >= PlyRole::x && property.role <= PlyRole::z) {
+                p[static_cast<std::size_t>(property.role) - static_cast<std::size_t>(PlyRole::x)] =
+                    x;
+            }
+        }
+        vertices_.push_back({p[0], p[1], p[2]});
+        if (!is_finite(vertices_.back())) {
+            context_.reporter.fault(0, fmt::format("vertex {} is not finite", number_), "");
+        }
+    }
+
+    /// The value of a scalar; the items of a list go to items_.
+    double scalar_or_list(const PlyElement& element, const PlyProperty& property) {
+        if (!property.is_list) {
+            return value(element, property.type);
+        }
+        const double count = value(element, property.count_type);
+        if (!(count >= 0) || count > static_cast<double>(kMostCorners)) {
+            throw Broken{
+                fmt::format("{} {} has a list of {}", element.name, number_, count),
+                fmt::format("a list has 0 to {}", kMostCorners)};
+        }
+        items_.clear();
+        const auto items = static_cast<std::size_t>(std::ceil(count));
+        for (std::size_t i = 0; i < items; ++i) {
+            items_.push_back(value(element, property.type));
+        }
+        return 0;
+    }
+
+    void read_face(const PlyElement& element) {
+        corners_.clear();
+        std::optional<std::int64_t> organ;
+        std::string material;
+        for (const PlyProperty& property : element.properties) {
+            const double x = scalar_or_list(element, property);
+            switch (property.role) {
+                case PlyRole::corners:
+                    take_corners();
+                    break;
+                case PlyRole::organ:
+                    organ = whole(property, x);
+                    break;
+                case PlyRole::material:
+                    material = std::to_string(whole(property, x));
+                    break;
+                default:
+                    break;
+            }
+        }
+        if (corners_.size() < 3) {
+            context_.reporter.fault(
+                0, fmt::format("face {} has {} corners", number_, corners_.size()), "it needs 3");
+            return;
+        }
+        try {
+            add_triangles(part_of(organ, material), face_triangles(corners_));
+        } catch (const InputError& error) {
+            const Fault& first = error.faults().front();
+            context_.reporter.fault(
+                0, fmt::format("face {} {}", number_, first.problem), first.why, first.suggestion);
+        }
+    }
+
+    void add_triangles(MeshPart& part, const std::vector<Triangle>& triangles) const {
+        constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+        part.triangles.insert(part.triangles.end(), triangles.begin(), triangles.end());
+        part.lines.insert(
+            part.lines.end(), triangles.size(),
+            static_cast<std::uint32_t>(std::min(number_, kMost)));
+    }
+
+    void take_corners() {
+        for (const double item : items_) {
+            if (!(item >= 0 && item < static_cast<double>(vertices_.size())) ||
+                item != std::floor(item)) {
+                throw Broken{
+                    fmt::format("face {} names vertex {}", number_, item),
+                    fmt::format("there are {}, counted from 0", vertices_.size())};
+            }
+            corners_.push_back(vertices_[static_cast<std::size_t>(item)]);
+        }
+    }
+
+    [[nodiscard]] std::int64_t whole(const PlyProperty& property, double x) const {
+        constexpr double kLargest = 9e15;
+        if (x != std::floor(x) || std::abs(x) > kLargest) {
+            throw Broken{
+                fmt::format("face {}: {} is {}", number_, property.name, x),
+                "it must be an integer"};
+        }
+        return static_cast<std::int64_t>(x);
+    }
+
+    void skip(const PlyElement& element) {
+        for (const PlyProperty& property : element.properties) {
+            scalar_or_list(element, property);
+        }
+    }
+
+    MeshPart& part_of(std::optional<std::int64_t> organ, const std::string& material) {
+        const auto [group, is_new_group] = groups_.try_emplace(organ, mesh_.groups.size());
+        if (is_new_group) {
+            mesh_.groups.push_back({"", organ, {}});
+        }
+        std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
+        const auto [part, is_new_part] =
+            parts_.try_emplace({group->second, material}, parts.size());
+        if (is_new_part) {
+            parts.push_back({material, {}, {}});
+        }
+        return parts[part->second];
+    }
+
+    const PlyHeader& header_;
+    PlyValues values_;
+    FormatContext& context_;
+    MeshFile mesh_{{}, {}, "face"};
+    std::vector<Vec3> vertices_, corners_;
+    std::vector<double> items_;
+    std::map<std::optional<std::int64_t>, std::size_t> groups_;
+    std::map<std::pair<std::size_t, std::string>, std::size_t> parts_;
+    std::uint64_t number_ = 0;
+};
+
+}  // namespace
+
+MeshFile read_ply(std::string_view bytes, FormatContext& context) {
+    const std::optional<PlyHeader> header = read_ply_header(bytes, context.reporter);
+    if (!header) {
+        return {{}, {}, "face"};
+    }
+    return PlyReader(*header, header->body, context).read();
+}
+
+}  // namespace quasimc

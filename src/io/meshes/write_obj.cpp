@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "io/meshes/formats.h"
+
+namespace quasimc {
+namespace {
+
+/// A name for a statement: on one line, no comment.
+std::string statement_name(std::string name) {
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '#' || c == '\\'; }, '_');
+    return name;
+}
+
+std::string element_text(const Scene& scene, const Region& element, const Organ& organ) {
+    std::string text = "usemtl " + statement_name(scene.material(element).name()) + "\n";
+    for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
+        const std::uint32_t triangle = organ.first_triangle + i;
+        if (&scene.regions()[scene.triangle_regions()[triangle].value] != &element) {
+            continue;
+        }
+        for (const Vec3& corner : scene.triangles()[triangle]) {
+            const Vec3 p = scene.orientation().outward(corner);
+            fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+        }
+        text += "f -3 -2 -1\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+void write_obj(const Scene& scene, const TextSink& sink) {
+    std::set<std::string> names;
+    for (const Organ& organ : scene.organs()) {
+        std::string name = statement_name(organ.name);
+        if (!names.insert(name).second) {
+            name += fmt::format(" {}", organ.id);
+            names.insert(name);
+        }
+        sink("o " + name + "\n");
+        for (std::uint32_t e = 0; e < organ.region_count; ++e) {
+            sink(element_text(scene, scene.regions()[organ.first_region + e], organ));
+        }
+    }
+}
+
+}  // namespace quasimc

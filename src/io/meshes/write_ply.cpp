@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/meshes/formats.h"
+
+namespace quasimc {
+namespace {
+
+/// Appends a number, lowest byte first.
+template <typename T>
+void append(std::string& bytes, T number) {
+    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
+    if constexpr (std::endian::native == std::endian::big) {
+        std::reverse(raw.begin(), raw.end());
+    }
+    bytes.append(raw.begin(), raw.end());
+}
+
+std::string header(const Scene& scene) {
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (std::size_t m = 0; m < scene.materials().size(); ++m) {
+        text += fmt::format("comment material {} is {}\n", m, shown(scene.materials()[m].name()));
+    }
+    const std::size_t triangles = scene.triangles().size();
+    return text + fmt::format(
+                      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+                      "element face {}\nproperty list uchar uint vertex_indices\n"
+                      "property double organ\nproperty int material\nend_header\n",
+                      3 * triangles, triangles);
+}
+
+}  // namespace
+
+void write_ply(const Scene& scene, const TextSink& sink) {
+    sink(header(scene));
+    std::string bytes;
+    for (const Triangle& triangle : scene.triangles()) {
+        bytes.clear();
+        for (const Vec3& corner : triangle) {
+            const Vec3 p = scene.orientation().outward(corner);
+            append(bytes, p.x);
+            append(bytes, p.y);
+            append(bytes, p.z);
+        }
+        sink(bytes);
+    }
+    for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
+        const Region& element = scene.regions()[scene.triangle_regions()[i].value];
+        bytes.clear();
+        append(bytes, std::uint8_t{3});
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            append(bytes, 3 * i + corner);
+        }
+        append(bytes, static_cast<double>(scene.organs()[element.organ.value].id));
+        append(bytes, static_cast<std::int32_t>(element.material.value));
+        sink(bytes);
+    }
+}
+
+}  // namespace quasimc

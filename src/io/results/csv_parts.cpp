@@ -1,0 +1,135 @@
+#include "io/results/csv_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/version.h"
+#include "io/line_scanner.h"
+#include "io/runfile/options.h"
+
+namespace quasimc {
+namespace {
+
+std::string options_line(const RunSpec& spec) {
+    std::string text;
+    for (const Option& option : option_table()) {
+        text += fmt::format(
+            "{}{} = {}", text.empty() ? "" : ", ", option.key, option_toml(option.get(spec)));
+    }
+    return "# options: " + text + "\n";
+}
+
+}  // namespace
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\n\r#") == std::string_view::npos) {
+        return std::string(text);
+    }
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + '"';
+}
+
+void append_csv(std::string& out, double value) {
+    out += ',';
+    if (std::isfinite(value)) {
+        fmt::format_to(std::back_inserter(out), "{}", value);
+    }
+}
+
+void append_csv(std::string& out, const Estimate& estimate) {
+    append_csv(out, estimate.mean);
+    append_csv(out, estimate.standard_error);
+    append_csv(out, estimate.high);
+}
+
+std::vector<std::string> label_keys(const Scene& scene) {
+    std::vector<std::string> keys;
+    for (const Organ& organ : scene.organs()) {
+        for (const auto& [key, value] : organ.labels) {
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+                keys.push_back(key);
+            }
+        }
+    }
+    return keys;
+}
+
+std::string csv_header(
+    const std::vector<std::string>& first,
+    const std::vector<std::string>& labels,
+    const std::vector<std::string>& columns) {
+    std::vector<std::string> taken = first;
+    taken.insert(taken.end(), {"id", "name", "area"});
+    for (const std::string& column : columns) {
+        taken.insert(taken.end(), {column, column + "_se", column + "_high"});
+    }
+    std::string line;
+    for (const std::string& name : first) {
+        line += name + ",";
+    }
+    line += "id,name";
+    for (const std::string& label : labels) {
+        const bool clashes = std::find(taken.begin(), taken.end(), label) != taken.end();
+        line += "," + csv_field(clashes ? "label_" + label : label);
+    }
+    line += ",area";
+    for (const std::string& column : columns) {
+        line += fmt::format(
+            ",{},{},{}", csv_field(column), csv_field(column + "_se"), csv_field(column + "_high"));
+    }
+    return line + "\n";
+}
+
+void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels) {
+    fmt::format_to(std::back_inserter(out), "{},{}", organ.id, csv_field(organ.name));
+    for (const std::string& key : labels) {
+        const auto found = std::find_if(
+            organ.labels.begin(), organ.labels.end(),
+            [&](const auto& l) { return l.first == key; });
+        out += ',';
+        out += found == organ.labels.end() ? "" : csv_field(found->second);
+    }
+    append_csv(out, organ.area);
+}
+
+std::string csv_origin(const RunFile& run, std::string_view what) {
+    const Orientation& axes = run.scene.orientation();
+    std::string out = fmt::format("# QuasiMC {}, {}, format 1\n", version(), what);
+    if (!run.title.empty()) {
+        out += "# title: " + one_line(run.title) + "\n";
+    }
+    for (const InputFile& input : run.inputs) {
+        out += fmt::format("# input: {} (sha256 {})\n", one_line(input.path), input.sha256);
+    }
+    out += options_line(run.spec);
+    out += fmt::format(
+        "# axes: up {}, north ({}, {}, {}); length unit {}\n", axes.up() == UpAxis::z ? "z" : "y",
+        axes.north().x, axes.north().y, axes.north().z, one_line(run.scene.length_unit()));
+    for (const std::string& note : run.source_notes) {
+        out += "# source: " + one_line(note) + "\n";
+    }
+    return out;
+}
+
+std::string csv_organ_columns(const RunFile& run) {
+    return fmt::format(
+        "# column id, name, labels: of the organ, as given\n"
+        "# column area [{}2]: of one side\n",
+        one_line(run.scene.length_unit()));
+}
+
+std::string csv_error_columns() {
+    return "# column ..._se: standard error of the number before it; empty where it can't be told "
+           "(nothing was hit)\n"
+           "# column ..._high: upper end of the 95 % confidence interval; a bound where nothing "
+           "was "
+           "hit\n";
+}
+
+}  // namespace quasimc

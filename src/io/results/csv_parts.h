@@ -1,0 +1,38 @@
+#pragma once
+
+// The parts that tables in CSV are made of. Included by the write_*.cpp of tables only.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/runfile/run_file.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+
+/// A field as RFC 4180 has it; a '#' is quoted too, since readers take it for a comment.
+[[nodiscard]] std::string csv_field(std::string_view text);
+/// A comma and the number, or nothing after the comma if it is not finite.
+void append_csv(std::string& out, double value);
+/// Mean, standard error and upper end.
+void append_csv(std::string& out, const Estimate& estimate);
+
+/// Every key of a label, in the order in which they first appear.
+[[nodiscard]] std::vector<std::string> label_keys(const Scene& scene);
+/// The line of names: `first`, those of labels (renamed if they clash), area, `columns` each with
+/// _se and _high.
+[[nodiscard]] std::string csv_header(
+    const std::vector<std::string>& first,
+    const std::vector<std::string>& labels,
+    const std::vector<std::string>& columns);
+/// "id,name,labels,area" of an organ.
+void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels);
+
+/// The comments on where the numbers come from, but for what was traced and the columns.
+[[nodiscard]] std::string csv_origin(const RunFile& run, std::string_view what);
+/// The comments on id, name, labels and area, and those on errors.
+[[nodiscard]] std::string csv_organ_columns(const RunFile& run);
+[[nodiscard]] std::string csv_error_columns();
+
+}  // namespace quasimc

@@ -1,0 +1,185 @@
+#include "io/results/read_result.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "io/sha256.h"
+
+namespace quasimc {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormatVersion = 1;
+
+[[noreturn]] void refuse(const std::string& path, std::string problem, std::string why = {}) {
+    throw InputError({{path, std::move(problem), std::move(why), ""}});
+}
+
+Node to_node(const Json& json, const std::string& path, int depth) {
+    if (depth > kDeepestNesting) {
+        refuse(path, "nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
+    }
+    if (json.is_object()) {
+        Node::Table table;
+        for (const auto& [key, value] : json.items()) {
+            table.push_back({key, 0, to_node(value, path, depth + 1)});
+        }
+        return {std::move(table)};
+    }
+    if (json.is_array()) {
+        Node::List list;
+        for (const Json& item : json) {
+            list.push_back(to_node(item, path, depth + 1));
+        }
+        return {std::move(list)};
+    }
+    if (json.is_string()) {
+        return {json.get<std::string>()};
+    }
+    if (json.is_boolean()) {
+        return {json.get<bool>()};
+    }
+    if (json.is_number_float()) {
+        return {json.get<double>()};
+    }
+    const bool too_large =
+        json.is_number_unsigned() &&
+        json.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    if (json.is_number_integer() && !too_large) {
+        return {json.get<std::int64_t>()};
+    }
+    return {Node::Other{json.is_null() ? "null" : "too large a number"}};
+}
+
+/// The result without its organs, of which there may be millions.
+Json parse_head(const std::string& text, const std::string& path) {
+    bool in_organs = false;
+    const auto filter = [&](int depth, Json::parse_event_t event, const Json& value) {
+        if (depth == 1 && event == Json::parse_event_t::key) {
+            in_organs =
+                value == "organs" || value == "moments" || value == "days" || value == "total";
+        }
+        return !in_organs || depth < 2;
+    };
+    try {
+        return Json::parse(text, filter);
+    } catch (const Json::parse_error& error) {
+        refuse(
+            path, fmt::format("byte {}: not JSON", error.byte),
+            "a result that `quasimc run --json` wrote is needed");
+    } catch (const Json::out_of_range&) {
+        refuse(path, "it has a number too large to hold", "no result has");
+    }
+}
+
+std::string text_of(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+void check_format(const Json& head, const std::string& path) {
+    if (!head.is_object() || text_of(head, "format") != "quasimc-result") {
+        refuse(path, "is no result of QuasiMC", "a file that `quasimc run --json` wrote is needed");
+    }
+    const auto version = head.find("format_version");
+    if (version == head.end() || !version->is_number_integer() || *version < 1 ||
+        *version > kFormatVersion) {
+        refuse(
+            path, "its format_version is not known",
+            fmt::format("this program knows versions up to {}", kFormatVersion));
+    }
+}
+
+std::vector<InputFile> stored_inputs(const Json& head) {
+    std::vector<InputFile> inputs;
+    const auto list = head.find("inputs");
+    if (list == head.end() || !list->is_array()) {
+        return inputs;
+    }
+    for (const Json& item : *list) {
+        if (item.is_object()) {
+            const auto mark = item.find("is_run_file");
+            const bool is_run_file = mark != item.end() && mark->is_boolean() && mark->get<bool>();
+            inputs.push_back(
+                {text_of(item, "path"), text_of(item, "resolved"), text_of(item, "sha256"), 0,
+                 is_run_file});
+        }
+    }
+    return inputs;
+}
+
+/// Where the inputs are: beside the result, or where they were.
+fs::path input_folder(
+    const Json& head, const std::vector<InputFile>& inputs, const fs::path& beside) {
+    const auto is_there = [&](const InputFile& input) {
+        std::error_code error;
+        return input.is_run_file || fs::exists(beside / input.path, error);
+    };
+    const bool all_there = std::all_of(inputs.begin(), inputs.end(), is_there);
+    return all_there ? beside : fs::path(text_of(head, "folder"));
+}
+
+/// Reads inputs, and refuses those that are no longer what they were.
+InputFiles::Reader checking_reader(
+    const std::vector<InputFile>& inputs,
+    const InputFiles& names,
+    const InputFiles::Reader& reader) {
+    return [&inputs, &names, &reader](const fs::path& file) {
+        std::string bytes = reader(file);
+        for (const InputFile& input : inputs) {
+            if (!input.is_run_file && names.resolved(input.path) == file &&
+                input.sha256 != sha256_hex(bytes)) {
+                throw InputError(
+                    {{file.string(), "has changed",
+                      "it has changed since the result was made (another SHA-256)", ""}});
+            }
+        }
+        return bytes;
+    };
+}
+
+}  // namespace
+
+StoredRun read_result_text(
+    const std::string& text,
+    const std::string& name,
+    const fs::path& beside,
+    const InputFiles::Reader& reader,
+    const std::vector<Override>& overrides) {
+    const Json head = parse_head(text, name);
+    check_format(head, name);
+    const auto run = head.find("run");
+    if (run == head.end() || !run->is_object()) {
+        refuse(name, "holds no run");
+    }
+    Node document = to_node(*run, name, 0);
+    auto& members = std::get<Node::Table>(document.value);
+    std::erase_if(members, [](const Member& member) { return member.key == "output"; });
+
+    const std::vector<InputFile> inputs = stored_inputs(head);
+    const fs::path folder = input_folder(head, inputs, beside);
+    const InputFiles names(folder);
+    InputFiles files(folder, checking_reader(inputs, names, reader));
+    StoredRun stored{
+        read_run_document(std::move(document), name, files, overrides),
+        text_of(head, "organs_sha256")};
+    const auto own = std::find_if(
+        inputs.begin(), inputs.end(), [](const InputFile& input) { return input.is_run_file; });
+    if (own != inputs.end()) {
+        stored.run.inputs.insert(stored.run.inputs.begin(), *own);
+    }
+    return stored;
+}
+
+StoredRun read_result_file(const std::string& path, const std::vector<Override>& overrides) {
+    const fs::path folder = path == "-" ? fs::current_path() : fs::absolute(path).parent_path();
+    return read_result_text(read_file(path), path, folder, read_file, overrides);
+}
+
+}  // namespace quasimc

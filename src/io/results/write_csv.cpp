@@ -1,0 +1,120 @@
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/results/audit_words.h"
+#include "io/results/csv_parts.h"
+#include "io/results/series_words.h"
+#include "io/results/write_result.h"
+#include "io/results/write_series.h"
+#include "io/runfile/options.h"
+#include "io/runfile/units.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kPiece = 1 << 16;
+
+/// The columns of numbers: the name of each estimate.
+std::vector<std::string> estimate_columns(const RunFile& run) {
+    std::vector<std::string> columns;
+    for (const Band& band : run.scene.bands()) {
+        for (const QuantityEntry& entry : quantity_table()) {
+            columns.push_back(fmt::format("{}_{}", entry.name, band.name));
+        }
+    }
+    columns.emplace_back("sunlit_fraction");
+    for (const std::string& ratio : run.spec.ratios) {
+        columns.push_back("ratio_" + ratio);
+    }
+    return columns;
+}
+
+/// The comments on the columns of light.
+std::string light_columns(const RunFile& run) {
+    const std::string& length = run.scene.length_unit();
+    std::string out;
+    for (const Band& band : run.scene.bands()) {
+        for (const QuantityEntry& entry : quantity_table()) {
+            out += fmt::format(
+                "# column {}_{} [{}]: {}\n", entry.name, band.name, unit_of(entry, band, length),
+                entry.summary);
+        }
+    }
+    out +=
+        "# column sunlit_fraction [1]: part of the area lit straight by directional sources; empty "
+        "without any\n";
+    for (const std::string& ratio : run.spec.ratios) {
+        out += fmt::format(
+            "# column ratio_{} [1]: of the light that falls on the organ, both sides\n", ratio);
+    }
+    return out;
+}
+
+void append_results(std::string& out, const Result& result, std::size_t organ) {
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        for (const QuantityEntry& entry : quantity_table()) {
+            append_csv(out, result.at(organ, entry.quantity, b));
+        }
+    }
+    if (result.sunlit_fraction.empty()) {
+        out += ",,,";
+    } else {
+        append_csv(out, result.sunlit_fraction[organ]);
+    }
+    for (std::size_t i = 0; i < result.ratios; ++i) {
+        append_csv(out, result.ratio(organ, i));
+    }
+    out += '\n';
+}
+
+/// A row for each organ, after `first`.
+void write_rows(
+    const RunFile& run, const Result& result, std::string_view first, const TextSink& sink) {
+    const std::vector<std::string> labels = label_keys(run.scene);
+    const std::vector<Organ>& organs = run.scene.organs();
+    std::string out;
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        out += first;
+        append_organ(out, organs[i], labels);
+        append_results(out, result, i);
+        if (out.size() >= kPiece) {
+            sink(out);
+            out.clear();
+        }
+    }
+    sink(out);
+}
+
+}  // namespace
+
+void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
+    sink(csv_origin(run, "table of organs"));
+    sink(fmt::format(
+        "# method: from {}, {}\n", method_name(result.chosen.method),
+        one_line(result.chosen.reason)));
+    sink(fmt::format(
+        "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
+        result.rays));
+    for (const std::string& words : audit_lines(run, result)) {
+        sink("# audit: " + one_line(words) + "\n");
+    }
+    sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
+    sink(csv_header({}, label_keys(run.scene), estimate_columns(run)));
+    write_rows(run, result, "", sink);
+}
+
+void write_series_csv_head(const RunFile& run, const TextSink& sink) {
+    sink(csv_origin(run, "table of organs and times") + series_comments(run));
+    sink("# column time: where the time that the row is the mean of begins\n");
+    sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
+    sink(csv_header({"time"}, label_keys(run.scene), estimate_columns(run)));
+}
+
+void write_series_csv_moment(
+    const RunFile& run, std::size_t time_step, const Result& result, const TextSink& sink) {
+    write_rows(run, result, run.series->notes[time_step].time + ",", sink);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/input_error.h"
+#include "sources/civil_time.h"
+
+namespace quasimc {
+
+/// Reads a time as ISO 8601 writes it: "2024-06-21T12:30:15+02:00", with a blank for the T, without
+/// seconds, with Z, without an offset. A date alone is its midnight. "24:00" is the midnight after.
+/// @param utc_offset_hours  where the text has no offset; nothing: it must have one
+/// @param where  for messages. Nothing after a fault.
+[[nodiscard]] std::optional<CivilTime> parse_civil_time(
+    std::string_view text,
+    std::optional<double> utc_offset_hours,
+    std::string_view where,
+    Faults& faults);
+
+/// "2024-06-21T12:30+02:00"; seconds if there are any.
+[[nodiscard]] std::string civil_time_text(const CivilTime& time);
+/// "2024-06-21"
+[[nodiscard]] std::string date_text(const CivilTime& time);
+
+}  // namespace quasimc

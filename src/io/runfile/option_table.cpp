@@ -1,0 +1,208 @@
+// The table of run options: one row for each field of RunSpec that a person may set.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "io/runfile/options.h"
+#include "samplers/catalogue.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::int64_t kMostPaths = std::int64_t{1} << 30;
+constexpr double kLongestRun = 1e9;  // seconds
+
+/// Words of a row that don't depend on the field's type.
+struct Words {
+    std::string_view key, unit, summary;
+};
+
+template <typename T>
+Option integer_option(Words words, T RunSpec::*field, IntegerDomain domain) {
+    return {
+        words.key,
+        words.unit,
+        words.summary,
+        domain,
+        [field](RunSpec& spec, const OptionValue& value) {
+            spec.*field = static_cast<T>(std::get<std::int64_t>(value));
+        },
+        [field](const RunSpec& spec) -> OptionValue {
+            return static_cast<std::int64_t>(spec.*field);
+        }};
+}
+
+Option real_option(Words words, double RunSpec::*field, RealDomain domain) {
+    return {
+        words.key,
+        words.unit,
+        words.summary,
+        domain,
+        [field](RunSpec& spec, const OptionValue& value) { spec.*field = as_real(value); },
+        [field](const RunSpec& spec) -> OptionValue { return spec.*field; }};
+}
+
+template <typename Enum>
+using Named = std::vector<std::pair<std::string_view, Enum>>;
+
+template <typename Enum>
+Option choice_option(Words words, Enum RunSpec::*field, const Named<Enum>& values) {
+    ChoiceDomain domain;
+    for (const auto& [name, value] : values) {
+        domain.names.push_back(name);
+    }
+    return {
+        words.key,
+        words.unit,
+        words.summary,
+        domain,
+        [field, values](RunSpec& spec, const OptionValue& value) {
+            const auto is_named = [&](const auto& v) {
+                return v.first == std::get<std::string>(value);
+            };
+            spec.*field = std::find_if(values.begin(), values.end(), is_named)->second;
+        },
+        [field, values](const RunSpec& spec) -> OptionValue {
+            const auto is_set = [&](const auto& v) { return v.second == spec.*field; };
+            return std::string(std::find_if(values.begin(), values.end(), is_set)->first);
+        }};
+}
+
+Option sampler_option(Words words) {
+    ChoiceDomain domain;
+    for (const SamplerEntry& entry : sampler_catalogue()) {
+        domain.names.push_back(entry.name);
+    }
+    return {
+        words.key,
+        words.unit,
+        words.summary,
+        domain,
+        [](RunSpec& spec, const OptionValue& value) {
+            spec.sampler = std::get<std::string>(value);
+        },
+        [](const RunSpec& spec) -> OptionValue { return spec.sampler; }};
+}
+
+Option words_option(Words words, std::vector<std::string> RunSpec::*field, WordsDomain domain) {
+    return {
+        words.key,
+        words.unit,
+        words.summary,
+        domain,
+        [field](RunSpec& spec, const OptionValue& value) {
+            spec.*field = std::get<std::vector<std::string>>(value);
+        },
+        [field](const RunSpec& spec) -> OptionValue { return spec.*field; }};
+}
+
+// THE TABLE.
+//
+// To add an option of a run: add a field with its default to RunSpec (solvers/run_spec.h) and a row
+// here. The key in [run], the flag of the program, the range check with its message,
+// --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
+// --markdown`; a test compares) and the echo in the JSON result follow from the row.
+std::vector<Option> rows_of_paths() {
+    constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
+    return {
+        sampler_option({"sampler", "", "point set that the paths are made from"}),
+        choice_option<Method>(
+            {"trace_from", "",
+             "where paths start: lit_surfaces (sun, sky), sources (lamps), organs (few or small "
+             "ones measured); auto: the best of them, and why"},
+            &RunSpec::method,
+            {{"sources", Method::light_tracing},
+             {"organs", Method::from_organs},
+             {"lit_surfaces", Method::first_hits},
+             {"auto", Method::automatic}}),
+        integer_option(
+            {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
+            {1, kMostPaths}),
+        integer_option(
+            {"replicates", "",
+             "independent randomizations; the standard errors come from their scatter"},
+            &RunSpec::replicates, {1, 10000}),
+        integer_option(
+            {"seed", "", "another seed gives other random numbers"}, &RunSpec::seed, {0, kAnySeed}),
+        integer_option(
+            {"threads", "", "0: as many as the machine has; never changes a result"},
+            &RunSpec::threads, {0, 4096}),
+        integer_option(
+            {"max_depth", "",
+             "hits after which a path is cut off (the energy is reported); 0: never"},
+            &RunSpec::max_depth, {0, 1000000}),
+        real_option(
+            {"roulette_weight", "",
+             "weight that Russian roulette plays for; 1: at every hit, less: fewer paths end "
+             "early"},
+            &RunSpec::roulette_weight, {1e-6, 1}),
+    };
+}
+
+std::vector<Option> rows_of_engine() {
+    return {
+        choice_option<CrossSectionShape>(
+            {"window", "",
+             "where light enters: silhouette of the scene, or the disc across its bounding sphere"},
+            &RunSpec::window,
+            {{"silhouette", CrossSectionShape::silhouette}, {"sphere", CrossSectionShape::sphere}}),
+        choice_option<Engine>(
+            {"engine", "", "ray engine; brute_force is slow and serves to check the other"},
+            &RunSpec::engine, {{"embree", Engine::embree}, {"brute_force", Engine::brute_force}}),
+        choice_option<DirectLight>(
+            {"direct_light", "",
+             "light straight from the sources is counted on organs, or ignored: scattered light "
+             "alone"},
+            &RunSpec::direct_light,
+            {{"counted", DirectLight::counted}, {"ignored", DirectLight::ignored}}),
+    };
+}
+
+std::vector<Option> rows_of_ends() {
+    return {
+        real_option(
+            {"target_error", "",
+             "relative standard error of the absorbed flux to reach, 0.01 for 1 %; 0: none"},
+            &RunSpec::target_error, {0, 1}),
+        real_option(
+            {"target_fraction", "", "fraction of the organs that must reach it in every band"},
+            &RunSpec::target_fraction, {0, 1}),
+        real_option(
+            {"max_seconds", "s", "no new round of paths is begun after that time; 0: no limit"},
+            &RunSpec::max_seconds, {0, kLongestRun}),
+        integer_option(
+            {"max_paths", "",
+             "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
+            &RunSpec::max_paths, {0, kMostPaths}),
+        real_option(
+            {"audit", "",
+             "share of the paths (0.1) that plain Monte Carlo tracing gets afterwards, to compare "
+             "with; 0: no audit"},
+            &RunSpec::audit, {0, 1}),
+        real_option(
+            {"tally_memory_mb", "MB",
+             "private tallies of all threads; larger ones are shared (same results)"},
+            &RunSpec::tally_memory_mb, {0, 1e6}),
+        words_option(
+            {"ratios", "", "ratios of the light of two bands that falls on an organ"},
+            &RunSpec::ratios, {"BAND:BAND"}),
+    };
+}
+
+std::vector<Option> make_table() {
+    std::vector<Option> table = rows_of_paths();
+    for (const auto& more : {rows_of_engine(), rows_of_ends()}) {
+        table.insert(table.end(), more.begin(), more.end());
+    }
+    return table;
+}
+
+}  // namespace
+
+std::span<const Option> option_table() {
+    static const std::vector<Option> table = make_table();
+    return table;
+}
+
+}  // namespace quasimc

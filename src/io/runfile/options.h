@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/input_error.h"
+#include "solvers/run_spec.h"
+
+namespace quasimc {
+
+/// The value of an option, whoever states it: a file, a command line, a program.
+using OptionValue = std::variant<std::int64_t, double, std::string, std::vector<std::string>>;
+
+/// What values an option takes.
+struct IntegerDomain {
+    std::int64_t low, high;
+};
+struct RealDomain {
+    double low, high;
+};
+struct ChoiceDomain {
+    std::vector<std::string_view> names;
+};
+struct WordsDomain {
+    std::string_view form;  ///< how a word looks, "BAND:BAND"
+};
+using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain>;
+
+/// One row of the table of run options: one field of RunSpec.
+struct Option {
+    std::string_view key;      ///< in the run file's [run]; the flag is --key with '-' for '_'
+    std::string_view unit;     ///< may be empty
+    std::string_view summary;  ///< one line for the manual, the usage and the default file
+    OptionDomain domain;
+    std::function<void(RunSpec&, const OptionValue&)>
+        set;  ///< of a value that check_option accepts
+    std::function<OptionValue(const RunSpec&)> get;
+};
+
+/// All options of a run, in the order of the manual.
+[[nodiscard]] std::span<const Option> option_table();
+
+/// A number, of an integer too.
+[[nodiscard]] double as_real(const OptionValue& value);
+
+/// The row of that key, or null.
+[[nodiscard]] const Option* find_option(std::string_view key);
+
+/// "--trace-from" for trace_from.
+[[nodiscard]] std::string option_flag(const Option& option);
+
+/// What the option takes, in words: "1 to 100", "one of sobol, halton", "list of BAND:BAND".
+[[nodiscard]] std::string domain_text(const Option& option);
+
+/// What is wrong with a value for this option; nothing if it may be set. An integer passes for a
+/// real. The fault has no place.
+[[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
+
+/// What a run file that says nothing asks for: RunSpec's defaults, but that the planner chooses
+/// where paths start (solvers/planner.h).
+[[nodiscard]] RunSpec default_run_spec();
+
+/// How run files name a way of tracing: "lit_surfaces".
+[[nodiscard]] std::string method_name(Method from);
+
+/// The value that a text on the command line states ("65536", "sobol", "R:FR,B:R"); a text that is
+/// no number stays text, for check_option to refuse.
+[[nodiscard]] OptionValue parse_option(const Option& option, std::string_view text);
+
+/// An option's value as TOML: 65536, 0.95, "sobol", ["R:FR"].
+[[nodiscard]] std::string option_toml(const OptionValue& value);
+
+/// The [run] section of a run file, each option with its default and a comment.
+[[nodiscard]] std::string default_run_section();
+
+/// The table of options in Markdown.
+[[nodiscard]] std::string options_markdown();
+
+}  // namespace quasimc

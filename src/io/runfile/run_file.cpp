@@ -1,0 +1,229 @@
+#include "io/runfile/run_file.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "io/numbers.h"
+#include "io/runfile/run_file_sections.h"
+#include "io/sha256.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::int64_t kFormatVersion = 1;
+
+Orientation read_orientation(TableReader& top) {
+    constexpr std::array<std::string_view, 2> kAxes{"z", "y"};
+    const UpAxis up = top.choice("up", kAxes) == "y" ? UpAxis::y : UpAxis::z;
+    const Vec3 usual = Orientation(up, {}).outward({0, 1, 0});
+    const Vec3 north = top.vector("north").value_or(usual);
+    const Vec3 inward = Orientation(up, north).inward(north);
+    const bool is_horizontal = inward.z == 0 && std::isfinite(length(inward)) && length(inward) > 0;
+    if (!is_horizontal) {
+        top.fault_at(
+            "north", "north is no horizontal direction",
+            "it must have a length and no part along the up axis");
+    }
+    return {up, is_horizontal ? north : usual};
+}
+
+OutputSpec read_output(TableReader& top, const InputFiles& files) {
+    OutputSpec output;
+    const Node* node = top.any("output");
+    if (node == nullptr) {
+        return output;
+    }
+    TableReader table(*node, "[output]", top.reporter());
+    const auto read_path = [&](std::string_view key) -> std::optional<std::string> {
+        const std::optional<std::string> path = table.text(key);
+        if (path && (path->empty() || path->find('\0') != std::string::npos)) {
+            table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
+            return std::nullopt;
+        }
+        return path ? std::optional(files.resolved(*path).string()) : std::nullopt;
+    };
+    output.csv = read_path("csv");
+    output.json = read_path("json");
+    output.days = read_path("days");
+    const auto check_apart = [&](const auto& a, const auto& b, std::string_view names) {
+        if (a && a == b) {
+            table.fault(fmt::format("{} name the same file", names));
+        }
+    };
+    check_apart(output.csv, output.json, "csv and json");
+    check_apart(output.csv, output.days, "csv and days");
+    check_apart(output.json, output.days, "json and days");
+    if (output.days && top.any("time") == nullptr) {
+        table.fault_at("days", "days without [time]", "sums over days need times");
+    }
+    table.finish();
+    return output;
+}
+
+void read_format_version(TableReader& top) {
+    const auto version = top.integer("format", {1, 1e9});
+    if (version && *version > kFormatVersion) {
+        top.fault_at(
+            "format", fmt::format("format is {}", *version),
+            fmt::format("this program knows formats up to {}", kFormatVersion),
+            "use a newer program");
+    }
+}
+
+std::optional<Scene> build(SceneBuilder builder, Reporter& reporter) {
+    try {
+        return std::move(builder).build();
+    } catch (const InputError& error) {
+        reporter.faults.add(error);
+        return std::nullopt;
+    }
+}
+
+/// Adds an organ in place of those that could not be read, so that nobody is told that there are
+/// none.
+void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
+    if (!context.materials.empty()) {
+        OrganSpec organ;
+        organ.parts.push_back({*context.materials.begin(), std::vector<Triangle>(1, kStandIn)});
+        builder.add_organ(std::move(organ));
+    }
+}
+
+/// What the sections of a run file give together.
+struct Sections {
+    std::string title;
+    std::optional<Scene> scene;
+    SourceList sources;
+    std::optional<TimeSeries> series;
+    RunOptions options;
+    OutputSpec output;
+};
+
+Sections read_sections(
+    TableReader& top, InputFiles& files, const std::vector<Override>& overrides) {
+    Sections sections;
+    read_format_version(top);
+    sections.title = top.text("title").value_or("");
+    RunFileContext context{
+        .reporter = &top.reporter(),
+        .files = &files,
+        .bands = read_bands(top),
+        .orientation = read_orientation(top),
+        .materials = {},
+        .place = read_place(top),
+        .sun = {},
+        .length_unit = top.text("length_unit").value_or("m"),
+        .has_time = top.any("time") != nullptr};
+    SceneBuilder builder(context.bands, context.orientation);
+    builder.set_length_unit(context.length_unit);
+    read_run_options(top, sections.options);
+    apply_overrides(overrides, sections.options, top.reporter());
+    sections.output = read_output(top, files);
+    read_materials(top, context, builder);
+    sections.sources = read_sources(top, context);
+    sections.series = read_time(top, context, sections.sources);
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+    refuse_options_at_the_top(top);
+    top.finish();
+    if (!top.reporter().faults.empty()) {
+        add_stand_in(builder, context);
+    }
+    sections.scene = build(std::move(builder), top.reporter());
+    return sections;
+}
+
+/// The sources of the run, or of a moment of its series that has light.
+const Sources& sources_to_check(const Sections& sections) {
+    if (!sections.series) {
+        return sections.sources.sources;
+    }
+    const std::vector<TimeStepPlan> plans = plan_series(sections.series->time_steps);
+    const auto lit =
+        std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
+    return sections.series->time_steps[static_cast<std::size_t>(lit - plans.begin())].sources;
+}
+
+/// The line of a place "file:line"; after all lines for other places.
+std::uint64_t line_of(const std::string& place, const std::string& file) {
+    constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
+    if (!place.starts_with(file + ":")) {
+        return kNowhere;
+    }
+    const std::string_view rest = std::string_view(place).substr(file.size() + 1);
+    const auto line = parse_integer(rest.substr(0, rest.find(':')));
+    return line ? static_cast<std::uint64_t>(*line) : kNowhere;
+}
+
+/// Throws what was found, in the order of the file's lines.
+void throw_in_order(const Reporter& reporter) {
+    try {
+        reporter.faults.throw_if_any();
+    } catch (const InputError& error) {
+        std::vector<Fault> faults = error.faults();
+        std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
+            return line_of(a.place, reporter.file) < line_of(b.place, reporter.file);
+        });
+        throw InputError(std::move(faults));
+    }
+}
+
+}  // namespace
+
+RunFile read_run_document(
+    Node document,
+    const std::string& name,
+    InputFiles& files,
+    const std::vector<Override>& overrides) {
+    Reporter reporter{name, {}, {}};
+    TableReader top(document, "", reporter);
+    Sections sections = read_sections(top, files, overrides);
+    if (reporter.faults.empty()) {
+        Faults faults;
+        check_run(*sections.scene, sources_to_check(sections), sections.options.spec, faults);
+        add_run_faults(faults, sections.options, reporter);
+    }
+    throw_in_order(reporter);
+    for (Warning& warning : lint(*sections.scene)) {
+        reporter.warnings.push_back(std::move(warning));
+    }
+    return {
+        name,
+        std::move(sections.title),
+        std::move(*sections.scene),
+        std::move(sections.sources.sources),
+        sections.options.spec,
+        std::move(sections.series),
+        std::move(sections.output),
+        files.files(),
+        files.folder().string(),
+        std::move(sections.sources.notes),
+        std::move(reporter.warnings),
+        completed(std::move(document), sections.options.spec)};
+}
+
+RunFile read_run_text(
+    std::string_view text,
+    const std::string& name,
+    InputFiles& files,
+    const std::vector<Override>& overrides) {
+    return read_run_document(read_toml(text, name), name, files, overrides);
+}
+
+RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {
+    namespace fs = std::filesystem;
+    const std::string text = read_file(path);
+    const fs::path absolute = path == "-" ? fs::current_path() / "-" : fs::absolute(path);
+    InputFiles files(absolute.parent_path());
+    RunFile run = read_run_text(text, path == "-" ? "standard input" : path, files, overrides);
+    run.inputs.insert(
+        run.inputs.begin(), {path, absolute.string(), sha256_hex(text), text.size(), true});
+    return run;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,121 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/runfile/run_file_sections.h"
+
+namespace quasimc {
+namespace {
+
+/// The nodes of a value, one per band; empty after a fault.
+std::vector<const Node*> nodes_of_value(
+    TableReader& table, std::string_view key, const Node& node, const std::vector<Band>& bands) {
+    const auto* list = node.as<Node::List>();
+    const auto* by_name = node.as<Node::Table>();
+    if (list == nullptr && by_name == nullptr) {
+        return std::vector<const Node*>(bands.size(), &node);
+    }
+    std::vector<const Node*> nodes;
+    if (list != nullptr) {
+        if (list->size() != bands.size()) {
+            table.fault_at(
+                node, fmt::format("{} has {} values", key, list->size()),
+                fmt::format("there are {} bands", bands.size()),
+                "give one for all or one for each band");
+            return nodes;
+        }
+        for (const Node& item : *list) {
+            nodes.push_back(&item);
+        }
+        return nodes;
+    }
+    TableReader names(node, fmt::format("{}: {}", table.what(), key), table.reporter());
+    for (const Band& band : bands) {
+        const Node* item = names.any(band.name);
+        if (item == nullptr) {
+            names.missing(band.name, "give a value for every band");
+        }
+        nodes.push_back(item);
+    }
+    names.finish();
+    return names.failed() ? std::vector<const Node*>() : nodes;
+}
+
+Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
+    TableReader table(node, "band", reporter);
+    Band band;
+    band.name = table.required("name", table.text("name")).value_or("");
+    band.unit = table.text("unit").value_or(unit);
+    constexpr Range kWavelengths{100, 100000};
+    const auto from = table.real("from_nm", kWavelengths);
+    const auto to = table.real("to_nm", kWavelengths);
+    if (from && to && *from >= *to) {
+        table.fault_at("to_nm", "to_nm is not above from_nm");
+    } else if (from.has_value() != to.has_value() && !table.failed()) {
+        table.fault("from_nm and to_nm go together");
+    }
+    band.from_nm = from.value_or(0);
+    band.to_nm = to.value_or(0);
+    table.finish();
+    return band;
+}
+
+/// What would break a column's name or a ratio "A:B". (The scene checks the rest.)
+void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& place) {
+    for (const Band& band : bands) {
+        if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
+            top.fault_at(
+                place, fmt::format("a band is named {}", shown(band.name)),
+                "a name holds no ':', ',', '#', quote or line break");
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Band> read_bands(TableReader& top) {
+    const std::string unit = top.text("irradiance_unit").value_or(Band{}.unit);
+    std::vector<Band> bands;
+    const Node* named = top.any("bands");
+    const std::vector<const Node*> tables = top.tables("band");
+    if (named != nullptr && top.any("band") != nullptr) {
+        top.fault("both bands and [[band]] are given", "", "use one of them");
+    }
+    if (named != nullptr) {
+        for (const std::string& name : top.texts("bands").value_or(std::vector<std::string>())) {
+            bands.push_back({name, unit});
+        }
+    }
+    for (const Node* node : tables) {
+        bands.push_back(read_band(*node, unit, top.reporter()));
+    }
+    if (bands.empty() && !top.failed()) {
+        top.fault("no band is given", "", "write bands = [\"PAR\"]");
+    }
+    if (!bands.empty()) {
+        check_band_names(top, bands, named ? *named : *tables.front());
+    }
+    return bands.empty() ? std::vector<Band>{{"PAR", unit}} : bands;
+}
+
+std::vector<const Node*> nodes_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands) {
+    const Node* node = table.any(key);
+    return node ? nodes_of_value(table, key, *node, bands) : std::vector<const Node*>();
+}
+
+std::optional<std::vector<double>> read_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range) {
+    std::vector<double> values;
+    for (const Node* node : nodes_per_band(table, key, bands)) {
+        const std::optional<double> value = table.real_at(key, *node, range);
+        if (!value) {
+            return std::nullopt;
+        }
+        values.push_back(*value);
+    }
+    return values.empty() ? std::nullopt : std::optional(values);
+}
+
+}  // namespace quasimc

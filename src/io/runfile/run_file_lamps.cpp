@@ -1,0 +1,294 @@
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "io/runfile/run_file_source_kinds.h"
+#include "io/runfile/units.h"
+#include "io/weather/read_ies.h"
+#include "sources/lamp.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180;
+constexpr Range kPositive{std::numeric_limits<double>::min(), TableReader::kFinite.high};
+
+/// Metres of a unit of length, if its name is known.
+struct LengthUnit {
+    std::string_view name;
+    double metres;
+};
+constexpr std::array kLengthUnits{
+    LengthUnit{"m", 1},       LengthUnit{"cm", 0.01}, LengthUnit{"mm", 0.001},
+    LengthUnit{"dm", 0.1},    LengthUnit{"km", 1000}, LengthUnit{"ft", 0.3048},
+    LengthUnit{"in", 0.0254}, LengthUnit{"um", 1e-6}, LengthUnit{"inch", 0.0254}};
+
+/// Keys that state what a lamp emits, and the unit of the irradiance that belongs to each.
+struct FluxKey {
+    std::string_view key, unit, of_band;
+};
+constexpr std::array kFluxKeys{
+    FluxKey{"power", "W", "W m-2"}, FluxKey{"photon_flux", "umol s-1", "umol m-2 s-1"},
+    FluxKey{"luminous_flux", "lm", "lx"}};
+
+/// Square metres of a square unit of the scene; nothing after a fault.
+std::optional<double> square_metres(TableReader& table, const RunFileContext& context) {
+    for (const LengthUnit& unit : kLengthUnits) {
+        if (unit.name == context.length_unit) {
+            return unit.metres * unit.metres;
+        }
+    }
+    table.fault(
+        fmt::format("length_unit is '{}'", context.length_unit),
+        "what a lamp emits is turned into irradiance by the size of the scene",
+        "use m, cm, mm, dm, km, um, ft or in");
+    return std::nullopt;
+}
+
+/// Flux per band in irradiance unit x square scene unit; nothing after a fault.
+std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
+    const FluxKey* stated = nullptr;
+    std::optional<std::vector<double>> flux;
+    for (const FluxKey& key : kFluxKeys) {
+        if (table.any(key.key) == nullptr) {
+            continue;
+        }
+        if (stated != nullptr) {
+            table.fault(fmt::format("both {} and {} are given", stated->key, key.key));
+            return std::nullopt;
+        }
+        stated = &key;
+        flux = read_per_band(table, key.key, context.bands, TableReader::kNotNegative);
+    }
+    if (stated == nullptr) {
+        table.fault(
+            "what it emits is missing", "",
+            "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");
+        return std::nullopt;
+    }
+    for (const Band& band : context.bands) {
+        if (band.unit != stated->of_band) {
+            table.fault_at(
+                stated->key,
+                fmt::format("{} for band '{}' in {}", stated->key, band.name, band.unit),
+                fmt::format("it is in {}, of irradiance in {}", stated->unit, stated->of_band),
+                "state the flux in the unit of the bands");
+            return std::nullopt;
+        }
+    }
+    const std::optional<double> square = square_metres(table, context);
+    if (!flux || !square) {
+        return std::nullopt;
+    }
+    for (double& value : *flux) {
+        value /= *square;
+    }
+    return flux;
+}
+
+/// A vector of some length, z up; nothing after a fault.
+std::optional<Vec3> read_direction(
+    TableReader& table, std::string_view key, const Vec3& usual, const RunFileContext& context) {
+    const std::optional<Vec3> stated = table.vector(key);
+    if (table.any(key) == nullptr) {
+        return usual;
+    }
+    if (!stated) {
+        return std::nullopt;
+    }
+    const double size = std::max({std::abs(stated->x), std::abs(stated->y), std::abs(stated->z)});
+    if (size == 0) {
+        table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it points nowhere");
+        return std::nullopt;
+    }
+    return normalized(context.orientation.inward(*stated / size));
+}
+
+/// Sets where the lamp stands and aims. Without `aim` it aims down, without `along` its x axis is
+/// towards north.
+bool read_pose(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const std::optional<Vec3> position = table.required("position", table.vector("position"));
+    const auto aim = read_direction(table, "aim", {0, 0, -1}, context);
+    const Vec3 north = normalized(context.orientation.inward(context.orientation.north()));
+    const auto along = read_direction(table, "along", north, context);
+    if (!position || !aim || !along) {
+        return false;
+    }
+    if (table.any("along") != nullptr && std::abs(dot(*aim, *along)) > 1 - 1e-12) {
+        table.fault_at("along", "along is parallel to aim", "it must point across it");
+        return false;
+    }
+    lamp.position = context.orientation.inward(*position);
+    lamp.axes = lamp_axes(*aim, *along);
+    return true;
+}
+
+std::optional<double> required_size(TableReader& table, std::string_view key) {
+    return table.required(key, table.real(key, kPositive));
+}
+
+bool read_point(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    return read_pose(table, context, lamp);
+}
+
+bool read_spot(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const auto exponent = table.real("exponent", {0, 1e6});
+    const auto cone = table.real("cone_deg", {1e-3, 180});
+    const auto soft = table.real("soft_from_deg", {0, 180});
+    if ((table.any("exponent") != nullptr) == (table.any("cone_deg") != nullptr)) {
+        table.fault(
+            "its beam is not stated in one way", "",
+            "give cone_deg (angle from the axis at which the light ends; soft_from_deg: at which "
+            "it "
+            "begins to fall) or exponent (intensity goes as cos^exponent)");
+        return false;
+    }
+    if (soft && (!cone || *soft > *cone)) {
+        table.fault_at(
+            "soft_from_deg", fmt::format("soft_from_deg is {}", shortest(*soft)),
+            "it goes with cone_deg and is at most that");
+        return false;
+    }
+    const bool is_placed = read_pose(table, context, lamp);
+    if (exponent) {
+        lamp.pattern = power_cosine_pattern(*exponent);
+    } else if (cone) {
+        lamp.pattern = spot_pattern(soft.value_or(*cone) * kRadians, *cone * kRadians);
+    }
+    return is_placed && !table.failed();
+}
+
+bool read_rectangle(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const auto length = required_size(table, "length");
+    const auto width = required_size(table, "width");
+    lamp.pattern = cosine_pattern();
+    lamp.opening = {Opening::Kind::rectangle, length.value_or(0), width.value_or(0), 0};
+    return read_pose(table, context, lamp) && length && width;
+}
+
+bool read_disk(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const auto radius = required_size(table, "radius");
+    lamp.pattern = cosine_pattern();
+    lamp.opening = {Opening::Kind::disk, 0, 0, radius.value_or(0)};
+    return read_pose(table, context, lamp) && radius;
+}
+
+bool read_ball(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const auto radius = required_size(table, "radius");
+    const auto position = table.required("position", table.vector("position"));
+    lamp.pattern = cosine_pattern();
+    lamp.opening = {Opening::Kind::sphere, 0, 0, radius.value_or(0)};
+    lamp.position = context.orientation.inward(position.value_or(Vec3{}));
+    return radius && position;
+}
+
+bool read_line(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    const auto from = table.required("from", table.vector("from"));
+    const auto to = table.required("to", table.vector("to"));
+    if (!from || !to) {
+        return false;
+    }
+    const Vec3 along = context.orientation.inward(*to - *from);
+    if (length(along) == 0) {
+        table.fault("from and to are the same place", "a line has a length");
+        return false;
+    }
+    lamp.position = context.orientation.inward(0.5 * (*from + *to));
+    lamp.axes = frame_about(normalized(along));
+    lamp.opening = {Opening::Kind::line, length(along), 0, 0};
+    lamp.pattern = tube_pattern();
+    return true;
+}
+
+/// A photometric file: the opening it states, in the scene's unit, or a point.
+bool read_ies_lamp(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
+    constexpr std::array<std::string_view, 2> kOpenings{"file", "point"};
+    const std::optional<std::string> path = table.required("file", table.text("file"));
+    const bool is_point = table.choice("opening", kOpenings) == "point";
+    const bool is_placed = read_pose(table, context, lamp);
+    const std::optional<double> square = square_metres(table, context);
+    if (!path || !square) {
+        return false;
+    }
+    Reporter own{*path, {}, {}};
+    std::optional<IesFile> file;
+    try {
+        file = read_ies(context.files->read(*path), own);
+    } catch (const InputError& error) {
+        own.faults.add(error);
+    }
+    const bool is_read = own.faults.empty();
+    table.reporter().add(own);
+    if (!is_read) {
+        return false;
+    }
+    const double unit = 1 / std::sqrt(*square);
+    if (!is_point && file->radius_m > 0) {
+        lamp.opening = {Opening::Kind::disk, 0, 0, unit * file->radius_m};
+    } else if (!is_point && file->length_m * file->width_m > 0) {
+        lamp.opening = {Opening::Kind::rectangle, unit * file->length_m, unit * file->width_m, 0};
+    }
+    lamp.pattern = web_pattern(std::move(file->web));
+    return is_placed;
+}
+
+/// One row of the table of kinds of lamps.
+struct LampKind {
+    std::string_view name;
+    bool (*read)(TableReader& table, const RunFileContext& context, LampSpec& lamp);
+    std::string_view words;
+};
+constexpr std::array kLampKinds{
+    LampKind{"point", read_point, "point lamp"},
+    LampKind{"spot", read_spot, "spot lamp"},
+    LampKind{"rectangle", read_rectangle, "rectangular lamp"},
+    LampKind{"disk", read_disk, "disk lamp"},
+    LampKind{"line", read_line, "line lamp"},
+    LampKind{"sphere", read_ball, "sphere lamp"},
+    LampKind{"ies", read_ies_lamp, "lamp of a photometric file"}};
+
+std::string place_words(const Vec3& p) {
+    return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
+}
+
+std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
+    std::string text = "emits";
+    for (std::size_t b = 0; b < flux.size(); ++b) {
+        text += fmt::format(
+            "{} {} {} {}", b == 0 ? "" : ",", context.bands[b].name, shortest(flux[b]),
+            flux_unit(context.bands[b].unit, context.length_unit));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::optional<NotedSource> read_lamp(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const std::string type = table.text("type").value_or("");
+    LampSpec lamp;
+    lamp.name = name;
+    const LampKind* kind = nullptr;
+    for (const LampKind& row : kLampKinds) {
+        kind = row.name == type ? &row : kind;
+    }
+    const bool is_read = kind->read(table, context, lamp);
+    const auto flux = read_flux(table, context);
+    if (!is_read || !flux) {
+        return std::nullopt;
+    }
+    lamp.flux = *flux;
+    const Orientation& axes = context.orientation;
+    const std::string note = fmt::format(
+        "{}: {} at {}, aims along {}, {}", name, kind->words,
+        place_words(axes.outward(lamp.position)), vector_words(axes.outward(lamp.axes.n)),
+        flux_words(*flux, context));
+    return NotedSource{make_lamp(std::move(lamp)), note};
+}
+
+}  // namespace quasimc

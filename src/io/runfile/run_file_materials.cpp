@@ -1,0 +1,215 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "io/runfile/run_file_sections.h"
+#include "optics/catalogue.h"
+
+namespace quasimc {
+namespace {
+
+constexpr Range kFraction{0, 1};
+constexpr Range kExponent{0, 1e6};
+
+/// The name of a lobe model, or nothing after a fault.
+std::optional<std::string> read_model(TableReader& table, std::string_view key, const Node& node) {
+    std::vector<std::string_view> names;
+    for (const BsdfEntry& entry : bsdf_catalogue()) {
+        names.push_back(entry.name);
+    }
+    const auto* text = node.as<std::string>();
+    if (text == nullptr) {
+        table.fault_at(node, fmt::format("{} is {}", key, node.type_name()), "it must be a name");
+        return std::nullopt;
+    }
+    if (find_bsdf(*text) == nullptr) {
+        table.fault_at(
+            node, fmt::format("{} is '{}'", key, *text), "no such model",
+            did_you_mean(*text, names));
+        return std::nullopt;
+    }
+    return *text;
+}
+
+std::optional<std::vector<std::string>> models_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands) {
+    std::vector<std::string> models;
+    for (const Node* node : nodes_per_band(table, key, bands)) {
+        const std::optional<std::string> model = read_model(table, key, *node);
+        if (!model) {
+            return std::nullopt;
+        }
+        models.push_back(*model);
+    }
+    return models.empty() ? std::nullopt : std::optional(models);
+}
+
+/// What a table states of one lobe, per band.
+struct LobeKeys {
+    std::optional<std::vector<double>> amount;
+    std::optional<std::vector<std::string>> model;
+    std::optional<std::vector<double>> exponent;
+    friend bool operator==(const LobeKeys&, const LobeKeys&) = default;
+};
+
+struct SideKeys {
+    LobeKeys reflection, transmission;
+    friend bool operator==(const SideKeys&, const SideKeys&) = default;
+};
+
+SideKeys read_side(TableReader& table, const std::vector<Band>& bands) {
+    SideKeys keys;
+    keys.reflection.amount = read_per_band(table, "reflectance", bands, kFraction);
+    keys.reflection.model = models_per_band(table, "reflection_model", bands);
+    keys.reflection.exponent = read_per_band(table, "reflection_exponent", bands, kExponent);
+    keys.transmission.amount = read_per_band(table, "transmittance", bands, kFraction);
+    keys.transmission.model = models_per_band(table, "transmission_model", bands);
+    keys.transmission.exponent = read_per_band(table, "transmission_exponent", bands, kExponent);
+    return keys;
+}
+
+LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
+    common.amount = side.amount ? side.amount : common.amount;
+    // Another model has another exponent.
+    common.exponent = side.exponent || side.model ? side.exponent : common.exponent;
+    common.model = side.model ? side.model : common.model;
+    return common;
+}
+
+/// The lobe of one band.
+struct BandLobe {
+    double amount = 0;
+    std::string model = "lambertian";
+    double exponent = 0;  ///< 0 for a model that takes none
+};
+
+BandLobe lobe_of(const LobeKeys& keys, std::size_t band) {
+    BandLobe lobe;
+    lobe.amount = keys.amount ? (*keys.amount)[band] : 0;
+    lobe.model = keys.model ? (*keys.model)[band] : lobe.model;
+    const bool takes_one = find_bsdf(lobe.model)->has_exponent;
+    lobe.exponent = keys.exponent && takes_one ? (*keys.exponent)[band] : 0;
+    return lobe;
+}
+
+/// @param word  "reflection" or "transmission"
+void check_exponent(TableReader& table, const LobeKeys& keys, std::string_view word) {
+    const std::vector<std::string> models =
+        keys.model.value_or(std::vector<std::string>(1, "lambertian"));
+    const bool takes_one = std::any_of(models.begin(), models.end(), [](const std::string& name) {
+        return find_bsdf(name)->has_exponent;
+    });
+    if (takes_one && !keys.exponent) {
+        table.fault(
+            fmt::format("{}_exponent is missing", word),
+            fmt::format("its {}_model takes one", word));
+    }
+    if (!takes_one && keys.exponent) {
+        table.fault(
+            fmt::format("{}_exponent is given", word),
+            fmt::format("the model {} takes none", models.front()),
+            fmt::format("set {}_model, or leave the exponent out", word));
+    }
+}
+
+void check_stated(TableReader& table, const SideKeys& keys) {
+    if (!keys.reflection.amount && !keys.transmission.amount) {
+        table.fault(
+            "neither reflectance nor transmittance is given",
+            "a forgotten number would make it black", "write reflectance = 0 if it is black");
+    }
+}
+
+/// One side of a material. @param words  "" or which side it is, for messages
+std::vector<SideOptics> make_side(
+    TableReader& table,
+    const SideKeys& keys,
+    const std::vector<Band>& bands,
+    std::string_view words) {
+    std::vector<SideOptics> side;
+    for (std::size_t b = 0; b < bands.size() && !table.failed(); ++b) {
+        const BandLobe r = lobe_of(keys.reflection, b);
+        const BandLobe t = lobe_of(keys.transmission, b);
+        side.push_back({r.amount, t.amount, r.model, r.exponent, t.model, t.exponent});
+        if (r.amount + t.amount > 1) {
+            table.fault(
+                fmt::format(
+                    "{}band {}: reflectance {} + transmittance {} is more than 1", words,
+                    bands[b].name, r.amount, t.amount),
+                "it would make light");
+        }
+    }
+    return side;
+}
+
+SideKeys read_own_side(
+    TableReader& material,
+    std::string_view key,
+    const SideKeys& common,
+    const std::vector<Band>& bands) {
+    const Node* node = material.any(key);
+    if (node == nullptr) {
+        return common;
+    }
+    TableReader table(*node, fmt::format("{}: {} side", material.what(), key), material.reporter());
+    const SideKeys side = read_side(table, bands);
+    table.finish();
+    return {
+        overridden(common.reflection, side.reflection),
+        overridden(common.transmission, side.transmission)};
+}
+
+/// A material with faults is black, so that nobody is told besides that it does not exist.
+MaterialSpec make_material_spec(
+    TableReader& table,
+    std::string name,
+    const SideKeys& upper,
+    const SideKeys& lower,
+    const std::vector<Band>& bands) {
+    const bool differ = !(upper == lower);
+    for (const SideKeys* side : {&upper, &lower}) {
+        if (!table.failed() && (side == &upper || differ)) {
+            check_stated(table, *side);
+            check_exponent(table, side->reflection, "reflection");
+            check_exponent(table, side->transmission, "transmission");
+        }
+    }
+    MaterialSpec spec{
+        std::move(name), make_side(table, upper, bands, differ ? "upper side, " : ""), {}};
+    spec.lower = differ ? make_side(table, lower, bands, "lower side, ") : spec.upper;
+    if (table.failed()) {
+        spec.upper = spec.lower = std::vector<SideOptics>(bands.size());
+    }
+    return spec;
+}
+
+void read_material(const Node& node, RunFileContext& context, SceneBuilder& builder) {
+    TableReader table(node, "material", *context.reporter);
+    const std::optional<std::string> name = table.required("name", table.text("name"));
+    if (name && name->empty()) {
+        table.fault_at("name", "its name is empty");
+    }
+    table.rename(fmt::format("material '{}'", name.value_or("")));
+    const SideKeys common = read_side(table, context.bands);
+    const SideKeys upper = read_own_side(table, "upper", common, context.bands);
+    const SideKeys lower = read_own_side(table, "lower", common, context.bands);
+    table.finish();
+
+    MaterialSpec spec = make_material_spec(table, name.value_or(""), upper, lower, context.bands);
+    if (!name || name->empty()) {
+        return;
+    }
+    context.materials.insert(*name);
+    builder.add_material(std::move(spec), table.place());
+}
+
+}  // namespace
+
+void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    for (const Node* node : top.tables("material")) {
+        read_material(*node, context, builder);
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "io/runfile/run_file_sections.h"
+
+namespace quasimc {
+namespace {
+
+const FormatEntry* read_format(TableReader& table, const std::string& file) {
+    std::vector<std::string_view> names;
+    for (const FormatEntry& entry : format_table()) {
+        names.push_back(entry.name);
+    }
+    if (table.any("format") != nullptr) {
+        const auto name = table.choice("format", names);
+        return name ? find_format(*name) : nullptr;
+    }
+    const FormatEntry* entry = format_of_path(file);
+    if (entry == nullptr && !file.empty()) {
+        table.fault_at(
+            "file", fmt::format("the format of '{}' can't be told from its name", file), "",
+            "add format = one of " + joined(names, ", "));
+    }
+    return entry;
+}
+
+std::size_t triangle_count(const MeshFile& mesh) {
+    std::size_t count = 0;
+    for (const MeshGroup& group : mesh.groups) {
+        for (const MeshPart& part : group.parts) {
+            count += part.triangles.size();
+        }
+    }
+    return count;
+}
+
+/// Reads the file; nothing after a fault.
+std::optional<MeshFile> read_bytes(
+    TableReader& table, const std::string& file, const FormatEntry& format, InputFiles& files) {
+    Reporter reporter{file, {}, {}};
+    MeshFile mesh;
+    try {
+        const std::string bytes = files.read(file);
+        const std::size_t slash = file.rfind('/');
+        FormatContext inner{
+            reporter, files, slash == std::string::npos ? "" : file.substr(0, slash + 1)};
+        mesh = format.read(bytes, inner);
+    } catch (const InputError& error) {
+        table.fault_at(
+            "file", fmt::format("file '{}' can't be read", file), error.faults().front().why);
+        return std::nullopt;
+    }
+    if (triangle_count(mesh) == 0 && reporter.faults.empty()) {
+        table.fault_at("file", fmt::format("file '{}' holds no triangle", file));
+    }
+    table.reporter().add(reporter);
+    return table.failed() ? std::nullopt : std::optional<MeshFile>(std::move(mesh));
+}
+
+}  // namespace
+
+std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context) {
+    const std::optional<std::string> file = table.required("file", table.text("file"));
+    const FormatEntry* format = read_format(table, file.value_or(""));
+    if (file && file->empty()) {
+        table.fault_at("file", "file is empty", "it must name a file");
+    }
+    if (!file || format == nullptr) {
+        return std::nullopt;
+    }
+    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, *context.files);
+    return mesh ? std::optional<NamedMesh>({*file, format, std::move(*mesh)}) : std::nullopt;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,128 @@
+#pragma once
+
+// The sections of a run file, each read by a function of its own. Included by the run_file*.cpp
+// only.
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/affine.h"
+#include "base/orientation.h"
+#include "io/input_files.h"
+#include "io/meshes/formats.h"
+#include "io/runfile/options.h"
+#include "io/runfile/run_file.h"
+#include "io/runfile/table_reader.h"
+#include "io/runfile/time_series.h"
+#include "io/weather/daily_hours.h"
+#include "scene/scene_builder.h"
+#include "sources/civil_time.h"
+
+namespace quasimc {
+
+/// Stands in for an organ with faults, so that its id and material are checked with the rest.
+inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+
+/// Where the sun stands, as a run file states it.
+struct StatedSun {
+    Vec3 to_sun;  ///< unit, world with z up
+    double distance_au = 1;
+    std::string words;  ///< its time and place; "" if stated by angles
+};
+
+/// What the sections know of each other.
+struct RunFileContext {
+    Reporter* reporter;
+    InputFiles* files;
+    std::vector<Band> bands;
+    Orientation orientation;
+    std::set<std::string> materials;  ///< names stated
+    std::optional<Place> place;       ///< [place]
+    std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::string length_unit = "m";
+    bool has_time = false;  ///< whether there is a [time]
+};
+
+// run_file_place.cpp
+/// [place]; nothing if it is absent or has faults.
+[[nodiscard]] std::optional<Place> read_place(TableReader& top);
+
+// run_file_options.cpp
+/// The options of a run, and where each was stated.
+struct RunOptions {
+    RunSpec spec = default_run_spec();
+    std::map<std::string_view, std::string> places;
+};
+
+void read_run_options(TableReader& top, RunOptions& options);
+void apply_overrides(
+    const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter);
+/// Reports options that stand at the top by mistake.
+void refuse_options_at_the_top(TableReader& top);
+/// Adds the faults of check_run, which names keys only, with the places of the options.
+void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter);
+/// The run file with every option of the run in it.
+[[nodiscard]] Node completed(Node document, const RunSpec& spec);
+
+// run_file_bands.cpp
+[[nodiscard]] std::vector<Band> read_bands(TableReader& top);
+/// The value of a key for each band: one for all, a list with one for each, or a table by name.
+/// Empty if it is absent, or after a fault.
+[[nodiscard]] std::vector<const Node*> nodes_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands);
+/// The same as numbers.
+[[nodiscard]] std::optional<std::vector<double>> read_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range);
+
+// run_file_materials.cpp
+void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
+// run_file_sources.cpp
+struct SourceList {
+    Sources sources;
+    std::vector<std::string> notes;
+    std::vector<std::optional<DailyHours>> hours;  ///< nothing: it shines all the time
+};
+/// Sets context.sun.
+[[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
+
+// run_file_time.cpp
+/// [time]: the moments of the run, each with the sources of the file that are on and its own
+/// daylight. Nothing if there is none, or after a fault.
+[[nodiscard]] std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const SourceList& lamps);
+
+// run_file_shapes.cpp
+/// The triangles of a table with `shape = ...`; empty when it has faults (reported).
+[[nodiscard]] std::vector<Triangle> read_shape(TableReader& organ);
+/// The names of the shapes.
+[[nodiscard]] std::span<const std::string_view> shape_names();
+
+// run_file_organs.cpp
+void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& builder);
+[[nodiscard]] Labels read_labels(TableReader& table);
+/// p -> translate + rotate (scale p), or nothing if there is no `transform`.
+[[nodiscard]] std::optional<Affine> read_transform(TableReader& table);
+void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
+
+// run_file_geometry.cpp
+void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
+// run_file_mesh.cpp
+/// The geometry in the file that a table names.
+struct NamedMesh {
+    std::string file;
+    const FormatEntry* format = nullptr;
+    MeshFile mesh;
+};
+/// Reads the file that a table names by `file` and `format`; nothing after a fault.
+[[nodiscard]] std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
+
+}  // namespace quasimc

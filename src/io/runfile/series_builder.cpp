@@ -1,0 +1,164 @@
+#include "io/runfile/series_builder.h"
+
+#include <fmt/format.h>
+
+#include "io/runfile/civil_time_text.h"
+#include "sources/scaled_source.h"
+
+namespace quasimc {
+
+SeriesBuilder::SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, Reporter& reporter)
+    : rules_(rules), lamps_(lamps), reporter_(reporter), gathered_(rules.how.bands.size()) {}
+
+void SeriesBuilder::add(const Interval& interval) {
+    const SunPath path = sun_path(rules_.place, interval.start, interval.seconds, rules_.sun_step);
+    const HourLight light =
+        interval.reading
+            ? measured_light(path, *interval.reading, rules_.unit, rules_.model, rules_.how.spectra)
+            : clear_light(path, rules_.air);
+    note(light.note, interval);
+    if (light.fault != ReadingFault::none) {
+        report(light.fault, path, interval);
+        return;
+    }
+    HourParts parts = make_hour_parts(path, light, rules_.how);
+    if (rules_.collapse == Collapse::none) {
+        add_moment(interval, path, light.daylight, std::move(parts));
+    } else {
+        gather(interval, light.daylight, parts);
+    }
+}
+
+TimeSeries SeriesBuilder::finish() {
+    close_gathered();
+    series_.collapse = rules_.collapse;
+    warn(
+        direct_too_large_,
+        "times have more direct light than light in all, by a tenth at "
+        "most: it counts as direct");
+    warn(
+        sun_too_low_,
+        "times have direct light with the sun too low for it: it counts as "
+        "diffuse");
+    return std::move(series_);
+}
+
+/// The sources of the file, each times what `share` says of its hours.
+template <typename Share>
+Sources SeriesBuilder::dimmed_lamps(const Share& share) const {
+    Sources sources;
+    for (std::size_t i = 0; i < lamps_.sources.size(); ++i) {
+        const auto& hours = lamps_.hours[i];
+        sources.push_back(make_dimmed(lamps_.sources[i], hours ? share(*hours) : 1));
+    }
+    return sources;
+}
+
+void SeriesBuilder::add_moment(
+    const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts) {
+    const std::size_t suns = parts.suns.size();
+    HourSources hour = make_hour_sources(std::move(parts));
+    TimeStep time_step;
+    time_step.name = civil_time_text(interval.start);
+    time_step.sources = dimmed_lamps(
+        [&](const DailyHours& hours) { return hours.share(interval.start, interval.seconds); });
+    std::move(hour.sources.begin(), hour.sources.end(), std::back_inserter(time_step.sources));
+    time_step.shapes = std::move(hour.shapes);
+    time_step.seconds = interval.seconds;
+    time_step.day = day_of(interval.start);
+    const SunPosition sun = path.middle();
+    const Orientation& axes = rules_.how.orientation;
+    series_.notes.push_back(
+        {time_step.name, time_step.seconds, sun,
+         axes.outward(axes.towards(sun.azimuth_deg, sun.elevation_deg)), daylight, suns});
+    series_.time_steps.push_back(std::move(time_step));
+}
+
+/// Adds to the moment that times are collapsed into, which a new day may end.
+void SeriesBuilder::gather(
+    const Interval& interval, const Daylight& daylight, const HourParts& parts) {
+    const std::string date = date_text(interval.start);
+    if (rules_.collapse == Collapse::days && date != last_date_) {
+        close_gathered();
+    }
+    first_date_ = gathered_.empty() ? date : first_date_;
+    last_date_ = date;
+    gathered_times_.push_back({interval.start, interval.seconds});
+    gathered_.add(
+        parts, daylight, interval.seconds, civil_time_text(interval.start),
+        civil_time_text(later(interval.start, interval.seconds)));
+}
+
+void SeriesBuilder::close_gathered() {
+    if (gathered_.empty()) {
+        return;
+    }
+    const Sources lamps = dimmed_lamps([&](const DailyHours& hours) {
+        double lit = 0;
+        double all = 0;
+        for (const auto& [start, seconds] : gathered_times_) {
+            lit += seconds * hours.share(start, seconds);
+            all += seconds;
+        }
+        return lit / all;
+    });
+    CollapsedMoment::Made made = gathered_.make(lamps, series_.days.size());
+    series_.days.push_back(
+        first_date_ == last_date_ ? first_date_ : first_date_ + "/" + last_date_);
+    series_.time_steps.push_back(std::move(made.time_step));
+    series_.notes.push_back(std::move(made.notes));
+    gathered_ = CollapsedMoment(rules_.how.bands.size());
+    gathered_times_.clear();
+}
+
+void SeriesBuilder::note(ReadingNote note, const Interval& interval) {
+    if (note == ReadingNote::none) {
+        return;
+    }
+    Noted& noted = note == ReadingNote::sun_too_low ? sun_too_low_ : direct_too_large_;
+    noted.first = noted.count++ == 0 ? interval.place : noted.first;
+}
+
+void SeriesBuilder::warn(const Noted& noted, std::string_view text) {
+    if (noted.count > 0) {
+        reporter_.warnings.push_back({noted.first, fmt::format("{} {}", noted.count, text)});
+    }
+}
+
+void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interval& interval) {
+    const std::string time = civil_time_text(interval.start);
+    if (reporter_.is_full()) {
+        return;
+    }
+    switch (fault) {
+        case ReadingFault::incomplete:
+            reporter_.faults.add(
+                {interval.place, fmt::format("the light at {} is not known", time), "",
+                 "give global, or diffuse with direct_horizontal or beam_normal"});
+            break;
+        case ReadingFault::direct_exceeds_global:
+            reporter_.faults.add(
+                {interval.place,
+                 fmt::format("at {} there is more direct or diffuse light than global", time),
+                 "direct and diffuse light on the horizontal are parts of the global", ""});
+            break;
+        default:
+            reporter_.faults.add(
+                {interval.place,
+                 fmt::format(
+                     "light at {} with the sun {:.1f} degrees below the horizon", time,
+                     -path.highest_deg()),
+                 "time zone, place or stamp are wrong",
+                 "check utc_offset_hours, [place] and stamp"});
+    }
+}
+
+std::size_t SeriesBuilder::day_of(const CivilTime& time) {
+    const std::string date = date_text(time);
+    if (series_.days.empty() || series_.days.back() != date) {
+        series_.days.push_back(date);
+    }
+    return series_.days.size() - 1;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,18 @@
+// Lambert's cosine law: a perfectly matt surface.
+//
+// What     Light leaves with density |cos(wo, n)| / pi wherever it came from: a constant BSDF.
+// Paper    Lambert (1760), Photometria.
+// Sampling Malley's method: cos^2 = 1 - u0, azimuth = 2 pi u1.
+// Theory   docs/theory/lambertian.md
+#pragma once
+
+#include <memory>
+
+#include "optics/bsdf.h"
+
+namespace quasimc {
+
+/// The model `lambertian` of the catalogue; it has no exponent.
+[[nodiscard]] std::unique_ptr<Bsdf> make_lambertian(Hemisphere hemisphere, double exponent);
+
+}  // namespace quasimc

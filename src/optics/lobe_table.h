@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/vec3.h"
+#include "optics/bsdf.h"
+
+namespace quasimc {
+
+/// The share of one lobe in what a side scatters.
+struct Lobe {
+    std::shared_ptr<const Bsdf> shape;
+    std::vector<double> albedo;  ///< per band
+};
+
+/// What decides where light goes from a surface, and whether it goes on.
+struct Draw {
+    double u0 = 0, u1 = 0;  ///< a point of the unit square; u0 also decides survival and lobe
+    /// Light whose weights sum to less is played for by its albedo (Russian roulette); light of
+    /// more goes on surely and loses weight instead, until its weights have come down to this.
+    double roulette_threshold = std::numeric_limits<double>::infinity();
+};
+
+/// The lobes among which the light of a hit is divided, laid out for speed: the arithmetic of
+/// weights that Side (light followed forwards) and Material (backwards) have in common. See
+/// docs/theory/many-bands.md. Immutable.
+class LobeTable {
+  public:
+    /// @param lobes  each with an albedo above 0 in some band
+    LobeTable(std::span<const Lobe> lobes, std::size_t bands);
+
+    struct Row {
+        std::shared_ptr<const Bsdf> shape;
+        std::size_t begin, end;  ///< bands outside have albedo 0
+        std::size_t offset;      ///< of its albedos, one for every band
+        double sign;             ///< 1 reflected, -1 transmitted
+        bool delta, lambertian, reciprocal;
+        bool alone;  ///< no other lobe can give the same direction
+
+        /// shape->sample, faster.
+        [[nodiscard]] Vec3 sample(const Vec3& n, const Vec3& wi, double u0, double u1) const;
+        /// Whether both lobes have a density, in the same hemisphere.
+        [[nodiscard]] bool shares(const Row& other) const {
+            return !delta && !other.delta && sign == other.sign;
+        }
+    };
+    [[nodiscard]] std::span<const Row> rows() const { return rows_; }
+    [[nodiscard]] std::size_t bands() const { return bands_; }
+
+    /// A lobe drawn. `row` is null if none is: the light ends.
+    struct Choice {
+        const Row* row = nullptr;
+        double u = 0;      ///< what is left of the random number, in [0, 1)
+        double total = 0;  ///< the probability of a lobe is its power divided by this (one band:
+                           ///< its albedo)
+        double scale = 0;  ///< 1 / the probability of the lobe drawn
+    };
+
+    /// Draws a lobe with probability power(lobe) / total. The total is the sum of the weights, or
+    /// draw.enough if that is less, or the powers of all lobes if they are more. None if the
+    /// weights are all 0.
+    [[nodiscard]] Choice choose(const Draw& draw, std::span<const double> weights) const;
+
+    /// sum_b w_b a_b of one lobe.
+    [[nodiscard]] double power(const Row& row, std::span<const double> weights) const;
+
+    /// w_b *= factor a_b.
+    void follow(const Row& row, double factor, std::span<double> weights) const;
+
+    /// out_b += factor a_b w_b.
+    void add(const Row& row, double factor, std::span<const double> weights, std::span<double> out)
+        const;
+
+    /// The albedos of one lobe, for every band.
+    [[nodiscard]] std::span<const double> albedo(const Row& row) const {
+        return {albedo_.data() + row.offset, bands_};
+    }
+
+  private:
+    template <typename Power>
+    [[nodiscard]] Choice choose_among(double u0, double total, const Power& power_of) const;
+
+    std::size_t bands_;
+    std::vector<Row> rows_;
+    std::vector<double> albedo_;  ///< of all lobes, one after the other
+    double largest_sum_ = 0;      ///< over the bands, of the sum of the lobes' albedos
+};
+
+/// The lobes that can give one direction, weighed against each other by the balance heuristic
+/// (Veach and Guibas 1995).
+class LobeMix {
+  public:
+    /// @param weights  those before the hit; must outlive this object
+    LobeMix(const LobeTable& table, std::span<double> weights);
+    ~LobeMix() = default;
+    LobeMix(const LobeMix&) = delete;
+    LobeMix& operator=(const LobeMix&) = delete;
+
+    /// Takes a lobe into account: what it sends in the direction, per albedo, and the density with
+    /// which it draws the direction.
+    void add(const LobeTable::Row& row, double value, double density);
+
+    /// w_b *= sum_k a_kb value_k / (sum_k power_k density_k / total). False, and the weights as
+    /// they were, if no lobe can draw the direction.
+    [[nodiscard]] bool apply(double total);
+
+  private:
+    static constexpr std::size_t kInline = 256;
+
+    const LobeTable& table_;
+    std::span<double> weights_;
+    std::array<double, kInline> small_;
+    std::vector<double> large_;  ///< for more bands than that
+    double* sums_;
+    double density_ = 0;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,122 @@
+#include "optics/material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/checks.h"
+
+namespace quasimc {
+namespace {
+
+/// The lobes that send light to a side: its own reflected and the other's transmitted.
+LobeTable lobes_leading_to(const Side& side, const Side& other) {
+    std::vector<Lobe> lobes;
+    for (const Lobe& lobe : side.lobes()) {
+        if (lobe.shape->hemisphere() == Hemisphere::reflected) {
+            lobes.push_back(lobe);
+        }
+    }
+    for (const Lobe& lobe : other.lobes()) {
+        if (lobe.shape->hemisphere() == Hemisphere::transmitted) {
+            lobes.push_back(lobe);
+        }
+    }
+    return {lobes, side.albedo().size()};
+}
+
+bool passes_everything(const Side& side) {
+    const auto is_one = [](double albedo) { return albedo == 1; };
+    return side.lobes().size() == 1 && side.has_delta() &&
+           side.lobes()[0].shape->hemisphere() == Hemisphere::transmitted &&
+           std::all_of(side.albedo().begin(), side.albedo().end(), is_one);
+}
+
+/// A lobe seen backwards, of a surface with normal `n` on the side where light leaves along `wo`.
+/// `value` is BSDF |cos wi| at albedo 1, `density` that with which the reversed lobe draws wi. For
+/// a reciprocal lobe they are equal.
+struct Backwards {
+    double value, density;
+};
+Backwards backwards(const LobeTable::Row& row, const Vec3& n, const Vec3& wi, const Vec3& wo) {
+    const double density = row.shape->pdf(n, -wo, -wi);
+    if (row.reciprocal) {
+        return {density, density};
+    }
+    const Vec3 arrival_normal = row.sign * n;
+    return {row.shape->bsdf(arrival_normal, wi, wo) * std::abs(dot(wi, n)), density};
+}
+
+}  // namespace
+
+Material::Material(std::string name, Side upper, Side lower)
+    : name_(std::move(name)),
+      upper_(std::move(upper)),
+      lower_(std::move(lower)),
+      to_upper_(lobes_leading_to(upper_, lower_)),
+      to_lower_(lobes_leading_to(lower_, upper_)),
+      transparent_(passes_everything(upper_) && passes_everything(lower_)) {
+    EXPECT(upper_.albedo().size() == lower_.albedo().size());
+}
+
+std::optional<Material::Gathered> Material::gather(
+    const Vec3& n,
+    bool is_upper,
+    const Vec3& wo,
+    const Draw& draw,
+    std::span<double> weights) const {
+    const LobeTable& table = is_upper ? to_upper_ : to_lower_;
+    const LobeTable::Choice choice = table.choose(draw, weights);
+    if (choice.row == nullptr) {
+        return std::nullopt;
+    }
+    const LobeTable::Row& row = *choice.row;
+    const Vec3 wi = -row.sample(n, -wo, choice.u, draw.u1);
+
+    if (!row.alone) {
+        LobeMix mix(table, weights);
+        for (const LobeTable::Row& other : table.rows()) {
+            if (other.shares(row)) {
+                const auto [value, density] = backwards(other, n, wi, wo);
+                mix.add(other, value, density);
+            }
+        }
+        return mix.apply(choice.total) ? std::optional(Gathered{wi, false}) : std::nullopt;
+    }
+
+    double ratio = 1;
+    if (!row.reciprocal) {
+        const auto [value, density] = backwards(row, n, wi, wo);
+        ratio = value / density;
+        if (!std::isfinite(ratio)) {
+            return std::nullopt;  // exactly along the surface, where no light is
+        }
+    }
+    table.follow(row, ratio * choice.scale, weights);
+    return Gathered{wi, row.delta};
+}
+
+// NOLINTNEXTLINE(readability-function-size): seven arguments, none of which belong together.
+void Material::add_reflected(
+    const Vec3& n,
+    bool is_upper,
+    const Vec3& wo,
+    const Vec3& wi,
+    double factor,
+    std::span<const double> weights,
+    std::span<double> out) const {
+    const LobeTable& table = is_upper ? to_upper_ : to_lower_;
+    const double cosine = dot(wi, n);
+    const double sign = cosine < 0 ? 1 : -1;
+    for (const LobeTable::Row& row : table.rows()) {
+        if (row.delta || row.sign != sign) {
+            continue;
+        }
+        const double bsdf =
+            row.lambertian ? std::numbers::inv_pi : row.shape->bsdf(sign * n, wi, wo);
+        table.add(row, factor * std::abs(cosine) * bsdf, weights, out);
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,18 @@
+// A mirror, or a clear pane: all light in one direction.
+//
+// What     Reflected light leaves along the mirror image of wi, transmitted light straight on (no
+//          refraction: leaves are thin). A lobe of one direction has no density; it is followed,
+//          never evaluated.
+// Theory   docs/theory/mirror.md
+#pragma once
+
+#include <memory>
+
+#include "optics/bsdf.h"
+
+namespace quasimc {
+
+/// The model `mirror` of the catalogue; it has no exponent.
+[[nodiscard]] std::unique_ptr<Bsdf> make_mirror(Hemisphere hemisphere, double exponent);
+
+}  // namespace quasimc

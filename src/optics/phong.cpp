@@ -1,0 +1,53 @@
+#include "optics/phong.h"
+
+#include <cmath>
+
+#include "optics/directions.h"
+
+namespace quasimc {
+namespace {
+
+class Phong final : public Bsdf {
+  public:
+    Phong(Hemisphere hemisphere, double exponent)
+        : Bsdf(hemisphere),
+          exponent_(exponent),
+          scale_((exponent + 1) / (2 * std::numbers::pi)),
+          two_over_power_(2 / (exponent + 1)) {}
+
+    [[nodiscard]] Vec3 sample(const Vec3& n, const Vec3& wi, double u0, double u1) const override {
+        // Through the square of the sine, which keeps its digits when the lobe is narrow.
+        const double sine2 = -std::expm1(two_over_power_ * std::log1p(-u0));
+        const Vec3 axis = specular_direction(hemisphere(), n, wi);
+        return folded(
+            hemisphere(), n, direction_about(axis, std::sqrt(1 - sine2), std::sqrt(sine2), u1));
+    }
+
+    [[nodiscard]] double pdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const override {
+        if (!(outgoing_cosine(hemisphere(), n, wo) > 0)) {
+            return 0;
+        }
+        const double unchanged = dot(wi, wo);
+        const double mirrored = dot(reflected(wi, n), wo);
+        return density(unchanged) + density(mirrored);
+    }
+
+    [[nodiscard]] bool is_reciprocal() const override { return false; }
+
+  private:
+    /// Before folding. The lobe about one axis at `wo` and at the image of `wo`: the latter equals
+    /// the lobe about the image of the axis at `wo`.
+    [[nodiscard]] double density(double cosine) const {
+        return cosine > 0 ? scale_ * std::pow(cosine, exponent_) : 0;
+    }
+
+    double exponent_, scale_, two_over_power_;
+};
+
+}  // namespace
+
+std::unique_ptr<Bsdf> make_phong(Hemisphere hemisphere, double exponent) {
+    return std::make_unique<Phong>(hemisphere, exponent);
+}
+
+}  // namespace quasimc

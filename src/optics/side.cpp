@@ -1,0 +1,89 @@
+#include "optics/side.h"
+
+#include <algorithm>
+
+#include "base/checks.h"
+
+namespace quasimc {
+namespace {
+
+bool same_shape(const Bsdf& a, const Bsdf& b) {
+    return a.hemisphere() == b.hemisphere() &&
+           ((a.is_delta() && b.is_delta()) || (a.is_lambertian() && b.is_lambertian()));
+}
+
+std::vector<Lobe> merged(const std::vector<Lobe>& lobes) {
+    std::vector<Lobe> result;
+    for (const Lobe& lobe : lobes) {
+        const bool is_black = std::all_of(
+            lobe.albedo.begin(), lobe.albedo.end(), [](double albedo) { return albedo == 0; });
+        if (is_black) {
+            continue;
+        }
+        const auto same = std::find_if(result.begin(), result.end(), [&](const Lobe& other) {
+            return same_shape(*other.shape, *lobe.shape);
+        });
+        if (same == result.end()) {
+            result.push_back(lobe);
+            continue;
+        }
+        for (std::size_t b = 0; b < lobe.albedo.size(); ++b) {
+            same->albedo[b] += lobe.albedo[b];
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Side::Side(const std::vector<Lobe>& lobes, std::size_t bands)
+    : lobes_(merged(lobes)), table_(lobes_, bands), albedo_(bands), absorptance_(bands) {
+    for (const Lobe& lobe : lobes_) {
+        has_delta_ = has_delta_ || lobe.shape->is_delta();
+        for (std::size_t b = 0; b < bands; ++b) {
+            albedo_[b] += lobe.albedo[b];
+        }
+    }
+    for (std::size_t b = 0; b < bands; ++b) {
+        absorptance_[b] = 1 - albedo_[b];
+    }
+}
+
+std::optional<Side::Scattered> Side::scatter(
+    const Vec3& n, const Vec3& wi, const Draw& draw, std::span<double> weights) const {
+    const LobeTable::Choice choice = table_.choose(draw, weights);
+    if (choice.row == nullptr) {
+        return std::nullopt;
+    }
+    return scatter_by(choice, n, wi, draw.u1, weights);
+}
+
+Side::Scattered Side::scatter_by(
+    const LobeTable::Choice& choice,
+    const Vec3& n,
+    const Vec3& wi,
+    double u1,
+    std::span<double> weights) const {
+    const LobeTable::Row& row = *choice.row;
+    const Scattered scattered{row.sample(n, wi, choice.u, u1), row.delta};
+    if (weights.size() == 1) {
+        weights[0] *= choice.total;  // 1 where the light was played for by its albedo
+        return scattered;
+    }
+    if (!row.alone) {
+        LobeMix mix(table_, weights);
+        for (const LobeTable::Row& other : table_.rows()) {
+            if (other.shares(row)) {
+                const double pdf = other.shape->pdf(n, wi, scattered.wo);
+                mix.add(other, pdf, pdf);
+            }
+        }
+        if (mix.apply(choice.total)) {
+            return scattered;
+        }
+    }
+    table_.follow(row, choice.scale, weights);
+    return scattered;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/checks.h"
+#include "base/text.h"
+#include "run/run.h"
+#include "samplers/catalogue.h"
+#include "solvers/estimator.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30U;
+constexpr std::uint32_t kMostReplicates = 10000;
+constexpr unsigned kMostThreads = 4096;
+
+void check_sampler(const RunSpec& spec, Faults& faults) {
+    std::vector<std::string_view> names;
+    for (const SamplerEntry& entry : sampler_catalogue()) {
+        names.push_back(entry.name);
+    }
+    if (std::find(names.begin(), names.end(), spec.sampler) == names.end()) {
+        faults.add(
+            {"sampler", fmt::format("'{}' is not a sampler", spec.sampler), "",
+             did_you_mean(spec.sampler, names)});
+        return;
+    }
+    if (make_sampler(spec.sampler)->needs_power_of_two() && spec.paths > 0 &&
+        !std::has_single_bit(spec.paths)) {
+        faults.add(
+            {"paths", fmt::format("{} is not a power of two", spec.paths),
+             fmt::format("the {} lattice is made for whole powers of two", spec.sampler),
+             fmt::format("use {}", std::bit_ceil(spec.paths))});
+    }
+}
+
+void check_numbers(const RunSpec& spec, Faults& faults) {
+    const auto require = [&](bool good, std::string_view place, std::string problem,
+                             std::string why) {
+        if (!good) {
+            faults.add({std::string(place), std::move(problem), std::move(why), ""});
+        }
+    };
+    require(
+        spec.paths >= 1 && spec.paths <= kMostPaths, "paths", fmt::format("{}", spec.paths),
+        "1 to 2^30");
+    require(
+        spec.replicates >= 1 && spec.replicates <= kMostReplicates, "replicates",
+        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMostReplicates));
+    require(
+        spec.threads <= kMostThreads, "threads", fmt::format("{}", spec.threads),
+        fmt::format("0 to {}", kMostThreads));
+    require(
+        spec.target_error >= 0 && spec.target_error < 1, "target_error",
+        shortest(spec.target_error), "0 to 1, 0 for none");
+    require(
+        spec.target_fraction > 0 && spec.target_fraction <= 1, "target_fraction",
+        shortest(spec.target_fraction), "above 0, at most 1");
+    require(
+        spec.max_seconds >= 0 && std::isfinite(spec.max_seconds), "max_seconds",
+        shortest(spec.max_seconds), "0 for no limit, or more");
+    require(
+        spec.tally_memory_mb >= 0 && std::isfinite(spec.tally_memory_mb), "tally_memory_mb",
+        shortest(spec.tally_memory_mb), "0 or more");
+    require(
+        spec.roulette_weight > 0 && spec.roulette_weight <= 1, "roulette_weight",
+        shortest(spec.roulette_weight), "above 0, at most 1");
+    require(
+        spec.target_error == 0 || spec.replicates >= 2, "target_error",
+        "needs at least 2 replicates", "one replicate has no standard error");
+    require(
+        spec.audit >= 0 && spec.audit <= 1, "audit", shortest(spec.audit), "0 to 1, 0 for none");
+    require(
+        !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
+        "one replicate has no standard error");
+    require(
+        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
+        "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
+}
+
+void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    std::vector<std::string_view> names;
+    for (const Band& band : scene.bands()) {
+        names.push_back(band.name);
+    }
+    for (const std::string& ratio : spec.ratios) {
+        const std::size_t colon = ratio.find(':');
+        if (colon == std::string::npos || ratio.find(':', colon + 1) != std::string::npos) {
+            faults.add(
+                {"ratios", fmt::format("'{}' is not a ratio of two bands", ratio), "",
+                 "write it as \"R:FR\""});
+            continue;
+        }
+        for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                faults.add(
+                    {"ratios", fmt::format("'{}' is not a band of the scene", name), "",
+                     did_you_mean(name, names)});
+            }
+        }
+    }
+}
+
+void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const auto is_measured = [](const Organ& organ) { return organ.measured; };
+    if (spec.method == Method::from_organs &&
+        std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
+        faults.add(
+            {"trace_from", "no organ is measured", "there is nothing to trace from",
+             "leave measured = false out for the organs whose light you want"});
+    }
+}
+
+void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
+    if (sources.empty()) {
+        faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
+    }
+    bool dark = !sources.empty();
+    for (const auto& source : sources) {
+        const auto spectrum = source->spectrum();
+        if (spectrum.size() != scene.bands().size()) {
+            faults.add(
+                {fmt::format("source '{}'", source->name()),
+                 fmt::format("{} irradiances", spectrum.size()),
+                 fmt::format("the scene has {} bands", scene.bands().size()), ""});
+        }
+        for (const double x : spectrum) {
+            if (!(x >= 0) || !std::isfinite(x)) {
+                faults.add(
+                    {fmt::format("source '{}'", source->name()),
+                     fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
+            }
+            dark = dark && x == 0;
+        }
+    }
+    if (dark) {
+        faults.add({"sources", "all irradiances are 0", "the scene would be dark", ""});
+    }
+}
+
+/// An infinity of lamps, of which points on the organs would have to pick one.
+void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+    const bool has_lamp = std::any_of(
+        sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
+    if (has_lamp && scene.cell().periodic() && spec.method == Method::from_organs) {
+        faults.add(
+            {"trace_from", "organs, with a lamp in a periodic scene",
+             "the lamp repeats with the cell; its light is traced from the sources only",
+             "use trace_from = \"sources\""});
+    }
+}
+
+}  // namespace
+
+void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+    check_sources(scene, sources, faults);
+    check_lamps(scene, sources, spec, faults);
+    check_sampler(spec, faults);
+    check_numbers(spec, faults);
+    check_ratios(scene, spec, faults);
+    check_organs(scene, spec, faults);
+}
+
+std::unique_ptr<Estimator> make_estimator(
+    const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec) {
+    EXPECT(spec.method != Method::automatic);
+    switch (spec.method) {
+        case Method::from_organs:
+            return make_backward_estimator(prepared, sampler, spec);
+        case Method::first_hits:
+            return make_lit_surfaces_estimator(prepared, sampler, spec);
+        case Method::light_tracing:
+        case Method::automatic:
+            break;
+    }
+    return make_forward_estimator(prepared, sampler, spec);
+}
+
+}  // namespace quasimc

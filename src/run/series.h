@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "run/run.h"
+
+namespace quasimc {
+
+/// One of the times of a series: an instant, or an hour for which it stands.
+struct TimeStep {
+    std::string name;  ///< for messages
+    Sources sources;   ///< none: it is dark
+    /// Tells the shapes of the sources: moments with equal texts have the same sources in the same
+    /// order, but for their spectra.
+    std::string shapes;
+    double seconds = 0;   ///< that it stands for; 0: an instant, which counts for no sum
+    std::size_t day = 0;  ///< that it belongs to; not before that of the moment before
+};
+
+/// BoundSource summed over the moments of a day, or of all days: irradiance unit x s, and flux x s.
+struct SeriesSum {
+    std::size_t bands = 0;
+    double seconds = 0;  ///< of the moments summed
+    /// As in Result. The errors of moments are independent, but for those that share one trace.
+    std::vector<Estimate> values;
+
+    [[nodiscard]] const Estimate& at(std::size_t organ, Quantity q, std::size_t band) const {
+        return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];
+    }
+};
+
+/// What a series tells while it is computed; each may be left out.
+struct SeriesEvents {
+    /// @param traced  the moment whose trace this result was scaled from; itself if it was traced
+    std::function<void(std::size_t time_step, const Result& result, std::size_t traced)>
+        on_time_step;
+    std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
+    std::function<void(const Progress&)> on_progress;
+};
+
+/// What is known of a series at its end.
+struct SeriesSummary {
+    SeriesSum total;         ///< over all days
+    std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
+    /// By which methods, and how many moments by each.
+    std::map<Method, std::size_t> methods;
+    std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
+    std::size_t audited = 0;    ///< of those, how many were audited
+    /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
+    double audit_chance = 1;
+    std::uint64_t rays = 0;
+    double seconds = 0;  ///< wall
+};
+
+/// Which moment's trace serves a moment, and the factor on its light.
+struct TimeStepPlan {
+    std::size_t traced = 0;
+    double factor = 1;  ///< 0: dark
+};
+/// Finds the moments whose sources have equal shapes and proportional spectra: of those only the
+/// first is traced.
+[[nodiscard]] std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps);
+
+/// The same light times a factor.
+[[nodiscard]] Result scaled(const Result& result, double factor);
+/// The result of darkness: nothing anywhere, without an error.
+[[nodiscard]] Result dark_result(const Scene& scene, const RunSpec& spec);
+
+/// Computes the light of every moment, in their order, and its sums over days. Each trace has a
+/// seed of its own, made from that of the specification; the first has that seed itself.
+/// @throws InputError  as run() does
+SeriesSummary run_series(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events = {});
+
+}  // namespace quasimc

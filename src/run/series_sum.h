@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "results/result.h"
+#include "run/series.h"
+
+namespace quasimc {
+
+/// Adds up results with independent errors.
+class SeriesAdder {
+  public:
+    /// Adds `seconds` times a result. Results of one trace are added once, with the sum of their
+    /// weights: their errors are the same.
+    void add(const Result& result, double weight);
+    void add_seconds(double seconds) { seconds_ += seconds; }
+    /// The sum. Its interval is Student's t with the degrees of freedom of Welch (1947) and
+    /// Satterthwaite (1946); where nothing was seen, the bounds are added to its upper end.
+    /// @param values  of the result, in case nothing was added
+    [[nodiscard]] SeriesSum sum(std::size_t bands, std::size_t values) const;
+
+  private:
+    /// Of one value.
+    struct Cell {
+        double mean = 0, variance = 0;
+        double spread = 0;        ///< sum of variance^2 / degrees of freedom
+        double unseen = 0;        ///< upper bounds of what was not seen
+        bool is_unknown = false;  ///< some part has no error that could be told
+    };
+    std::vector<Cell> cells_;
+    double seconds_ = 0;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "samplers/sampler.h"
+
+namespace quasimc {
+
+/// One row of the table of samplers.
+struct SamplerEntry {
+    std::string_view name;     ///< as in `sampler = "..."`
+    std::string_view summary;  ///< one line for the manual
+    std::unique_ptr<Sampler> (*make)();
+};
+
+/// All samplers, in the order of the manual.
+[[nodiscard]] std::span<const SamplerEntry> sampler_catalogue();
+
+/// The sampler of that name, or null if there is none.
+[[nodiscard]] std::unique_ptr<Sampler> make_sampler(std::string_view name);
+
+}  // namespace quasimc

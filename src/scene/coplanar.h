@@ -1,0 +1,34 @@
+#pragma once
+
+#include "base/bounds.h"
+#include "geometry/mesh/triangle.h"
+
+namespace quasimc {
+
+[[nodiscard]] Bounds bounds_of(const Triangle& t);
+
+/// The longest side of a box.
+[[nodiscard]] double size_of(const Bounds& bounds);
+
+/// The smallest height of a triangle whose corners are not all in one point.
+[[nodiscard]] double height(const Triangle& t);
+
+/// Whether the corners of `small` are no farther than `tolerance` from the plane of `large`, which
+/// has an area.
+[[nodiscard]] bool lies_in_plane(const Triangle& small, const Triangle& large, double tolerance);
+
+/// Whether the corners are the same but for `tolerance`, in any order.
+[[nodiscard]] bool is_same(const Triangle& a, const Triangle& b, double tolerance);
+
+/// Whether the boxes have a point in common.
+[[nodiscard]] bool meet(const Bounds& a, const Bounds& b);
+
+/// Whether a side of one of two triangles in one plane has the other wholly beyond it: they share
+/// no area but for rounding. A quick answer for neighbours in a mesh.
+[[nodiscard]] bool lie_apart(const Triangle& a, const Triangle& b);
+
+/// The fraction of `small` that lies on `large`, both seen along the normal of `large`. Both have
+/// an area.
+[[nodiscard]] double covered_part(const Triangle& small, const Triangle& large);
+
+}  // namespace quasimc

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "base/bounds.h"
+#include "base/input_error.h"
+#include "scene/scene_builder.h"
+
+namespace quasimc {
+
+/// The ground as an organ without id, z up. Adds the faults of the specification, and of a
+/// horizontal ground that does not fit the cell or the organs.
+/// @param organs  bounds of the organs, z up; may be empty
+[[nodiscard]] OrganSpec make_ground_organ(
+    GroundSpec ground, const Cell& cell, const Bounds& organs, Faults& faults);
+
+}  // namespace quasimc

@@ -1,0 +1,198 @@
+#include "scene/lint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "scene/scene_builder.h"
+
+namespace quasimc {
+namespace {
+
+Survey survey_of(const Scene& scene) {
+    Survey survey{scene, {}, {}};
+    survey.organ_bounds.reserve(scene.organs().size());
+    for (const Organ& organ : scene.organs()) {
+        Bounds bounds;
+        for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+            for (const Vec3& corner : scene.triangles()[organ.first_triangle + i]) {
+                bounds.add(corner);
+            }
+        }
+        survey.organ_bounds.push_back(bounds);
+        if (!organ.is_ground) {
+            survey.canopy.add(bounds.low);
+            survey.canopy.add(bounds.high);
+        }
+    }
+    return survey;
+}
+
+/// Metres per unit, if the name is known.
+std::optional<double> metres_per(std::string_view unit) {
+    struct Row {
+        std::string_view name;
+        double metres;
+    };
+    static constexpr std::array kUnits{Row{"um", 1e-6},   Row{"µm", 1e-6},     Row{"mm", 1e-3},
+                                       Row{"cm", 1e-2},   Row{"dm", 1e-1},     Row{"m", 1},
+                                       Row{"metre", 1},   Row{"meter", 1},     Row{"km", 1e3},
+                                       Row{"in", 0.0254}, Row{"inch", 0.0254}, Row{"ft", 0.3048},
+                                       Row{"yd", 0.9144}};
+    const auto row = std::find_if(
+        kUnits.begin(), kUnits.end(), [&](const Row& known) { return known.name == unit; });
+    return row == kUnits.end() ? std::nullopt : std::optional(row->metres);
+}
+
+/// The median diagonal of the organs, the ground left out; 0 if there are none.
+double median_size(const Survey& survey) {
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < survey.organ_bounds.size(); ++i) {
+        if (!survey.scene.organs()[i].is_ground) {
+            sizes.push_back(2 * survey.organ_bounds[i].radius());
+        }
+    }
+    if (sizes.empty()) {
+        return 0;
+    }
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
+
+bool is_black(const Material& material) {
+    const auto all_zero = [](std::span<const double> albedo) {
+        return std::all_of(albedo.begin(), albedo.end(), [](double a) { return a == 0; });
+    };
+    return all_zero(material.side(true).albedo()) && all_zero(material.side(false).albedo());
+}
+
+std::vector<Warning> lint_unit(const Survey& survey) {
+    const std::string& unit = survey.scene.length_unit();
+    const std::optional<double> metres = metres_per(unit);
+    const double size = median_size(survey);
+    constexpr double kSmallestOrgan = 10e-6;
+    constexpr double kLargestOrgan = 100;
+    if (!metres || size == 0 ||
+        (size * *metres >= kSmallestOrgan && size * *metres <= kLargestOrgan)) {
+        return {};
+    }
+    const double median = size * *metres;
+    return {
+        {"unit of length",
+         fmt::format(
+             "the median organ measures {:.3g} {}{}: are the coordinates in {}?", size, unit,
+             unit == "m" ? "" : fmt::format(", {:.3g} m", median), unit)}};
+}
+
+}  // namespace
+
+const Organ* ground_of(const Scene& scene) {
+    const Organ& last = scene.organs().back();
+    return last.is_ground ? &last : nullptr;
+}
+
+std::string words_for(const Organ& organ) {
+    return fmt::format("organ '{}' (id {})", organ.name, organ.id);
+}
+
+void WarningKind::add(std::string place, std::string text) {
+    if (++count_ <= kMostNamed) {
+        named_.push_back({std::move(place), std::move(text)});
+    }
+}
+
+std::vector<Warning> WarningKind::finish() && {
+    if (count_ > kMostNamed) {
+        named_.push_back({"scene", fmt::format("{} more {}", count_ - kMostNamed, rest_)});
+    }
+    return std::move(named_);
+}
+
+bool is_degenerate(const Triangle& t) {
+    const double longest =
+        std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+    constexpr double kFlat = 1e-10;
+    return area(t) <= kFlat * longest * longest;
+}
+
+std::vector<Warning> lint_sizes(const Survey& survey) {
+    const Scene& scene = survey.scene;
+    const Vec3 size = scene.bounds().size();
+    const double width = scene.cell().along_x ? scene.cell().size_x : size.x;
+    const double depth = scene.cell().along_y ? scene.cell().size_y : size.y;
+    const double whole = length({width, depth, size.z});
+
+    std::vector<Warning> warnings = lint_unit(survey);
+    WarningKind blurred("organs are too small beside the scene");
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        constexpr double kSmallestPart = 5e-6;  // single precision moves corners by 1 % of it
+        const double part = 2 * survey.organ_bounds[i].radius() / whole;
+        if (part > 0 && part < kSmallestPart) {
+            blurred.add(
+                words_for(scene.organs()[i]),
+                fmt::format(
+                    "measures {:.1g} of the whole scene, so that rounding changes its shape: are "
+                    "all coordinates in one unit?",
+                    part));
+        }
+    }
+    std::vector<Warning> more = std::move(blurred).finish();
+    std::move(more.begin(), more.end(), std::back_inserter(warnings));
+    return warnings;
+}
+
+std::vector<Warning> lint_materials(const Survey& survey) {
+    const Scene& scene = survey.scene;
+    std::vector<bool> is_used(scene.materials().size());
+    for (const Region& region : scene.regions()) {
+        is_used[region.material.value] = true;
+    }
+    WarningKind black("materials are black in every band");
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+        const Material& material = scene.materials()[i];
+        if (is_used[i] && is_black(material)) {
+            black.add(
+                fmt::format("material '{}'", material.name()),
+                "is black in every band: reflectance and transmittance are 0 unless stated");
+        }
+    }
+    return std::move(black).finish();
+}
+
+std::vector<Warning> lint_areas(const Survey& survey) {
+    const Scene& scene = survey.scene;
+    WarningKind empty("organs or parts of them have no area");
+    for (const Organ& organ : scene.organs()) {
+        const auto first =
+            scene.triangles().begin() + static_cast<std::ptrdiff_t>(organ.first_triangle);
+        const auto flat = std::count_if(
+            first, first + static_cast<std::ptrdiff_t>(organ.triangle_count), is_degenerate);
+        if (flat == static_cast<std::ptrdiff_t>(organ.triangle_count)) {
+            empty.add(words_for(organ), "has no area: nothing falls on it");
+        } else if (flat > 0) {
+            empty.add(
+                words_for(organ), fmt::format(
+                                      "{} of its {} triangles have no area: nothing falls on them",
+                                      flat, organ.triangle_count));
+        }
+    }
+    return std::move(empty).finish();
+}
+
+std::vector<Warning> lint(const Scene& scene) {
+    const Survey survey = survey_of(scene);
+    std::vector<Warning> all;
+    for (const auto check :
+         {lint_sizes, lint_materials, lint_cell, lint_ground, lint_areas, lint_overlap}) {
+        std::vector<Warning> found = check(survey);
+        std::move(found.begin(), found.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+}  // namespace quasimc

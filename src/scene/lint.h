@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/bounds.h"
+#include "scene/scene.h"
+
+// What lint() is made of. To add a warning: write a function like these, and call it in lint().
+
+namespace quasimc {
+
+/// A scene and the bounds of each of its organs.
+struct Survey {
+    const Scene& scene;
+    std::vector<Bounds> organ_bounds;
+    Bounds canopy;  ///< of all organs but the ground; empty if there is only ground
+};
+
+/// The ground of a scene, or null.
+[[nodiscard]] const Organ* ground_of(const Scene& scene);
+
+/// "organ 'leaf 7' (id 7)"
+[[nodiscard]] std::string words_for(const Organ& organ);
+
+/// Of many things that deserve the same warning only the first few are named, the rest is counted.
+class WarningKind {
+  public:
+    /// @param rest  what is said of those not named: "organs are below the ground"
+    explicit WarningKind(std::string_view rest) : rest_(rest) {}
+    void add(std::string place, std::string text);
+    [[nodiscard]] std::vector<Warning> finish() &&;
+
+  private:
+    static constexpr std::size_t kMostNamed = 3;
+
+    std::string_view rest_;
+    std::vector<Warning> named_;
+    std::size_t count_ = 0;
+};
+
+/// Sizes that smell of a wrong unit, and organs too small beside the scene for single precision.
+[[nodiscard]] std::vector<Warning> lint_sizes(const Survey& survey);
+/// Materials that scatter nothing.
+[[nodiscard]] std::vector<Warning> lint_materials(const Survey& survey);
+/// Triangles and organs of no area.
+[[nodiscard]] std::vector<Warning> lint_areas(const Survey& survey);
+/// Periodic cells that are small beside the organs.
+[[nodiscard]] std::vector<Warning> lint_cell(const Survey& survey);
+/// A ground that is smaller than the canopy; organs below a horizontal ground.
+[[nodiscard]] std::vector<Warning> lint_ground(const Survey& survey);
+/// Triangles that lie in one plane, one upon the other, or are the same.
+[[nodiscard]] std::vector<Warning> lint_overlap(const Survey& survey);
+
+/// Whether a triangle has no area but for rounding.
+[[nodiscard]] bool is_degenerate(const Triangle& triangle);
+
+}  // namespace quasimc

@@ -1,0 +1,96 @@
+// Checks the materials, and finds those that organs name.
+
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "scene/scene_checks.h"
+
+namespace quasimc {
+namespace {
+
+using StatedMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
+using MaterialNumbers = std::unordered_map<std::string_view, std::uint32_t>;
+
+/// The number of each material; adds the faults of materials and names.
+MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, Faults& faults) {
+    MaterialNumbers numbers;
+    for (std::uint32_t i = 0; i < materials.size(); ++i) {
+        const auto& [spec, place] = materials[i];
+        const std::string where = place_of(spec, place);
+        check_material(spec, bands, where, faults);
+        const auto [other, is_new] = numbers.try_emplace(spec.name, i);
+        if (spec.name.empty()) {
+            faults.add({where, "it has no name", "organs name their materials", ""});
+        } else if (!is_new) {
+            const std::string& first = materials[other->second].second;
+            const std::string why = first.empty() ? "names are unique" : "the first is at " + first;
+            faults.add({where, "it is defined twice", why, ""});
+        }
+    }
+    return numbers;
+}
+
+/// Names of materials that do not exist; each is reported once, with the first organ that names it.
+class Missing {
+  public:
+    void add(const OrganSpec& organ, std::string_view material) {
+        const auto [at, is_new] = place_of_.try_emplace(material, rows_.size());
+        if (is_new) {
+            rows_.push_back({&organ, material});
+        }
+        ++rows_[at->second].parts;
+    }
+
+    void report(std::span<const std::string_view> known, Faults& faults) const {
+        for (const Row& row : rows_) {
+            faults.add(
+                {place_of(*row.first),
+                 row.material.empty() ? "no material is named"
+                                      : fmt::format("material '{}' is not defined", row.material),
+                 row.parts == 1 ? "organs name their materials"
+                                : fmt::format("{} parts of organs name it", row.parts),
+                 known.empty() ? "define a material of that name"
+                               : did_you_mean(row.material, known)});
+        }
+    }
+
+  private:
+    struct Row {
+        const OrganSpec* first;
+        std::string_view material;
+        std::size_t parts = 0;
+    };
+    std::vector<Row> rows_;
+    std::unordered_map<std::string_view, std::size_t> place_of_;
+};
+
+}  // namespace
+
+std::vector<MaterialId> resolve_materials(
+    std::span<const std::pair<MaterialSpec, std::string>> materials,
+    std::span<const OrganSpec> organs,
+    std::size_t bands,
+    Faults& faults) {
+    const MaterialNumbers numbers = number_materials(materials, bands, faults);
+    std::vector<MaterialId> found;
+    Missing missing;
+    for (const OrganSpec& organ : organs) {
+        for (const OrganPart& part : organ.parts) {
+            const auto material = numbers.find(part.material);
+            found.push_back({material == numbers.end() ? 0 : material->second});
+            if (material == numbers.end()) {
+                missing.add(organ, part.material);
+            }
+        }
+    }
+    std::vector<std::string_view> known;
+    for (const auto& [spec, place] : materials) {
+        known.push_back(spec.name);
+    }
+    missing.report(known, faults);
+    return found;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,168 @@
+// Which way of tracing has the smallest errors for its time: rules of thumb, each from a
+// measurement (docs/theory/choosing.md; `./dev bench planner` repeats them).
+
+#include "solvers/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace quasimc {
+namespace {
+
+/// From which gain of equal shares on tracing from organs is better than following light.
+struct Thresholds {
+    double dark, bright;  ///< where leaves absorb most light, or scatter most
+};
+// THE THRESHOLDS. Lit surfaces have direct light almost without noise: the more of the light is
+// direct, the more organs must gain elsewhere.
+constexpr Thresholds kSun{8, 5};
+constexpr Thresholds kSky{7, 4};
+constexpr Thresholds kLamps{2, 5};
+/// Mean albedo from which on leaves count as bright.
+constexpr double kBright = 0.5;
+/// The most that shiny surfaces take from the gain: what a mirror does, whose light has paths of
+/// its own.
+constexpr double kMostLostToGloss = 12;
+
+/// What the sources are, dark ones left out.
+struct Lighting {
+    bool lamp = false, sun = false, sky = false;
+};
+
+Lighting lighting_of(const Sources& sources) {
+    Lighting lighting;
+    for (const auto& source : sources) {
+        const auto spectrum = source->spectrum();
+        if (std::any_of(spectrum.begin(), spectrum.end(), [](double x) { return x > 0; })) {
+            (source->is_lamp()  ? lighting.lamp
+             : source->is_sun() ? lighting.sun
+                                : lighting.sky) = true;
+        }
+    }
+    return lighting;
+}
+
+/// Mean over organs (by area), sides and bands of what is not absorbed; sensors left out.
+double mean_albedo(const Scene& scene) {
+    double area = 0;
+    double scattered = 0;
+    for (const Region& region : scene.regions()) {
+        const Material& material = scene.material(region);
+        if (material.is_transparent()) {
+            continue;
+        }
+        for (const bool upper : {true, false}) {
+            for (const double albedo : material.side(upper).albedo()) {
+                area += region.area;
+                scattered += region.area * albedo;
+            }
+        }
+    }
+    return area > 0 ? scattered / area : 0;
+}
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// How much brighter a lobe is at its peak than the cosine law, light arriving straight on.
+double sharpness(const Bsdf& lobe) {
+    if (lobe.is_delta()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const Vec3 n{0, 0, 1};
+    const double away = lobe.hemisphere() == Hemisphere::reflected ? 1 : -1;
+    return std::numbers::pi * lobe.pdf(n, -n, away * n);
+}
+
+double brightest_peak(const Side& side) {
+    double brightest = 0;
+    for (const Lobe& lobe : side.lobes()) {
+        brightest = std::max(brightest, sharpness(*lobe.shape) * mean(lobe.albedo));
+    }
+    return brightest;
+}
+
+std::string_view name_of(const Lighting& lighting) {
+    if (lighting.sun && lighting.sky) {
+        return "sun and sky";
+    }
+    return lighting.sun ? "the sun" : "the sky";
+}
+
+/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
+/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
+double gain_asked(const Scene& scene, const Lighting& lighting) {
+    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
+    const double gain = mean_albedo(scene) < kBright ? table.dark : table.bright;
+    const bool is_small = lighting.sun || lighting.lamp;
+    return is_small ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
+                    : gain;
+}
+
+}  // namespace
+
+double gain_of_equal_shares(const Scene& scene) {
+    double all = 0;
+    std::vector<double> measured;
+    for (const Organ& organ : scene.organs()) {
+        all += organ.area;
+        if (organ.measured && organ.area > 0) {
+            measured.push_back(organ.area);
+        }
+    }
+    if (measured.empty()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
+    std::nth_element(measured.begin(), middle, measured.end());
+    return all / (static_cast<double>(measured.size()) * *middle);
+}
+
+double brightest_peak(const Scene& scene) {
+    double brightest = 0;
+    for (const Material& material : scene.materials()) {
+        if (!material.is_transparent()) {
+            brightest = std::max(
+                {brightest, brightest_peak(material.side(true)),
+                 brightest_peak(material.side(false))});
+        }
+    }
+    return brightest;
+}
+
+ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    if (spec.method != Method::automatic) {
+        return {spec.method, "asked for"};
+    }
+    const Lighting lighting = lighting_of(sources);
+    const double gain = gain_of_equal_shares(scene);
+    // Lamps repeat with the scene; organs would have to pick one of infinitely many.
+    const bool can_start_from_organs =
+        std::isfinite(gain) && !(lighting.lamp && scene.cell().periodic());
+    if (can_start_from_organs && gain >= gain_asked(scene, lighting)) {
+        return {
+            Method::from_organs,
+            fmt::format(
+                "the organs measured are a small part of the scene, equal shares of paths for each "
+                "gain a factor of {:.2g}",
+                gain)};
+    }
+    if (!lighting.sun && !lighting.sky) {
+        return {Method::light_tracing, "all light comes from lamps"};
+    }
+    return {
+        Method::first_hits, fmt::format(
+                                "what {} {} is found without random paths{}", name_of(lighting),
+                                lighting.sun && lighting.sky ? "light" : "lights",
+                                lighting.lamp ? "; lamps are traced from themselves" : "")};
+}
+
+}  // namespace quasimc

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "results/result.h"
+#include "run/run.h"
+#include "scene/scene.h"
+#include "solvers/run_spec.h"
+
+namespace quasimc {
+
+/// How to trace: as the specification says or, if that is `automatic`, by the rules of
+/// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given
+/// time. A method that can't be run is never chosen. A pure function of its arguments.
+[[nodiscard]] ChosenMethod plan_method(
+    const Scene& scene, const Sources& sources, const RunSpec& spec);
+
+/// How much the errors of the measured organs would gain if every one of them got as many paths,
+/// instead of each as many as light finds it by: area of all organs over (number of measured organs
+/// x their median area). 1 for equal organs that are all measured; infinite if none is.
+[[nodiscard]] double gain_of_equal_shares(const Scene& scene);
+
+/// The brightest of the scene's lobes at its peak, light arriving straight on, relative to a white
+/// surface of the cosine law: its albedo (mean over the bands) times its sharpness. Infinite with a
+/// mirror, 0 if nothing scatters; sensors that light passes don't count.
+[[nodiscard]] double brightest_peak(const Scene& scene);
+
+}  // namespace quasimc

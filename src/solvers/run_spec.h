@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/cast/ray_caster.h"
+#include "geometry/raster/scene_projection.h"
+
+namespace quasimc {
+
+/// Where paths start.
+enum class Method {
+    light_tracing,  ///< light tracing: many organs, sun
+    from_organs,    ///< from points on each organ, light sampled at every hit: few or small organs,
+                    ///< sky
+    first_hits,     ///< where suns and skies fall first, found by scan lines and item buffers:
+                    ///< direct light almost without noise; lamps as `sources`
+    automatic,      ///< whichever of the others has the smallest errors for its time: plan_method()
+};
+
+/// What becomes of light that falls on an organ straight from a source.
+enum class DirectLight {
+    counted,
+    ignored,  ///< it is scattered as always, but is no part of any organ's numbers
+};
+
+/// How a run is done: everything but scene and sources. The table of options in
+/// io/runfile/option_table.cpp gives each field its key, flag, range and words.
+struct RunSpec {
+    std::string sampler = "sobol";
+    Method method = Method::light_tracing;
+    std::uint64_t paths = 65536;   ///< per replicate; for organs: shared out equally among them
+    std::uint32_t replicates = 8;  ///< independent randomizations
+    std::uint64_t seed = 1;
+    unsigned threads = 0;         ///< 0: as many as the machine has; never changes a result
+    std::uint32_t max_depth = 0;  ///< hits after which a path is cut off; 0: none
+    /// Weight (a path starts with 1) that Russian roulette plays for, 0 to 1. At 1 a path survives
+    /// every hit with the surface's albedo; below, heavier paths go on surely and lose weight:
+    /// fewer paths end, each is longer.
+    double roulette_weight = 1;
+    CrossSectionShape window = CrossSectionShape::silhouette;
+    Engine engine = Engine::embree;
+    DirectLight direct_light = DirectLight::counted;
+
+    double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
+    double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band
+    double max_seconds = 0;         ///< no new round after that; 0: none
+    std::uint64_t max_paths =
+        0;  ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a target
+
+    /// After the run, plain Monte Carlo tracing from the sources with this share of its paths, to
+    /// compare with (Result::audit); 0: none. At most 1.
+    double audit = 0;
+
+    double tally_memory_mb = 256;  ///< private tallies of all threads; larger ones are shared
+
+    /// Pairs of band names, "R:FR": ratio of the light that falls on an organ (both sides).
+    std::vector<std::string> ratios;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,121 @@
+#include "solvers/sampling_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quasimc {
+namespace {
+
+/// How much light is looked at for each path that may start. Where all bands scatter most of the
+/// light, its noise is in the paths: fewer lines and pixels, which leaves time for more of them
+/// (the first scattering is split, as it were).
+struct Looks {
+    double paths_per_line, pixels_per_path;
+};
+constexpr Looks kDark{80, 40};
+constexpr Looks kBright{160, 10};
+/// Largest albedo from which on a band is bright.
+constexpr double kBrightAlbedo = 0.5;
+
+const Looks& looks_for(const PreparedScene& prepared) {
+    for (std::size_t band = 0; band < prepared.bands(); ++band) {
+        double largest = 0;
+        for (const Material& material : prepared.scene().materials()) {
+            for (const bool upper : {true, false}) {
+                const double albedo = material.side(upper).albedo()[band];
+                largest = std::max(largest, material.is_transparent() ? 0 : albedo);
+            }
+        }
+        if (largest < kBrightAlbedo) {
+            return kDark;
+        }
+    }
+    return kBright;
+}
+
+/// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
+/// each four.
+constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
+
+/// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
+/// there are more of them each may be seen less well: the root is between, until there are two for
+/// each. Of very many paths directions become less of the error than pixels are, and each gets
+/// more.
+constexpr double kPixelsPerRootOfTriangles = 640, kFewestPerTriangle = 2;
+constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
+constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
+/// Of a periodic scene none of them is empty.
+constexpr double kShareOfLayer = 1.0 / 3;
+/// Directions of a sky: at least so many, in at most so many blocks of work.
+constexpr std::uint32_t kFewestDirections = 16;
+constexpr std::uint32_t kDirectionBlocks = 16;
+
+}  // namespace
+
+SamplingBudget::SamplingBudget(const PreparedScene& prepared, const SkyDirections& skies)
+    : prepared_(prepared),
+      skies_(skies),
+      paths_per_line_(looks_for(prepared).paths_per_line),
+      pixels_per_path_(looks_for(prepared).pixels_per_path) {}
+
+std::vector<VisibilityTask> SamplingBudget::parts(const Round& round) const {
+    std::vector<VisibilityTask> parts;
+    for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
+        const BoundSource& light = prepared_.lights()[i];
+        if (light.source->is_sun()) {
+            add_beams(i, light.probability * static_cast<double>(round.count), parts);
+        }
+    }
+    if (!skies_.skies().empty()) {
+        add_skies(skies_.probability() * static_cast<double>(round.count), parts);
+    }
+    std::uint64_t first = 0;
+    for (VisibilityTask& part : parts) {
+        part.first_block = first;
+        first += part.blocks;
+    }
+    return parts;
+}
+
+void SamplingBudget::add_beams(
+    std::uint32_t light, double paths, std::vector<VisibilityTask>& parts) const {
+    const auto& lights = prepared_.lights();
+    const bool is_disk = !lights[light].source_sampler->beam_direction();
+    const auto suns = static_cast<std::uint32_t>(std::count_if(
+        lights.begin(), lights.end(), [](const BoundSource& l) { return l.source->is_sun(); }));
+    const std::uint32_t beams = is_disk ? kDiskBeams : 1;
+    // A disk's beams need more lines than their share: errors fall with the third power.
+    const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
+    const std::uint32_t fewest =
+        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
+    const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
+    const std::uint64_t blocks = ScanLines::strips(count);
+    for (std::uint32_t beam = 0; beam < beams; ++beam) {
+        parts.push_back(
+            {.light = light, .beam = beam, .beams = beams, .count = count, .blocks = blocks});
+    }
+}
+
+void SamplingBudget::add_skies(double paths, std::vector<VisibilityTask>& parts) const {
+    const double pixels = pixels_for(paths);
+    const double directions = std::round(pixels_per_path_ * paths / pixels);
+    const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
+    const std::uint32_t count =
+        std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
+    parts.push_back(
+        {.is_sky = true,
+         .count = count,
+         .pixels = pixels,
+         .blocks = std::min(count, kDirectionBlocks)});
+}
+
+double SamplingBudget::pixels_for(double paths) const {
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double share = prepared_.scene().cell().periodic() ? kShareOfLayer : 1;
+    const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
+    const double pixels =
+        std::max(kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPerTriangle * triangles);
+    return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
+}
+
+}  // namespace quasimc

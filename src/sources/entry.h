@@ -1,0 +1,12 @@
+#pragma once
+
+#include "geometry/raster/scene_projection.h"
+
+namespace quasimc {
+
+/// Where light that travels along `direction` enters the box around a scene: evenly over the faces
+/// that look towards it, as seen along it. The mean over the unit square of what starts here is the
+/// light through box.projected_area(direction).
+[[nodiscard]] Vec3 entry_place(const EntryBox& box, const Vec3& direction, double u0, double u1);
+
+}  // namespace quasimc

@@ -1,0 +1,176 @@
+#include "sources/hemisphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/checks.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr int kColumns = 64;
+constexpr int kRows = 32;
+
+/// Sorted, those nearer to the one before than `least` left out (never the first nor the last).
+std::vector<double> distinct(std::vector<double> values, double least) {
+    std::sort(values.begin(), values.end());
+    std::vector<double> kept{values.front()};
+    for (const double x : values) {
+        if (x - kept.back() > least) {
+            kept.push_back(x);
+        }
+    }
+    kept.back() = values.back();
+    return kept;
+}
+
+/// The share of a place.
+double share_of(std::span<const double> ends, std::size_t index) {
+    return ends[index] - (index == 0 ? 0 : ends[index - 1]);
+}
+
+/// The first place whose running sum exceeds u, and how far u is into it.
+struct Pick {
+    std::size_t index;
+    double rest;   ///< 0 to below 1
+    double share;  ///< of the place
+};
+Pick pick(std::span<const double> ends, double u) {
+    const auto found = std::upper_bound(ends.begin(), ends.end() - 1, u);
+    const auto index = static_cast<std::size_t>(found - ends.begin());
+    const double share = share_of(ends, index);
+    const double before = index == 0 ? 0 : ends[index - 1];
+    return {index, std::clamp((u - before) / share, 0.0, 0x1.fffffffffffffp-1), share};
+}
+
+/// Between which two of sorted borders x lies: at one, the interval above it.
+std::size_t interval_of(std::span<const double> borders, double x) {
+    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, x);
+    return static_cast<std::size_t>(above - borders.begin()) - 1;
+}
+
+/// Running sums, scaled so that the last is 1; all the same if nothing is to be shared.
+void accumulate(std::span<const double> shares, std::span<double> ends) {
+    double sum = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        sum += shares[i];
+        ends[i] = sum;
+    }
+    for (double& end : ends) {
+        end = sum > 0 ? end / sum : 1;
+    }
+}
+
+}  // namespace
+
+Vec3 hemisphere_direction(double azimuth, double sine) {
+    const double radius = std::sqrt(std::max(0.0, (1 - sine) * (1 + sine)));
+    return {radius * std::cos(azimuth), radius * std::sin(azimuth), sine};
+}
+
+Vec3 HemisphereGrid::middle(std::size_t row, std::size_t column) const {
+    return hemisphere_direction(
+        0.5 * (azimuths[column] + azimuths[column + 1]), 0.5 * (sines[row] + sines[row + 1]));
+}
+
+HemisphereGrid make_hemisphere_grid(
+    std::span<const double> azimuths, std::span<const double> sines) {
+    constexpr double kLeast = 1e-9;
+    std::vector<double> columns{0, kTurn};
+    for (const double azimuth : azimuths) {
+        columns.push_back(azimuth - kTurn * std::floor(azimuth / kTurn));
+    }
+    const bool is_coarse = azimuths.size() < kColumns;
+    const int steps = is_coarse ? kColumns : 4;
+    for (int i = 1; i < steps; ++i) {
+        columns.push_back(kTurn * i / steps);
+    }
+    std::vector<double> rows{0, 1};
+    rows.insert(rows.end(), sines.begin(), sines.end());
+    // Equal steps of elevation.
+    for (int i = 1; sines.size() < kRows && i < kRows; ++i) {
+        rows.push_back(std::sin(std::numbers::pi / 2 * i / kRows));
+    }
+    return {distinct(std::move(columns), kLeast), distinct(std::move(rows), kLeast)};
+}
+
+std::vector<double> radiance_of_cells(const HemisphereGrid& grid, const HemisphereFunction& f) {
+    struct Turned {
+        double cosine, sine;
+    };
+    std::vector<Turned> turns;
+    for (std::size_t column = 0; column < grid.columns(); ++column) {
+        const double azimuth = 0.5 * (grid.azimuths[column] + grid.azimuths[column + 1]);
+        turns.push_back({std::cos(azimuth), std::sin(azimuth)});
+    }
+    std::vector<double> values;
+    values.reserve(grid.cells());
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        const double sine = 0.5 * (grid.sines[row] + grid.sines[row + 1]);
+        const double radius = std::sqrt((1 - sine) * (1 + sine));
+        for (const Turned& turn : turns) {
+            values.push_back(f({radius * turn.cosine, radius * turn.sine, sine}));
+        }
+    }
+    return values;
+}
+
+ProjectedCells::ProjectedCells(const HemisphereGrid& grid) {
+    const auto flat = [](double s) {
+        return 0.5 * (s * std::sqrt((1 - s) * (1 + s)) + std::asin(s));
+    };
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        const double low = grid.sines[row];
+        const double high = grid.sines[row + 1];
+        rows_.push_back({flat(high) - flat(low), 0.5 * (high - low) * (high + low)});
+    }
+    for (std::size_t column = 0; column < grid.columns(); ++column) {
+        const double from = grid.azimuths[column];
+        const double until = grid.azimuths[column + 1];
+        columns_.push_back(
+            {std::abs(std::sin(until) - std::sin(from)), std::abs(std::cos(until) - std::cos(from)),
+             until - from});
+    }
+}
+
+HemisphereSampler::HemisphereSampler(HemisphereGrid grid, std::span<const double> shares)
+    : grid_(std::move(grid)), row_ends_(grid_.rows()), column_ends_(grid_.cells()) {
+    EXPECT(shares.size() == grid_.cells());
+    std::vector<double> rows(grid_.rows());
+    for (std::size_t row = 0; row < grid_.rows(); ++row) {
+        const auto own = shares.subspan(row * grid_.columns(), grid_.columns());
+        for (const double share : own) {
+            rows[row] += share;
+        }
+        accumulate(own, std::span(column_ends_).subspan(row * grid_.columns(), grid_.columns()));
+    }
+    accumulate(rows, row_ends_);
+}
+
+HemisphereSampler::Sample HemisphereSampler::sample(double u0, double u1) const {
+    const Pick row = pick(row_ends_, u0);
+    const Pick column = pick({&column_ends_[row.index * grid_.columns()], grid_.columns()}, u1);
+    const double sine0 = grid_.sines[row.index];
+    const double sine1 = grid_.sines[row.index + 1];
+    const double azimuth0 = grid_.azimuths[column.index];
+    const double azimuth1 = grid_.azimuths[column.index + 1];
+    const double sine = sine0 + row.rest * (sine1 - sine0);
+    const double azimuth = azimuth0 + column.rest * (azimuth1 - azimuth0);
+    const double solid_angle = (sine1 - sine0) * (azimuth1 - azimuth0);
+    return {hemisphere_direction(azimuth, sine), row.share * column.share / solid_angle};
+}
+
+double HemisphereSampler::pdf(const Vec3& direction) const {
+    if (direction.z < 0) {
+        return 0;
+    }
+    const double around = std::atan2(direction.y, direction.x);
+    const std::size_t row = interval_of(grid_.sines, direction.z);
+    const std::size_t column = interval_of(grid_.azimuths, around < 0 ? around + kTurn : around);
+    const std::span own(&column_ends_[row * grid_.columns()], grid_.columns());
+    return share_of(row_ends_, row) * share_of(own, column) / grid_.solid_angle(row, column);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/orientation.h"
+#include "sources/clear_sky.h"
+#include "sources/daylight.h"
+#include "sources/diffuse_fraction.h"
+#include "sources/sky.h"
+#include "sources/sun_position.h"
+
+namespace quasimc {
+
+/// The sun in the course of an hour, or of any time short against a day: seen at the middles of
+/// equal steps.
+struct SunPath {
+    std::vector<SunPosition> steps;
+
+    [[nodiscard]] static bool is_up(const SunPosition& sun) { return sun.elevation_deg > 0; }
+    /// Mean over the steps of the sine of the elevation, 0 while the sun is down.
+    [[nodiscard]] double mean_sine() const;
+    /// The middle one of the steps with the sun up, or of all.
+    [[nodiscard]] const SunPosition& middle() const;
+    [[nodiscard]] double highest_deg() const;
+    /// Irradiance outside the atmosphere facing the sun, W m-2.
+    [[nodiscard]] double outside() const;
+};
+
+/// @param seconds  how long; 0: an instant
+/// @param step     of the sun, seconds; 0: one, in the middle
+[[nodiscard]] SunPath sun_path(
+    const Place& place, const CivilTime& start, double seconds, double step);
+
+/// What was measured, mean over the time, in one unit. Enough of it to tell direct from diffuse
+/// light, or global light alone.
+struct Reading {
+    std::optional<double> global = {}, direct_horizontal = {}, beam_normal = {}, diffuse = {};
+};
+
+/// What is odd about a reading, and was settled so that the global light is kept.
+enum class ReadingNote {
+    none,
+    more_direct_than_global,  ///< by a tenth or less: all light is then direct
+    sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than
+                  ///< outside the atmosphere: it counts as diffuse
+};
+/// What is wrong with a reading.
+enum class ReadingFault { none, incomplete, direct_exceeds_global, light_at_night };
+
+/// Daylight of an hour: suns and one sky.
+struct HourLight {
+    Daylight daylight;           ///< mean over the hour, full spectrum
+    std::vector<double> facing;  ///< of each step of the path: irradiance facing the sun, W m-2
+    ReadingNote note = ReadingNote::none;
+    ReadingFault fault = ReadingFault::none;
+};
+
+/// Light from a reading: the beam is equally strong while the sun is up.
+[[nodiscard]] HourLight measured_light(
+    const SunPath& path,
+    const Reading& reading,
+    LightUnit unit,
+    DiffuseModel model,
+    const DaylightSpectra& spectra);
+
+/// Light without clouds, step by step.
+[[nodiscard]] HourLight clear_light(const SunPath& path, const ClearAir& air);
+
+/// How daylight becomes sources.
+struct DaylightSources {
+    std::vector<SpectralSpan> bands;
+    DaylightSpectra spectra;
+    std::string sky = "perez";                  ///< of sky_catalogue()
+    std::string overcast_sky = "cie_overcast";  ///< when there is no direct light
+    SkyState state;                             ///< what the sky's model asks for besides the sun
+    Orientation orientation;
+};
+
+/// What shines in an hour: its suns, each with its part of the hour, and the sky with the sun in
+/// the middle. Directions are unit, z up; spectra are by band.
+struct HourParts {
+    struct Sun {
+        Vec3 to_sun;
+        std::vector<double> facing;  ///< irradiance on a plane that faces it
+    };
+    std::vector<Sun> suns;
+    std::optional<SkyShape> sky;  ///< nothing without diffuse light
+    std::vector<double> sky_horizontal;
+    /// Texts that tell directions and shapes: equal texts, equal shapes.
+    std::string suns_text, sky_text;
+};
+[[nodiscard]] HourParts make_hour_parts(
+    const SunPath& path, const HourLight& light, const DaylightSources& how);
+
+/// Sources of an hour, and a text that tells their shapes (TimeStep::shapes).
+struct HourSources {
+    std::vector<std::shared_ptr<const Source>> sources;
+    std::string shapes;
+};
+[[nodiscard]] HourSources make_hour_sources(HourParts parts);
+/// The same, of the parts of an hour.
+[[nodiscard]] HourSources make_hour_sources(
+    const SunPath& path, const HourLight& light, const DaylightSources& how);
+
+}  // namespace quasimc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "base/vec3.h"
+#include "sources/lamp.h"
+
+namespace quasimc {
+
+/// Where a lamp's opening is: places on it, and how it is seen from somewhere.
+struct LampBody {
+    Vec3 center;
+    Frame axes;
+    Opening opening;
+
+    /// A place of the opening, uniform over its length or area, and the axes its pattern is about.
+    struct Place {
+        Vec3 position;
+        Frame axes;
+    };
+    [[nodiscard]] Place place(double u0, double u1) const;
+
+    /// A place of the opening that is drawn from a point.
+    struct Sight {
+        Vec3 to_light;  ///< unit
+        double distance = 0;
+        Frame axes;         ///< of the pattern there
+        double factor = 0;  ///< times the intensity towards the point: irradiance facing it over
+                            ///< the density of the draw; 0: nothing can be seen
+    };
+    /// Draws a place as seen from `point`: rectangles and spheres uniformly in solid angle, lines
+    /// uniformly in the angle at the point (their irradiance is bounded as near as one likes),
+    /// disks by area.
+    [[nodiscard]] Sight seen_from(const Vec3& point, double u0, double u1) const;
+    /// The same by area, for rectangles.
+    [[nodiscard]] Sight seen_by_area(const Vec3& point, double u0, double u1) const;
+
+    /// Of the sphere about the center that holds the opening.
+    [[nodiscard]] double radius() const;
+};
+
+/// The vector with components x, y, z along the axes, and back.
+[[nodiscard]] inline Vec3 from_axes(const Frame& f, const Vec3& v) {
+    return v.x * f.s + v.y * f.t + v.z * f.n;
+}
+[[nodiscard]] inline Vec3 to_axes(const Frame& f, const Vec3& v) {
+    return {dot(v, f.s), dot(v, f.t), dot(v, f.n)};
+}
+
+/// The unit vector at angle theta to `axis`, where t = (1 - cos theta) / 2, and azimuth 2 pi u.
+[[nodiscard]] Vec3 direction_in_cone(const Vec3& axis, double t, double u);
+
+/// (1 - cos a) / 2 for the half-angle a under which a sphere is seen from `distance` > `radius`.
+[[nodiscard]] double cone_of_sphere(double radius, double distance);
+
+}  // namespace quasimc

@@ -1,0 +1,23 @@
+#include "sources/source.h"
+
+#include "base/checks.h"
+
+namespace quasimc {
+
+DrawnDirection SourceSampler::draw_direction(double, double) const {
+    return {beam_direction().value_or(Vec3{}), 0};
+}
+
+double SourceSampler::density(const Vec3&) const {
+    return 0;
+}
+
+void SourceSampler::beam_origins(
+    std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const {
+    EXPECT(beam_direction().has_value());
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+        origins[i] = emit({u0[i], u1[i], 0, 0}).origin;
+    }
+}
+
+}  // namespace quasimc

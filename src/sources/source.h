@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/vec3.h"
+#include "geometry/raster/scene_projection.h"
+
+namespace quasimc {
+
+/// The start of a path from a source. Local coordinates.
+struct Emission {
+    Vec3 origin;
+    Vec3 direction;     ///< unit, in which the light travels
+    double weight = 1;  ///< relative to the emitter's mean weight; its mean over the unit cube is 1
+};
+
+/// A direction and the density with which it was drawn.
+struct DrawnDirection {
+    Vec3 direction;      ///< unit, in which the light travels
+    double density = 0;  ///< per steradian
+};
+
+/// A source that has been told what scene it lights: draws the starts of paths. Const, shared by
+/// all threads.
+class SourceSampler {
+  public:
+    virtual ~SourceSampler() = default;
+    SourceSampler() = default;
+    SourceSampler(const SourceSampler&) = delete;
+    SourceSampler& operator=(const SourceSampler&) = delete;
+
+    /// Flux sent towards the scene for a spectrum of 1, local area units: mean of weight x area.
+    [[nodiscard]] virtual double flux() const = 0;
+    /// A start from a point of the unit cube. u[0] and u[1] place the start (nearby values give
+    /// nearby starts); u[2] and u[3] choose the direction if the source has many.
+    [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
+    /// A direction in which light may enter, drawn from a point of the unit square; nearby points
+    /// give nearby directions. Every source at infinity draws all directions in which it has light.
+    /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
+    /// is 0.
+    [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;
+    /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
+    /// light travels) from evenly spread points; its integral over the sphere is 1.
+    [[nodiscard]] virtual double density(const Vec3& direction) const;
+    /// The direction in which every path starts, if it is the same for all; their weight is then 1
+    /// and u[2], u[3] are not used. Rays of a beam are cast in packets.
+    [[nodiscard]] virtual std::optional<Vec3> beam_direction() const { return std::nullopt; }
+    /// Of a beam: the origins of emit({u0[i], u1[i]}), faster.
+    virtual void beam_origins(
+        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
+};
+
+/// Light that reaches a point from a source, before anything stands in its way.
+struct Illumination {
+    Vec3 to_light;      ///< unit
+    double weight = 0;  ///< irradiance on a plane facing it for a spectrum of 1, divided by the
+                        ///< density of the draw
+    double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
+};
+
+/// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
+/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
+/// immutable.
+class Source {
+  public:
+    virtual ~Source() = default;
+    Source(std::string name, std::vector<double> spectrum)
+        : name_(std::move(name)), spectrum_(std::move(spectrum)) {}
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
+    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
+    [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
+
+    /// Null when no light of this source enters the aperture.
+    [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
+        const SceneProjection& projection) const = 0;
+    /// Draws a direction from which light reaches `point` (world coordinates).
+    [[nodiscard]] virtual Illumination illuminate(
+        const Vec3& point, double u0, double u1) const = 0;
+    /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
+    [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
+    /// Whether its light comes from one direction (a point of the sky), so that no ray finds it by
+    /// chance.
+    [[nodiscard]] virtual bool is_directional() const = 0;
+    /// Whether what it lights straight counts as sunlit. A sun is so small that no ray finds it by
+    /// chance, and illuminate() draws its light evenly: all weights are equal.
+    [[nodiscard]] virtual bool is_sun() const { return is_directional(); }
+    /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
+    /// irradiance varies from place to place.
+    [[nodiscard]] virtual double horizontal_irradiance() const = 0;
+    /// Whether it stands at a finite distance. Rays that leave the scene pass it by.
+    [[nodiscard]] virtual bool is_lamp() const { return false; }
+
+  private:
+    std::string name_;
+    std::vector<double> spectrum_;
+};
+
+/// Parallel light. @param travel  the unit direction in which it travels, z up
+/// @param facing_irradiance  per band, on a plane facing the light
+[[nodiscard]] std::shared_ptr<const Source> make_directional_source(
+    std::string name, const Vec3& travel, std::vector<double> facing_irradiance);
+
+/// The upper half of the sphere at infinity, of the same radiance everywhere.
+/// @param horizontal_irradiance  per band, on the horizontal
+[[nodiscard]] std::shared_ptr<const Source> make_uniform_sky(
+    std::string name, std::vector<double> horizontal_irradiance);
+
+}  // namespace quasimc

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+
+#include "samplers/sampler.h"
+#include "solvers/estimator.h"
+#include "transport/prepared_scene.h"
+#include "transport/surface.h"
+
+namespace quasimc {
+
+/// A light and a direction to it, as seen from a place. `factor` times start weights and cosine is
+/// the irradiance it brings there, unless something stands in its way.
+struct Sight {
+    const BoundSource* light = nullptr;
+    Vec3 to_light;
+    double factor = 0;
+    double distance = 0;  ///< local units
+};
+
+/// Next-event estimation: looks for light from the places of a path that runs backwards.
+class NextEvent {
+  public:
+    /// @param scale  irradiance counts in units of the flux of all lights over this area (square
+    /// scene units)
+    NextEvent(const PreparedScene& prepared, const Sampler& sampler, double scale);
+
+    /// Numbers that look() draws: none if all light comes from one direction.
+    [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
+    /// Picks a light and a direction to it.
+    /// @param place  local coordinates
+    [[nodiscard]] Sight look(
+        const Stream& stream,
+        std::uint64_t point,
+        std::uint32_t dimension,
+        const Vec3& place) const;
+
+    /// Adds to workspace.gathered what the light sends by the surface along `out`, times
+    /// workspace.weights. Returns the rays cast.
+    std::uint64_t add_light(
+        const Sight& sight,
+        const Surface& surface,
+        const Vec3& place,
+        const Vec3& out,
+        Workspace& workspace) const;
+
+    /// Adds the sky that a mirror shows in direction `to_light`.
+    void add_sky(const Vec3& to_light, Workspace& workspace) const;
+
+  private:
+    /// Irradiance of spectrum 1 in our unit, over the probability of the light.
+    [[nodiscard]] double scale_of(const BoundSource& light) const {
+        return scale_ / (light.source_sampler->flux() * prepared_.world_area());
+    }
+
+    const PreparedScene& prepared_;
+    const Sampler& sampler_;
+    double scale_;
+    std::uint32_t dimensions_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// A point of an organ, local coordinates.
+struct OrganPoint {
+    Vec3 place;
+    Vec3 up;                     ///< unit normal of the upper side
+    std::uint32_t triangle = 0;  ///< of the mesh
+    std::uint32_t region = 0;
+};
+
+/// Places points on organs, uniformly over their area.
+class OrganPoints {
+  public:
+    explicit OrganPoints(const PreparedScene& prepared);
+
+    /// The point of an organ (of some area) for a point of the unit square: u0 picks the triangle
+    /// and is used again inside it. Periodic scenes: on that image of the triangle which has the
+    /// point in the cell.
+    [[nodiscard]] OrganPoint place(std::size_t organ, double u0, double u1) const;
+
+  private:
+    [[nodiscard]] OrganPoint on_triangle(std::uint32_t scene_triangle, double u, double v) const;
+    [[nodiscard]] bool in_cell(const Vec3& local) const;
+
+    const PreparedScene& prepared_;
+    std::vector<double> area_until_;  // of each triangle, summed within its organ
+    // The mesh triangles that are images of scene triangle i: [first_image_[i], first_image_[i +
+    // 1])
+    std::vector<std::uint32_t> first_image_, images_;
+};
+
+}  // namespace quasimc

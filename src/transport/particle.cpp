@@ -1,0 +1,222 @@
+#include "transport/particle.h"
+
+#include <algorithm>
+
+namespace quasimc {
+namespace {
+
+/// The light of a path as it leaves the source.
+void set_start_weights(const Particle& path, std::span<double> weights) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        weights[b] = path.light->start_weights[b] * path.weight;
+    }
+}
+
+/// What a surface would have scattered is cut off.
+void tally_cut_off(const Side& side, std::span<const double> weights, Tally& tally) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        const std::int64_t fixed = to_fixed(weights[b] * side.albedo()[b]);
+        tally.add(tally.layout().scattered_out() + b, fixed);
+        tally.add(tally.layout().cut_off() + b, fixed);
+    }
+}
+
+/// A light path under way: the physics of light tracing.
+///
+/// At every hit the light that falls on the side is scored, in all bands; what the organ absorbs
+/// follows from it (TallyLayout). Then one number decides between the lobes of the material and the
+/// end of the path, so that a path lives on with the surface's albedo and carries on with its
+/// weight (Side::scatter). Fixed-point copies of the weights are made once for each flight, so that
+/// what leaves one surface is, to the last bit, what arrives at the next or escapes.
+class ParticleTracer {
+  public:
+    ParticleTracer(const PathRules& rules, const Particle& path, Workspace& workspace, Tally& tally)
+        : rules_(rules),
+          prepared_(*rules.prepared),
+          path_(path),
+          direction_(path.direction),
+          weights_(workspace.weights),
+          fixed_(workspace.fixed),
+          tally_(tally) {}
+
+    std::uint64_t follow(const CastHit& first_hit, FirstHit first) {
+        return go_on(first_hit, 0, first == FirstHit::to_score);
+    }
+
+    std::uint64_t follow_on(const ScatteredRay& from, std::span<const double> weights) {
+        std::copy(weights.begin(), weights.end(), weights_.begin());
+        direction_ = from.direction;
+        send_off();
+        return 1 + go_on(prepared_.caster().cast(from.place, direction_, from.triangle), 1, true);
+    }
+
+  private:
+    /// Follows light that was scattered `depth` times to all its further hits.
+    std::uint64_t go_on(const CastHit& first_hit, std::uint32_t depth, bool to_score) {
+        std::uint64_t rays = 0;
+        CastHit next;
+        const CastHit* at = &first_hit;
+        for (; at->end == RayEnd::hit; ++rays) {
+            const Surface surface = surface_at(prepared_, at->hit, direction_);
+            const Material& material = prepared_.material(surface.region);
+            if (to_score) {
+                score(surface);
+            }
+            to_score = true;
+            if (!material.is_transparent()) {
+                ++depth;
+                if (!scatter(material.side(surface.upper), surface, depth)) {
+                    return rays;
+                }
+            }
+            const Vec3 place = place_of(prepared_, at->hit);
+            next = prepared_.caster().cast(place, direction_, surface.triangle);
+            at = &next;
+        }
+        leave(at->end);
+        return rays;
+    }
+
+    /// Adds what falls on the surface.
+    void score(const Surface& surface) {
+        const TallyLayout& layout = tally_.layout();
+        if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
+            return;
+        }
+        if (!direct_) {
+            const std::size_t cells = layout.scattered(surface.region, !surface.upper);
+            rules_.scales.empty() ? tally_.add(cells, fixed_)
+                                  : add_weights(cells, rules_.scales[surface.region]);
+            return;
+        }
+        if (rules_.filter == PathFilter::delta_first) {
+            return;
+        }
+        tally_.add(
+            layout.direct(surface.region, !surface.upper, path_.light->spectrum),
+            to_fixed(path_.weight));
+        if (path_.light->lit_area > 0 && surface.cosine > 0) {
+            tally_.add(
+                layout.sunlit(surface.region),
+                to_fixed(path_.weight * path_.light->lit_area / surface.cosine));
+        }
+    }
+
+    /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
+    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
+        if (direct_) {
+            set_start_weights(path_, weights_);
+        }
+        if (depth == rules_.max_depth) {
+            cut_off(side);
+            return false;
+        }
+        const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
+        const bool only_delta = direct_ && rules_.filter == PathFilter::delta_first;
+        if (only_delta && !side.has_delta()) {
+            return false;
+        }
+        const Draw draw{
+            rules_.sampler->coordinate(rules_.stream, path_.point, dimension), 0,
+            rules_.roulette_threshold};
+        const LobeTable::Choice choice = side.choose(draw, weights_);
+        if (choice.row == nullptr || (only_delta && !choice.row->delta)) {
+            return false;
+        }
+        const double u1 = rules_.sampler->coordinate(rules_.stream, path_.point, dimension + 1);
+        direction_ = side.scatter_by(choice, surface.normal, direction_, u1, weights_).wo;
+        send_off();
+        return true;
+    }
+
+    /// Scattered light leaves a surface.
+    void send_off() {
+        direct_ = false;
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            fixed_[b] = to_fixed(weights_[b]);
+        }
+        if (rules_.filter == PathFilter::all) {
+            tally_.add(tally_.layout().scattered_out(), fixed_);
+        }
+    }
+
+    /// Ends the path at the user's limit.
+    void cut_off(const Side& side) {
+        if (rules_.filter == PathFilter::all) {
+            tally_cut_off(side, weights_, tally_);
+        }
+    }
+
+    /// The path has left the scene, or is lost between the layers of a periodic one.
+    void leave(RayEnd end) {
+        const TallyLayout& layout = tally_.layout();
+        if (rules_.filter == PathFilter::delta_first) {
+            return;
+        }
+        if (!direct_) {
+            tally_.add(end == RayEnd::lost ? layout.cut_off() : layout.escaped_scattered(), fixed_);
+        } else if (end == RayEnd::escaped) {
+            tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
+        } else {
+            set_start_weights(path_, weights_);
+            add_weights(layout.cut_off(), 1);
+        }
+    }
+
+    void add_weights(std::size_t cells, double factor) {
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            tally_.add(cells + b, to_fixed(weights_[b] * factor));
+        }
+    }
+
+    const PathRules& rules_;
+    const PreparedScene& prepared_;
+    const Particle& path_;
+    Vec3 direction_;
+    std::span<double> weights_;
+    std::span<std::int64_t> fixed_;
+    Tally& tally_;
+    bool direct_ = true;
+};
+
+}  // namespace
+
+std::uint64_t follow(
+    const PathRules& rules,
+    const Particle& path,
+    const CastHit& at,
+    FirstHit first,
+    Workspace& workspace,
+    Tally& tally) {
+    return ParticleTracer(rules, path, workspace, tally).follow(at, first);
+}
+
+std::optional<Vec3> depart(
+    const PathRules& rules,
+    const Particle& path,
+    const Surface& surface,
+    const std::array<double, 2>& numbers,
+    std::span<double> weights,
+    Tally& tally) {
+    const Side& side = rules.prepared->material(surface.region).side(surface.upper);
+    set_start_weights(path, weights);
+    if (rules.max_depth == 1) {
+        tally_cut_off(side, weights, tally);
+        return std::nullopt;
+    }
+    const auto scattered =
+        side.scatter(surface.normal, path.direction, {numbers[0], numbers[1], 0}, weights);
+    return scattered ? std::optional(scattered->wo) : std::nullopt;
+}
+
+std::uint64_t follow_on(
+    const PathRules& rules,
+    const Particle& path,
+    const ScatteredRay& from,
+    std::span<const double> weights,
+    Workspace& workspace,
+    Tally& tally) {
+    return ParticleTracer(rules, path, workspace, tally).follow_on(from, weights);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,163 @@
+#include "transport/prepared_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace quasimc {
+namespace {
+
+/// Per band, the flux of all lights.
+std::vector<double> total_flux(
+    const std::vector<BoundSource>& lights, double area, std::size_t bands) {
+    std::vector<double> flux(bands);
+    for (const BoundSource& light : lights) {
+        for (std::size_t b = 0; b < bands; ++b) {
+            flux[b] += light.source->spectrum()[b] * light.source_sampler->flux() * area;
+        }
+    }
+    return flux;
+}
+
+/// Every band gives each light its share of the band's flux; the mean over the bands that have
+/// light.
+void set_probabilities(
+    std::vector<BoundSource>& lights, const std::vector<double>& flux, double area) {
+    double sum = 0;
+    for (BoundSource& light : lights) {
+        light.before = sum;
+        for (std::size_t b = 0; b < flux.size(); ++b) {
+            const double own = light.source->spectrum()[b] * light.source_sampler->flux() * area;
+            light.probability += flux[b] > 0 ? own / flux[b] : 0;
+        }
+        sum += light.probability;
+    }
+    for (BoundSource& light : lights) {
+        light.probability /= sum;
+        light.before /= sum;
+        for (std::size_t b = 0; b < flux.size(); ++b) {
+            const double own = light.source->spectrum()[b] * light.source_sampler->flux() * area;
+            light.start_weights.push_back(flux[b] > 0 ? own / flux[b] / light.probability : 0);
+        }
+    }
+}
+
+double sum_of(std::span<const double> values) {
+    double sum = 0;
+    for (const double x : values) {
+        sum += x;
+    }
+    return sum;
+}
+
+bool equal_to_rounding(const std::vector<double>& a, const std::vector<double>& b) {
+    constexpr double kRounding = 1e-14;
+    return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+        return std::abs(x - y) <= kRounding * std::max(x, y);
+    });
+}
+
+}  // namespace
+
+PreparedScene::PreparedScene(
+    const Scene& scene,
+    const Sources& sources,
+    CrossSectionShape window,
+    std::shared_ptr<const RayCaster> caster)
+    : scene_(&scene),
+      caster_(std::move(caster)),
+      projection_(caster_->mesh(), scene.cell(), window) {
+    primitives_.resize(caster_->mesh().triangle_count());
+    for (std::uint32_t i = 0; i < primitives_.size(); ++i) {
+        const RegionIndex region = scene.triangle_regions()[caster_->source(i)];
+        primitives_[i] = {region.value, scene.regions()[region.value].material.value};
+    }
+    for (const Region& region : scene.regions()) {
+        materials_.push_back(&scene.material(region));
+        ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
+        has_transparent_ = has_transparent_ || materials_.back()->is_transparent();
+        has_delta_ = has_delta_ || materials_.back()->side(true).has_delta() ||
+                     materials_.back()->side(false).has_delta();
+    }
+    set_fields_of_view();
+    set_lights(sources);
+}
+
+void PreparedScene::set_fields_of_view() {
+    for (const Organ& organ : scene_->organs()) {
+        has_narrow_ = has_narrow_ || organ.least_cosine > 0;
+    }
+    for (std::size_t e = 0; has_narrow_ && e < scene_->regions().size(); ++e) {
+        const OrganIndex organ = scene_->regions()[e].organ;
+        least_cosine_.push_back(scene_->organs()[organ.value].least_cosine);
+    }
+}
+
+void PreparedScene::set_lights(const Sources& sources) {
+    double sun = 0;
+    for (const auto& source : sources) {
+        std::unique_ptr<SourceSampler> source_sampler = source->make_sampler_in(projection_);
+        if (source_sampler && sum_of(source->spectrum()) > 0) {
+            BoundSource& light = lights_.emplace_back();
+            light.source = source.get();
+            light.source_sampler = std::move(source_sampler);
+            if (source->is_lamp()) {
+                const Vec3& faces = projection_.entry_box().face_area;
+                light.usual_irradiance =
+                    light.source_sampler->flux() / std::max({faces.x, faces.y, faces.z});
+            }
+            if (source->is_sun()) {
+                sun += sum_of(source->spectrum());
+                sun_area_ += lights_.back().source_sampler->flux() * world_area();
+            }
+        }
+    }
+    flux_ = total_flux(lights_, world_area(), bands());
+    set_probabilities(lights_, flux_, world_area());
+    for (BoundSource& light : lights_) {
+        if (light.source->is_sun()) {
+            light.sun_share = sum_of(light.source->spectrum()) / sun;
+            // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.
+            const double radiance = light.source->illuminate({}, 0.5, 0.5).weight;
+            light.lit_area = light.sun_share / light.probability * light.source_sampler->flux() *
+                             world_area() / sun_area_ / radiance;
+        }
+        const auto same = std::find_if(spectra_.begin(), spectra_.end(), [&](const auto& spectrum) {
+            return equal_to_rounding(spectrum, light.start_weights);
+        });
+        light.spectrum = static_cast<std::size_t>(same - spectra_.begin());
+        if (same == spectra_.end()) {
+            spectra_.push_back(light.start_weights);
+        } else {
+            light.start_weights = *same;
+        }
+    }
+}
+
+bool PreparedScene::reaches(
+    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
+    if (!has_transparent_) {
+        return !caster_->occluded(place, direction, self, distance);
+    }
+    CastHit at = caster_->cast(place, direction, self);
+    double left = distance;
+    while (at.end == RayEnd::hit && at.hit.t < left &&
+           material(region(at.hit.triangle)).is_transparent()) {
+        const Hit& hit = at.hit;
+        left -= hit.t;
+        at = caster_->cast(
+            caster_->mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
+    }
+    return at.end != RayEnd::hit || at.hit.t >= left;
+}
+
+std::size_t PreparedScene::pick_light(double u) const {
+    std::size_t low = 0;
+    std::size_t high = lights_.size();
+    while (high - low > 1) {
+        const std::size_t middle = (low + high) / 2;
+        (u < lights_[middle].before ? high : low) = middle;
+    }
+    return low;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/cast/ray_caster.h"
+#include "geometry/raster/scene_projection.h"
+#include "run/run.h"
+#include "scene/scene.h"
+#include "sources/source.h"
+
+namespace quasimc {
+
+/// A source on the stage. Weights are relative: in each band the flux of all sources is 1, shared
+/// out so that a path that picks a source with `probability` brings start_weights[b] to band b, on
+/// average 1.
+struct BoundSource {
+    const Source* source = nullptr;
+    std::unique_ptr<SourceSampler> source_sampler;
+    double probability = 0;             ///< of being picked, over all lights
+    double before = 0;                  ///< sum of the probabilities of the lights before
+    std::vector<double> start_weights;  ///< per band
+    std::size_t spectrum = 0;           ///< lights with equal start weights share one
+    double sun_share = 0;  ///< share in the irradiance of all directional lights; 0 for others
+    double lit_area =
+        0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
+    double usual_irradiance = 1;  ///< for a spectrum of 1; of a lamp: spread over the scene's box
+
+    /// Whether paths that leave the scene find it by chance, as they do a sky.
+    [[nodiscard]] bool is_extended() const { return !source->is_sun() && !source->is_lamp(); }
+};
+
+/// What a triangle of the mesh belongs to.
+struct PrimitiveInfo {
+    std::uint32_t region = 0;
+    std::uint32_t material = 0;
+};
+
+/// A scene with its lights, ready to trace: what all estimators and threads share. Const after
+/// construction.
+class PreparedScene {
+  public:
+    /// @param caster  of the scene's triangles and cell
+    PreparedScene(
+        const Scene& scene,
+        const Sources& sources,
+        CrossSectionShape window,
+        std::shared_ptr<const RayCaster> caster);
+
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] const RayCaster& caster() const { return *caster_; }
+    [[nodiscard]] std::size_t bands() const { return scene_->bands().size(); }
+    /// Where light from far away enters.
+    [[nodiscard]] const SceneProjection& projection() const { return projection_; }
+    /// Square scene units per square local unit.
+    [[nodiscard]] double world_area() const { return projection_.world_area(); }
+
+    /// Lights that send something into the scene, in the order of the sources.
+    [[nodiscard]] const std::vector<BoundSource>& lights() const { return lights_; }
+    /// The light that a number in [0, 1) picks.
+    [[nodiscard]] std::size_t pick_light(double u) const;
+    /// The distinct start weights, [spectrum][band].
+    [[nodiscard]] const std::vector<std::vector<double>>& spectra() const { return spectra_; }
+    /// Flux of all sources into the scene, per band, irradiance unit x square scene unit.
+    [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
+
+    /// Area of all directional lights' emitters together, square scene units.
+    [[nodiscard]] double sun_area() const { return sun_area_; }
+
+    /// Region and material of a triangle of the caster's mesh.
+    [[nodiscard]] const PrimitiveInfo& primitive(std::uint32_t mesh_triangle) const {
+        return primitives_[mesh_triangle];
+    }
+    [[nodiscard]] std::uint32_t region(std::uint32_t mesh_triangle) const {
+        return primitives_[mesh_triangle].region;
+    }
+    [[nodiscard]] const Material& material(std::uint32_t region) const {
+        return *materials_[region];
+    }
+    /// Whether an element counts light that comes at this cosine from its normal: all but sensors
+    /// with a narrow field of view do.
+    [[nodiscard]] bool in_field_of_view(std::uint32_t region, double cosine) const {
+        return !has_narrow_ || cosine >= least_cosine_[region];
+    }
+    /// Cosine of the largest angle at which an element counts light; 0 if it counts all.
+    [[nodiscard]] double least_cosine(std::uint32_t region) const {
+        return has_narrow_ ? least_cosine_[region] : 0;
+    }
+    [[nodiscard]] bool has_narrow() const { return has_narrow_; }
+    /// Whether light passes between `place` on triangle `self` of the mesh and what is at
+    /// `distance` (local units; infinite: the sky). Sensors let it pass.
+    [[nodiscard]] bool reaches(
+        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
+    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
+    /// Elements of the ground, which stand last.
+    [[nodiscard]] std::size_t ground_regions() const { return ground_regions_; }
+    /// Whether some material scatters in one direction.
+    [[nodiscard]] bool has_delta() const { return has_delta_; }
+    /// Whether some material is a sensor that light passes.
+    [[nodiscard]] bool has_transparent() const { return has_transparent_; }
+
+  private:
+    void set_fields_of_view();
+    void set_lights(const Sources& sources);
+
+    const Scene* scene_;
+    std::shared_ptr<const RayCaster> caster_;
+    SceneProjection projection_;
+    std::vector<PrimitiveInfo> primitives_;
+    std::vector<const Material*> materials_;
+    std::vector<BoundSource> lights_;
+    std::vector<std::vector<double>> spectra_;
+    std::vector<double> flux_;
+    double sun_area_ = 0;
+    std::size_t ground_regions_ = 0;
+    std::vector<double> least_cosine_;  // by element; empty if no sensor is narrow
+    bool has_delta_ = false, has_transparent_ = false, has_narrow_ = false;
+};
+
+}  // namespace quasimc

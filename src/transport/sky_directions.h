@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// Direction `i` of `count` that a light draws, well spread: a lattice of the golden ratio, shifted
+/// (Kronecker; each direction alone has the density of SourceSampler::draw_direction).
+/// @param shift  uniform in the unit square
+[[nodiscard]] DrawnDirection lattice_direction(
+    const BoundSource& light,
+    std::uint32_t i,
+    std::uint32_t count,
+    const std::array<double, 2>& shift);
+
+/// Directions that serve all skies of a stage at once: each sky draws some, in proportion to its
+/// light, and whichever drew a direction, all skies send their light along it, weighted by the
+/// density of all together (the balance heuristic of Veach and Guibas 1995).
+class SkyDirections {
+  public:
+    explicit SkyDirections(const PreparedScene& prepared);
+
+    [[nodiscard]] std::span<const BoundSource* const> skies() const { return skies_; }
+    /// Share of the skies in the paths of all lights.
+    [[nodiscard]] double probability() const { return probability_; }
+    /// Direction `i` of `count`, with the density with which all skies together draw it.
+    [[nodiscard]] DrawnDirection direction(
+        std::uint32_t i, std::uint32_t count, const std::array<double, 2>& shift) const;
+
+  private:
+    /// Calls `visit(sky, first, last)` with the directions that each draws.
+    template <typename Visit>
+    void for_each_sky(std::uint32_t count, const Visit& visit) const;
+
+    std::vector<const BoundSource*> skies_;
+    double probability_ = 0;
+};
+
+}  // namespace quasimc

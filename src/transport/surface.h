@@ -1,0 +1,31 @@
+#pragma once
+
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// The place where a ray met the scene. Local coordinates.
+struct Surface {
+    std::uint32_t triangle = kNoTriangle;  ///< of the mesh
+    std::uint32_t region = 0;
+    bool upper = true;  ///< whether the ray came to the upper side
+    Vec3 normal;        ///< unit, of the side the ray came to
+    double cosine = 1;  ///< of the angle between that normal and the ray, reversed; >= 0
+};
+
+/// The surface that a ray along `direction` met.
+inline Surface surface_at(const PreparedScene& prepared, const Hit& hit, const Vec3& direction) {
+    const Vec3 up{hit.normal[0], hit.normal[1], hit.normal[2]};
+    const double along = dot(up, direction);
+    const double scale = (along < 0 ? 1 : -1) / length(up);
+    return {
+        hit.triangle, prepared.region(hit.triangle), along < 0, scale * up,
+        std::abs(along * scale)};
+}
+
+/// Where it is: the barycentric point of the triangle, which lies on it to the last digit.
+inline Vec3 place_of(const PreparedScene& prepared, const Hit& hit) {
+    return prepared.caster().mesh().point(hit.triangle, hit.u, hit.v);
+}
+
+}  // namespace quasimc

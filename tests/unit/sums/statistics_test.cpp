@@ -1,0 +1,261 @@
+#include "sums/statistics.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/statistics.h"
+
+namespace quasimc::test {
+namespace {
+
+using Values = std::vector<double>;
+
+TEST(EstimateMean, IsExactForOneToFour) {
+    const Estimate e = estimate_mean(Values{1, 2, 3, 4});
+    EXPECT_EQ(e.mean, 2.5);
+    EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12));
+    const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
+    EXPECT_NEAR(e.low, 2.5 - half, 1e-12);
+    EXPECT_NEAR(e.high, 2.5 + half, 1e-12);
+}
+
+TEST(EstimateMean, HasNoErrorToTellFromOneReplicate) {
+    const Estimate e = estimate_mean(Values{3});
+    EXPECT_EQ(e.mean, 3);
+    EXPECT_TRUE(std::isnan(e.standard_error));
+    EXPECT_TRUE(std::isnan(e.low));
+    EXPECT_TRUE(std::isnan(e.high));
+}
+
+TEST(EstimateMean, HasErrorZeroForEqualReplicates) {
+    const Estimate e = estimate_mean(Values(8, 0.1));
+    EXPECT_NEAR(e.mean, 0.1, 1e-16);
+    EXPECT_NEAR(e.standard_error, 0, 1e-16);
+}
+
+TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
+    const Estimate e = estimate_mean(Values{1e9 + 1, 1e9 + 2, 1e9 + 3, 1e9 + 4});
+    EXPECT_EQ(e.mean, 1e9 + 2.5);
+    EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12));
+}
+
+TEST(FTail, IsStudentsTOfEitherSignWithOneDegreeAbove) {
+    for (const unsigned df : {1U, 2U, 7U, 30U, 1000U}) {
+        for (const double p : {.75, .975, .9995, .9999995}) {
+            const double t = student_t_quantile(p, df);
+            EXPECT_NEAR(f_tail(t * t, 1, df) / (2 * (1 - p)), 1, 1e-6) << df << ' ' << p;
+        }
+    }
+}
+
+TEST(FTail, HasAClosedFormWithTwoDegreesAbove) {
+    for (const double below : {1.0, 3.5, 40.0, 1e5}) {
+        for (const double f : {.01, .9, 1.0, 4.0, 20.0}) {
+            const double exact = std::pow(1 + 2 * f / below, -below / 2);
+            EXPECT_NEAR(f_tail(f, 2, below) / exact, 1, 1e-9) << below << ' ' << f;
+        }
+    }
+}
+
+TEST(FTail, OfTheInverseIsTheRest) {
+    for (const double f : {.2, .8, 1.1, 3.0}) {
+        EXPECT_NEAR(f_tail(f, 3.5, 60) + f_tail(1 / f, 60, 3.5), 1, 1e-12);
+    }
+    EXPECT_EQ(f_tail(0, 5, 5), 1);
+}
+
+TEST(FTail, BearsMillionsOfDegrees) {
+    // Nearly normal, of variance 2/1e6 + 2/7e6.
+    const double sd = std::sqrt(2e-6 + 2e-6 / 7);
+    EXPECT_NEAR(f_tail(1 + 2 * sd, 1e6, 7e6), .02275, 2e-4);
+    EXPECT_NEAR(f_tail(1 - 2 * sd, 1e6, 7e6), .97725, 2e-4);
+}
+
+TEST(StudentTQuantile, AgreesWithTheTables) {
+    struct Row {
+        double p;
+        unsigned df;
+        double t;
+    };
+    for (const Row& row : {
+             Row{0.975, 1, 12.706204736174698},
+             {0.975, 2, 4.302652729749464},
+             {0.975, 3, 3.182446305284263},
+             {0.975, 4, 2.776445105197793},
+             {0.975, 7, 2.3646242515927844},
+             {0.975, 15, 2.131449545559323},
+             {0.975, 30, 2.0422724563012373},
+             {0.975, 100, 1.9839715184496334},
+             {0.95, 1, 6.313751514675037},
+             {0.995, 9, 3.249835541592118},
+             {0.75, 1, 1.0},
+         }) {
+        EXPECT_NEAR(student_t_quantile(row.p, row.df), row.t, 1e-9) << row.p << " " << row.df;
+    }
+}
+
+TEST(StudentTQuantile, IsExactWhereThereIsAFormula) {
+    for (const double p : {0.6, 0.9, 0.999, 0.9999995}) {
+        const double cauchy = std::tan(std::acos(-1) * (p - 0.5));
+        EXPECT_NEAR(student_t_quantile(p, 1) / cauchy, 1, 1e-9) << p;
+        const double two = (2 * p - 1) / std::sqrt(2 * p * (1 - p));
+        EXPECT_NEAR(student_t_quantile(p, 2) / two, 1, 1e-9) << p;
+    }
+}
+
+TEST(StudentTQuantile, IsOdd) {
+    EXPECT_NEAR(student_t_quantile(0.5, 5), 0, 1e-15);
+    EXPECT_DOUBLE_EQ(student_t_quantile(0.025, 7), -student_t_quantile(0.975, 7));
+}
+
+TEST(StudentTQuantile, GoesOnSmoothlyToManyDegreesOfFreedom) {
+    const double below = student_t_quantile(0.975, 1000);
+    const double above = student_t_quantile(0.975, 1001);
+    EXPECT_NEAR(below, 1.9623390808264078, 1e-9);
+    EXPECT_LT(above, below);
+    EXPECT_NEAR(above, below, 3e-6);
+    EXPECT_NEAR(student_t_quantile(0.975, 1000000000), 1.959963984540054, 1e-8);
+    EXPECT_NEAR(student_t_quantile(1 - 5e-7, 100000000), 4.891638475698802, 1e-6);
+}
+
+/// How many of `tries` 95 % intervals from samples of `draw` hold `expected`.
+template <class Draw>
+int count_covered(int tries, double expected, Draw draw) {
+    int covered = 0;
+    for (int i = 0; i < tries; ++i) {
+        const Estimate e = draw();
+        covered += e.low <= expected && expected <= e.high ? 1 : 0;
+    }
+    return covered;
+}
+
+TEST(EstimateMean, HoldsTheTrueMeanInNineteenOfTwentyIntervals) {
+    const int tries = 40000;
+    for (const std::size_t replicates : {2, 4, 8, 32}) {
+        std::mt19937_64 bits(replicates);
+        std::normal_distribution<double> noise(-3, 10);
+        const int covered = count_covered(tries, -3, [&] {
+            Values values(replicates);
+            for (double& value : values) {
+                value = noise(bits);
+            }
+            return estimate_mean(values);
+        });
+        EXPECT_TRUE(agrees(measured_fraction(covered, tries, 0.95), 0.95, 0.01)) << replicates;
+    }
+}
+
+TEST(EstimateMean, WouldMissTheLevelWithNormalIntervals) {
+    // The negative control: 1.96 standard errors are too few for four replicates.
+    const int tries = 40000;
+    std::mt19937_64 bits(4);
+    std::normal_distribution<double> noise(-3, 10);
+    const int covered = count_covered(tries, -3, [&] {
+        Estimate e = estimate_mean(Values{noise(bits), noise(bits), noise(bits), noise(bits)});
+        e.low = e.mean - 1.96 * e.standard_error;
+        e.high = e.mean + 1.96 * e.standard_error;
+        return e;
+    });
+    EXPECT_FALSE(agrees(measured_fraction(covered, tries, 0.95), 0.95, 0.01));
+}
+
+TEST(EstimateRatio, IsExactForFourPairs) {
+    const Estimate e = estimate_ratio(Values{1, 2, 3, 4}, Values{2, 3, 5, 6});
+    EXPECT_DOUBLE_EQ(e.mean, 10.0 / 16);
+    // Residuals a - b 5/8: -1/4, 1/8, -1/8, 1/4; squares 5/32; / 3 / 4 / mean of b squared.
+    EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 32 / 3 / 4) / 4);
+}
+
+TEST(EstimateRatio, HasErrorZeroWhereBothRiseTogether) {
+    const Estimate e = estimate_ratio(Values{1, 2, 3, 4}, Values{2, 4, 6, 8});
+    EXPECT_EQ(e.mean, 0.5);
+    EXPECT_EQ(e.standard_error, 0);
+}
+
+TEST(EstimateRatio, IsNotANumberOverZero) {
+    const Estimate e = estimate_ratio(Values{1, 2}, Values{0, 0});
+    EXPECT_TRUE(std::isnan(e.mean));
+    EXPECT_TRUE(std::isnan(e.standard_error));
+    const Estimate opposed = estimate_ratio(Values{1, 2}, Values{-1, 1});
+    EXPECT_TRUE(std::isnan(opposed.mean));
+}
+
+TEST(EstimateRatio, HasNoErrorToTellFromOneReplicate) {
+    const Estimate e = estimate_ratio(Values{1}, Values{2});
+    EXPECT_EQ(e.mean, 0.5);
+    EXPECT_TRUE(std::isnan(e.standard_error));
+}
+
+TEST(EstimateRatio, HasAPositiveErrorOverANegativeDenominator) {
+    const Estimate e = estimate_ratio(Values{1, 2, 3}, Values{-2, -3, -5});
+    EXPECT_LT(e.mean, 0);
+    EXPECT_GT(e.standard_error, 0);
+    EXPECT_LT(e.low, e.high);
+}
+
+/// Ratios of correlated noise, 3 : 2, each from 16 replicates.
+std::vector<Estimate> simulated_ratios(int tries) {
+    std::mt19937_64 bits(16);
+    std::normal_distribution<double> noise(0, 0.05);
+    std::vector<Estimate> ratios;
+    for (int i = 0; i < tries; ++i) {
+        std::array<double, 16> a{};
+        std::array<double, 16> b{};
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            const double common = noise(bits);
+            a[k] = 3 + 3 * common + noise(bits);
+            b[k] = 2 + 2 * common + noise(bits);
+        }
+        ratios.push_back(estimate_ratio(a, b));
+    }
+    return ratios;
+}
+
+TEST(EstimateRatio, StatesTheErrorThatReplicatesShow) {
+    const int tries = 20000;
+    const std::vector<Estimate> ratios = simulated_ratios(tries);
+    double sum = 0;
+    double squares = 0;
+    double stated = 0;
+    for (const Estimate& e : ratios) {
+        sum += e.mean - 1.5;
+        squares += (e.mean - 1.5) * (e.mean - 1.5);
+        stated += e.standard_error * e.standard_error;
+    }
+    EXPECT_NEAR(sum / tries, 0, 1e-3);
+    // Of a variance from n normal numbers the relative error is sqrt(2 / n).
+    const double relative = std::sqrt(2.0 / tries);
+    EXPECT_TRUE(
+        agrees(Measured{squares / stated, relative, static_cast<unsigned>(tries)}, 1, 0.06));
+}
+
+TEST(EstimateRatio, HoldsTheTrueRatioInNineteenOfTwentyIntervals) {
+    const int tries = 20000;
+    int covered = 0;
+    for (const Estimate& e : simulated_ratios(tries)) {
+        covered += e.low <= 1.5 && 1.5 <= e.high ? 1 : 0;
+    }
+    EXPECT_TRUE(agrees(measured_fraction(covered, tries, 0.95), 0.95, 0.01));
+}
+
+TEST(EstimateUnseen, IsZeroWithTheLimitOfTheRuleOfThree) {
+    const Estimate e = estimate_unseen(1000, 2);
+    EXPECT_EQ(e.mean, 0);
+    EXPECT_TRUE(std::isnan(e.standard_error));
+    EXPECT_EQ(e.low, 0);
+    EXPECT_DOUBLE_EQ(e.high, 3 * 2.0 / 1000);
+}
+
+TEST(EstimateUnseen, LimitsWhatIsMissedInNineteenOfTwentyRuns) {
+    // If the chance of an event were at the limit, one run in twenty would see none.
+    const double events = 500;
+    const double chance = estimate_unseen(events, 1).high;
+    EXPECT_NEAR(std::pow(1 - chance, events), 0.05, 1e-3);
+}
+
+}  // namespace
+}  // namespace quasimc::test
