@@ -6,7 +6,7 @@
 #include "parts.h"
 #include "samplers/catalogue.h"
 #include "scenes.h"
-#include "solvers/estimator.h"
+#include "solvers/catalogue.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc::bench {
@@ -35,15 +35,12 @@ class Recorder final : public Intersector {
 };
 
 /// Traces all blocks of a round and returns the seconds it took.
-double trace_all(const PreparedScene& stage, const Sampler& sampler, const RunSpec& spec) {
-    const auto estimator = make_estimator(stage, sampler, spec);
-    const Round round{0, spec.paths};
-    Workspace workspace(stage.bands());
-    Tally tally(tally_layout(stage));
+double trace_all(const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec) {
+    const auto solver = make_solver({prepared, sampler, spec});
+    Sums sums = empty_sums(prepared, spec);
+    Executor executor(1);
     const double start = thread_seconds();
-    for (std::uint64_t block = 0; block < estimator->blocks(round); ++block) {
-        estimator->trace(round, 0, block, workspace, tally);
-    }
+    solver->solve({0, spec.paths}, executor, sums);
     return thread_seconds() - start;
 }
 
@@ -52,6 +49,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
     const Sources sources = make_light(Light::sun, 1);
     RunSpec spec;
     spec.paths = 1U << 20U;
+    spec.replicates = 1;
     const auto sampler = make_sampler(spec.sampler);
     RayLog log;
     {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/input_error.h"
+#include "base/surface_side.h"
 #include "base/vec3.h"
 #include "optics/side.h"
 
@@ -42,6 +43,9 @@ class Material {
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const Side& side(bool is_upper) const { return is_upper ? upper_ : lower_; }
+    [[nodiscard]] const Side& side(SurfaceSide side) const {
+        return side == SurfaceSide::upper ? upper_ : lower_;
+    }
     [[nodiscard]] std::size_t bands() const { return upper_.albedo().size(); }
     /// Whether light passes as if nothing were there (transmittance 1 straight on, both sides, all
     /// bands): a sensor. Such hits are counted and change nothing.

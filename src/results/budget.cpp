@@ -12,58 +12,86 @@ struct Flows {
     double emitted = 0, organs = 0, ground = 0, escaped = 0, cut_off = 0, roulette = 0;
 };
 
-/// What falls on the elements, and what they absorb and may scatter of it.
-void add_elements(
-    const Evaluation& evaluation, std::uint32_t replicate, std::size_t band, Flows& flows) {
-    const TallyLayout& layout = evaluation.replicates.layout();
-    const std::span<const std::int64_t> cells = evaluation.replicates.cells(replicate);
-    const auto& spectra = evaluation.prepared.spectra();
-    for (std::uint32_t e = 0; e < layout.regions; ++e) {
-        const Material& material = evaluation.prepared.material(e);
-        const double unit = evaluation.estimator.flux_per_unit(e, band, evaluation.paths);
-        const bool ground = e + evaluation.prepared.ground_regions() >= layout.regions;
-        for (const bool lower : {false, true}) {
-            double incident = from_fixed(cells[layout.scattered(e, lower) + band]);
-            for (std::size_t s = 0; s < layout.spectra; ++s) {
-                incident += from_fixed(cells[layout.direct(e, lower, s)]) * spectra[s][band];
+/// Reads the flows of one replicate from sums.
+class FlowReader {
+  public:
+    FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
+        : sums_(sums), layout_(sums.layout), scene_(scene), band_(band) {}
+
+    [[nodiscard]] Flows flows(const ExactBins& bins) const {
+        Flows flows;
+        for (std::size_t region = 0; region < layout_.regions; ++region) {
+            add_region(bins, region, flows);
+        }
+        return sums_.escaped == EscapedLight::remainder ? with_remainder(flows)
+                                                        : with_escaped(bins, flows);
+    }
+
+  private:
+    [[nodiscard]] double unit(std::size_t region) const {
+        return sums_.units.flux[band_] * sums_.units.scale(region) /
+               static_cast<double>(sums_.samples);
+    }
+
+    /// What falls on a region, and what it absorbs and may scatter of it.
+    void add_region(const ExactBins& bins, std::size_t index, Flows& flows) const {
+        const Region& region = scene_.regions()[index];
+        const Material& material = scene_.material(region);
+        const bool is_ground = scene_.organs()[region.organ.value].is_ground;
+        double& absorbed = is_ground ? flows.ground : flows.organs;
+        const bool is_summed = layout_.absorbed_light == AbsorbedLight::summed;
+        const double own =
+            is_summed ? bins.value(layout_.absorbed(index) + band_) * unit(index) : 0;
+        absorbed += own;
+        flows.roulette += is_summed && !material.is_transparent() ? own : 0;
+        for (const SurfaceSide which : kSurfaceSides) {
+            double incident = bins.value(layout_.scattered(index, which) + band_);
+            for (std::size_t s = 0; s < layout_.spectra; ++s) {
+                incident += bins.value(layout_.direct(index, which, s)) * sums_.spectra[s][band_];
             }
-            const Side& side = material.side(!lower);
-            (ground ? flows.ground : flows.organs) += incident * unit * side.absorptance()[band];
+            const Side& side = material.side(which);
+            if (!is_summed) {
+                absorbed += incident * unit(index) * side.absorptance()[band_];
+            }
             if (!material.is_transparent()) {
-                flows.roulette -= incident * unit * side.albedo()[band];
+                flows.roulette -= incident * unit(index) * (is_summed ? 1 : side.albedo()[band_]);
             }
         }
     }
-}
 
-Flows flows_of(const Evaluation& evaluation, std::uint32_t replicate, std::size_t band) {
-    Flows flows;
-    add_elements(evaluation, replicate, band, flows);
-    if (!evaluation.estimator.counts_escapes()) {
-        flows.emitted = evaluation.prepared.flux()[band];
+    /// Where escaped light is what is left.
+    [[nodiscard]] Flows with_remainder(Flows flows) const {
+        flows.emitted = sums_.emitted_flux[band_];
         flows.roulette = 0;
-        const std::vector<Organ>& all = evaluation.prepared.scene().organs();
-        if (!std::all_of(all.begin(), all.end(), [&](const Organ& organ) {
-                return evaluation.estimator.measures(organ);
-            })) {
+        const std::vector<Organ>& all = scene_.organs();
+        const bool is_all =
+            sums_.measured == MeasuredOrgans::all ||
+            std::all_of(all.begin(), all.end(), [](const Organ& organ) { return organ.measured; });
+        if (!is_all) {
             flows.organs = flows.ground = std::numeric_limits<double>::quiet_NaN();
         }
         flows.escaped = flows.emitted - flows.organs - flows.ground;
         return flows;
     }
-    const TallyLayout& layout = evaluation.replicates.layout();
-    const std::span<const std::int64_t> cells = evaluation.replicates.cells(replicate);
-    const double unit = evaluation.estimator.flux_per_unit(0, band, evaluation.paths);
-    for (std::size_t s = 0; s < layout.spectra; ++s) {
-        const double weight = evaluation.prepared.spectra()[s][band] * unit;
-        flows.emitted += from_fixed(cells[layout.emitted() + s]) * weight;
-        flows.escaped += from_fixed(cells[layout.escaped_direct() + s]) * weight;
+
+    [[nodiscard]] Flows with_escaped(const ExactBins& bins, Flows flows) const {
+        const double unit = this->unit(0);
+        for (std::size_t s = 0; s < layout_.spectra; ++s) {
+            const double weight = sums_.spectra[s][band_] * unit;
+            flows.emitted += bins.value(layout_.emitted() + s) * weight;
+            flows.escaped += bins.value(layout_.escaped_direct() + s) * weight;
+        }
+        flows.escaped += bins.value(layout_.escaped_scattered() + band_) * unit;
+        flows.cut_off = bins.value(layout_.cut_off() + band_) * unit;
+        flows.roulette += bins.value(layout_.scattered_out() + band_) * unit;
+        return flows;
     }
-    flows.escaped += from_fixed(cells[layout.escaped_scattered() + band]) * unit;
-    flows.cut_off = from_fixed(cells[layout.cut_off() + band]) * unit;
-    flows.roulette += from_fixed(cells[layout.scattered_out() + band]) * unit;
-    return flows;
-}
+
+    const Sums& sums_;
+    const SumLayout& layout_;
+    const Scene& scene_;
+    std::size_t band_;
+};
 
 Estimate estimate_of(const std::vector<Flows>& flows, double Flows::*part) {
     std::vector<double> values;
@@ -76,13 +104,14 @@ Estimate estimate_of(const std::vector<Flows>& flows, double Flows::*part) {
 
 }  // namespace
 
-std::vector<BandBudget> evaluate_budget(const Evaluation& evaluation) {
+std::vector<BandBudget> evaluate_budget(const Sums& sums, const Scene& scene) {
     std::vector<BandBudget> budget;
-    for (std::size_t b = 0; b < evaluation.prepared.bands(); ++b) {
+    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
+        const FlowReader reader(sums, scene, b);
         std::vector<Flows> flows;
         double worst = 0;
-        for (std::uint32_t r = 0; r < evaluation.replicates.count(); ++r) {
-            flows.push_back(flows_of(evaluation, r, b));
+        for (const ExactBins& bins : sums.replicates) {
+            flows.push_back(reader.flows(bins));
             const Flows& f = flows.back();
             const double open =
                 f.emitted + f.roulette - f.organs - f.ground - f.escaped - f.cut_off;

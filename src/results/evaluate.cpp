@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 
+#include "base/checks.h"
 #include "base/parallel.h"
 
 namespace quasimc {
@@ -11,67 +12,134 @@ namespace {
 
 constexpr std::size_t kOrgansPerBlock = 256;
 
-/// BoundSource that one replicate saw fall on one organ, flux per band and side.
+/// Light that one replicate saw fall on one organ, flux per band and side.
 struct Incident {
     double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
     double absorbed = 0;
 };
 
-/// Reads an organ's cells.
+/// What sums mean, band by band: the units of Sums after all its samples.
+class Units {
+  public:
+    explicit Units(const Sums& sums) : sums_(sums), samples_(static_cast<double>(sums.samples)) {}
+
+    /// Flux in `band` of a unit of scattered light, or of direct light of a spectrum of 1.
+    [[nodiscard]] double flux(std::size_t region, std::size_t band) const {
+        return sums_.units.flux[band] * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
+        return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double sunlit_area(std::size_t region) const {
+        return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double sunlit_area_per_find(std::size_t region) const {
+        return sums_.units.sunlit_area_per_find * sums_.units.scale(region) / samples_;
+    }
+
+  private:
+    const Sums& sums_;
+    double samples_;
+};
+
+/// Whether the light of an organ was summed.
+bool is_measured(const Sums& sums, const Organ& organ) {
+    return sums.measured == MeasuredOrgans::all || organ.measured;
+}
+
+/// Reads an organ's sums.
 class OrganReader {
   public:
-    OrganReader(const Evaluation& evaluation, const Organ& organ)
-        : evaluation_(evaluation), organ_(organ) {}
+    OrganReader(
+        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const Organ& organ)
+        : sums_(sums), units_(sums), scene_(scene), spec_(spec), organ_(organ) {}
 
     [[nodiscard]] Incident incident(std::uint32_t replicate, std::size_t band) const {
         Incident sum;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            const double unit =
-                evaluation_.estimator.flux_per_unit(region, band, evaluation_.paths);
-            const Incident part = element_incident(replicate, region, band, unit);
-            const Material& material = evaluation_.prepared.material(region);
+            const Incident part = region_incident(replicate, region, band);
             sum.direct_upper += part.direct_upper;
             sum.direct_lower += part.direct_lower;
             sum.scattered_upper += part.scattered_upper;
             sum.scattered_lower += part.scattered_lower;
-            sum.absorbed += (part.direct_upper + part.scattered_upper) *
-                                material.side(true).absorptance()[band] +
-                            (part.direct_lower + part.scattered_lower) *
-                                material.side(false).absorptance()[band];
+            sum.absorbed += part.absorbed;
         }
         return sum;
     }
 
     [[nodiscard]] double sunlit_area(std::uint32_t replicate) const {
-        const std::span<const std::int64_t> cells = evaluation_.replicates.cells(replicate);
+        const ExactBins& bins = sums_.replicates[replicate];
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            sum += from_fixed(cells[evaluation_.replicates.layout().sunlit(region)]) *
-                   evaluation_.estimator.sunlit_area_per_unit(region, evaluation_.paths);
+            sum += bins.value(sums_.layout.sunlit(region)) * units_.sunlit_area(region);
         }
         return sum;
+    }
+
+    /// The largest share of light that a side of the organ absorbs.
+    [[nodiscard]] double largest_absorptance(std::size_t band) const {
+        double largest = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const Material& material = material_of(organ_.first_region + i);
+            for (const SurfaceSide side : kSurfaceSides) {
+                largest = std::max(largest, material.side(side).absorptance()[band]);
+            }
+        }
+        return largest;
+    }
+
+    /// SumUnits::flux_per_find of the organ; nothing falls on one of no area.
+    [[nodiscard]] double flux_per_find(std::size_t band) const {
+        return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
+    }
+    [[nodiscard]] double sunlit_area_per_find() const {
+        return units_.sunlit_area_per_find(organ_.first_region);
     }
 
   private:
-    [[nodiscard]] Incident element_incident(
-        std::uint32_t replicate, std::uint32_t region, std::size_t band, double unit) const {
-        const TallyLayout& layout = evaluation_.replicates.layout();
-        const std::span<const std::int64_t> cells = evaluation_.replicates.cells(replicate);
+    [[nodiscard]] const Material& material_of(std::uint32_t region) const {
+        return scene_.material(scene_.regions()[region]);
+    }
+
+    [[nodiscard]] Incident region_incident(
+        std::uint32_t replicate, std::uint32_t region, std::size_t band) const {
+        const SumLayout& layout = sums_.layout;
+        const ExactBins& bins = sums_.replicates[replicate];
+        const double unit = units_.flux(region, band);
         Incident sum;
-        const bool counted = evaluation_.direct_light == DirectLight::counted;
-        for (std::size_t s = 0; counted && s < layout.spectra; ++s) {
-            const double weight = evaluation_.prepared.spectra()[s][band] * unit;
-            sum.direct_upper += from_fixed(cells[layout.direct(region, false, s)]) * weight;
-            sum.direct_lower += from_fixed(cells[layout.direct(region, true, s)]) * weight;
+        const bool is_counted = spec_.direct_light == DirectLight::counted;
+        for (std::size_t s = 0; is_counted && s < layout.spectra; ++s) {
+            const double weight = sums_.spectra[s][band] * unit;
+            sum.direct_upper += bins.value(layout.direct(region, SurfaceSide::upper, s)) * weight;
+            sum.direct_lower += bins.value(layout.direct(region, SurfaceSide::lower, s)) * weight;
         }
-        sum.scattered_upper = from_fixed(cells[layout.scattered(region, false) + band]) * unit;
-        sum.scattered_lower = from_fixed(cells[layout.scattered(region, true) + band]) * unit;
+        sum.scattered_upper =
+            bins.value(layout.scattered(region, SurfaceSide::upper) + band) * unit;
+        sum.scattered_lower =
+            bins.value(layout.scattered(region, SurfaceSide::lower) + band) * unit;
+        sum.absorbed = absorbed(bins, region, band, sum);
         return sum;
     }
 
-    const Evaluation& evaluation_;
+    /// What a region absorbs: summed, or what follows from the light that falls on it.
+    [[nodiscard]] double absorbed(
+        const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
+        if (sums_.layout.absorbed_light == AbsorbedLight::summed) {
+            return bins.value(sums_.layout.absorbed(region) + band) * units_.flux(region, band);
+        }
+        const Material& material = material_of(region);
+        return (in.direct_upper + in.scattered_upper) *
+                   material.side(SurfaceSide::upper).absorptance()[band] +
+               (in.direct_lower + in.scattered_lower) *
+                   material.side(SurfaceSide::lower).absorptance()[band];
+    }
+
+    const Sums& sums_;
+    Units units_;
+    const Scene& scene_;
+    const EvaluationSpec& spec_;
     const Organ& organ_;
 };
 
@@ -85,53 +153,36 @@ Estimate seen_or_bound(std::span<const double> values, double per_find) {
     return estimate_mean(values);
 }
 
-/// The largest share of light that a side of the organ absorbs.
-double largest_absorptance(const Evaluation& evaluation, const Organ& organ, std::size_t band) {
-    double largest = 0;
-    for (std::uint32_t i = 0; i < organ.region_count; ++i) {
-        const Material& material = evaluation.prepared.material(organ.first_region + i);
-        largest = std::max(
-            {largest, material.side(true).absorptance()[band],
-             material.side(false).absorptance()[band]});
-    }
-    return largest;
-}
-
-/// Estimator::flux_per_find of an organ; nothing falls on one of no area.
-double flux_per_find(const Evaluation& evaluation, const Organ& organ, std::size_t band) {
-    return organ.area > 0
-               ? evaluation.estimator.flux_per_find(organ.first_region, band, evaluation.paths)
-               : 0;
-}
-
-/// Turns the cells of one organ after the other into estimates.
+/// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
   public:
-    explicit OrganEvaluator(const Evaluation& evaluation)
-        : evaluation_(evaluation),
-          values_(evaluation.replicates.count()),
-          incident_(evaluation.prepared.bands(), values_) {
+    OrganEvaluator(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
+        : sums_(sums),
+          scene_(scene),
+          spec_(spec),
+          values_(sums.replicates.size()),
+          incident_(sums.layout.bands, values_) {
         samples_.fill(values_);
     }
 
-    void evaluate(
-        std::size_t index,
-        const std::vector<std::pair<std::size_t, std::size_t>>& ratios,
-        Result& result) {
-        const Organ& organ = evaluation_.prepared.scene().organs()[index];
-        if (!evaluation_.estimator.measures(organ)) {
+    /// Fills in all of an organ.
+    void evaluate(std::size_t index, Result& result) {
+        const Organ& organ = scene_.organs()[index];
+        const OrganReader reader(sums_, scene_, spec_, organ);
+        const auto& ratios = spec_.ratios;
+        if (!is_measured(sums_, organ)) {
             leave_out(index, ratios.size(), result);
             return;
         }
         for (std::size_t b = 0; b < result.bands; ++b) {
-            evaluate_band(organ, index, b, result);
+            evaluate_band(reader, organ, index, b, result);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] =
                 estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]);
         }
         if (!result.sunlit_fraction.empty()) {
-            result.sunlit_fraction[index] = sunlit_fraction(organ);
+            result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
         }
     }
 
@@ -148,8 +199,12 @@ class OrganEvaluator {
         }
     }
 
-    void evaluate_band(const Organ& organ, std::size_t index, std::size_t band, Result& result) {
-        const OrganReader reader(evaluation_, organ);
+    void evaluate_band(
+        const OrganReader& reader,
+        const Organ& organ,
+        std::size_t index,
+        std::size_t band,
+        Result& result) {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
@@ -157,8 +212,8 @@ class OrganEvaluator {
             incident_[band][r] = sample_of(Quantity::incident_direct)[r] +
                                  sample_of(Quantity::incident_scattered)[r];
         }
-        const double find = flux_per_find(evaluation_, organ, band);
-        const double absorbed = largest_absorptance(evaluation_, organ, band);
+        const double find = reader.flux_per_find(band);
+        const double absorbed = reader.largest_absorptance(band);
         for (const QuantityEntry& entry : quantity_table()) {
             const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
                                      entry.quantity == Quantity::absorbed_flux_density;
@@ -182,18 +237,17 @@ class OrganEvaluator {
         put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
     }
 
-    [[nodiscard]] Estimate sunlit_fraction(const Organ& organ) {
-        const OrganReader reader(evaluation_, organ);
+    [[nodiscard]] Estimate sunlit_fraction(const OrganReader& reader, const Organ& organ) {
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        const double find =
-            evaluation_.estimator.sunlit_area_per_find(organ.first_region, evaluation_.paths);
-        return seen_or_bound(values_, find * per_area);
+        return seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
     }
 
-    const Evaluation& evaluation_;
+    const Sums& sums_;
+    const Scene& scene_;
+    const EvaluationSpec& spec_;
     std::vector<double> values_;                            // per replicate
     std::array<std::vector<double>, kQuantities> samples_;  // per replicate
     std::vector<std::vector<double>> incident_;             // per band and replicate, per area
@@ -201,11 +255,10 @@ class OrganEvaluator {
 
 /// Runs work(first, last) for all organs, some at a time, on all threads.
 template <typename Work>
-void for_each_block(const Evaluation& evaluation, const Work& work) {
-    const std::size_t n = evaluation.prepared.scene().organs().size();
+void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
+    const std::size_t n = scene.organs().size();
     parallel_blocks(
-        (n + kOrgansPerBlock - 1) / kOrgansPerBlock, evaluation.threads,
-        [&](std::uint64_t block, unsigned) {
+        (n + kOrgansPerBlock - 1) / kOrgansPerBlock, threads, [&](std::uint64_t block, unsigned) {
             const std::size_t first = block * kOrgansPerBlock;
             work(first, std::min(n, first + kOrgansPerBlock));
         });
@@ -213,19 +266,13 @@ void for_each_block(const Evaluation& evaluation, const Work& work) {
 
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is.
-bool is_at_target(const Evaluation& evaluation, std::size_t index, double target) {
-    const Organ& organ = evaluation.prepared.scene().organs()[index];
-    if (!evaluation.estimator.measures(organ)) {
-        return true;
-    }
-    const OrganReader reader(evaluation, organ);
-    std::vector<double> absorbed(evaluation.replicates.count());
-    for (std::size_t b = 0; b < evaluation.prepared.bands(); ++b) {
+bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
+    std::vector<double> absorbed(sums.replicates.size());
+    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
         for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
             absorbed[r] = reader.incident(r, b).absorbed;
         }
-        const double find =
-            flux_per_find(evaluation, organ, b) * largest_absorptance(evaluation, organ, b);
+        const double find = reader.flux_per_find(b) * reader.largest_absorptance(b);
         const Estimate estimate = seen_or_bound(absorbed, find);
         if (!(estimate.standard_error <= target * estimate.mean)) {
             return false;
@@ -253,41 +300,41 @@ const std::array<QuantityEntry, kQuantities>& quantity_table() {
     return kTable;
 }
 
-void evaluate_organs(
-    const Evaluation& evaluation,
-    const std::vector<std::pair<std::size_t, std::size_t>>& ratios,
-    Result& result) {
-    const std::size_t organs = evaluation.prepared.scene().organs().size();
-    result.bands = evaluation.prepared.bands();
-    result.ratios = ratios.size();
+Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
+    const std::size_t organs = scene.organs().size();
+    Result result;
+    result.bands = sums.layout.bands;
+    result.ratios = spec.ratios.size();
     result.values.resize(organs * kQuantities * result.bands);
-    result.ratio_values.resize(organs * ratios.size());
-    result.sunlit_fraction.resize(evaluation.prepared.sun_area() > 0 ? organs : 0);
-    for_each_block(evaluation, [&](std::size_t first, std::size_t last) {
-        OrganEvaluator evaluator(evaluation);
+    result.ratio_values.resize(organs * result.ratios);
+    result.sunlit_fraction.resize(sums.units.sunlit_area > 0 ? organs : 0);
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        OrganEvaluator evaluator(sums, scene, spec);
         for (std::size_t i = first; i < last; ++i) {
-            evaluator.evaluate(i, ratios, result);
+            evaluator.evaluate(i, result);
         }
     });
+    result.budget = evaluate_budget(sums, scene);
+    result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
+    result.paths = sums.paths;
+    result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
+    result.rays = count_rays(sums);
+    return result;
 }
 
-double fraction_at_target(const Evaluation& evaluation, double target) {
+double fraction_at_target(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     std::atomic<std::size_t> reached{0};
-    for_each_block(evaluation, [&](std::size_t first, std::size_t last) {
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            reached += is_at_target(evaluation, i, target) ? 1 : 0;
+            const Organ& organ = scene.organs()[i];
+            const bool is_done = !is_measured(sums, organ) ||
+                                 is_at_target(sums, OrganReader(sums, scene, spec, organ), target);
+            reached += is_done ? 1 : 0;
         }
     });
-    return static_cast<double>(reached) /
-           static_cast<double>(evaluation.prepared.scene().organs().size());
-}
-
-std::uint64_t count_rays(const Replicates& replicates) {
-    std::uint64_t rays = 0;
-    for (std::uint32_t r = 0; r < replicates.count(); ++r) {
-        rays += static_cast<std::uint64_t>(replicates.cells(r)[replicates.layout().rays()]);
-    }
-    return rays;
+    return static_cast<double>(reached) / static_cast<double>(scene.organs().size());
 }
 
 }  // namespace quasimc

@@ -1,36 +1,35 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "results/result.h"
-#include "solvers/estimator.h"
-#include "sums/replicates.h"
+#include "scene/scene.h"
+#include "solvers/run_spec.h"
+#include "sums/sums.h"
 
 namespace quasimc {
 
-/// What the sums of all replicates say after `paths` points each.
-struct Evaluation {
-    const PreparedScene& prepared;
-    const Estimator& estimator;
-    const Replicates& replicates;
-    std::uint64_t paths = 0;
-    unsigned threads = 1;
+/// What is to be made of sums.
+struct EvaluationSpec {
+    std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
     DirectLight direct_light = DirectLight::counted;
+    unsigned threads = 1;  ///< never changes a number
 };
 
-/// Fills values, sunlit_fraction and ratio_values of the result.
-/// @param ratios  pairs of bands
-void evaluate_organs(
-    const Evaluation& evaluation,
-    const std::vector<std::pair<std::size_t, std::size_t>>& ratios,
-    Result& result);
+/// What the sums of a run say of each organ, ratio and band, with errors from the replicates: a
+/// pure function. Fills everything of the result but how it was found (Result::chosen, stop,
+/// times).
+/// @param sums  of at least one path
+/// @param scene  that they were computed for
+[[nodiscard]] Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
-/// The energy budget of each band.
-[[nodiscard]] std::vector<BandBudget> evaluate_budget(const Evaluation& evaluation);
+/// The energy budget of each band, as part of the above.
+[[nodiscard]] std::vector<BandBudget> evaluate_budget(const Sums& sums, const Scene& scene);
 
 /// Fraction of the organs whose absorbed flux has at most `target` relative standard error in every
 /// band.
-[[nodiscard]] double fraction_at_target(const Evaluation& evaluation, double target);
-
-/// Rays cast in all replicates.
-[[nodiscard]] std::uint64_t count_rays(const Replicates& replicates);
+[[nodiscard]] double fraction_at_target(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target);
 
 }  // namespace quasimc

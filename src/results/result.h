@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run/audit.h"
+#include "results/audit.h"
 #include "solvers/run_spec.h"
 #include "sums/statistics.h"
 
@@ -47,12 +47,6 @@ struct BandBudget {
 /// Why no further round was traced. time_is_up and path_limit: the target, if one was set, was
 /// missed.
 enum class StopReason { paths_done, target_reached, time_is_up, path_limit };
-
-/// How a result was computed, and why so.
-struct ChosenMethod {
-    Method method = Method::light_tracing;  ///< never automatic
-    std::string reason;                     ///< a sentence without its full stop
-};
 
 struct Result {
     std::size_t bands = 0;

@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "run/run.h"
 #include "samplers/catalogue.h"
-#include "solvers/estimator.h"
 
 namespace quasimc {
 namespace {
@@ -162,21 +161,6 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
     check_organs(scene, spec, faults);
-}
-
-std::unique_ptr<Estimator> make_estimator(
-    const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec) {
-    EXPECT(spec.method != Method::automatic);
-    switch (spec.method) {
-        case Method::from_organs:
-            return make_backward_estimator(prepared, sampler, spec);
-        case Method::first_hits:
-            return make_lit_surfaces_estimator(prepared, sampler, spec);
-        case Method::light_tracing:
-        case Method::automatic:
-            break;
-    }
-    return make_forward_estimator(prepared, sampler, spec);
 }
 
 }  // namespace quasimc

@@ -6,8 +6,8 @@
 
 #include "results/result.h"
 #include "scene/scene.h"
-#include "solvers/estimator.h"
 #include "solvers/run_spec.h"
+#include "solvers/solver.h"
 
 namespace quasimc {
 

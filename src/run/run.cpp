@@ -1,20 +1,19 @@
 #include "run/run.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <utility>
 
+#include "base/executor.h"
 #include "base/parallel.h"
 #include "results/evaluate.h"
 #include "run/rounds.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
-#include "solvers/estimator.h"
+#include "solvers/catalogue.h"
 #include "solvers/planner.h"
-#include "sums/replicates.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -32,56 +31,29 @@ double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Tells the caller how far the run is, a few times a second, from the caller's own thread only.
+/// Tells the caller how far the run is.
 class Reporter {
   public:
     Reporter(const std::function<void(const Progress&)>& tell, Clock::time_point start)
         : tell_(tell), start_(start) {}
 
-    void begin_round(std::uint64_t blocks, double done_before, double share, double at_target) {
-        blocks_ = blocks;
-        done_ = 0;
-        before_ = done_before;
-        share_ = share;
-        at_target_ = at_target;
+    void begin_round(const Rounds& rounds) {
+        before_ = rounds.fraction_before();
+        share_ = rounds.share();
+        at_target_ = rounds.at_target();
     }
-    void block_done(unsigned worker) {
-        const std::uint64_t done = ++done_;
-        constexpr double kSecondsBetween = 0.2;
-        if (!tell_ || worker != 0 || seconds_since(start_) - last_ < kSecondsBetween) {
-            return;
-        }
-        last_ = seconds_since(start_);
-        const double fraction =
-            before_ + share_ * static_cast<double>(done) / static_cast<double>(blocks_);
-        tell_({fraction, last_, last_ / fraction, at_target_});
+    /// @param part  of the round that is done
+    void report(double part) const {
+        const double seconds = seconds_since(start_);
+        const double fraction = before_ + share_ * part;
+        tell_({fraction, seconds, seconds / fraction, at_target_});
     }
 
   private:
     const std::function<void(const Progress&)>& tell_;
     Clock::time_point start_;
-    std::uint64_t blocks_ = 1;
-    std::atomic<std::uint64_t> done_{0};
-    double before_ = 0, share_ = 1, last_ = 0, at_target_ = 0;
+    double before_ = 0, share_ = 1, at_target_ = 0;
 };
-
-/// Traces one round of every replicate.
-void trace_round(
-    const Estimator& estimator,
-    const Round& round,
-    std::vector<Workspace>& workspaces,
-    Replicates& replicates,
-    Reporter& reporter) {
-    const std::uint64_t blocks = estimator.blocks(round);
-    const auto workers = static_cast<unsigned>(workspaces.size());
-    parallel_blocks(blocks * replicates.count(), workers, [&](std::uint64_t i, unsigned worker) {
-        const auto replicate = static_cast<std::uint32_t>(i / blocks);
-        Tally& tally = replicates.tally_for(worker, replicate);
-        estimator.trace(round, replicate, i % blocks, workspaces[worker], tally);
-        reporter.block_done(worker);
-    });
-    replicates.collect();
-}
 
 /// The plainest run there is, with random numbers of its own.
 RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
@@ -140,40 +112,26 @@ Result Simulator::trace(
     if (prepared.lights().empty()) {
         throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
     }
-    const auto estimator = make_estimator(prepared, sampler_for(spec.sampler), spec);
+    const auto solver = make_solver({prepared, sampler_for(spec.sampler), spec});
+    Sums sums = empty_sums(prepared, spec);
     const double build_seconds = seconds_since(start);
 
     const double cpu_before = cpu_seconds();
-    const unsigned threads = thread_count(spec.threads);
-    Replicates replicates(
-        tally_layout(prepared), spec.replicates, threads, spec.tally_memory_mb * 1e6,
-        prepared.ground_regions());
-    std::vector<Workspace> workspaces;
-    workspaces.reserve(threads);
-    for (unsigned i = 0; i < threads; ++i) {
-        workspaces.emplace_back(prepared.bands());
-    }
-    Evaluation evaluation{prepared, *estimator, replicates, 0, threads, spec.direct_light};
     Reporter reporter(on_progress, start);
+    Executor executor(
+        thread_count(spec.threads),
+        on_progress ? [&](double part) { reporter.report(part); } : std::function<void(double)>());
+    const EvaluationSpec asked{ratio_bands(scene, spec), spec.direct_light, executor.workers()};
     Rounds rounds(spec);
     while (const auto round = rounds.next()) {
-        reporter.begin_round(
-            estimator->blocks(*round) * spec.replicates, rounds.fraction_before(), rounds.share(),
-            rounds.at_target());
-        trace_round(*estimator, *round, workspaces, replicates, reporter);
-        evaluation.paths = round->first + round->count;
+        reporter.begin_round(rounds);
+        solver->solve(*round, executor, sums);
         rounds.finish(
             seconds_since(start),
-            spec.target_error > 0 ? fraction_at_target(evaluation, spec.target_error) : 0);
+            spec.target_error > 0 ? fraction_at_target(sums, scene, asked, spec.target_error) : 0);
     }
 
-    Result result;
-    evaluate_organs(evaluation, ratio_bands(scene, spec), result);
-    result.budget = evaluate_budget(evaluation);
-    result.escaped_is_remainder = !estimator->counts_escapes();
-    result.paths = evaluation.paths;
-    result.replicates = spec.replicates;
-    result.rays = count_rays(replicates);
+    Result result = evaluate(sums, scene, asked);
     result.stop = rounds.stop();
     result.fraction_at_target = rounds.at_target();
     result.build_seconds = build_seconds;

@@ -11,8 +11,6 @@
 
 namespace quasimc {
 
-using Sources = std::vector<std::shared_ptr<const Source>>;
-
 /// How far a run is; called now and then from the thread that called run().
 struct Progress {
     double fraction = 0;            ///< of the current plan, 0..1

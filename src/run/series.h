@@ -22,7 +22,7 @@ struct TimeStep {
     std::size_t day = 0;  ///< that it belongs to; not before that of the moment before
 };
 
-/// BoundSource summed over the moments of a day, or of all days: irradiance unit x s, and flux x s.
+/// Light summed over the moments of a day, or of all days: irradiance unit x s, and flux x s.
 struct SeriesSum {
     std::size_t bands = 0;
     double seconds = 0;  ///< of the moments summed

@@ -1,102 +1,94 @@
-// Tracing from lit surfaces: what light from far away falls on first is found without random paths,
-// and scattered light starts from there.
+// Direct light by geometry, scattered light by paths from where it falls.
 //
 // A sun is cut into scan lines, and each line into the segments of surfaces that it lights
 // (geometry/raster/scan_lines.h): the direct light of every organ, with an error that falls with
 // the third power of the number of lines. A sky is a sum of beams from well-spread directions, and
 // each is seen pixel by pixel (geometry/raster/item_buffer.h). Paths start on segments and pixels
-// (solvers/scatter_source.h). Lamps are traced from the sources.
-//
-// A unit of all cells is the light of one path, as in light tracing.
+// (solvers/path_vertices.h) and are traced from there (solvers/vertex_tracer.h). Lamps are traced
+// from the sources.
 
-#include <algorithm>
+#include "solvers/first_hits.h"
+
 #include <array>
 #include <bit>
-#include <cmath>
+#include <optional>
 #include <span>
 
+#include "geometry/raster/item_buffer.h"
+#include "geometry/raster/scan_lines.h"
+#include "solvers/block_runner.h"
+#include "solvers/light_tracer.h"
 #include "solvers/sampling_budget.h"
-#include "solvers/scatter_source.h"
+#include "solvers/vertex_tracer.h"
 
 namespace quasimc {
 namespace {
 
-class LitSurfacesEstimator final : public Estimator {
+class FirstHits final : public Solver {
   public:
-    LitSurfacesEstimator(const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec)
-        : prepared_(prepared),
-          sampler_(sampler),
-          spec_(spec),
-          roulette_threshold_(spec.roulette_weight * static_cast<double>(prepared.bands())),
-          forward_(make_forward_estimator(prepared, sampler, spec, Lights::lamps)),
-          shares_(prepared),
-          skies_(prepared),
-          plan_(prepared, skies_) {
-        for (const BoundSource& light : prepared.lights()) {
+    explicit FirstHits(const SolverInput& input)
+        : prepared_(input.prepared),
+          sampler_(input.sampler),
+          spec_(input.spec),
+          roulette_threshold_(
+              input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+          shares_(input.prepared),
+          skies_(input.prepared),
+          budget_(input.prepared, skies_),
+          runner_(input),
+          lamps_(input, TracedSources::lamps),
+          lamp_runner_(input) {
+        for (const BoundSource& light : prepared_.lights()) {
             has_lamps_ = has_lamps_ || light.source->is_lamp();
         }
         set_scene();
     }
 
-    [[nodiscard]] std::uint64_t blocks(const Round& round) const override {
-        const std::vector<VisibilityTask> parts = plan_.parts(round);
-        const std::uint64_t own =
-            parts.empty() ? 0 : parts.back().first_block + parts.back().blocks;
-        return own + (has_lamps_ ? forward_->blocks(round) : 0);
+    void solve(const Round& round, Executor& executor, Sums& sums) override {
+        const std::vector<VisibilityTask> tasks = budget_.tasks(round);
+        const std::uint64_t blocks =
+            tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
+        const std::uint64_t lamp_blocks = has_lamps_ ? LightTracer::blocks(round) : 0;
+        executor.announce((blocks + lamp_blocks) * sums.replicates.size());
+        runner_.run(
+            blocks, executor, sums,
+            [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
+                const std::uint32_t i = task_of_block(tasks, block);
+                const Work work{round, replicate, i, tasks[i], block - tasks[i].first_block};
+                tasks[i].is_sky ? trace_skies(work, scratch, tally)
+                                : trace_lines(work, scratch, tally);
+            });
+        lamp_runner_.run(
+            lamp_blocks, executor, sums,
+            [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
+                Tally& tally) { lamps_.trace(round, replicate, block, scratch, tally); });
+        sums.paths += round.count;
+        sums.samples += round.count;
     }
-
-    void trace(
-        const Round& round,
-        std::uint32_t replicate,
-        std::uint64_t block,
-        Workspace& workspace,
-        Tally& tally) const override {
-        const std::vector<VisibilityTask> parts = plan_.parts(round);
-        for (std::uint32_t i = 0; i < parts.size(); ++i) {
-            const VisibilityTask& part = parts[i];
-            if (block < part.first_block + part.blocks) {
-                const Work work{round, replicate, i, part, block - part.first_block};
-                part.is_sky ? trace_skies(work, workspace, tally)
-                            : trace_lines(work, workspace, tally);
-                return;
-            }
-        }
-        const std::uint64_t own = blocks(round) - forward_->blocks(round);
-        forward_->trace(round, replicate, block - own, workspace, tally);
-    }
-
-    [[nodiscard]] double flux_per_unit(
-        std::uint32_t region, std::size_t band, std::uint64_t paths) const override {
-        return forward_->flux_per_unit(region, band, paths);
-    }
-    [[nodiscard]] double sunlit_area_per_unit(
-        std::uint32_t region, std::uint64_t paths) const override {
-        return forward_->sunlit_area_per_unit(region, paths);
-    }
-    [[nodiscard]] double flux_per_find(
-        std::uint32_t region, std::size_t band, std::uint64_t paths) const override {
-        return forward_->flux_per_find(region, band, paths);
-    }
-    [[nodiscard]] double sunlit_area_per_find(
-        std::uint32_t region, std::uint64_t paths) const override {
-        return forward_->sunlit_area_per_find(region, paths);
-    }
-    [[nodiscard]] bool counts_escapes() const override { return true; }
 
   private:
-    /// A block of a part.
+    /// A block of a task.
     struct Work {
         const Round& round;
         std::uint32_t replicate;
-        std::uint32_t number;  ///< of the part
-        const VisibilityTask& part;
-        std::uint64_t block;  ///< of the part
+        std::uint32_t number;  ///< of the task
+        const VisibilityTask& task;
+        std::uint64_t block;  ///< of the task
     };
-    /// One direction of a light.
-    struct Beam {
-        Vec3 direction;
-        double paths = 0;  ///< how many paths' light it brings
-        double area = 1;   ///< across it, through which that enters; local
+    /// A beam and the area across it, through which its light enters; local units squared.
+    struct Beam : SurfaceBeam {
+        double area = 1;
+    };
+    /// What a worker keeps between blocks.
+    struct Scratch {
+        explicit Scratch(std::size_t bands) : tracing(bands) {}
+        ScanLines lines;
+        std::optional<std::array<std::uint64_t, 3>> lines_of;  // their task, replicate and round
+        ItemBuffer pixels;
+        std::vector<ScatteringPiece> pieces;  // by item of the lines or pixels
+        std::vector<SurfaceBeam> beams;
+        std::vector<PathVertex> vertices;
+        VertexScratch tracing;
     };
 
     void set_scene() {
@@ -120,18 +112,18 @@ class LitSurfacesEstimator final : public Estimator {
         return light.probability * static_cast<double>(round.count);
     }
 
-    /// The point set number `i` of a part's blocks; number 0 places its beams. BoundSource tracing
+    /// The point set number `i` of a task's blocks; number 0 places its beams. Light tracing
     /// has sequence 0.
     [[nodiscard]] Stream stream_of(const Work& work, std::uint64_t i) const {
-        // A block's paths can't be more than the light of the whole part; beams are placed by at
+        // A block's paths can't be more than the light of the whole task; beams are placed by at
         // most a number for each of them, and for each sky in each block.
         const std::uint64_t placed =
-            work.part.count + work.part.blocks * (1 + skies_.skies().size());
+            work.task.count + work.task.blocks * (1 + skies_.skies().size());
         const std::uint64_t most = std::bit_ceil(2 * work.round.count + 2 + placed);
-        // Each light has at most so many parts.
-        const std::uint64_t parts = prepared_.lights().size() * kDiskBeams;
+        // Each light has at most so many tasks.
+        const std::uint64_t tasks = prepared_.lights().size() * kDiskBeams;
         return {
-            spec_.seed, 1 + work.number + parts * i, work.replicate, work.round.first * 4, most};
+            spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
     }
 
     [[nodiscard]] PathRules rules_of(const Work& work) const {
@@ -144,7 +136,7 @@ class LitSurfacesEstimator final : public Estimator {
             .roulette_threshold = roulette_threshold_};
     }
 
-    /// A light's part in one of `count` directions, drawn with `density`.
+    /// A light's share of one of `count` directions, drawn with `density`.
     [[nodiscard]] Beam beam_of(
         const BoundSource& light,
         const Vec3& direction,
@@ -154,68 +146,73 @@ class LitSurfacesEstimator final : public Estimator {
         const double area = prepared_.projection().entry_box().projected_area(direction);
         const double entering =
             light.source->radiance(-direction) * area / light.source_sampler->flux();
-        return {direction, paths_of(light, work.round) * entering / (density * count), area};
+        const double paths = paths_of(light, work.round) * entering / (density * count);
+        return {{&light, direction, paths}, area};
     }
 
-    /// The beam of a part that is cut into lines.
+    /// The beam of a task that is cut into lines.
     [[nodiscard]] Beam beam_of(const Work& work) const {
-        const BoundSource& light = prepared_.lights()[work.part.light];
+        const BoundSource& light = prepared_.lights()[work.task.light];
         if (const auto direction = light.source_sampler->beam_direction()) {
-            return {*direction, paths_of(light, work.round), light.source_sampler->flux()};
+            return {
+                {&light, *direction, paths_of(light, work.round)}, light.source_sampler->flux()};
         }
         // All beams of a disk are placed by the same two numbers.
-        const Work first{work.round, work.replicate, work.number - work.part.beam, work.part, 0};
+        const Work first{work.round, work.replicate, work.number - work.task.beam, work.task, 0};
         const Stream placing = stream_of(first, 0);
         const DrawnDirection from = lattice_direction(
-            light, work.part.beam, work.part.beams,
+            light, work.task.beam, work.task.beams,
             {sampler_.coordinate(placing, placing.first, 3),
              sampler_.coordinate(placing, placing.first, 4)});
-        return beam_of(light, from.direction, from.density, work, work.part.beams);
+        return beam_of(light, from.direction, from.density, work, work.task.beams);
     }
 
-    void trace_lines(const Work& work, Workspace& workspace, Tally& tally) const {
+    void trace_lines(const Work& work, Scratch& scratch, Tally& tally) const {
         const Beam beam = beam_of(work);
         const Stream placing = stream_of(work, 0);
-        set_lines(work, beam, placing, workspace);
-        ScanLines& lines = workspace.lines;
-        ScatterSource light(shares_, rules_of(work), workspace, tally);
-        double residual = sampler_.coordinate(placing, placing.first + 1 + work.block, 2);
-        light.begin_beam(
-            prepared_.lights()[work.part.light], beam.direction, share_of_block(beam.paths, work),
-            residual);
+        set_lines(work, beam, placing, scratch);
+        ScanLines& lines = scratch.lines;
+        SurfaceBeam share = beam;
+        share.paths = share_of_block(beam.paths, work);
+        scratch.beams.assign(1, share);
+        scratch.vertices.clear();
         const double per_length = beam.paths * lines.area() / beam.area;
         lines.begin(static_cast<std::uint32_t>(work.block));
-        std::vector<ShiningPiece>& shining = workspace.shining;
-        shining.clear();
+        scratch.pieces.clear();
         for (const ScanLines::Item& item : lines.items()) {
-            shining.push_back(light.shining(item.triangle, item.cosine, per_length));
+            scratch.pieces.push_back(scattering_piece(
+                prepared_, shares_, share, item.triangle, item.cosine, per_length));
         }
+        SystematicPlacement placement(
+            sampler_.coordinate(placing, placing.first + 1 + work.block, 2));
         while (lines.next()) {
             for (const LinePiece& piece : lines.pieces()) {
-                light.scatter(shining[piece.segment], piece.length(), [&](double f) {
-                    return lines.place(piece, f);
-                });
+                placement.place(
+                    scratch.pieces[piece.segment], piece.length(), 0,
+                    [&](double f) { return lines.place(piece, f); }, scratch.vertices);
             }
         }
+        DirectLightScore direct(prepared_, share, tally);
         for (const ScanLines::Item& item : lines.items()) {
             if (item.length > 0) {
-                light.fall(item.triangle, item.cosine, per_length * item.length);
+                direct.add(item.triangle, item.cosine, per_length * item.length);
             }
         }
-        light.end_beam();
-        light.trace();
+        direct.add_escaped();
+        trace_from_vertices(
+            rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
 
     void set_lines(
-        const Work& work, const Beam& beam, const Stream& placing, Workspace& workspace) const {
+        const Work& work, const Beam& beam, const Stream& placing, Scratch& scratch) const {
         const std::array<std::uint64_t, 3> key{work.number, work.replicate, work.round.first};
-        if (workspace.lines_of != key) {
-            workspace.lines.set(
+        if (scratch.lines_of != key) {
+            scratch.lines.set(
                 scene_, {.direction = beam.direction,
                          .rotation = sampler_.coordinate(placing, placing.first, 0),
                          .shift = sampler_.coordinate(placing, placing.first, 1),
-                         .lines = work.part.count});
-            workspace.lines_of = key;
+                         .lines = work.task.count});
+            scratch.lines_of = key;
         }
     }
 
@@ -223,62 +220,81 @@ class LitSurfacesEstimator final : public Estimator {
     static double share_of_block(double paths, const Work& work) {
         const auto until = [&](std::uint64_t i) {
             return from_fixed(
-                to_fixed(paths * static_cast<double>(i) / static_cast<double>(work.part.blocks)));
+                to_fixed(paths * static_cast<double>(i) / static_cast<double>(work.task.blocks)));
         };
         return until(work.block + 1) - until(work.block);
     }
 
     /// Every so many-th direction of the skies: what is seen of it serves all of them.
-    void trace_skies(const Work& work, Workspace& workspace, Tally& tally) const {
+    void trace_skies(const Work& work, Scratch& scratch, Tally& tally) const {
         const Stream placing = stream_of(work, 0);
         const std::array<double, 2> shift{
             sampler_.coordinate(placing, placing.first, 0),
             sampler_.coordinate(placing, placing.first, 1)};
-        ScatterSource light(shares_, rules_of(work), workspace, tally);
+        scratch.beams.clear();
+        scratch.vertices.clear();
         const std::span<const BoundSource* const> skies = skies_.skies();
-        std::vector<double> residual;
+        std::vector<SystematicPlacement> placements;
         for (std::size_t k = 0; k < skies.size(); ++k) {
-            const std::uint64_t point = 1 + work.part.count + work.block * skies.size() + k;
-            residual.push_back(sampler_.coordinate(placing, placing.first + point, 2));
+            const std::uint64_t point = 1 + work.task.count + work.block * skies.size() + k;
+            placements.emplace_back(sampler_.coordinate(placing, placing.first + point, 2));
         }
-        for (auto i = static_cast<std::uint32_t>(work.block); i < work.part.count;
-             i += static_cast<std::uint32_t>(work.part.blocks)) {
-            const DrawnDirection from = skies_.direction(i, work.part.count, shift);
-            const std::uint64_t point = placing.first + 1 + i;
-            workspace.pixels.draw(
-                scene_, {.direction = from.direction,
-                         .rotation = sampler_.coordinate(placing, point, 3),
-                         .shift_s = sampler_.coordinate(placing, point, 4),
-                         .shift_t = sampler_.coordinate(placing, point, 5),
-                         .pixels = work.part.pixels});
+        for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
+             i += static_cast<std::uint32_t>(work.task.blocks)) {
+            const DrawnDirection from = skies_.direction(i, work.task.count, shift);
+            draw_pixels(work, placing, i, from.direction, scratch.pixels);
             for (std::size_t k = 0; k < skies.size(); ++k) {
                 const Beam beam =
-                    beam_of(*skies[k], from.direction, from.density, work, work.part.count);
+                    beam_of(*skies[k], from.direction, from.density, work, work.task.count);
                 if (beam.paths > 0) {
-                    light.begin_beam(*skies[k], beam.direction, beam.paths, residual[k]);
-                    light_pixels(beam, workspace, light);
-                    light.end_beam();
+                    scratch.beams.push_back(beam);
+                    light_pixels(beam, placements[k], scratch, tally);
                 }
             }
         }
-        light.trace();
+        trace_from_vertices(
+            rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
 
-    static void light_pixels(const Beam& beam, Workspace& workspace, ScatterSource& light) {
-        const ItemBuffer& pixels = workspace.pixels;
+    /// What is seen along direction `i` of the skies.
+    void draw_pixels(
+        const Work& work,
+        const Stream& placing,
+        std::uint32_t i,
+        const Vec3& direction,
+        ItemBuffer& pixels) const {
+        const std::uint64_t point = placing.first + 1 + i;
+        pixels.draw(
+            scene_, {.direction = direction,
+                     .rotation = sampler_.coordinate(placing, point, 3),
+                     .shift_s = sampler_.coordinate(placing, point, 4),
+                     .shift_t = sampler_.coordinate(placing, point, 5),
+                     .pixels = work.task.pixels});
+    }
+
+    /// Scores what a beam, the last of scratch.beams, brings to pixels, and places vertices there.
+    void light_pixels(
+        const Beam& beam, SystematicPlacement& placement, Scratch& scratch, Tally& tally) const {
+        const ItemBuffer& pixels = scratch.pixels;
         const double amount = beam.paths * pixels.pixel_area() / beam.area;
-        std::vector<ShiningPiece>& shining = workspace.shining;
-        shining.assign(pixels.id_count(), {});
+        DirectLightScore direct(prepared_, beam, tally);
+        scratch.pieces.assign(pixels.id_count(), {});
         for (const ItemBuffer::Item& item : pixels.items()) {
-            light.fall(item.triangle, item.cosine, amount * item.pixels);
+            direct.add(item.triangle, item.cosine, amount * item.pixels);
             if (item.id > 0) {
-                shining[item.id] = light.shining(item.triangle, item.cosine, amount);
+                scratch.pieces[item.id] =
+                    scattering_piece(prepared_, shares_, beam, item.triangle, item.cosine, amount);
             }
         }
+        direct.add_escaped();
+        const auto number = static_cast<std::uint32_t>(scratch.beams.size() - 1);
         for (const ItemBuffer::Run& run : pixels.runs()) {
-            light.scatter(shining[run.id], run.count, [&](double f) {
-                return pixels.place(run.first + static_cast<std::uint32_t>(f * run.count));
-            });
+            placement.place(
+                scratch.pieces[run.id], run.count, number,
+                [&](double f) {
+                    return pixels.place(run.first + static_cast<std::uint32_t>(f * run.count));
+                },
+                scratch.vertices);
         }
     }
 
@@ -287,19 +303,20 @@ class LitSurfacesEstimator final : public Estimator {
     const RunSpec& spec_;
     double roulette_threshold_;
     bool has_lamps_ = false;
-    std::unique_ptr<Estimator> forward_;  // of lamps; tells what the cells mean
     ScatteredShares shares_;
     SkyDirections skies_;
-    SamplingBudget plan_;
+    SamplingBudget budget_;
     std::vector<VisibilityRole> roles_;  // by triangle; empty: all opaque
     ProjectedScene scene_;
+    BlockRunner<Scratch> runner_;
+    LightTracer lamps_;
+    BlockRunner<LightTracer::Scratch> lamp_runner_;
 };
 
 }  // namespace
 
-std::unique_ptr<Estimator> make_lit_surfaces_estimator(
-    const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec) {
-    return std::make_unique<LitSurfacesEstimator>(prepared, sampler, spec);
+std::unique_ptr<Solver> make_first_hits(const SolverInput& input) {
+    return std::make_unique<FirstHits>(input);
 }
 
 }  // namespace quasimc

@@ -1,14 +1,13 @@
 // Tracing from the organs: points on every organ look for light.
 //
 // At a point of the organ, and at every hit of a path that starts there, one direction to a light
-// is drawn and tested (next-event estimation). BoundSource that comes by a lobe of one direction
+// is drawn and tested (next-event estimation). Light that comes by a lobe of one direction
 // can't be found so. From a sky it is found by the paths that a mirror sends there; from a sun or a
 // lamp only from its own side, so a light path follows each point's where a scene has such lobes
 // (PathFilter::delta_first). The two sets of paths are disjoint by their first scattering and
 // together complete.
-//
-// A cell holds, for one element of an organ of area A, A_ref / flux times the mean irradiance, per
-// point.
+
+#include "solvers/from_organs.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@
 #include <numbers>
 #include <optional>
 
-#include "solvers/estimator.h"
+#include "solvers/block_runner.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
 #include "transport/particle.h"
@@ -27,9 +26,8 @@ namespace quasimc {
 namespace {
 
 /// Points a block holds: of one organ, or of several if they have few each.
-constexpr std::uint64_t kBlock = 8192;
-/// Steps of the fixed point are finer by this: weights of big organs are small (2^40 steps a unit,
-/// 2^23 units).
+constexpr std::uint64_t kPointsPerBlock = 8192;
+/// Steps of the fixed point are finer by this: weights of big organs are small (2^40 steps a unit).
 constexpr double kGain = 4096;
 
 /// A point of an organ that looks for light, and its number in the point set.
@@ -37,108 +35,112 @@ struct Point : OrganPoint {
     std::uint64_t index = 0;
 };
 
-class BackwardEstimator final : public Estimator {
-  public:
-    BackwardEstimator(const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec)
-        : prepared_(prepared),
-          sampler_(sampler),
-          spec_(spec),
-          roulette_threshold_(spec.roulette_weight * static_cast<double>(prepared.bands())),
-          organ_points_(prepared) {
-        const std::vector<Organ>& all = prepared.scene().organs();
-        for (std::uint32_t i = 0; i < all.size(); ++i) {
-            if (measures(all[i])) {
-                measured_.push_back(i);
-                reference_area_ += all[i].area;
-            }
+/// The organs that points are placed on, and the area of all of them.
+struct MeasuredArea {
+    std::vector<std::uint32_t> organs;
+    double area = 0;
+};
+
+MeasuredArea measured_area(const Scene& scene) {
+    MeasuredArea measured;
+    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
+        if (scene.organs()[i].measured) {
+            measured.organs.push_back(i);
+            measured.area += scene.organs()[i].area;
         }
-        next_event_.emplace(prepared, sampler, kGain * reference_area_);
-        const std::uint64_t share = std::max<std::uint64_t>(1, spec.paths / organs());
+    }
+    return measured;
+}
+
+class FromOrgans final : public Solver {
+  public:
+    explicit FromOrgans(const SolverInput& input)
+        : prepared_(input.prepared),
+          sampler_(input.sampler),
+          spec_(input.spec),
+          roulette_threshold_(
+              input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+          measured_(measured_area(input.prepared.scene())),
+          organ_points_(input.prepared),
+          next_event_(input.prepared, input.sampler, kGain * measured_.area),
+          runner_(input) {
+        const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
         points_per_organ_ = std::bit_floor(share);
-        const auto& lights = prepared.lights();
-        for (const BoundSource& light : lights) {
+        for (const BoundSource& light : prepared_.lights()) {
             if (!light.is_extended()) {
                 hides_from_mirrors_ = true;
                 start_dimensions_ = light.source_sampler->beam_direction() ? start_dimensions_ : 4U;
             }
         }
-        for (const Region& region : prepared.scene().regions()) {
-            const double own = prepared.scene().organs()[region.organ.value].area;
+        for (const Region& region : prepared_.scene().regions()) {
+            const double own = prepared_.scene().organs()[region.organ.value].area;
             companion_scale_.push_back(
-                own > 0 ? kGain * reference_area_ / (own * static_cast<double>(organs())) : 0);
+                own > 0 ? kGain * measured_.area / (own * static_cast<double>(organs())) : 0);
         }
     }
 
-    [[nodiscard]] std::uint64_t blocks(const Round& round) const override {
+    void solve(const Round& round, Executor& executor, Sums& sums) override {
+        const std::uint64_t count = blocks(round) * (needs_companion() ? 2 : 1);
+        executor.announce(count * sums.replicates.size());
+        runner_.run(
+            count, executor, sums,
+            [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
+                trace(round, replicate, block, scratch, tally);
+            });
+        sums.paths += round.count;
+        sums.samples += points(round.count);
+    }
+
+  private:
+    struct Scratch {
+        explicit Scratch(std::size_t bands) : path(bands), companion(bands), fixed(bands) {}
+        GatherScratch path;
+        ParticleScratch companion;
+        std::vector<std::int64_t> fixed;  // per band
+    };
+
+    /// Blocks of points; companions take as many again.
+    [[nodiscard]] std::uint64_t blocks(const Round& round) const {
         const std::uint64_t each = points(round.count);
-        const std::uint64_t own =
-            each >= kBlock ? organs() * (each / kBlock) : (organs() * each + kBlock - 1) / kBlock;
-        return own * (needs_companion() ? 2 : 1);
+        return each >= kPointsPerBlock ? organs() * (each / kPointsPerBlock)
+                              : (organs() * each + kPointsPerBlock - 1) / kPointsPerBlock;
     }
 
     void trace(
         const Round& round,
         std::uint32_t replicate,
         std::uint64_t block,
-        Workspace& workspace,
-        Tally& tally) const override {
+        Scratch& scratch,
+        Tally& tally) const {
         const std::uint64_t each = points(round.count);
-        const std::uint64_t own = blocks(round) / (needs_companion() ? 2 : 1);
-        const bool companion = block >= own;
-        const std::uint64_t piece = companion ? block - own : block;
+        const std::uint64_t own = blocks(round);
+        const bool is_companion = block >= own;
+        const std::uint64_t piece = is_companion ? block - own : block;
         std::uint64_t rays = 0;
-        const std::uint64_t begin = piece * kBlock;
-        const std::uint64_t end = std::min(begin + kBlock, organs() * each);
+        const std::uint64_t begin = piece * kPointsPerBlock;
+        const std::uint64_t end = std::min(begin + kPointsPerBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
-            const std::uint64_t organ = measured_[i / each];
+            const std::uint64_t organ = measured_.organs[i / each];
             const Stream stream{
-                spec_.seed, (companion ? prepared_.scene().organs().size() : 0) + organ + 1,
+                spec_.seed, (is_companion ? prepared_.scene().organs().size() : 0) + organ + 1,
                 replicate, first, each};
-            rays += companion ? trace_companion(stream, first + i % each, workspace, tally)
-                              : trace_point(stream, organ, first + i % each, workspace, tally);
+            rays += is_companion ? trace_companion(stream, first + i % each, scratch, tally)
+                                 : trace_point(stream, organ, first + i % each, scratch, tally);
         }
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
     }
 
-    [[nodiscard]] double flux_per_unit(
-        std::uint32_t region, std::size_t band, std::uint64_t paths) const override {
-        return prepared_.flux()[band] / reference_area_ * organ_area(region) / kGain /
-               static_cast<double>(points(paths));
-    }
-    [[nodiscard]] double sunlit_area_per_unit(
-        std::uint32_t region, std::uint64_t paths) const override {
-        return organ_area(region) / kGain / static_cast<double>(points(paths));
-    }
-    [[nodiscard]] double flux_per_find(
-        std::uint32_t region, std::size_t band, std::uint64_t paths) const override {
-        double irradiance = 0;
-        for (const BoundSource& light : prepared_.lights()) {
-            irradiance += light.source->spectrum()[band] * light.usual_irradiance;
-        }
-        return irradiance * organ_area(region) / static_cast<double>(points(paths));
-    }
-    [[nodiscard]] double sunlit_area_per_find(
-        std::uint32_t region, std::uint64_t paths) const override {
-        return organ_area(region) / static_cast<double>(points(paths));
-    }
-    [[nodiscard]] bool measures(const Organ& organ) const override { return organ.measured; }
-    [[nodiscard]] bool counts_escapes() const override { return false; }
-
-  private:
-    [[nodiscard]] std::uint64_t organs() const { return measured_.size(); }
+    [[nodiscard]] std::uint64_t organs() const { return measured_.organs.size(); }
     /// Points per organ after `paths` of the run.
     [[nodiscard]] std::uint64_t points(std::uint64_t paths) const {
         return paths / spec_.paths * points_per_organ_;
-    }
-    [[nodiscard]] double organ_area(std::uint32_t region) const {
-        return prepared_.scene().organs()[prepared_.scene().regions()[region].organ.value].area;
     }
     [[nodiscard]] bool needs_companion() const {
         return hides_from_mirrors_ && prepared_.has_delta();
     }
 
-    [[nodiscard]] double number(
+    [[nodiscard]] double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
         return sampler_.coordinate(stream, point, dimension);
     }
@@ -147,21 +149,21 @@ class BackwardEstimator final : public Estimator {
         const Stream& stream,
         std::uint64_t organ_index,
         std::uint64_t index,
-        Workspace& workspace,
+        Scratch& scratch,
         Tally& tally) const {
         const Organ& organ = prepared_.scene().organs()[organ_index];
         if (organ.area <= 0) {
             return 0;
         }
         const Point point{
-            organ_points_.place(organ_index, number(stream, index, 0), number(stream, index, 1)),
+            organ_points_.place(
+                organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1)),
             index};
-        return score_direct(stream, point, tally) +
-               score_scattered(stream, point, workspace, tally);
+        return score_direct(stream, point, tally) + score_scattered(stream, point, scratch, tally);
     }
 
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
-        const Sight sight = next_event_->look(stream, point.index, 2, point.place);
+        const Sight sight = next_event_.look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
         if (cosine == 0 || sight.factor == 0 ||
             !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
@@ -170,9 +172,9 @@ class BackwardEstimator final : public Estimator {
         if (!prepared_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
             return 1;
         }
-        const TallyLayout& layout = tally.layout();
+        const SumLayout& layout = tally.layout();
         tally.add(
-            layout.direct(point.region, cosine < 0, sight.light->spectrum),
+            layout.direct(point.region, side_facing(-cosine), sight.light->spectrum),
             to_fixed(sight.factor * std::abs(cosine)));
         if (sight.light->sun_share > 0) {
             tally.add(
@@ -182,26 +184,30 @@ class BackwardEstimator final : public Estimator {
         return 1;
     }
 
-    /// BoundSource that other surfaces send to the point: a path backwards from it, to one of its
+    /// Light that other surfaces send to the point: a path backwards from it, to one of its
     /// two sides.
     std::uint64_t score_scattered(
-        const Stream& stream, const Point& point, Workspace& workspace, Tally& tally) const {
-        const std::uint32_t dimension = 2 + next_event_->dimensions();
-        const double side = 2 * number(stream, point.index, dimension);
-        const bool lower = side >= 1;
-        const Vec3 normal = lower ? -point.up : point.up;
+        const Stream& stream, const Point& point, Scratch& scratch, Tally& tally) const {
+        const std::uint32_t dimension = 2 + next_event_.dimensions();
+        const double side = 2 * coordinate(stream, point.index, dimension);
+        const bool is_lower = side >= 1;
+        const Vec3 normal = is_lower ? -point.up : point.up;
         // Of the square of the sine; less than 1 for sensors with a narrow field of view.
         const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
         const Vec3 away = cosine_direction(
-            normal, part * (lower ? side - 1 : side), number(stream, point.index, dimension + 1));
-        std::fill(workspace.weights.begin(), workspace.weights.end(), 1.0);
-        std::fill(workspace.gathered.begin(), workspace.gathered.end(), 0.0);
-        const std::uint64_t rays = gather(stream, point, away, dimension + 2, workspace);
-        for (std::size_t b = 0; b < workspace.fixed.size(); ++b) {
+            normal, part * (is_lower ? side - 1 : side),
+            coordinate(stream, point.index, dimension + 1));
+        std::fill(scratch.path.weights.begin(), scratch.path.weights.end(), 1.0);
+        std::fill(scratch.path.gathered.begin(), scratch.path.gathered.end(), 0.0);
+        const std::uint64_t rays = gather(stream, point, away, dimension + 2, scratch);
+        for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
             // pi for the cosine law, 2 for the choice of a side.
-            workspace.fixed[b] = to_fixed(2 * std::numbers::pi * part * workspace.gathered[b]);
+            scratch.fixed[b] = to_fixed(2 * std::numbers::pi * part * scratch.path.gathered[b]);
         }
-        tally.add(tally.layout().scattered(point.region, lower), workspace.fixed);
+        tally.add(
+            tally.layout().scattered(
+                point.region, is_lower ? SurfaceSide::lower : SurfaceSide::upper),
+            scratch.fixed);
         return rays;
     }
 
@@ -214,13 +220,14 @@ class BackwardEstimator final : public Estimator {
                height * normal;
     }
 
-    /// Sums in workspace.gathered the radiance that comes to the point along -away, in cell units.
+    /// Sums in scratch.path.gathered the radiance that comes to the point along -away, in cell
+    /// units.
     std::uint64_t gather(
         const Stream& stream,
         const Point& point,
         Vec3 away,
         std::uint32_t dimension,
-        Workspace& workspace) const {
+        Scratch& scratch) const {
         Vec3 place = point.place;
         std::uint32_t triangle = point.triangle;
         bool by_delta = false;
@@ -235,7 +242,7 @@ class BackwardEstimator final : public Estimator {
             ++rays;
             if (at.end != RayEnd::hit) {
                 if (by_delta && at.end == RayEnd::escaped) {
-                    next_event_->add_sky(away, workspace);
+                    next_event_.add_sky(away, scratch.path);
                 }
                 return rays;
             }
@@ -249,14 +256,14 @@ class BackwardEstimator final : public Estimator {
             if (is_last) {
                 return rays;
             }
-            const Sight sight = next_event_->look(stream, point.index, dimension, place);
-            rays += next_event_->add_light(sight, surface, place, -away, workspace);
-            dimension += next_event_->dimensions();
+            const Sight sight = next_event_.look(stream, point.index, dimension, place);
+            rays += next_event_.add_light(sight, surface, place, -away, scratch.path);
+            dimension += next_event_.dimensions();
             const auto from = material.gather(
-                surface.normal, surface.upper, -away,
-                {number(stream, point.index, dimension), number(stream, point.index, dimension + 1),
-                 roulette_threshold_},
-                workspace.weights);
+                surface.normal, surface.side == SurfaceSide::upper, -away,
+                {coordinate(stream, point.index, dimension),
+                 coordinate(stream, point.index, dimension + 1), roulette_threshold_},
+                scratch.path.weights);
             if (!from) {
                 return rays;
             }
@@ -270,8 +277,8 @@ class BackwardEstimator final : public Estimator {
     /// A light path for what points can't find: light of a sun or a lamp whose first scattering is
     /// in one direction.
     std::uint64_t trace_companion(
-        const Stream& stream, std::uint64_t index, Workspace& workspace, Tally& tally) const {
-        const double u0 = number(stream, index, 0);
+        const Stream& stream, std::uint64_t index, Scratch& scratch, Tally& tally) const {
+        const double u0 = coordinate(stream, index, 0);
         const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
         if (light.is_extended()) {
             return 0;
@@ -279,8 +286,8 @@ class BackwardEstimator final : public Estimator {
         const bool is_beam = light.source_sampler->beam_direction().has_value();
         const std::array<double, 4> u{
             std::clamp((u0 - light.before) / light.probability, 0.0, 0x1.fffffffffffffp-1),
-            number(stream, index, 1), is_beam ? 0 : number(stream, index, 2),
-            is_beam ? 0 : number(stream, index, 3)};
+            coordinate(stream, index, 1), is_beam ? 0 : coordinate(stream, index, 2),
+            is_beam ? 0 : coordinate(stream, index, 3)};
         const Emission emission = light.source_sampler->emit(u);
         const PathRules rules{
             &prepared_,
@@ -293,30 +300,52 @@ class BackwardEstimator final : public Estimator {
             companion_scale_};
         const CastHit at =
             prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
-        return 1 + follow(
+        return 1 + trace_particle(
                        rules, {&light, index, emission.direction, emission.weight}, at,
-                       FirstHit::to_score, workspace, tally);
+                       FirstHit::to_score, scratch.companion, tally);
     }
 
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
     double roulette_threshold_;
-    std::vector<std::uint32_t> measured_;  // organs that points are placed on
+    MeasuredArea measured_;
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
-    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all lights are beams
-    bool hides_from_mirrors_ = false;      // some light is a sun or a lamp
-    std::vector<double> companion_scale_;  // by element: from flux per light path to cell units
-    double reference_area_ = 0;
-    std::optional<NextEvent> next_event_;
+    NextEvent next_event_;
+    BlockRunner<Scratch> runner_;
+    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
+    bool hides_from_mirrors_ = false;      // some source is a sun or a lamp
+    std::vector<double> companion_scale_;  // by region: from flux per light path to units
 };
 
 }  // namespace
 
-std::unique_ptr<Estimator> make_backward_estimator(
-    const PreparedScene& prepared, const Sampler& sampler, const RunSpec& spec) {
-    return std::make_unique<BackwardEstimator>(prepared, sampler, spec);
+std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
+    return std::make_unique<FromOrgans>(input);
+}
+
+SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
+    const Scene& scene = prepared.scene();
+    const double reference_area = measured_area(scene).area;
+    SumMeaning meaning{
+        .units = {}, .measured = MeasuredOrgans::asked_for, .escaped = EscapedLight::remainder};
+    SumUnits& units = meaning.units;
+    for (std::size_t b = 0; b < prepared.bands(); ++b) {
+        units.flux.push_back(prepared.flux()[b] / reference_area);
+        double irradiance = 0;
+        for (const BoundSource& light : prepared.lights()) {
+            irradiance += light.source->spectrum()[b] * light.usual_irradiance;
+        }
+        units.flux_per_find.push_back(irradiance * kGain);
+    }
+    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
+    units.sunlit_area_per_find = kGain;
+    // A power of two: the division is exact.
+    for (const Region& region : scene.regions()) {
+        units.region_scale.push_back(scene.organs()[region.organ.value].area / kGain);
+    }
+    return meaning;
 }
 
 }  // namespace quasimc

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "results/result.h"
-#include "run/run.h"
 #include "scene/scene.h"
 #include "solvers/run_spec.h"
+#include "sources/source.h"
 
 namespace quasimc {
 

@@ -19,6 +19,12 @@ enum class Method {
     automatic,      ///< whichever of the others has the smallest errors for its time: plan_method()
 };
 
+/// How a result was computed, and why so.
+struct ChosenMethod {
+    Method method = Method::light_tracing;  ///< never automatic
+    std::string reason;                     ///< a sentence without its full stop
+};
+
 /// What becomes of light that falls on an organ straight from a source.
 enum class DirectLight {
     counted,

@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/raster/scan_lines.h"
+
 namespace quasimc {
 namespace {
 
-/// How much light is looked at for each path that may start. Where all bands scatter most of the
-/// light, its noise is in the paths: fewer lines and pixels, which leaves time for more of them
-/// (the first scattering is split, as it were).
-struct Looks {
+/// How densely direct light is sampled for each path that may start. Where all bands scatter most
+/// of the light, its noise is in the paths: fewer lines and pixels, which leaves time for more of
+/// them (the first scattering is split, as it were).
+struct SamplingDensity {
     double paths_per_line, pixels_per_path;
 };
-constexpr Looks kDark{80, 40};
-constexpr Looks kBright{160, 10};
+constexpr SamplingDensity kDarkDensity{80, 40};
+constexpr SamplingDensity kBrightDensity{160, 10};
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
-const Looks& looks_for(const PreparedScene& prepared) {
+const SamplingDensity& sampling_density(const PreparedScene& prepared) {
     for (std::size_t band = 0; band < prepared.bands(); ++band) {
         double largest = 0;
         for (const Material& material : prepared.scene().materials()) {
@@ -27,10 +29,10 @@ const Looks& looks_for(const PreparedScene& prepared) {
             }
         }
         if (largest < kBrightAlbedo) {
-            return kDark;
+            return kDarkDensity;
         }
     }
-    return kBright;
+    return kBrightDensity;
 }
 
 /// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
@@ -55,54 +57,54 @@ constexpr std::uint32_t kDirectionBlocks = 16;
 SamplingBudget::SamplingBudget(const PreparedScene& prepared, const SkyDirections& skies)
     : prepared_(prepared),
       skies_(skies),
-      paths_per_line_(looks_for(prepared).paths_per_line),
-      pixels_per_path_(looks_for(prepared).pixels_per_path) {}
+      paths_per_line_(sampling_density(prepared).paths_per_line),
+      pixels_per_path_(sampling_density(prepared).pixels_per_path) {
+    const auto& lights = prepared.lights();
+    const auto suns = static_cast<std::uint32_t>(std::count_if(
+        lights.begin(), lights.end(), [](const BoundSource& l) { return l.source->is_sun(); }));
+    fewest_lines_ = std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
+}
 
-std::vector<VisibilityTask> SamplingBudget::parts(const Round& round) const {
-    std::vector<VisibilityTask> parts;
+std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
+    std::vector<VisibilityTask> tasks;
     for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
         const BoundSource& light = prepared_.lights()[i];
         if (light.source->is_sun()) {
-            add_beams(i, light.probability * static_cast<double>(round.count), parts);
+            add_beams(i, light.probability * static_cast<double>(round.count), tasks);
         }
     }
     if (!skies_.skies().empty()) {
-        add_skies(skies_.probability() * static_cast<double>(round.count), parts);
+        add_skies(skies_.probability() * static_cast<double>(round.count), tasks);
     }
     std::uint64_t first = 0;
-    for (VisibilityTask& part : parts) {
-        part.first_block = first;
-        first += part.blocks;
+    for (VisibilityTask& task : tasks) {
+        task.first_block = first;
+        first += task.blocks;
     }
-    return parts;
+    return tasks;
 }
 
 void SamplingBudget::add_beams(
-    std::uint32_t light, double paths, std::vector<VisibilityTask>& parts) const {
-    const auto& lights = prepared_.lights();
-    const bool is_disk = !lights[light].source_sampler->beam_direction();
-    const auto suns = static_cast<std::uint32_t>(std::count_if(
-        lights.begin(), lights.end(), [](const BoundSource& l) { return l.source->is_sun(); }));
+    std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const {
+    const bool is_disk = !prepared_.lights()[light].source_sampler->beam_direction();
     const std::uint32_t beams = is_disk ? kDiskBeams : 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
-    const std::uint32_t fewest =
-        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
-    const std::uint32_t count = std::max(fewest, static_cast<std::uint32_t>(lines));
+    const std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
     const std::uint64_t blocks = ScanLines::strips(count);
     for (std::uint32_t beam = 0; beam < beams; ++beam) {
-        parts.push_back(
+        tasks.push_back(
             {.light = light, .beam = beam, .beams = beams, .count = count, .blocks = blocks});
     }
 }
 
-void SamplingBudget::add_skies(double paths, std::vector<VisibilityTask>& parts) const {
+void SamplingBudget::add_skies(double paths, std::vector<VisibilityTask>& tasks) const {
     const double pixels = pixels_for(paths);
     const double directions = std::round(pixels_per_path_ * paths / pixels);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
-    parts.push_back(
+    tasks.push_back(
         {.is_sky = true,
          .count = count,
          .pixels = pixels,
@@ -116,6 +118,13 @@ double SamplingBudget::pixels_for(double paths) const {
     const double pixels =
         std::max(kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPerTriangle * triangles);
     return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
+}
+
+std::uint32_t task_of_block(const std::vector<VisibilityTask>& tasks, std::uint64_t block) {
+    const auto after = std::upper_bound(
+        tasks.begin(), tasks.end(), block,
+        [](std::uint64_t b, const VisibilityTask& task) { return b < task.first_block; });
+    return static_cast<std::uint32_t>(after - tasks.begin() - 1);
 }
 
 }  // namespace quasimc

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solvers/estimator.h"
+#include "solvers/solver.h"
 #include "transport/sky_directions.h"
 
 namespace quasimc {
@@ -23,22 +23,29 @@ struct VisibilityTask {
 
 /// How much is looked at for how many paths. Direct light and scattered light each have their
 /// error; these numbers make the figure of merit of both together the largest in our measurements
-/// (docs/theory/lit-surfaces.md).
+/// (docs/theory/first-hits.md).
 class SamplingBudget {
   public:
     SamplingBudget(const PreparedScene& prepared, const SkyDirections& skies);
 
-    [[nodiscard]] std::vector<VisibilityTask> parts(const Round& round) const;
+    /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
+    /// one. Takes time in proportion to the suns.
+    [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round) const;
 
   private:
-    void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& parts) const;
-    void add_skies(double paths, std::vector<VisibilityTask>& parts) const;
-
+    void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
+    void add_skies(double paths, std::vector<VisibilityTask>& tasks) const;
     [[nodiscard]] double pixels_for(double paths) const;
 
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
     double paths_per_line_, pixels_per_path_;
+    std::uint32_t fewest_lines_;  // of a beam
 };
+
+/// The task that a block belongs to: its place in the list. @param block  less than the end of the
+/// last task's blocks
+[[nodiscard]] std::uint32_t task_of_block(
+    const std::vector<VisibilityTask>& tasks, std::uint64_t block);
 
 }  // namespace quasimc

@@ -105,6 +105,8 @@ class Source {
     std::vector<double> spectrum_;
 };
 
+using Sources = std::vector<std::shared_ptr<const Source>>;
+
 /// Parallel light. @param travel  the unit direction in which it travels, z up
 /// @param facing_irradiance  per band, on a plane facing the light
 [[nodiscard]] std::shared_ptr<const Source> make_directional_source(

@@ -1,26 +1,52 @@
 #include "sums/tally.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "base/checks.h"
+#include "base/input_error.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 namespace quasimc {
 
-Tally::Tally(const TallyLayout& layout, std::size_t shared_elements, std::span<std::int64_t> shared)
-    : layout_(layout), shared_cells_(shared_elements * layout.stride()), shared_(shared) {
-    resize_apart(own_, layout.cells() - shared_cells_);
-    EXPECT(shared_elements == 0 || shared.size() == layout.cells());
-    EXPECT(shared_elements <= layout.regions);
+void refuse_amount(double amount) {
+    throw InputError(
+        {{"sources", "light too strong to be summed: " + shortest(amount) + " times a path's share",
+          "a source is too close to a surface, or far stronger than all others",
+          "move it away, or trace from the sources"}});
 }
 
-void Tally::merge_into(std::span<std::int64_t> total) {
-    EXPECT(total.size() == layout_.cells());
-    const std::span<std::int64_t> mine = total.subspan(shared_cells_);
+Tally::Tally(const SumLayout& layout, std::size_t shared_regions, std::span<std::int64_t> shared)
+    : layout_(layout),
+      stride_(layout.stride()),
+      shared_bins_(shared_regions * layout.stride()),
+      shared_(shared) {
+    resize_apart(own_, layout.bins() - shared_bins_);
+    EXPECT(shared_regions == 0 || shared.size() == layout.bins());
+    EXPECT(shared_regions <= layout.regions);
+}
+
+void Tally::add_signed(std::size_t bin, std::int64_t amount) {
+    EXPECT(bin >= shared_bins_);
+    std::int64_t& sum = own_[bin - shared_bins_];
+    if (__builtin_add_overflow(sum, amount, &sum)) {
+        written_ = -1;
+    }
+    const bool is_large = sum >= ExactBins::kCarry || sum <= -ExactBins::kCarry;
+    written_ |= is_large ? ExactBins::kCarry : 0;
+}
+
+void Tally::move_into(ExactBins& total) {
+    EXPECT(total.size() == layout_.bins());
+    if (written_ < 0) {
+        throw std::overflow_error("a sum of light has wrapped around");
+    }
     for (std::size_t i = 0; i < own_.size(); ++i) {
-        mine[i] += own_[i];
+        total.add(shared_bins_ + i, own_[i]);
     }
     std::fill(own_.begin(), own_.end(), 0);
+    written_ = 0;
 }
 
 }  // namespace quasimc

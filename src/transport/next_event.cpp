@@ -31,30 +31,30 @@ std::uint64_t NextEvent::add_light(
     const Surface& surface,
     const Vec3& place,
     const Vec3& out,
-    Workspace& workspace) const {
-    const bool same_side = dot(sight.to_light, surface.normal) > 0;
-    const bool arrives_upper = same_side == surface.upper;
+    GatherScratch& path) const {
+    const bool is_same_side = dot(sight.to_light, surface.normal) > 0;
+    const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
     const Material& material = prepared_.material(surface.region);
-    if (material.side(arrives_upper).lobes().empty() || sight.factor == 0 ||
+    if (material.side(arrival).lobes().empty() || sight.factor == 0 ||
         !prepared_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
         return 0;
     }
-    for (std::size_t b = 0; b < workspace.weights.size(); ++b) {
-        workspace.products[b] = workspace.weights[b] * sight.light->start_weights[b];
+    for (std::size_t b = 0; b < path.weights.size(); ++b) {
+        path.products[b] = path.weights[b] * sight.light->start_weights[b];
     }
     material.add_reflected(
-        surface.normal, surface.upper, out, -sight.to_light, sight.factor, workspace.products,
-        workspace.gathered);
+        surface.normal, surface.side == SurfaceSide::upper, out, -sight.to_light, sight.factor,
+        path.products, path.gathered);
     return 1;
 }
 
-void NextEvent::add_sky(const Vec3& to_light, Workspace& workspace) const {
+void NextEvent::add_sky(const Vec3& to_light, GatherScratch& path) const {
     for (const BoundSource& light : prepared_.lights()) {
         const double radiance =
             light.is_extended() ? light.source->radiance(to_light) * light.probability : 0;
-        for (std::size_t b = 0; radiance > 0 && b < workspace.weights.size(); ++b) {
-            workspace.gathered[b] +=
-                workspace.weights[b] * light.start_weights[b] * radiance * scale_of(light);
+        for (std::size_t b = 0; radiance > 0 && b < path.weights.size(); ++b) {
+            path.gathered[b] +=
+                path.weights[b] * light.start_weights[b] * radiance * scale_of(light);
         }
     }
 }

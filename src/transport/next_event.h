@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "base/parallel.h"
 #include "samplers/sampler.h"
-#include "solvers/estimator.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -16,6 +17,18 @@ struct Sight {
     Vec3 to_light;
     double factor = 0;
     double distance = 0;  ///< local units
+};
+
+/// A path that runs backwards, kept by each worker so that nothing is allocated on the way.
+struct GatherScratch {
+    explicit GatherScratch(std::size_t bands) {
+        resize_apart(weights, bands);
+        resize_apart(products, bands);
+        resize_apart(gathered, bands);
+    }
+    std::vector<double> weights;   // per band: of what the path finds
+    std::vector<double> gathered;  // per band: radiance found so far
+    std::vector<double> products;
 };
 
 /// Next-event estimation: looks for light from the places of a path that runs backwards.
@@ -35,17 +48,17 @@ class NextEvent {
         std::uint32_t dimension,
         const Vec3& place) const;
 
-    /// Adds to workspace.gathered what the light sends by the surface along `out`, times
-    /// workspace.weights. Returns the rays cast.
+    /// Adds to path.gathered what the light sends by the surface along `out`, times path.weights.
+    /// Returns the rays cast.
     std::uint64_t add_light(
         const Sight& sight,
         const Surface& surface,
         const Vec3& place,
         const Vec3& out,
-        Workspace& workspace) const;
+        GatherScratch& path) const;
 
     /// Adds the sky that a mirror shows in direction `to_light`.
-    void add_sky(const Vec3& to_light, Workspace& workspace) const;
+    void add_sky(const Vec3& to_light, GatherScratch& path) const;
 
   private:
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.

@@ -30,29 +30,30 @@ void tally_cut_off(const Side& side, std::span<const double> weights, Tally& tal
 /// what leaves one surface is, to the last bit, what arrives at the next or escapes.
 class ParticleTracer {
   public:
-    ParticleTracer(const PathRules& rules, const Particle& path, Workspace& workspace, Tally& tally)
+    ParticleTracer(
+        const PathRules& rules, const Particle& path, ParticleScratch& scratch, Tally& tally)
         : rules_(rules),
           prepared_(*rules.prepared),
           path_(path),
           direction_(path.direction),
-          weights_(workspace.weights),
-          fixed_(workspace.fixed),
+          weights_(scratch.weights),
+          fixed_(scratch.fixed),
           tally_(tally) {}
 
-    std::uint64_t follow(const CastHit& first_hit, FirstHit first) {
-        return go_on(first_hit, 0, first == FirstHit::to_score);
+    std::uint64_t trace_from(const CastHit& first_hit, FirstHit first) {
+        return trace(first_hit, 0, first == FirstHit::to_score);
     }
 
-    std::uint64_t follow_on(const ScatteredRay& from, std::span<const double> weights) {
+    std::uint64_t trace_scattered(const ScatteredRay& from, std::span<const double> weights) {
         std::copy(weights.begin(), weights.end(), weights_.begin());
         direction_ = from.direction;
-        send_off();
-        return 1 + go_on(prepared_.caster().cast(from.place, direction_, from.triangle), 1, true);
+        score_scattered();
+        return 1 + trace(prepared_.caster().cast(from.place, direction_, from.triangle), 1, true);
     }
 
   private:
-    /// Follows light that was scattered `depth` times to all its further hits.
-    std::uint64_t go_on(const CastHit& first_hit, std::uint32_t depth, bool to_score) {
+    /// Traces light that was scattered `depth` times to all its further hits.
+    std::uint64_t trace(const CastHit& first_hit, std::uint32_t depth, bool to_score) {
         std::uint64_t rays = 0;
         CastHit next;
         const CastHit* at = &first_hit;
@@ -65,7 +66,7 @@ class ParticleTracer {
             to_score = true;
             if (!material.is_transparent()) {
                 ++depth;
-                if (!scatter(material.side(surface.upper), surface, depth)) {
+                if (!scatter(material.side(surface.side), surface, depth)) {
                     return rays;
                 }
             }
@@ -73,18 +74,18 @@ class ParticleTracer {
             next = prepared_.caster().cast(place, direction_, surface.triangle);
             at = &next;
         }
-        leave(at->end);
+        end_path(at->end);
         return rays;
     }
 
     /// Adds what falls on the surface.
     void score(const Surface& surface) {
-        const TallyLayout& layout = tally_.layout();
+        const SumLayout& layout = tally_.layout();
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
         if (!direct_) {
-            const std::size_t cells = layout.scattered(surface.region, !surface.upper);
+            const std::size_t cells = layout.scattered(surface.region, surface.side);
             rules_.scales.empty() ? tally_.add(cells, fixed_)
                                   : add_weights(cells, rules_.scales[surface.region]);
             return;
@@ -93,7 +94,7 @@ class ParticleTracer {
             return;
         }
         tally_.add(
-            layout.direct(surface.region, !surface.upper, path_.light->spectrum),
+            layout.direct(surface.region, surface.side, path_.light->spectrum),
             to_fixed(path_.weight));
         if (path_.light->lit_area > 0 && surface.cosine > 0) {
             tally_.add(
@@ -125,12 +126,12 @@ class ParticleTracer {
         }
         const double u1 = rules_.sampler->coordinate(rules_.stream, path_.point, dimension + 1);
         direction_ = side.scatter_by(choice, surface.normal, direction_, u1, weights_).wo;
-        send_off();
+        score_scattered();
         return true;
     }
 
     /// Scattered light leaves a surface.
-    void send_off() {
+    void score_scattered() {
         direct_ = false;
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             fixed_[b] = to_fixed(weights_[b]);
@@ -148,8 +149,8 @@ class ParticleTracer {
     }
 
     /// The path has left the scene, or is lost between the layers of a periodic one.
-    void leave(RayEnd end) {
-        const TallyLayout& layout = tally_.layout();
+    void end_path(RayEnd end) {
+        const SumLayout& layout = tally_.layout();
         if (rules_.filter == PathFilter::delta_first) {
             return;
         }
@@ -181,24 +182,24 @@ class ParticleTracer {
 
 }  // namespace
 
-std::uint64_t follow(
+std::uint64_t trace_particle(
     const PathRules& rules,
     const Particle& path,
     const CastHit& at,
     FirstHit first,
-    Workspace& workspace,
+    ParticleScratch& scratch,
     Tally& tally) {
-    return ParticleTracer(rules, path, workspace, tally).follow(at, first);
+    return ParticleTracer(rules, path, scratch, tally).trace_from(at, first);
 }
 
-std::optional<Vec3> depart(
+std::optional<Vec3> scatter_first(
     const PathRules& rules,
     const Particle& path,
     const Surface& surface,
     const std::array<double, 2>& numbers,
     std::span<double> weights,
     Tally& tally) {
-    const Side& side = rules.prepared->material(surface.region).side(surface.upper);
+    const Side& side = rules.prepared->material(surface.region).side(surface.side);
     set_start_weights(path, weights);
     if (rules.max_depth == 1) {
         tally_cut_off(side, weights, tally);
@@ -209,14 +210,14 @@ std::optional<Vec3> depart(
     return scattered ? std::optional(scattered->wo) : std::nullopt;
 }
 
-std::uint64_t follow_on(
+std::uint64_t trace_scattered(
     const PathRules& rules,
     const Particle& path,
     const ScatteredRay& from,
     std::span<const double> weights,
-    Workspace& workspace,
+    ParticleScratch& scratch,
     Tally& tally) {
-    return ParticleTracer(rules, path, workspace, tally).follow_on(from, weights);
+    return ParticleTracer(rules, path, scratch, tally).trace_scattered(from, weights);
 }
 
 }  // namespace quasimc

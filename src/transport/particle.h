@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "base/parallel.h"
 #include "samplers/sampler.h"
-#include "solvers/estimator.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
@@ -28,41 +29,58 @@ struct PathRules {
     Stream stream;
     std::uint32_t scatter_dimension = 0;  ///< of the first hit; two more for each further hit
     std::uint32_t max_depth = 0;          ///< hits; 0: no limit
-    double roulette_threshold = 1;        ///< Draw::enough: sum of weights that roulette plays for
+    double roulette_threshold = 1;        ///< Draw::roulette_threshold
     PathFilter filter = PathFilter::all;
-    std::span<const double> scales = {};  ///< factor on what each element scores; empty: 1
+    std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
-/// start_weights[b] of its light at first and changes at every scattering.
+/// start_weights[b] of its source at first and changes at every scattering.
 struct Particle {
     const BoundSource* light = nullptr;
-    std::uint64_t point = 0;
+    std::uint64_t point = 0;  ///< of the point set, from which its random numbers come
     Vec3 direction;
     double weight = 1;  ///< Emission::weight
 };
 
-/// What of a path's first hit is still to be done.
+/// Light that was scattered at a surface and has not met the next one.
+struct ScatteredRay {
+    Vec3 place, direction;
+    std::uint32_t triangle = 0;  ///< from which it comes
+    std::size_t vertex = 0;      ///< number of its path in the block
+};
+
+/// The weights of the path at hand, kept by each worker so that nothing is allocated on the way.
+struct ParticleScratch {
+    explicit ParticleScratch(std::size_t bands) {
+        resize_apart(weights, bands);
+        resize_apart(fixed, bands);
+    }
+    std::vector<double> weights;      // per band
+    std::vector<std::int64_t> fixed;  // the same in fixed point
+};
+
+/// Whether a path's first hit has been scored.
 enum class FirstHit { to_score, scored };
 
-/// Scores `at`, the first hit of `path` or its escape, and all that follow. Returns the number of
-/// rays cast.
-/// @param first   whether light that came straight from the source is to be scored at `at`
-std::uint64_t follow(
+/// Traces a path from `at`, its first hit or its escape, to its end, and scores all hits. Returns
+/// the number of rays cast.
+/// @param first  whether light that came straight from the source is to be scored at `at`
+std::uint64_t trace_particle(
     const PathRules& rules,
     const Particle& path,
     const CastHit& at,
     FirstHit first,
-    Workspace& workspace,
+    ParticleScratch& scratch,
     Tally& tally);
 
-/// Lets the light of `path` go on from its first hit, which was scored and for which roulette was
+/// Scatters the light of `path` at its first hit, which was scored and for which roulette was
 /// played: it is sure to be scattered, and weighted down.
 /// @param surface  where that is; its cosine does not matter
 /// @param numbers  that decide how: the first two of path.point
 /// @param weights  the light that goes on, or with max_depth 1 is cut off, per band
 /// @return its direction; none if it goes nowhere
-[[nodiscard]] std::optional<Vec3> depart(
+[[nodiscard]] std::optional<Vec3> scatter_first(
     const PathRules& rules,
     const Particle& path,
     const Surface& surface,
@@ -70,13 +88,13 @@ std::uint64_t follow(
     std::span<double> weights,
     Tally& tally);
 
-/// Follows light that has departed, as follow() does.
-std::uint64_t follow_on(
+/// Traces light that was scattered at its first hit, as trace_particle() does.
+std::uint64_t trace_scattered(
     const PathRules& rules,
     const Particle& path,
     const ScatteredRay& from,
     std::span<const double> weights,
-    Workspace& workspace,
+    ParticleScratch& scratch,
     Tally& tally);
 
 }  // namespace quasimc

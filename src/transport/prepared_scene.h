@@ -7,7 +7,6 @@
 
 #include "geometry/cast/ray_caster.h"
 #include "geometry/raster/scene_projection.h"
-#include "run/run.h"
 #include "scene/scene.h"
 #include "sources/source.h"
 

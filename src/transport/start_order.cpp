@@ -20,28 +20,28 @@ std::uint32_t interleaved(std::uint32_t column, std::uint32_t row) {
 }
 
 void order_starts(
-    std::span<const std::uint32_t> groups, std::uint32_t group_count, Workspace& workspace) {
-    const auto n = static_cast<std::uint32_t>(workspace.u0.size());
+    std::span<const std::uint32_t> groups, std::uint32_t group_count, PathStarts& starts) {
+    const auto n = static_cast<std::uint32_t>(starts.u0.size());
     // About one start a tile, and at most 256 tiles a side.
     const auto bits =
         std::min(8U, static_cast<unsigned>(std::bit_width(n / group_count + 1U) - 1) / 2);
     const std::uint32_t tiles = 1U << (2 * bits);
     const auto side = static_cast<double>(1U << bits);
-    workspace.keys.resize(n);
-    workspace.order.resize(n);
-    workspace.key_counts.assign(std::size_t{group_count} * tiles + 1, 0);
+    starts.keys.resize(n);
+    starts.order.resize(n);
+    starts.key_counts.assign(std::size_t{group_count} * tiles + 1, 0);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const auto column = static_cast<std::uint32_t>(workspace.u0[i] * side);
-        const auto row = static_cast<std::uint32_t>(workspace.u1[i] * side);
+        const auto column = static_cast<std::uint32_t>(starts.u0[i] * side);
+        const auto row = static_cast<std::uint32_t>(starts.u1[i] * side);
         const std::uint32_t group = groups.empty() ? 0 : groups[i];
-        workspace.keys[i] = group * tiles + interleaved(column, row);
-        ++workspace.key_counts[workspace.keys[i] + 1];
+        starts.keys[i] = group * tiles + interleaved(column, row);
+        ++starts.key_counts[starts.keys[i] + 1];
     }
-    for (std::size_t key = 1; key < workspace.key_counts.size(); ++key) {
-        workspace.key_counts[key] += workspace.key_counts[key - 1];
+    for (std::size_t key = 1; key < starts.key_counts.size(); ++key) {
+        starts.key_counts[key] += starts.key_counts[key - 1];
     }
     for (std::uint32_t i = 0; i < n; ++i) {
-        workspace.order[workspace.key_counts[workspace.keys[i]]++] = i;
+        starts.order[starts.key_counts[starts.keys[i]]++] = i;
     }
 }
 

@@ -2,19 +2,25 @@
 
 #include <cstdint>
 #include <span>
-
-#include "solvers/estimator.h"
+#include <vector>
 
 namespace quasimc {
 
 /// The place of a tile on a Morton curve (Morton 1966). @param column, row  less than 256
 [[nodiscard]] std::uint32_t interleaved(std::uint32_t column, std::uint32_t row);
 
-/// Sets workspace.order to the order in which to trace the starts (workspace.u0[i], u1[i]) so that
-/// neighbours in time are neighbours in space: by group, then along a Morton curve (Morton 1966).
-/// Stable and the same on every machine.
-/// @param groups  light of each start, < group_count
+/// The starts of a block of paths, and the order in which to trace them. Kept by each worker so
+/// that nothing is allocated on the way.
+struct PathStarts {
+    std::vector<double> u0, u1;                   ///< place of each, in the unit square
+    std::vector<std::uint32_t> order;             ///< set by order_starts()
+    std::vector<std::uint32_t> keys, key_counts;  // scratch
+};
+
+/// Sets starts.order so that neighbours in time are neighbours in space: by group, then along a
+/// Morton curve (Morton 1966). Stable and the same on every machine.
+/// @param groups  the source of each start, < group_count; empty: all of one
 void order_starts(
-    std::span<const std::uint32_t> groups, std::uint32_t group_count, Workspace& workspace);
+    std::span<const std::uint32_t> groups, std::uint32_t group_count, PathStarts& starts);
 
 }  // namespace quasimc

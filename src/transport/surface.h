@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/surface_side.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -8,8 +9,8 @@ namespace quasimc {
 struct Surface {
     std::uint32_t triangle = kNoTriangle;  ///< of the mesh
     std::uint32_t region = 0;
-    bool upper = true;  ///< whether the ray came to the upper side
-    Vec3 normal;        ///< unit, of the side the ray came to
+    SurfaceSide side = SurfaceSide::upper;  ///< to which the ray came
+    Vec3 normal;                            ///< unit, of the side the ray came to
     double cosine = 1;  ///< of the angle between that normal and the ray, reversed; >= 0
 };
 
@@ -19,7 +20,7 @@ inline Surface surface_at(const PreparedScene& prepared, const Hit& hit, const V
     const double along = dot(up, direction);
     const double scale = (along < 0 ? 1 : -1) / length(up);
     return {
-        hit.triangle, prepared.region(hit.triangle), along < 0, scale * up,
+        hit.triangle, prepared.region(hit.triangle), side_facing(along), scale * up,
         std::abs(along * scale)};
 }
 

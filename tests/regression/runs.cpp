@@ -83,7 +83,7 @@ class Hash {
         add(std::uint64_t{audit.replicates});
         for (const BandAudit& b : audit.bands) {
             for (const double x :
-                 {b.chi, b.freedom, b.chi_chance, b.difference, b.standard_error,
+                 {b.reduced_chi_square, b.freedom, b.chi_chance, b.difference, b.standard_error,
                   b.difference_chance}) {
                 add(x);
             }

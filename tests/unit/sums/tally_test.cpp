@@ -1,13 +1,20 @@
 #include "sums/tally.h"
 
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <random>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include "base/input_error.h"
 
 namespace quasimc {
 namespace {
@@ -36,20 +43,20 @@ TEST(FixedPoint, AddsTheSameInAnyOrder) {
     EXPECT_EQ(forward, backward);
 }
 
-/// Every cell of a layout with what it is for.
-std::multimap<std::size_t, std::string> cells_of(const TallyLayout& layout) {
-    std::multimap<std::size_t, std::string> cells;
+/// Every bin of a layout with what it is for.
+std::multimap<std::size_t, std::string> bins_of(const SumLayout& layout) {
+    std::multimap<std::size_t, std::string> bins;
     const auto add_row = [&](std::size_t first, std::size_t count, const std::string& what) {
         for (std::size_t i = 0; i < count; ++i) {
-            cells.emplace(first + i, what);
+            bins.emplace(first + i, what);
         }
     };
     for (std::size_t e = 0; e < layout.regions; ++e) {
-        for (const bool lower : {false, true}) {
+        for (const SurfaceSide side : kSurfaceSides) {
             for (std::size_t s = 0; s < layout.spectra; ++s) {
-                add_row(layout.direct(e, lower, s), 1, "direct");
+                add_row(layout.direct(e, side, s), 1, "direct");
             }
-            add_row(layout.scattered(e, lower), layout.bands, "scattered");
+            add_row(layout.scattered(e, side), layout.bands, "scattered");
         }
         add_row(layout.sunlit(e), 1, "sunlit");
     }
@@ -59,62 +66,66 @@ std::multimap<std::size_t, std::string> cells_of(const TallyLayout& layout) {
     add_row(layout.scattered_out(), layout.bands, "scattered out");
     add_row(layout.cut_off(), layout.bands, "cut off");
     add_row(layout.rays(), 1, "rays");
-    return cells;
+    return bins;
 }
 
-TEST(TallyLayout, GivesEveryCellOneMeaning) {
-    for (const TallyLayout& layout :
-         {TallyLayout{0, 1, 1}, {1, 1, 1}, {3, 1, 4}, {3, 5, 1}, {7, 2, 3}, {2, 0, 2}}) {
-        const std::multimap<std::size_t, std::string> cells = cells_of(layout);
-        EXPECT_EQ(cells.size(), layout.cells());
+TEST(SumLayout, GivesEveryBinOneMeaning) {
+    for (const SumLayout& layout :
+         {SumLayout{0, 1, 1}, {1, 1, 1}, {3, 1, 4}, {3, 5, 1}, {7, 2, 3}, {2, 0, 2}}) {
+        const std::multimap<std::size_t, std::string> bins = bins_of(layout);
+        EXPECT_EQ(bins.size(), layout.bins());
         std::size_t next = 0;
-        for (const auto& [cell, what] : cells) {
-            EXPECT_EQ(cell, next) << what;
+        for (const auto& [bin, what] : bins) {
+            EXPECT_EQ(bin, next) << what;
             ++next;
         }
     }
 }
 
-TEST(TallyLayout, KeepsTheCellsOfAnElementTogether) {
-    const TallyLayout layout{4, 2, 3};
+TEST(SumLayout, KeepsTheBinsOfARegionTogether) {
+    const SumLayout layout{4, 2, 3};
     EXPECT_EQ(layout.stride(), 2U * 2 + 2 * 3 + 1);
     for (std::size_t e = 0; e < 4; ++e) {
-        EXPECT_EQ(layout.direct(e, false, 0), e * layout.stride());
+        EXPECT_EQ(layout.direct(e, SurfaceSide::upper, 0), e * layout.stride());
         EXPECT_EQ(layout.sunlit(e), (e + 1) * layout.stride() - 1);
     }
 }
 
-TEST(Tally, AddsRowsAndSingleCells) {
-    const TallyLayout layout{2, 1, 2};
+TEST(Tally, AddsRowsAndSingleBins) {
+    const SumLayout layout{2, 1, 2};
     Tally tally(layout);
     tally.add(layout.sunlit(1), 5);
     const std::vector<std::int64_t> amounts{7, 8};
-    tally.add(layout.scattered(1, true), amounts);
-    tally.add(layout.scattered(1, true), amounts);
-    std::vector<std::int64_t> total(layout.cells(), 100);
-    tally.merge_into(total);
+    tally.add(layout.scattered(1, SurfaceSide::lower), amounts);
+    tally.add(layout.scattered(1, SurfaceSide::lower), amounts);
+    ExactBins total(layout.bins());
+    for (std::size_t i = 0; i < total.size(); ++i) {
+        total.add(i, 100);
+    }
+    tally.move_into(total);
     for (std::size_t i = 0; i < total.size(); ++i) {
         std::int64_t expected = 100;
         expected += i == layout.sunlit(1) ? 5 : 0;
-        expected += i == layout.scattered(1, true) ? 14 : 0;
-        expected += i == layout.scattered(1, true) + 1 ? 16 : 0;
-        EXPECT_EQ(total[i], expected) << i;
+        expected += i == layout.scattered(1, SurfaceSide::lower) ? 14 : 0;
+        expected += i == layout.scattered(1, SurfaceSide::lower) + 1 ? 16 : 0;
+        EXPECT_EQ(total.steps(i).low, expected) << i;
     }
 }
 
 TEST(Tally, IsEmptyAfterMerging) {
-    const TallyLayout layout{2, 1, 1};
+    const SumLayout layout{2, 1, 1};
     Tally tally(layout);
     tally.add(layout.rays(), 3);
-    std::vector<std::int64_t> total(layout.cells());
-    tally.merge_into(total);
-    tally.merge_into(total);
-    EXPECT_EQ(total[layout.rays()], 3);
+    ExactBins total(layout.bins());
+    tally.move_into(total);
+    tally.move_into(total);
+    EXPECT_EQ(total.steps(layout.rays()).low, 3);
 }
 
-TEST(Tally, LeavesSharedCellsToTheSharedArrayAndKeepsTheOthers) {
-    const TallyLayout layout{3, 1, 1};
-    std::vector<std::int64_t> shared(layout.cells());
+TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
+    const SumLayout layout{3, 1, 1};
+    ExactBins sums(layout.bins());
+    const std::span<std::int64_t> shared = sums.shared();
     Tally tally(layout, 2, shared);
     tally.add(layout.sunlit(1), 5);
     tally.add(layout.sunlit(2), 6);
@@ -122,39 +133,41 @@ TEST(Tally, LeavesSharedCellsToTheSharedArrayAndKeepsTheOthers) {
     EXPECT_EQ(shared[layout.sunlit(1)], 5);
     EXPECT_EQ(shared[layout.sunlit(2)], 0);
     EXPECT_EQ(shared[layout.rays()], 0);
-    tally.merge_into(shared);
+    tally.move_into(sums);
     EXPECT_EQ(shared[layout.sunlit(1)], 5);
     EXPECT_EQ(shared[layout.sunlit(2)], 6);
     EXPECT_EQ(shared[layout.rays()], 7);
 }
 
-TEST(Tally, AddsTwoCellsOfAnElementWhereverItIs) {
-    const TallyLayout layout{3, 2, 2};
-    for (const std::size_t shared_elements : {0, 1, 2, 3}) {
-        std::vector<std::int64_t> cells(layout.cells());
-        Tally tally(layout, shared_elements, cells);
+TEST(Tally, AddsTwoBinsOfARegionWhereverItIs) {
+    const SumLayout layout{3, 2, 2};
+    for (const std::size_t shared_regions : {0, 1, 2, 3}) {
+        ExactBins sums(layout.bins());
+        const std::span<std::int64_t> bins = sums.shared();
+        Tally tally(layout, shared_regions, bins);
         tally.add_two(1, 0, 5, layout.sunlit(0), 6);
-        tally.merge_into(cells);
-        EXPECT_EQ(cells[layout.direct(1, false, 0)], 5) << shared_elements;
-        EXPECT_EQ(cells[layout.sunlit(1)], 6) << shared_elements;
+        tally.move_into(sums);
+        EXPECT_EQ(bins[layout.direct(1, SurfaceSide::upper, 0)], 5) << shared_regions;
+        EXPECT_EQ(bins[layout.sunlit(1)], 6) << shared_regions;
     }
 }
 
 /// What `threads` workers count together, each adding pseudo-random amounts, when the first
-/// `shared` elements are shared. The first worker starts last, on purpose.
-std::vector<std::int64_t> counted(const TallyLayout& layout, unsigned threads, std::size_t shared) {
-    std::vector<std::int64_t> cells(layout.cells());
-    std::vector<Tally> tallies(threads, Tally(layout, shared, cells));
+/// `shared` regions are shared. The first worker starts last, on purpose.
+ExactBins counted(const SumLayout& layout, unsigned threads, std::size_t shared) {
+    ExactBins sums(layout.bins());
+    std::vector<Tally> tallies(threads, Tally(layout, shared, sums.shared()));
     constexpr unsigned kJobs = 12;
     constexpr int kAdditions = 2000;
     const auto work = [&](unsigned worker) {
         for (unsigned job = worker; job < kJobs; job += threads) {
             std::mt19937_64 bits(job);
             for (int i = 0; i < kAdditions; ++i) {
-                const std::size_t cell = bits() % layout.cells();
-                tallies[worker].add(cell, static_cast<std::int64_t>(bits() % 1000));
+                const std::size_t bin = bits() % layout.bins();
+                tallies[worker].add(bin, static_cast<std::int64_t>(bits() % 1000));
                 const std::vector<std::int64_t> row(layout.bands, 1);
-                tallies[worker].add(layout.scattered(bits() % layout.regions, false), row);
+                tallies[worker].add(
+                    layout.scattered(bits() % layout.regions, SurfaceSide::upper), row);
                 tallies[worker].add_two(bits() % layout.regions, 0, 2, layout.sunlit(0), 3);
             }
         }
@@ -170,19 +183,84 @@ std::vector<std::int64_t> counted(const TallyLayout& layout, unsigned threads, s
         work(0);
     }
     for (Tally& tally : tallies) {
-        tally.merge_into(cells);
+        tally.move_into(sums);
     }
-    return cells;
+    return sums;
 }
 
 TEST(Tally, CountsTheSamePrivateOrSharedOnAnyNumberOfThreads) {
-    const TallyLayout layout{5, 2, 3};
-    const std::vector<std::int64_t> expected = counted(layout, 1, 0);
+    const SumLayout layout{5, 2, 3};
+    const ExactBins expected = counted(layout, 1, 0);
     for (const unsigned threads : {1U, 2U, 5U}) {
         for (const std::size_t shared : {0U, 3U, 5U}) {
-            EXPECT_EQ(counted(layout, threads, shared), expected) << threads << " " << shared;
+            EXPECT_TRUE(counted(layout, threads, shared) == expected) << threads << " " << shared;
         }
     }
+}
+
+TEST(FixedPoint, RefusesWhatIsNoNumberOrTooLarge) {
+    EXPECT_EQ(from_fixed(to_fixed(kLargestAmount / 2)), kLargestAmount / 2);
+    for (const double amount :
+         {kLargestAmount, 1e300, double{INFINITY}, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW(static_cast<void>(to_fixed(amount)), InputError) << amount;
+    }
+}
+
+TEST(Tally, TellsWhenItIsFull) {
+    const SumLayout layout{1, 1, 1};
+    Tally tally(layout);
+    tally.add(0, ExactBins::kCarry - 1);
+    EXPECT_FALSE(tally.is_full());
+    tally.add(0, 1);
+    EXPECT_TRUE(tally.is_full());
+    ExactBins sums(layout.bins());
+    tally.move_into(sums);
+    EXPECT_FALSE(tally.is_full());
+    EXPECT_EQ(sums.steps(0), (ExactBins::Steps{1, 0}));
+}
+
+TEST(Tally, NeverWrapsInSilence) {
+    const SumLayout layout{1, 1, 2};
+    const std::vector<std::int64_t> row{1, ExactBins::kCarry};
+    const std::vector<std::function<void(Tally&)>> ways{
+        [](Tally& t) { t.add(0, ExactBins::kCarry); },
+        [](Tally& t) { t.add_two(0, 0, 1, 1, ExactBins::kCarry); },
+        [&](Tally& t) { t.add(0, row); }, [](Tally& t) { t.add_signed(0, ExactBins::kCarry); },
+        [](Tally& t) { t.add_signed(0, -ExactBins::kCarry); }};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        Tally tally(layout);
+        ExactBins sums(layout.bins());
+        ways[i](tally);
+        ways[i](tally);
+        ways[i](tally);
+        EXPECT_THROW(tally.move_into(sums), std::overflow_error) << i;
+    }
+}
+
+/// Adding an amount 2^k times gives 2^k times the amount, however large.
+RC_GTEST_PROP(Tally, SumsManyEqualAmountsExactly, ()) {
+    const SumLayout layout{1, 1, 1};
+    const auto amount = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 61U);
+    const auto log2_count = *rc::gen::inRange(0, 12);
+    const bool is_shared = *rc::gen::arbitrary<bool>();
+    ExactBins sums(layout.bins());
+    Tally tally(layout, is_shared ? 1 : 0, sums.shared());
+    for (int i = 0; i < 1 << log2_count; ++i) {
+        tally.add(0, amount);
+        if (tally.is_full()) {
+            tally.move_into(sums);
+            sums.settle();
+        }
+    }
+    tally.move_into(sums);
+    sums.settle();
+    // In two parts that hold the product: of the high and the low 31 bits of the amount.
+    const std::int64_t high = (amount >> 31U) << log2_count;
+    const std::int64_t low = (amount & 0x7FFFFFFF) << log2_count;
+    const std::int64_t top = high + (low >> 31U);
+    RC_ASSERT(
+        sums.steps(0) ==
+        (ExactBins::Steps{top >> 31U, ((top & 0x7FFFFFFF) << 31U) | (low & 0x7FFFFFFF)}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct BandAudit {
     double reduced_chi_square = 1;
     double freedom = 0;     ///< effective number of independent sides
     double chi_chance = 1;  ///< probability of a larger chi if both are right
-    /// BoundSource that all organs absorb (ground left out), first less second result: flux. NaN if
+    /// Light that all organs absorb (ground left out), first less second result: flux. NaN if
     /// not all organs are measured.
     double difference = 0, standard_error = 0;
     double difference_chance = 1;  ///< probability of a larger one, of either sign

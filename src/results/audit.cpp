@@ -1,4 +1,4 @@
-#include "run/audit.h"
+#include "results/audit.h"
 
 #include <algorithm>
 #include <cmath>

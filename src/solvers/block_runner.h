@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/executor.h"
+#include "base/parallel.h"
+#include "solvers/solver.h"
+#include "sums/sum_collector.h"
+
+namespace quasimc {
+
+/// Runs the rounds of a solver that cuts them into independent blocks.
+///
+/// A block is a pure function of its number but for the order of its additions, and sums are exact:
+/// so threads, and the order in which blocks are done, change nothing.
+/// @tparam Scratch  what a worker keeps between blocks, made from the number of bands. No two
+///         workers' share a cache line.
+template <typename Scratch>
+class BlockRunner {
+  public:
+    explicit BlockRunner(const SolverInput& input)
+        : bands_(input.prepared.bands()),
+          most_private_bytes_(input.spec.tally_memory_mb * 1e6),
+          private_regions_(input.prepared.ground_regions()) {}
+
+    /// Calls `trace(replicate, block, scratch, tally)` for every block of every replicate.
+    template <typename Trace>
+    void run(std::uint64_t blocks, Executor& executor, Sums& sums, const Trace& trace) {
+        while (scratch_.size() < executor.workers()) {
+            scratch_.push_back(std::make_unique<Aligned>(bands_));
+        }
+        SumCollector collector(sums, executor.workers(), most_private_bytes_, private_regions_);
+        executor.run(blocks * sums.replicates.size(), [&](std::uint64_t task, unsigned worker) {
+            const auto replicate = static_cast<std::uint32_t>(task / blocks);
+            Tally& tally = collector.tally_for(worker, replicate);
+            trace(replicate, task % blocks, scratch_[worker]->scratch, tally);
+        });
+        collector.collect();
+    }
+
+  private:
+    struct alignas(2 * kCacheLine) Aligned {
+        explicit Aligned(std::size_t bands) : scratch(bands) {}
+        Scratch scratch;
+    };
+
+    std::size_t bands_;
+    double most_private_bytes_;
+    std::size_t private_regions_;
+    std::vector<std::unique_ptr<Aligned>> scratch_;
+};
+
+}  // namespace quasimc

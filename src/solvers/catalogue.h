@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "solvers/solver.h"
+
+namespace quasimc {
+
+/// What the bins of a solver mean.
+struct SumMeaning {
+    SumUnits units;
+    MeasuredOrgans measured = MeasuredOrgans::all;
+    EscapedLight escaped = EscapedLight::summed;
+};
+
+/// One row of the catalogue: a way of computing.
+struct SolverEntry {
+    Method method;
+    std::string_view name;     ///< as users write it: "first_hits"
+    std::string_view summary;  ///< one line for the manual
+    std::unique_ptr<Solver> (*make)(const SolverInput& input);
+    SumMeaning (*meaning)(const PreparedScene& prepared, const RunSpec& spec);
+};
+
+/// All solvers. Method::automatic is none of them.
+[[nodiscard]] std::span<const SolverEntry> solver_catalogue();
+
+/// The solver of RunSpec::method, which must not be automatic.
+[[nodiscard]] std::unique_ptr<Solver> make_solver(const SolverInput& input);
+
+/// Sums of no paths yet, for the solver of the specification.
+[[nodiscard]] Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec);
+
+}  // namespace quasimc

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "solvers/catalogue.h"
+
+namespace quasimc {
+
+/// Tracing from the organs: points on every organ look for light (docs/theory/light-tracing.md).
+[[nodiscard]] std::unique_ptr<Solver> make_from_organs(const SolverInput& input);
+
+/// A sum holds, for one region of an organ of area A, A_ref / flux times the mean irradiance, per
+/// point; A_ref is the area of all measured organs. A sample is a point of an organ.
+[[nodiscard]] SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec& spec);
+
+}  // namespace quasimc

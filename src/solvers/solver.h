@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/executor.h"
+#include "samplers/sampler.h"
+#include "solvers/run_spec.h"
+#include "sums/sums.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// The points a run traces at one go, the same in every replicate.
+struct Round {
+    std::uint64_t first = 0;  ///< points traced before
+    std::uint64_t count = 0;
+};
+
+/// A way of computing the light on surfaces.
+///
+/// A solver owns its loop: it may cut a round into blocks (solvers/block_runner.h, as those of
+/// today do), iterate, or hand a million paths to a device at once. What it keeps between rounds is
+/// its own. How to add one: its file, its test, its page, a row in solvers/catalogue.cpp.
+class Solver {
+  public:
+    virtual ~Solver() = default;
+    Solver() = default;
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// Adds the light of a round to sums of empty_sums(): to every replicate that of its own
+    /// points, and the paths and samples done. The same bits with any number of workers.
+    /// @throws InputError  where light is too strong to be summed
+    virtual void solve(const Round& round, Executor& executor, Sums& sums) = 0;
+};
+
+/// What a solver is made for; all of it outlives the solver.
+struct SolverInput {
+    const PreparedScene& prepared;
+    const Sampler& sampler;
+    const RunSpec& spec;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,89 @@
+#include "sums/exact_bins.h"
+
+#include <atomic>
+#include <stdexcept>
+
+#include "base/checks.h"
+
+namespace quasimc {
+namespace {
+
+/// Takes whole carries out of a number; what is left lies within (-kCarry, kCarry).
+std::int64_t take_carries(std::int64_t& steps) {
+    const std::int64_t carries = steps / ExactBins::kCarry;
+    steps -= carries * ExactBins::kCarry;
+    return carries;
+}
+
+}  // namespace
+
+ExactBins::Steps ExactBins::steps_with_carries(std::size_t bin) const {
+    Steps steps{carries_[bin], low_[bin]};
+    if (steps.carries > 0 && steps.low < 0) {
+        steps = {steps.carries - 1, steps.low + kCarry};
+    } else if (steps.carries < 0 && steps.low > 0) {
+        steps = {steps.carries + 1, steps.low - kCarry};
+    }
+    return steps;
+}
+
+double ExactBins::value_with_carries(std::size_t bin) const {
+    const Steps sum = steps_with_carries(bin);
+    return from_fixed(sum.low) + static_cast<double>(sum.carries) * from_fixed(kCarry);
+}
+
+void ExactBins::carry(std::size_t bin, std::int64_t carries) {
+    if (carries == 0) {
+        return;
+    }
+    carries_.resize(low_.size());
+    if (__builtin_add_overflow(carries_[bin], carries, &carries_[bin])) {
+        throw std::overflow_error("a sum of light exceeds 2^125 steps");
+    }
+}
+
+void ExactBins::add_with_carry(std::size_t bin, std::int64_t steps) {
+    carry(bin, take_carries(steps));
+    std::int64_t sum = low_[bin] + steps;  // of two numbers within (-2^62, 2^62)
+    carry(bin, take_carries(sum));
+    low_[bin] = sum;
+}
+
+void ExactBins::add(std::size_t bin, Steps steps) {
+    add(bin, steps.low);
+    carry(bin, steps.carries);
+}
+
+ExactBins& ExactBins::operator+=(const ExactBins& other) {
+    EXPECT(size() == other.size());
+    for (std::size_t i = 0; i < size(); ++i) {
+        add(i, other.steps(i));
+    }
+    return *this;
+}
+
+void ExactBins::settle() {
+    for (std::size_t i = 0; i < low_.size(); ++i) {
+        const std::atomic_ref low(low_[i]);
+        std::int64_t rest = low.load(std::memory_order_relaxed);
+        const std::int64_t carries = take_carries(rest);
+        if (carries != 0) {
+            low.fetch_sub(carries * kCarry, std::memory_order_relaxed);
+            carry(i, carries);
+        }
+    }
+}
+
+bool operator==(const ExactBins& a, const ExactBins& b) {
+    if (a.size() != b.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a.steps(i) != b.steps(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,171 @@
+// The bytes of sums: a mark with version and byte order, then every field in the order of its
+// declaration, each list after its length, then a checksum (FNV-1a) of all before it.
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+#include "sums/sums.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::uint64_t kMark = 0x31534D5553434D51;  // "QMCSUMS1", read as a little-endian number
+
+std::uint64_t checksum(std::string_view bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : bytes) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    }
+    return hash;
+}
+
+template <typename T>
+concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+class Writer {
+  public:
+    template <Plain T>
+    void operator()(const T& value) {
+        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void operator()(const std::string& text) {
+        (*this)(std::uint64_t{text.size()});
+        bytes_ += text;
+    }
+    template <typename T>
+    void operator()(const std::vector<T>& values) {
+        (*this)(std::uint64_t{values.size()});
+        for (const T& value : values) {
+            (*this)(value);
+        }
+    }
+    void operator()(const DetectorBins& detector) {
+        (*this)(detector.name), (*this)(detector.bins);
+    }
+    void operator()(const ExactBins& bins) {
+        (*this)(std::uint64_t{bins.size()});
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            const ExactBins::Steps steps = bins.steps(i);
+            (*this)(steps.carries), (*this)(steps.low);
+        }
+    }
+    [[nodiscard]] std::string take() {
+        (*this)(checksum(bytes_));
+        return std::move(bytes_);
+    }
+
+  private:
+    std::string bytes_;
+};
+
+class Reader {
+  public:
+    explicit Reader(std::string_view bytes) : rest_(bytes) {}
+
+    template <Plain T>
+    void operator()(T& value) {
+        std::memcpy(&value, take(sizeof value), sizeof value);
+    }
+    void operator()(std::string& text) {
+        const std::size_t size = length(1);
+        text.assign(take(size), size);
+    }
+    template <typename T>
+    void operator()(std::vector<T>& values) {
+        values.resize(length(1));
+        for (T& value : values) {
+            (*this)(value);
+        }
+    }
+    void operator()(DetectorBins& detector) { (*this)(detector.name), (*this)(detector.bins); }
+    void operator()(ExactBins& bins) {
+        bins = ExactBins(length(2 * sizeof(std::int64_t)));
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            ExactBins::Steps steps;
+            (*this)(steps.carries), (*this)(steps.low);
+            bins.add(i, steps);
+        }
+    }
+    [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
+
+  private:
+    /// A number of things that take at least so many bytes each.
+    std::size_t length(std::size_t bytes_each) {
+        std::uint64_t size = 0;
+        (*this)(size);
+        if (size > rest_.size() / bytes_each) {
+            throw std::invalid_argument("sums are cut off");
+        }
+        return size;
+    }
+    const char* take(std::size_t size) {
+        if (size > rest_.size()) {
+            throw std::invalid_argument("sums are cut off");
+        }
+        const char* bytes = rest_.data();
+        rest_.remove_prefix(size);
+        return bytes;
+    }
+
+    std::string_view rest_;
+};
+
+/// Visits every field.
+template <typename Visit, typename SumsOrConst>
+void visit_fields(Visit& visit, SumsOrConst& sums) {
+    auto& layout = sums.layout;
+    visit(layout.regions), visit(layout.spectra), visit(layout.bands);
+    visit(layout.absorbed_light), visit(layout.detectors);
+    auto& units = sums.units;
+    visit(units.flux), visit(units.flux_per_find);
+    visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
+    visit(sums.spectra), visit(sums.emitted_flux);
+    visit(sums.measured), visit(sums.escaped);
+    visit(sums.replicates);
+    visit(sums.paths), visit(sums.samples), visit(sums.digest);
+}
+
+void check_sizes(const Sums& sums) {
+    for (const ExactBins& bins : sums.replicates) {
+        if (bins.size() != sums.layout.bins()) {
+            throw std::invalid_argument("sums do not fit their layout");
+        }
+    }
+}
+
+}  // namespace
+
+std::string save_sums(const Sums& sums) {
+    Writer writer;
+    writer(kMark);
+    visit_fields(writer, sums);
+    return writer.take();
+}
+
+Sums load_sums(std::string_view bytes) {
+    std::uint64_t mark = 0;
+    std::uint64_t expected = 0;
+    if (bytes.size() < sizeof mark + sizeof expected) {
+        throw std::invalid_argument("sums are cut off");
+    }
+    std::memcpy(&mark, bytes.data(), sizeof mark);
+    if (mark != kMark) {
+        throw std::invalid_argument("not sums of this version and byte order");
+    }
+    std::memcpy(&expected, bytes.data() + bytes.size() - sizeof expected, sizeof expected);
+    bytes.remove_suffix(sizeof expected);
+    if (checksum(bytes) != expected) {
+        throw std::invalid_argument("sums were changed or are cut off");
+    }
+    Reader reader(bytes.substr(sizeof mark));
+    Sums sums;
+    visit_fields(reader, sums);
+    if (!reader.is_at_end()) {
+        throw std::invalid_argument("sums have something behind them");
+    }
+    check_sizes(sums);
+    return sums;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,39 @@
+#include "sums/sum_layout.h"
+
+namespace quasimc {
+
+std::size_t SumLayout::detector(std::size_t index) const {
+    std::size_t first = rays() + 1;
+    for (std::size_t i = 0; i < index; ++i) {
+        first += detectors[i].bins;
+    }
+    return first;
+}
+
+std::vector<SumBlock> SumLayout::blocks() const {
+    const auto of_regions = [&](std::string name, std::size_t first, std::size_t columns) {
+        return SumBlock{std::move(name), first, regions, columns, stride()};
+    };
+    const auto of_run = [](std::string name, std::size_t first, std::size_t columns) {
+        return SumBlock{std::move(name), first, 1, columns, columns};
+    };
+    std::vector<SumBlock> all{
+        of_regions("direct_upper", direct(0, SurfaceSide::upper, 0), spectra),
+        of_regions("direct_lower", direct(0, SurfaceSide::lower, 0), spectra),
+        of_regions("scattered_upper", scattered(0, SurfaceSide::upper), bands),
+        of_regions("scattered_lower", scattered(0, SurfaceSide::lower), bands),
+        of_regions("sunlit", sunlit(0), 1),
+        of_regions("absorbed", absorbed(0), absorbed_bands()),
+        of_run("emitted", emitted(), spectra),
+        of_run("escaped_direct", escaped_direct(), spectra),
+        of_run("escaped_scattered", escaped_scattered(), bands),
+        of_run("scattered_out", scattered_out(), bands),
+        of_run("cut_off", cut_off(), bands),
+        of_run("rays", rays(), 1)};
+    for (std::size_t i = 0; i < detectors.size(); ++i) {
+        all.push_back(of_run(detectors[i].name, detector(i), detectors[i].bins));
+    }
+    return all;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,78 @@
+#include "sums/exact_bins.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace quasimc {
+namespace {
+
+constexpr std::int64_t kCarry = ExactBins::kCarry;
+using Steps = ExactBins::Steps;
+
+TEST(ExactBins, AddsWhatFitsIntoOneNumber) {
+    ExactBins bins(2);
+    bins.add(0, 5);
+    bins.add(0, kCarry - 6);
+    bins.add(1, -3);
+    EXPECT_EQ(bins.steps(0), (Steps{0, kCarry - 1}));
+    EXPECT_EQ(bins.steps(1), (Steps{0, -3}));
+    EXPECT_EQ(bins.value(1), from_fixed(-3));
+}
+
+TEST(ExactBins, CarriesWhatDoesNot) {
+    ExactBins bins(3);
+    for (int i = 0; i < 10; ++i) {
+        bins.add(0, kCarry - 1);
+        bins.add(1, -(kCarry - 1));
+        bins.add(2, std::numeric_limits<std::int64_t>::max());
+    }
+    EXPECT_EQ(bins.steps(0), (Steps{9, kCarry - 10}));
+    EXPECT_EQ(bins.steps(1), (Steps{-9, -(kCarry - 10)}));
+    EXPECT_EQ(bins.steps(2), (Steps{19, kCarry - 10}));
+    EXPECT_DOUBLE_EQ(bins.value(0), 10 * from_fixed(kCarry));
+    EXPECT_DOUBLE_EQ(bins.value(1), -10 * from_fixed(kCarry));
+}
+
+TEST(ExactBins, AddsOthersWithTheirCarries) {
+    ExactBins a(2);
+    ExactBins b(2);
+    a.add(0, kCarry - 1);
+    b.add(0, kCarry - 1);
+    b.add(0, kCarry - 1);
+    b.add(1, 7);
+    a += b;
+    EXPECT_EQ(a.steps(0), (Steps{2, kCarry - 3}));
+    EXPECT_EQ(a.steps(1), (Steps{0, 7}));
+    ExactBins c(2);
+    c.add(0, kCarry - 1);
+    b += c;
+    EXPECT_TRUE(a.steps(0) == b.steps(0)) << "in any order";
+}
+
+TEST(ExactBins, SettlesWhatOthersAdded) {
+    ExactBins bins(2);
+    bins.shared()[0] = kCarry + 4;
+    bins.shared()[1] = 4;
+    bins.settle();
+    EXPECT_EQ(bins.steps(0), (Steps{1, 4}));
+    EXPECT_EQ(bins.steps(1), (Steps{0, 4}));
+}
+
+TEST(ExactBins, AreEqualByTheirSums) {
+    ExactBins a(1);
+    ExactBins b(1);
+    a.add(0, kCarry - 1);
+    a.add(0, 1);
+    a.add(0, -1);
+    b.add(0, kCarry - 1);
+    EXPECT_EQ(a.steps(0), (Steps{0, kCarry - 1}));
+    EXPECT_TRUE(a == b);
+    EXPECT_EQ(a.value(0), b.value(0));
+    b.add(0, -1);
+    EXPECT_FALSE(a == b);
+    EXPECT_FALSE(a == ExactBins(2));
+}
+
+}  // namespace
+}  // namespace quasimc

@@ -1,0 +1,104 @@
+#include "sums/sum_collector.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "base/parallel.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kPrivate = 1e9;
+constexpr double kShared = 0;
+
+Sums sums_of(const SumLayout& layout, std::size_t replicates) {
+    Sums sums;
+    sums.layout = layout;
+    sums.replicates.assign(replicates, ExactBins(layout.bins()));
+    return sums;
+}
+
+/// The sums of four replicates of a made-up run: every block adds to three bins of its replicate,
+/// `amount` to one of them.
+Sums counted(
+    unsigned workers,
+    double most_private_bytes,
+    std::size_t private_regions,
+    std::int64_t amount = 1) {
+    const SumLayout layout{6, 1, 2};
+    Sums sums = sums_of(layout, 4);
+    SumCollector collector(sums, workers, most_private_bytes, private_regions);
+    constexpr std::uint64_t kBlocks = 400;
+    parallel_blocks(kBlocks, workers, [&](std::uint64_t block, unsigned worker) {
+        const auto replicate = static_cast<std::uint32_t>(block * 7 % 4);
+        Tally& tally = collector.tally_for(worker, replicate);
+        for (std::size_t e = 0; e < layout.regions; ++e) {
+            tally.add(layout.sunlit(e), static_cast<std::int64_t>(block + e));
+            tally.add(
+                layout.scattered(e, SurfaceSide::lower), std::array<std::int64_t, 2>{amount, 2});
+        }
+        tally.add(layout.rays(), 1);
+    });
+    collector.collect();
+    return sums;
+}
+
+TEST(SumCollector, SumsEachReplicateForItself) {
+    const Sums sums = counted(1, kPrivate, 0);
+    ASSERT_EQ(sums.replicates.size(), 4U);
+    for (std::uint32_t r = 0; r < 4; ++r) {
+        std::int64_t sum = 0;
+        for (std::uint64_t block = 0; block < 400; ++block) {
+            sum += block * 7 % 4 == r ? static_cast<std::int64_t>(block + 2) : 0;
+        }
+        const ExactBins& bins = sums.replicates[r];
+        EXPECT_EQ(bins.steps(sums.layout.rays()).low, 100);
+        EXPECT_EQ(bins.steps(sums.layout.sunlit(2)).low, sum);
+        EXPECT_EQ(bins.steps(sums.layout.scattered(5, SurfaceSide::lower) + 1).low, 200);
+    }
+}
+
+TEST(SumCollector, SumsTheSamePrivateOrSharedOnAnyNumberOfWorkers) {
+    // The larger amount fills bins many times over.
+    for (const std::int64_t amount : {std::int64_t{1}, ExactBins::kCarry / 3}) {
+        const Sums expected = counted(1, kPrivate, 0, amount);
+        for (const unsigned workers : {1U, 2U, 7U}) {
+            EXPECT_TRUE(counted(workers, kPrivate, 0, amount) == expected) << workers;
+            for (const std::size_t private_regions : {0U, 1U, 6U, 100U}) {
+                Sums shared = counted(workers, kShared, private_regions, amount);
+                for (ExactBins& bins : shared.replicates) {
+                    bins.settle();
+                }
+                EXPECT_TRUE(shared == expected) << workers << " " << private_regions;
+            }
+        }
+    }
+}
+
+TEST(SumCollector, SumsWhatNoNumberOfItsOwnCouldHold) {
+    const Sums sums = counted(2, kPrivate, 0, ExactBins::kCarry / 4 * 3);
+    const ExactBins::Steps steps =
+        sums.replicates[1].steps(sums.layout.scattered(3, SurfaceSide::lower));
+    EXPECT_EQ(steps, (ExactBins::Steps{75, 0}));
+    EXPECT_EQ(
+        sums.replicates[1].value(sums.layout.scattered(3, SurfaceSide::lower)),
+        75 * from_fixed(ExactBins::kCarry));
+}
+
+TEST(SumCollector, KeepsNothingBackAfterCollecting) {
+    Sums sums = sums_of({1, 1, 1}, 2);
+    const std::size_t rays = sums.layout.rays();
+    SumCollector collector(sums, 1, kPrivate, 0);
+    collector.tally_for(0, 1).add(rays, 3);
+    collector.collect();
+    collector.collect();
+    EXPECT_EQ(sums.replicates[1].steps(rays).low, 3);
+    collector.tally_for(0, 1).add(rays, 4);
+    collector.collect();
+    EXPECT_EQ(sums.replicates[1].steps(rays).low, 7);
+    EXPECT_EQ(sums.replicates[0].steps(rays).low, 0);
+}
+
+}  // namespace
+}  // namespace quasimc
