@@ -66,6 +66,7 @@ function(quasimc_module)
         add_library(${target} STATIC ${arg_SOURCES})
         set(scope PUBLIC)
         set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+        quasimc_unity(${target} modules)
         target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
         target_link_libraries(${target} PUBLIC ${public} PRIVATE ${private}
                                                                  $<BUILD_INTERFACE:quasimc_settings>)

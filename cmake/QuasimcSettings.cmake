@@ -61,3 +61,14 @@ if(QUASIMC_BUILD_FUZZ)
     target_compile_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
     target_link_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# quasimc_unity(<target> modules|tests): compiles the target's sources joined into a few files, if
+# QUASIMC_UNITY says so of its kind.  Most of the time of a compiler goes into headers, which are
+# then read once; and names that clash in a joined file are two things of one name.
+set(QUASIMC_UNITY "none" CACHE STRING "What is compiled in joined files: none, tests or all")
+set_property(CACHE QUASIMC_UNITY PROPERTY STRINGS none tests all)
+function(quasimc_unity target kind)
+    if(QUASIMC_UNITY STREQUAL "all" OR (QUASIMC_UNITY STREQUAL "tests" AND kind STREQUAL "tests"))
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
+endfunction()

@@ -15,7 +15,7 @@ std::string deep_key() {
     return text + " = 1";
 }
 
-const std::vector<BadInput> kTable{
+const std::vector<BadInput> kBadDocuments{
     {"Empty", "", "", "run.toml"},
     {"OnlyBlanks", "", "  \n\n", "run.toml"},
     {"NotToml", "", "this is no run file\n", "run.toml:1: "},
@@ -83,7 +83,7 @@ const std::vector<BadInput> kTable{
 }  // namespace
 
 std::vector<BadInput> bad_documents() {
-    return kTable;
+    return kBadDocuments;
 }
 
 }  // namespace quasimc::test

@@ -19,7 +19,7 @@ const std::string kLyingPly =
     "property float z\nelement face 4000000000\nproperty list uint int "
     "vertex_indices\nend_header\n";
 
-const std::vector<BadInput> kTable{
+const std::vector<BadInput> kBadGeometryFiles{
     bad_file("TriEmpty", "a.tri", "", "file 'a.tri' holds no triangle"),
     bad_file("TriOnlyComments", "a.tri", "# nothing\n", "file 'a.tri' holds no triangle"),
     bad_file("TriTruncated", "a.tri", "0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0", "a.tri:2: 7 numbers"),
@@ -107,7 +107,7 @@ const std::vector<BadInput> kTable{
 }  // namespace
 
 std::vector<BadInput> bad_geometry_files() {
-    return kTable;
+    return kBadGeometryFiles;
 }
 
 }  // namespace quasimc::test

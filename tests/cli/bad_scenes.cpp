@@ -12,7 +12,7 @@ const std::string kCorners = "corners = [[0, 0, 5], [1, 0, 5], [0, 1, 5]]";
 const std::string kFile = "file = \"leaves.tri\"";
 const std::string kShape = "shape = \"triangle\"";
 
-const std::vector<BadInput> kTable{
+const std::vector<BadInput> kBadScenes{
     {"NoSource",
      "[[source]]\ntype = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1\n", "",
      "no source of light is given"},
@@ -120,7 +120,7 @@ const std::vector<BadInput> kTable{
 }  // namespace
 
 std::vector<BadInput> bad_scenes() {
-    return kTable;
+    return kBadScenes;
 }
 
 }  // namespace quasimc::test

@@ -24,6 +24,24 @@ Vec3 Random::direction() {
     return rounded({r * std::cos(angle), r * std::sin(angle), z});
 }
 
+std::vector<Vec3> vertices(const LocalMesh& mesh) {
+    std::vector<Vec3> points;
+    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            points.push_back(mesh.vertex(i, corner));
+        }
+    }
+    return points;
+}
+
+double reach(const std::vector<Vec3>& points, const Vec3& direction) {
+    double furthest = -INFINITY;
+    for (const Vec3& p : points) {
+        furthest = std::max(furthest, dot(p, direction));
+    }
+    return furthest;
+}
+
 Vec3 rounded(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }

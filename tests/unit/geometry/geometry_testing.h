@@ -31,6 +31,16 @@ class Random {
     std::mt19937_64 bits_;
 };
 
+/// Half of the unit square, and the direction in which it is seen from above.
+inline const Triangle kLeaf{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+inline const Vec3 kDown{0, 0, -1};
+
+/// The corners of all triangles of a mesh, in order.
+[[nodiscard]] std::vector<Vec3> vertices(const LocalMesh& mesh);
+
+/// The largest coordinate of `points` along `direction`.
+[[nodiscard]] double reach(const std::vector<Vec3>& points, const Vec3& direction);
+
 /// The components rounded to single precision.
 [[nodiscard]] Vec3 rounded(const Vec3& v);
 

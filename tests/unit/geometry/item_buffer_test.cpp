@@ -13,6 +13,9 @@
 namespace quasimc {
 namespace {
 
+using test::kDown;
+using test::kLeaf;
+
 /// Area of the beam that each triangle catches.
 std::map<std::uint32_t, double> caught(const ProjectedScene& scene, const ItemBuffer::Spec& spec) {
     ItemBuffer buffer;
@@ -23,9 +26,6 @@ std::map<std::uint32_t, double> caught(const ProjectedScene& scene, const ItemBu
     }
     return areas;
 }
-
-const Triangle kLeaf{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
-const Vec3 kDown{0, 0, -1};
 
 TEST(ItemBuffer, MeasuresATriangleFromAllSides) {
     const LocalMesh mesh = make_local_mesh({kLeaf});

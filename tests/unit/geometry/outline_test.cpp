@@ -14,24 +14,8 @@ namespace quasimc {
 namespace {
 
 using test::Random;
-
-double reach(const std::vector<Vec3>& points, const Vec3& direction) {
-    double furthest = -INFINITY;
-    for (const Vec3& p : points) {
-        furthest = std::max(furthest, dot(p, direction));
-    }
-    return furthest;
-}
-
-std::vector<Vec3> vertices(const LocalMesh& mesh) {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            points.push_back(mesh.vertex(i, corner));
-        }
-    }
-    return points;
-}
+using test::reach;
+using test::vertices;
 
 /// Whether the outline reaches as far as the mesh in every direction.
 ::testing::AssertionResult reaches_as_far(

@@ -13,6 +13,9 @@
 namespace quasimc {
 namespace {
 
+using test::kDown;
+using test::kLeaf;
+
 /// Area of the beam that each triangle catches.
 std::map<std::uint32_t, double> caught(
     const LocalMesh& mesh,
@@ -31,9 +34,6 @@ std::map<std::uint32_t, double> caught(
     }
     return areas;
 }
-
-const Triangle kLeaf{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
-const Vec3 kDown{0, 0, -1};
 
 TEST(ScanLines, MeasureATriangleFromAllSides) {
     const LocalMesh mesh = make_local_mesh({kLeaf});

@@ -15,6 +15,8 @@ namespace quasimc {
 namespace {
 
 using test::Random;
+using test::reach;
+using test::vertices;
 
 const std::vector<Vec3> beams{
     {0, 0, -1},
@@ -47,16 +49,6 @@ double seen_area(const BeamCrossSection& window, const RayCaster& caster, const 
 bool is_outside(const Bounds& box, const Vec3& p) {
     return p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y ||
            p.z < box.low.z || p.z > box.high.z;
-}
-
-std::vector<Vec3> vertices(const LocalMesh& mesh) {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            points.push_back(mesh.vertex(i, corner));
-        }
-    }
-    return points;
 }
 
 Bounds mesh_bounds(const LocalMesh& mesh) {
@@ -112,14 +104,6 @@ std::vector<Vec3> border_places(const BeamCrossSection& window) {
         places.push_back(window.place(1, u));
     }
     return places;
-}
-
-double reach(const std::vector<Vec3>& points, const Vec3& direction) {
-    double furthest = -INFINITY;
-    for (const Vec3& p : points) {
-        furthest = std::max(furthest, dot(p, direction));
-    }
-    return furthest;
 }
 
 TEST_P(OpenWindow, NoRayThatMeetsTheScenePassesBesideIt) {

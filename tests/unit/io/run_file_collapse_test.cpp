@@ -11,7 +11,8 @@
 namespace quasimc::test {
 namespace {
 
-std::string with_time(const std::string& keys) {
+/// A run file with [time] and two bands.
+std::string with_two_bands(const std::string& keys) {
     RunText text;
     text.top = "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n[[band]]\nname = 'NIR'\n";
     text.sources = "";
@@ -33,9 +34,9 @@ double sum_over(const TimeSeries& series, std::size_t band) {
 }
 
 TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
-    const TimeSeries hours = *read_text(with_time(kDays)).series;
+    const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries one =
-        *read_text(with_time(std::string(kDays) + "collapse = 'period'\n")).series;
+        *read_text(with_two_bands(std::string(kDays) + "collapse = 'period'\n")).series;
     ASSERT_EQ(one.time_steps.size(), 1U);
     EXPECT_EQ(one.time_steps[0].seconds, 3 * 86400);
     EXPECT_EQ(one.days, std::vector<std::string>{"2024-06-20/2024-06-22"});
@@ -61,9 +62,9 @@ TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
 }
 
 TEST(RunFileCollapse, MakesAMomentOfEachDay) {
-    const TimeSeries hours = *read_text(with_time(kDays)).series;
+    const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries days =
-        *read_text(with_time(std::string(kDays) + "collapse = 'days'\n")).series;
+        *read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n")).series;
     ASSERT_EQ(days.time_steps.size(), 3U);
     EXPECT_EQ(days.days, hours.days);
     EXPECT_EQ(days.time_steps[2].day, 2U);
@@ -87,11 +88,12 @@ TEST(RunFileCollapse, LetsLampsShineOn) {
 
 TEST(RunFileCollapse, NeedsTimesWithALength) {
     const std::string times = "times = ['2024-06-21T13:40+02:00']\ncollapse = 'period'\n";
-    EXPECT_TRUE(mentions(faults_of(with_time(times)), "instants are to be collapsed"));
+    EXPECT_TRUE(mentions(faults_of(with_two_bands(times)), "instants are to be collapsed"));
     EXPECT_EQ(
-        read_text(with_time(times + "duration_minutes = 10\n")).series->time_steps.size(), 1U);
+        read_text(with_two_bands(times + "duration_minutes = 10\n")).series->time_steps.size(), 1U);
     EXPECT_TRUE(mentions(
-        faults_of(with_time(std::string(kDays) + "collapse = 'weeks'\n")), "collapse is 'weeks'"));
+        faults_of(with_two_bands(std::string(kDays) + "collapse = 'weeks'\n")),
+        "collapse is 'weeks'"));
 }
 
 std::string series_json(const RunFile& run) {
@@ -103,7 +105,7 @@ std::string series_json(const RunFile& run) {
 }
 
 TEST(RunFileCollapse, IsToldInTheResults) {
-    const RunFile run = read_text(with_time(std::string(kDays) + "collapse = 'period'\n"));
+    const RunFile run = read_text(with_two_bands(std::string(kDays) + "collapse = 'period'\n"));
     std::string csv;
     write_days_head(run, [&](std::string_view part) { csv += part; });
     EXPECT_NE(
@@ -115,7 +117,7 @@ TEST(RunFileCollapse, IsToldInTheResults) {
         json.find("\"until\": \"2024-06-23T00:00+01:00\", \"collapsed\": {\"times\": 72"),
         std::string::npos);
     EXPECT_EQ(json.find("azimuth_deg\": "), std::string::npos);
-    const RunFile days = read_text(with_time(std::string(kDays) + "collapse = 'days'\n"));
+    const RunFile days = read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n"));
     csv.clear();
     write_days_head(days, [&](std::string_view part) { csv += part; });
     EXPECT_NE(csv.find("incident_upper_PAR [mol m-2 d-1]:"), std::string::npos);

@@ -155,10 +155,10 @@ TEST(Side, NeverEndsALightThatGoesOnSurelyByRounding) {
 }
 
 /// Bands and number of different exponents.
-struct Spectrum {
+struct BandCount {
     std::size_t bands, exponents;
 };
-class SideOfManyBands : public ::testing::TestWithParam<Spectrum> {
+class SideOfManyBands : public ::testing::TestWithParam<BandCount> {
   protected:
     std::size_t bands_ = GetParam().bands;
     Material leaf_ = make_material(varied_leaf(bands_, GetParam().exponents), bands_);
@@ -255,7 +255,7 @@ TEST_P(SideOfManyBands, ScattersTheSameInTwoSteps) {
     }
 }
 
-std::string spectrum_name(const ::testing::TestParamInfo<Spectrum>& info) {
+std::string band_count_name(const ::testing::TestParamInfo<BandCount>& info) {
     return std::to_string(info.param.bands) + "_bands_" + std::to_string(info.param.exponents) +
            "_exponents";
 }
@@ -264,14 +264,14 @@ INSTANTIATE_TEST_SUITE_P(
     Spectra,
     SideOfManyBands,
     ::testing::Values(
-        Spectrum{1, 1},
-        Spectrum{2, 2},
-        Spectrum{3, 3},
-        Spectrum{3, 1},
-        Spectrum{20, 8},
-        Spectrum{200, 6},
-        Spectrum{300, 300}),
-    spectrum_name);
+        BandCount{1, 1},
+        BandCount{2, 2},
+        BandCount{3, 3},
+        BandCount{3, 1},
+        BandCount{20, 8},
+        BandCount{200, 6},
+        BandCount{300, 300}),
+    band_count_name);
 
 }  // namespace
 }  // namespace quasimc::test

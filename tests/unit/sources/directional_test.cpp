@@ -20,17 +20,17 @@ Vec3 slanted() {
 }
 
 /// The aperture of some triangles, with the mesh it looks at.
-struct Opening {
+struct MeshAperture {
     LocalMesh mesh;
     SceneProjection projection;
 
-    explicit Opening(
+    explicit MeshAperture(
         const std::vector<Triangle>& triangles,
         const Cell& cell = kOpen,
         CrossSectionShape shape = CrossSectionShape::silhouette)
         : mesh(make_local_mesh(triangles)), projection(mesh, cell, shape) {}
-    Opening(const Opening&) = delete;
-    Opening& operator=(const Opening&) = delete;
+    MeshAperture(const MeshAperture&) = delete;
+    MeshAperture& operator=(const MeshAperture&) = delete;
 };
 
 /// A floor of 2 x 1 at height 0.
@@ -39,7 +39,7 @@ std::vector<Triangle> make_floor() {
 }
 
 /// Flux into the scene in square units of the world, 0 if there is none.
-double world_flux(const Source& source, const Opening& opening) {
+double world_flux(const Source& source, const MeshAperture& opening) {
     const auto sampler = source.make_sampler_in(opening.projection);
     return sampler ? sampler->flux() * opening.projection.world_area() : 0;
 }
@@ -47,35 +47,35 @@ double world_flux(const Source& source, const Opening& opening) {
 /// A window may be larger than the silhouette by a tenth, if its map is simpler for it.
 TEST(Directional, SendsHardlyMoreLightThanTheSilhouetteCatches) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    const double floor = world_flux(*source, Opening(make_floor()));
+    const double floor = world_flux(*source, MeshAperture(make_floor()));
     EXPECT_GE(floor, -2 * slanted().z);
     EXPECT_LE(floor, -2 * slanted().z / .9);
-    const double sphere = world_flux(*source, Opening(make_sphere({5, 6, 7}, 2, 5)));
+    const double sphere = world_flux(*source, MeshAperture(make_sphere({5, 6, 7}, 2, 5)));
     EXPECT_NEAR(sphere, 4 * std::numbers::pi, .02);
 }
 
 TEST(Directional, SendsTheLightOfTheDiscAcrossTheBoundingSphereIfAsked) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    const Opening opening(make_floor(), kOpen, CrossSectionShape::sphere);
+    const MeshAperture opening(make_floor(), kOpen, CrossSectionShape::sphere);
     EXPECT_NEAR(world_flux(*source, opening), std::numbers::pi * 1.25, 2e-5);
 }
 
 TEST(Directional, SendsTheLightOfOneCellIntoAPeriodicScene) {
     const Cell cell{.along_x = true, .along_y = true, .size_x = 3, .size_y = 5};
     const auto source = make_directional_source("sun", slanted(), {1});
-    EXPECT_NEAR(world_flux(*source, Opening(make_floor(), cell)), -15 * slanted().z, 1e-9);
+    EXPECT_NEAR(world_flux(*source, MeshAperture(make_floor(), cell)), -15 * slanted().z, 1e-9);
 }
 
 TEST(Directional, SendsNothingIntoAFloorSeenEdgeOn) {
     const Cell cell{.along_x = true, .along_y = true, .size_x = 3, .size_y = 5};
     const auto source = make_directional_source("horizontal", {1, 0, 0}, {1});
-    EXPECT_EQ(source->make_sampler_in(Opening(make_floor()).projection), nullptr);
-    EXPECT_EQ(source->make_sampler_in(Opening(make_floor(), cell).projection), nullptr);
+    EXPECT_EQ(source->make_sampler_in(MeshAperture(make_floor()).projection), nullptr);
+    EXPECT_EQ(source->make_sampler_in(MeshAperture(make_floor(), cell).projection), nullptr);
 }
 
 TEST(Directional, StartsAllPathsAlikeOutsideTheScene) {
     const auto source = make_directional_source("sun", 3.0 * slanted(), {1});
-    const Opening opening(make_floor());
+    const MeshAperture opening(make_floor());
     const auto sampler = source->make_sampler_in(opening.projection);
     ASSERT_TRUE(sampler->beam_direction());
     EXPECT_LT(length(*sampler->beam_direction() - slanted()), 1e-15);
@@ -93,7 +93,7 @@ TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
     const auto source = make_directional_source("sun", slanted(), {1});
     for (const CrossSectionShape shape :
          {CrossSectionShape::silhouette, CrossSectionShape::sphere}) {
-        const Opening opening(make_floor(), kOpen, shape);
+        const MeshAperture opening(make_floor(), kOpen, shape);
         const auto sampler = source->make_sampler_in(opening.projection);
         constexpr std::array<double, 5> kU0{0, .1, .5, .7, .999999};
         constexpr std::array<double, 5> kU1{.9, 0, .5, .999999, .2};
@@ -108,7 +108,7 @@ TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
 /// Followed down to the floor, the starts fall on it evenly.
 TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    const Opening opening(make_floor());
+    const MeshAperture opening(make_floor());
     const auto sampler = source->make_sampler_in(opening.projection);
     std::mt19937_64 bits(2);
     std::uniform_real_distribution<double> uniform;
@@ -145,7 +145,7 @@ TEST(Directional, IlluminatesEveryPointFromOneDirection) {
 TEST(Directional, FromBelowTheHorizonBringsNothingToTheUpperSideOfTheHorizontal) {
     const auto source = make_directional_source("reflected", {0, .6, .8}, {1});
     EXPECT_EQ(source->horizontal_irradiance(), 0);
-    const Opening opening(make_floor());
+    const MeshAperture opening(make_floor());
     EXPECT_NEAR(world_flux(*source, opening), 2 * .8, 2e-5);
     EXPECT_LT(source->make_sampler_in(opening.projection)->emit({.5, .5, 0, 0}).origin.z, 0);
 }

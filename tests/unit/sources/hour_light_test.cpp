@@ -31,7 +31,7 @@ double on_the_horizontal(const HourSources& hour) {
     return sum;
 }
 
-HourLight measured(const SunPath& path, const Reading& reading) {
+HourLight light_of_reading(const SunPath& path, const Reading& reading) {
     return measured_light(
         path, reading, LightUnit::full_spectrum, DiffuseModel::erbs, DaylightSpectra());
 }
@@ -70,12 +70,12 @@ TEST(MeasuredLight, KeepsWhatWasMeasured) {
         EXPECT_NEAR(light.daylight.direct, direct, 1e-9);
         EXPECT_NEAR(light.daylight.diffuse, diffuse, 1e-9);
     };
-    expect(measured(path, {.direct_horizontal = 400, .diffuse = 150}), 400, 150);
-    expect(measured(path, {.beam_normal = 500, .diffuse = 150}), 500 * sine, 150);
-    expect(measured(path, {.global = 550, .diffuse = 150}), 400, 150);
-    expect(measured(path, {.global = 550, .direct_horizontal = 400}), 400, 150);
-    expect(measured(path, {.global = 550, .beam_normal = 400 / sine}), 400, 150);
-    const HourLight split = measured(path, {.global = 550});
+    expect(light_of_reading(path, {.direct_horizontal = 400, .diffuse = 150}), 400, 150);
+    expect(light_of_reading(path, {.beam_normal = 500, .diffuse = 150}), 500 * sine, 150);
+    expect(light_of_reading(path, {.global = 550, .diffuse = 150}), 400, 150);
+    expect(light_of_reading(path, {.global = 550, .direct_horizontal = 400}), 400, 150);
+    expect(light_of_reading(path, {.global = 550, .beam_normal = 400 / sine}), 400, 150);
+    const HourLight split = light_of_reading(path, {.global = 550});
     EXPECT_NEAR(split.daylight.global(), 550, 1e-9);
     const double fraction = diffuse_fraction_erbs(550 / (path.outside() * sine));
     EXPECT_NEAR(split.daylight.diffuse, 550 * fraction, 1e-9);
@@ -88,8 +88,8 @@ TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
             if (path.mean_sine() == 0) {
                 continue;
             }
-            const HourLight light =
-                measured(path, {.direct_horizontal = 300 * path.mean_sine(), .diffuse = 100});
+            const HourLight light = light_of_reading(
+                path, {.direct_horizontal = 300 * path.mean_sine(), .diffuse = 100});
             const DaylightSources how = to_sources();
             const double expected = how.spectra.direct(how.bands[0]) * light.daylight.direct +
                                     how.spectra.diffuse(how.bands[0], light.daylight);
@@ -101,23 +101,24 @@ TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
 
 TEST(MeasuredLight, TellsWhatCantBe) {
     const SunPath noon = sun_path(kWageningen, june(12), 3600, 300);
-    EXPECT_EQ(measured(noon, {}).fault, ReadingFault::incomplete);
-    EXPECT_EQ(measured(noon, {.diffuse = 3}).fault, ReadingFault::incomplete);
+    EXPECT_EQ(light_of_reading(noon, {}).fault, ReadingFault::incomplete);
+    EXPECT_EQ(light_of_reading(noon, {.diffuse = 3}).fault, ReadingFault::incomplete);
     EXPECT_EQ(
-        measured(noon, {.global = 100, .direct_horizontal = 200}).fault,
+        light_of_reading(noon, {.global = 100, .direct_horizontal = 200}).fault,
         ReadingFault::direct_exceeds_global);
     EXPECT_EQ(
-        measured(noon, {.global = 100, .direct_horizontal = 105}).note,
+        light_of_reading(noon, {.global = 100, .direct_horizontal = 105}).note,
         ReadingNote::more_direct_than_global);
     const SunPath night = sun_path(kWageningen, june(0), 3600, 300);
-    EXPECT_EQ(measured(night, {.global = 300}).fault, ReadingFault::light_at_night);
-    EXPECT_EQ(measured(night, {.global = 2}).fault, ReadingFault::none) << "an offset of a sensor";
+    EXPECT_EQ(light_of_reading(night, {.global = 300}).fault, ReadingFault::light_at_night);
+    EXPECT_EQ(light_of_reading(night, {.global = 2}).fault, ReadingFault::none)
+        << "an offset of a sensor";
 }
 
 TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
     const SunPath dawn = sun_path(kWageningen, june(4), 3600, 300);
     const double most = dawn.outside() * dawn.mean_sine();
-    const HourLight light = measured(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
+    const HourLight light = light_of_reading(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
     EXPECT_EQ(light.note, ReadingNote::sun_too_low);
     EXPECT_EQ(light.daylight.direct, 0);
     EXPECT_NEAR(light.daylight.diffuse, 2 * most + 10, 1e-9);
@@ -158,7 +159,7 @@ TEST(ClearLight, ShinesAllDayAndNotAtAllAtThePoles) {
 TEST(HourSources, AreSunsAndOneSky) {
     const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
     const HourSources clear = make_hour_sources(
-        path, measured(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
+        path, light_of_reading(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
     ASSERT_EQ(clear.sources.size(), 13U);
     for (std::size_t i = 0; i < 12; ++i) {
         EXPECT_TRUE(clear.sources[i]->is_directional());
@@ -171,7 +172,7 @@ TEST(HourSources, OfOvercastTimesHaveTheSameShape) {
     const SunPath ten = sun_path(kWageningen, june(10), 3600, 300);
     const SunPath two = sun_path(kWageningen, june(14), 3600, 300);
     const auto shapes = [](const SunPath& path, const Reading& reading) {
-        return make_hour_sources(path, measured(path, reading), to_sources()).shapes;
+        return make_hour_sources(path, light_of_reading(path, reading), to_sources()).shapes;
     };
     EXPECT_EQ(
         shapes(ten, {.direct_horizontal = 0, .diffuse = 80}),

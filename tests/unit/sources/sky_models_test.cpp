@@ -174,7 +174,7 @@ TEST(SkySums, OfOneSkyAreNearlyThatSky) {
 }
 
 /// The box of a scene, [0, 4] x [0, 2] x [0, 1].
-EntryBox make_box() {
+EntryBox make_entry_box() {
     EntryBox box;
     box.bounds.low = {0, 0, 0};
     box.bounds.high = {4, 2, 1};
@@ -184,7 +184,7 @@ EntryBox make_box() {
 
 /// Seen along the light, starts are even over the box: each face has its share.
 TEST(EntryPlace, IsEvenOverTheBoxAsSeenAlongTheLight) {
-    const EntryBox box = make_box();
+    const EntryBox box = make_entry_box();
     std::mt19937_64 bits(10);
     std::uniform_real_distribution<double> uniform;
     for (const Vec3& d :

@@ -9,7 +9,7 @@
 namespace quasimc::test {
 namespace {
 
-Scene make_leaf(std::size_t bands = 1) {
+Scene make_leaf_of_bands(std::size_t bands = 1) {
     SceneBuilder builder = make_builder(bands);
     builder.add_material(matt("leaf", .1, .1, bands));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
@@ -18,7 +18,7 @@ Scene make_leaf(std::size_t bands = 1) {
 
 /// The faults of a run of one leaf under a sun.
 std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(0, {1})}) {
-    const Scene scene = make_leaf();
+    const Scene scene = make_leaf_of_bands();
     Faults faults;
     check_run(scene, sources, spec, faults);
     try {
@@ -127,7 +127,7 @@ TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {
     spec.replicates = 0;
     spec.ratios = {"x:y"};
     try {
-        (void)run(make_leaf(), {sun(0, {1, 1})}, spec);
+        (void)run(make_leaf_of_bands(), {sun(0, {1, 1})}, spec);
         FAIL() << "no error";
     } catch (const InputError& error) {
         EXPECT_EQ(error.faults().size(), 5U);
@@ -136,7 +136,7 @@ TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {
 
 TEST(CheckRun, LightThatReachesNothingIsAnError) {
     // The leaf lies edge-on to the sun.
-    EXPECT_THROW((void)run(make_leaf(), {sun(90, {1})}, {}), InputError);
+    EXPECT_THROW((void)run(make_leaf_of_bands(), {sun(90, {1})}, {}), InputError);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace quasimc::test {
 namespace {
 
-Scene make_leaf(double height, double rho = .4) {
+Scene make_two_leaves(double height, double rho = .4) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", rho, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, height)));
@@ -46,7 +46,7 @@ class SimulatorTest : public ::testing::Test {
 };
 
 TEST_F(SimulatorTest, GivesTheBitsOfARunOnItsOwn) {
-    const Scene scene = make_leaf(.5);
+    const Scene scene = make_two_leaves(.5);
     RunSpec spec = short_run();
     for (const char* const sampler : {"sobol", "korobov", "sobol"}) {
         spec.sampler = sampler;
@@ -56,20 +56,20 @@ TEST_F(SimulatorTest, GivesTheBitsOfARunOnItsOwn) {
 }
 
 TEST_F(SimulatorTest, BuildsOnceForTheSameGeometry) {
-    const Scene scene = make_leaf(.5);
+    const Scene scene = make_two_leaves(.5);
     static_cast<void>(run(scene, short_run()));
     static_cast<void>(run(scene, short_run()));
     EXPECT_EQ(simulator_.builds(), 1U);
     // Another scene with the same triangles and other optics.
-    const Scene paler = make_leaf(.5, .6);
+    const Scene paler = make_two_leaves(.5, .6);
     const Result result = run(paler, short_run());
     EXPECT_EQ(simulator_.builds(), 1U);
     EXPECT_TRUE(same_bits(result, quasimc::run(paler, sources_, short_run())));
 }
 
 TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
-    static_cast<void>(run(make_leaf(.5), short_run()));
-    const Scene higher = make_leaf(.6);
+    static_cast<void>(run(make_two_leaves(.5), short_run()));
+    const Scene higher = make_two_leaves(.6);
     EXPECT_TRUE(same_bits(run(higher, short_run()), quasimc::run(higher, sources_, short_run())));
     EXPECT_EQ(simulator_.builds(), 2U);
     RunSpec spec = short_run();
@@ -80,14 +80,15 @@ TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
 
 TEST_F(SimulatorTest, SurvivesASceneThatIsGone) {
     for (const double height : {.5, .6, .5}) {
-        const Result result = run(make_leaf(height), short_run());
-        EXPECT_TRUE(same_bits(result, quasimc::run(make_leaf(height), sources_, short_run())));
+        const Result result = run(make_two_leaves(height), short_run());
+        EXPECT_TRUE(
+            same_bits(result, quasimc::run(make_two_leaves(height), sources_, short_run())));
     }
     EXPECT_EQ(simulator_.builds(), 3U);
 }
 
 TEST_F(SimulatorTest, RefusesABadSpecificationAndGoesOn) {
-    const Scene scene = make_leaf(.5);
+    const Scene scene = make_two_leaves(.5);
     RunSpec bad = short_run();
     bad.sampler = "dice";
     EXPECT_THROW(static_cast<void>(run(scene, bad)), InputError);
