@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/checks.h"
+#include "base/distribution.h"
 #include "solvers/estimator.h"
 #include "transport/particle.h"
 #include "transport/start_order.h"
@@ -21,9 +22,6 @@ namespace {
 /// Points a block holds: enough that neighbours are near, few enough for the cache and for many
 /// threads.
 constexpr std::uint64_t kBlock = 16384;
-
-/// The largest number below 1.
-constexpr double kBelowOne = 0x1.fffffffffffffp-1;
 
 /// The points of a block, and what they share.
 struct Block {
