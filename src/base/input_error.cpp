@@ -43,6 +43,10 @@ void Faults::add(const InputError& error) {
     faults_.insert(faults_.end(), error.faults().begin(), error.faults().end());
 }
 
+void Faults::add(const Faults& others) {
+    faults_.insert(faults_.end(), others.faults_.begin(), others.faults_.end());
+}
+
 void Faults::throw_if_any() const {
     if (!faults_.empty()) {
         throw InputError(faults_);

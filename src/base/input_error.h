@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quasimc {
@@ -31,8 +32,11 @@ class Faults {
   public:
     void add(Fault fault) { faults_.push_back(std::move(fault)); }
     void add(const InputError& error);
+    void add(const Faults& others);
     [[nodiscard]] bool empty() const { return faults_.empty(); }
     [[nodiscard]] std::size_t size() const { return faults_.size(); }
+    /// In the order in which they were added.
+    [[nodiscard]] const std::vector<Fault>& all() const { return faults_; }
     /// Throws an InputError if there are any.
     void throw_if_any() const;
 

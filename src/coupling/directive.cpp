@@ -25,7 +25,7 @@ std::string_view without_comment(std::string_view value) {
     return trimmed(value);
 }
 
-std::string range_text(Span range) {
+std::string range_text(Range range) {
     if (range.low <= kAnyNumber.low && range.high >= kAnyNumber.high) {
         return "it must be a number";
     }
@@ -87,13 +87,10 @@ bool Values::at_end() const {
 }
 
 std::string_view Values::word() {
-    text_.remove_prefix(std::min(text_.find_first_not_of(kSeparators), text_.size()));
-    const std::string_view word = text_.substr(0, text_.find_first_of(kSeparators));
-    text_.remove_prefix(word.size());
-    return word;
+    return take_word(text_, kSeparators);
 }
 
-std::optional<double> Values::number(std::string_view name, Span range) {
+std::optional<double> Values::number(std::string_view name, Range range) {
     const std::string_view text = word();
     const std::optional<double> value = parse_real(text);
     if (text.empty()) {
@@ -107,11 +104,11 @@ std::optional<double> Values::number(std::string_view name, Span range) {
     return value;
 }
 
-std::optional<double> Values::number_or(double otherwise, std::string_view name, Span range) {
+std::optional<double> Values::number_or(double otherwise, std::string_view name, Range range) {
     return at_end() ? otherwise : number(name, range);
 }
 
-std::optional<std::int64_t> Values::integer(std::string_view name, Span range) {
+std::optional<std::int64_t> Values::integer(std::string_view name, Range range) {
     const std::optional<double> value = number(name, range);
     if (value && *value != static_cast<double>(static_cast<std::int64_t>(*value))) {
         fault(fmt::format("{} is {}", name, shortest(*value)), "it must be a whole number");

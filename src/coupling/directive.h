@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/input_error.h"
+#include "base/range.h"
 #include "coupling/notices.h"
 
 namespace quasimc {
@@ -25,12 +26,8 @@ struct DirectiveLine {
 [[nodiscard]] std::vector<DirectiveLine> split_directives(
     std::string_view text, const std::string& place, Faults& faults);
 
-/// The range of a number, ends included.
-struct Span {
-    double low, high;
-};
-inline constexpr Span kAnyNumber{-1e30, 1e30};
-inline constexpr Span kNotNegativeNumber{0, 1e30};
+inline constexpr Range kAnyNumber{-1e30, 1e30};
+inline constexpr Range kNotNegativeNumber{0, 1e30};
 
 /// The values of a directive, read from left to right; what is wrong becomes a fault, once for each
 /// directive.
@@ -48,10 +45,10 @@ class Values {
     std::string_view word();
     [[nodiscard]] bool at_end() const;
     /// The next number; a fault if it is missing or out of range.
-    std::optional<double> number(std::string_view name, Span range = kAnyNumber);
-    std::optional<std::int64_t> integer(std::string_view name, Span range);
+    std::optional<double> number(std::string_view name, Range range = kAnyNumber);
+    std::optional<std::int64_t> integer(std::string_view name, Range range);
     /// A number, or `otherwise` at the end.
-    std::optional<double> number_or(double otherwise, std::string_view name, Span range);
+    std::optional<double> number_or(double otherwise, std::string_view name, Range range);
     /// The next word as one of `names`, without regard to case: its place among them.
     std::optional<std::size_t> choice(std::span<const std::string_view> names);
     std::optional<bool> yes_no();

@@ -9,11 +9,10 @@
 #include "base/text.h"
 #include "coupling/directive_table.h"
 #include "io/line_scanner.h"
+#include "solvers/run_limits.h"
 
 namespace quasimc {
 namespace {
-
-constexpr double kMostPaths = 1 << 30;
 
 void ignore(Values& values, DirectiveContext& /*context*/) {
     static_cast<void>(values.rest());

@@ -5,13 +5,14 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
+#include "sources/clear_sky.h"
 #include "sources/sun_position.h"
 
 namespace quasimc {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRadians = kPi / 180;
 
 /// A cell of a sky: its middle, in the sense that the sine of the elevation is the mean over the
 /// cell, and its solid angle.
@@ -60,7 +61,7 @@ double zenith_luminance(const SkyOfDay& sky, const Vec3& to_sun) {
 /// extinction after Navvab et al. (1984), air mass after Kasten and Young (1989).
 double beam_illuminance(const Vec3& to_sun, double turbidity) {
     const double degrees = std::asin(std::clamp(to_sun.z, -1.0, 1.0)) / kRadians;
-    const double air_mass = 1 / (to_sun.z + 0.50572 * std::pow(degrees + 6.07995, -1.6364));
+    const double air_mass = relative_air_mass(degrees, to_sun.z);
     return 133.8 * std::exp(-turbidity * air_mass / (9.9 + 0.043 * air_mass));
 }
 

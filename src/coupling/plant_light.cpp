@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "coupling/step_files.h"
+#include "solvers/run_limits.h"
 
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30U;
 /// Steps take consecutive seeds; bands that are traced by themselves stand far apart.
 constexpr std::uint64_t kBetweenBands = std::uint64_t{1} << 40U;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

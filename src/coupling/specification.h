@@ -47,7 +47,7 @@ enum class Weather { clear, overcast };
 
 /// The turbidities for which the luminance of the zenith grows with the height of the sun, as it
 /// does under a clear sky.
-inline constexpr Span kTurbidities{1.4, 20};
+inline constexpr Range kTurbidities{1.4, 20};
 
 /// The light of the sky, and of the sun, at a place over a part of a day.
 struct SkyOfDay {

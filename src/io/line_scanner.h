@@ -39,16 +39,19 @@ class LineScanner {
     std::uint32_t number_ = 0;
 };
 
-/// Takes the next word (between blanks) off a line; "" at its end.
-[[nodiscard]] inline std::string_view take_word(std::string_view& line) {
-    constexpr std::string_view kBlanks = " \t\r\v\f";
-    const std::size_t begin = line.find_first_not_of(kBlanks);
+/// Blanks within a line.
+inline constexpr std::string_view kBlanks = " \t\r\v\f";
+
+/// Takes the next word off a line, between `separators`; "" at its end.
+[[nodiscard]] inline std::string_view take_word(
+    std::string_view& line, std::string_view separators = kBlanks) {
+    const std::size_t begin = line.find_first_not_of(separators);
     if (begin == std::string_view::npos) {
         line = {};
         return {};
     }
     line.remove_prefix(begin);
-    const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+    const std::string_view word = line.substr(0, line.find_first_of(separators));
     line.remove_prefix(word.size());
     return word;
 }

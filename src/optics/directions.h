@@ -38,4 +38,18 @@ inline Vec3 folded(Hemisphere hemisphere, const Vec3& n, const Vec3& d) {
     return outgoing_cosine(hemisphere, n, d) >= 0 ? d : reflected(d, n);
 }
 
+/// The density of a folded lobe: `density(cosine)` is that before folding, of the cosine with the
+/// specular direction. The lobe about one axis at `wo` and at the image of `wo`: the latter equals
+/// the lobe about the image of the axis at `wo`.
+template <typename Density>
+double folded_pdf(
+    Hemisphere hemisphere, const Vec3& n, const Vec3& wi, const Vec3& wo, const Density& density) {
+    if (!(outgoing_cosine(hemisphere, n, wo) > 0)) {
+        return 0;
+    }
+    const double unchanged = dot(wi, wo);
+    const double mirrored = dot(reflected(wi, n), wo);
+    return density(unchanged) + density(mirrored);
+}
+
 }  // namespace quasimc

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "base/checks.h"
+#include "base/distribution.h"
 #include "optics/directions.h"
 
 namespace quasimc {
 namespace {
-
-constexpr double kBelowOne = 1 - 0x1p-53;
 
 constexpr std::size_t kLanes = 8;
 

@@ -24,19 +24,14 @@ class Phong final : public Bsdf {
     }
 
     [[nodiscard]] double pdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const override {
-        if (!(outgoing_cosine(hemisphere(), n, wo) > 0)) {
-            return 0;
-        }
-        const double unchanged = dot(wi, wo);
-        const double mirrored = dot(reflected(wi, n), wo);
-        return density(unchanged) + density(mirrored);
+        return folded_pdf(
+            hemisphere(), n, wi, wo, [this](double cosine) { return density(cosine); });
     }
 
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:
-    /// Before folding. The lobe about one axis at `wo` and at the image of `wo`: the latter equals
-    /// the lobe about the image of the axis at `wo`.
+    /// Before folding.
     [[nodiscard]] double density(double cosine) const {
         return cosine > 0 ? scale_ * std::pow(cosine, exponent_) : 0;
     }

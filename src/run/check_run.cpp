@@ -8,13 +8,10 @@
 #include "base/text.h"
 #include "run/run.h"
 #include "samplers/catalogue.h"
+#include "solvers/run_limits.h"
 
 namespace quasimc {
 namespace {
-
-constexpr std::uint64_t kMostPaths = std::uint64_t{1} << 30U;
-constexpr std::uint32_t kMostReplicates = 10000;
-constexpr unsigned kMostThreads = 4096;
 
 void check_sampler(const RunSpec& spec, Faults& faults) {
     std::vector<std::string_view> names;

@@ -16,7 +16,7 @@ namespace {
 // for what is special to it. Every test of tests/unit/samplers/every_sampler_test.cpp runs on the
 // new row by itself.
 constexpr std::array kCatalogue{
-    SamplerEntry{"monte_carlo", "independent random numbers (Philox4x32-10)", make_monte_carlo},
+    SamplerEntry{"monte_carlo", "independent random numbers (Philox2x64-10)", make_monte_carlo},
     SamplerEntry{"korobov", "randomly shifted Korobov lattice; rounds of 2^m points", make_korobov},
     SamplerEntry{"sobol", "Sobol' sequence under Owen's scrambling", make_sobol},
     SamplerEntry{"halton", "Halton sequence under Owen's scrambling", make_halton},
@@ -30,9 +30,11 @@ std::span<const SamplerEntry> sampler_catalogue() {
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view name) {
-    for (const SamplerEntry& entry : kCatalogue)
-        if (entry.name == name)
+    for (const SamplerEntry& entry : kCatalogue) {
+        if (entry.name == name) {
             return entry.make();
+        }
+    }
     return nullptr;
 }
 

@@ -17,8 +17,9 @@ constexpr std::uint32_t power32(std::uint32_t base, int exponent) {
     std::uint64_t power = 1;
     for (int i = 0; i < exponent; ++i) {
         power *= base;
-        if (power >> 32 != 0)
+        if (power >> 32 != 0) {
             return 0;
+        }
     }
     return static_cast<std::uint32_t>(power);
 }
@@ -28,8 +29,9 @@ constexpr std::uint32_t power32(std::uint32_t base, int exponent) {
 std::vector<std::uint32_t> permutation(std::uint32_t size, std::uint64_t& counter) {
     std::vector<std::uint32_t> order(size);
     std::iota(order.begin(), order.end(), 0U);
-    for (std::uint32_t i = size; i > 1; --i)
+    for (std::uint32_t i = size; i > 1; --i) {
         std::swap(order[i - 1], order[multiply_high(mix64(++counter), i)]);
+    }
     return order;
 }
 
@@ -44,9 +46,10 @@ std::vector<std::uint16_t> permuted_group(std::uint32_t base, std::uint32_t grou
         std::vector<std::uint16_t> longer(prefixes * base);
         for (std::size_t prefix = 0; prefix < prefixes; ++prefix) {
             const auto order = permutation(base, counter);
-            for (std::uint32_t digit = 0; digit < base; ++digit)
+            for (std::uint32_t digit = 0; digit < base; ++digit) {
                 longer[digit * prefixes + prefix] =
                     static_cast<std::uint16_t>(table[prefix] * base + order[digit]);
+            }
         }
         table = std::move(longer);
     }
@@ -58,16 +61,18 @@ std::vector<std::uint16_t> permuted_group(std::uint32_t base, std::uint32_t grou
 DigitScramble::DigitScramble(std::uint32_t base) : base_(base) {
     EXPECT(base >= 2 && base <= kLargestGroup);
     for (int length = 1; power32(base, length) != 0 && power32(base, length) <= kLargestGroup;
-         ++length)
+         ++length) {
         for (int groups = 1; groups <= kMostGroups; ++groups) {
             const std::uint32_t period = power32(base, length * groups);
-            if (period < period_ || (period == period_ && groups >= groups_))
+            if (period < period_ || (period == period_ && groups >= groups_)) {
                 continue;
+            }
             period_ = period;
             groups_ = groups;
             digits_ = length * groups;
             group_size_ = power32(base, length);
         }
+    }
     reciprocal_ = ~std::uint64_t{0} / group_size_ + 1;
     scale_ = 1.0 / period_;
     permuted_ = permuted_group(base, group_size_);

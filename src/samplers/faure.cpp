@@ -27,8 +27,9 @@ constexpr Pascal pascal_matrix() {
     Pascal binomial{};
     for (int l = 0; l < kDigits; ++l) {
         binomial[l][0] = 1;
-        for (int k = 1; k <= l; ++k)
+        for (int k = 1; k <= l; ++k) {
             binomial[l][k] = (binomial[l - 1][k - 1] + (k < l ? binomial[l - 1][k] : 0)) % kBase;
+        }
     }
     return binomial;
 }
@@ -49,18 +50,22 @@ constexpr std::uint64_t packed_product(
 constexpr std::array<Columns, kFaureDimensions> make_columns() {
     const Pascal binomial = pascal_matrix();
     std::array<Columns, kFaureDimensions> columns{};
-    for (std::uint32_t j = 0; j < kFaureDimensions; ++j)
-        for (int l = 0; l < kDigits; ++l)
-            for (std::uint32_t digit = 0; digit < kBase; ++digit)
+    for (std::uint32_t j = 0; j < kFaureDimensions; ++j) {
+        for (int l = 0; l < kDigits; ++l) {
+            for (std::uint32_t digit = 0; digit < kBase; ++digit) {
                 columns[j][l][digit] = packed_product(binomial, j, l, digit);
+            }
+        }
+    }
     return columns;
 }
 
 /// Each sum mod p.
 constexpr std::array<std::uint8_t, kFieldSize> make_remainders() {
     std::array<std::uint8_t, kFieldSize> remainders{};
-    for (std::uint32_t sum = 0; sum < kFieldSize; ++sum)
+    for (std::uint32_t sum = 0; sum < kFieldSize; ++sum) {
         remainders[sum] = static_cast<std::uint8_t>(sum % kBase);
+    }
     return remainders;
 }
 
@@ -91,8 +96,9 @@ class Faure final : public Sampler {
             const auto first = static_cast<std::uint32_t>(point % kFaurePeriod);
             const std::size_t count = std::min<std::size_t>(kFaurePeriod - first, out.size());
             const Keys both = keys(stream, period, dimension);
-            for (std::uint32_t i = 0; i < count; ++i)
+            for (std::uint32_t i = 0; i < count; ++i) {
                 out[i] = coordinate(first + i, dimension, both);
+            }
             point += count;
             out = out.subspan(count);
         }
@@ -113,8 +119,9 @@ class Faure final : public Sampler {
     }
 
     double coordinate(std::uint32_t index, std::uint32_t dimension, const Keys& both) const {
-        if (dimension >= kFaureDimensions)
+        if (dimension >= kFaureDimensions) {
             index = shuffled(index, both.order);
+        }
         return scramble_.coordinate(
             product(kColumns[dimension % kFaureDimensions], index), both.digits);
     }
@@ -150,8 +157,9 @@ class Faure final : public Sampler {
             index /= kBase;
         }
         std::uint32_t digits = 0;
-        for (int k = kDigits - 1; k >= 0; --k)
+        for (int k = kDigits - 1; k >= 0; --k) {
             digits = digits * kBase + kRemainders[sums >> (kFieldBits * k) & (kFieldSize - 1)];
+        }
         return digits;
     }
 

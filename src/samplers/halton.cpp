@@ -17,8 +17,9 @@ constexpr std::array<std::uint32_t, kHaltonDimensions> make_primes() {
     for (std::uint32_t& prime : primes) {
         while (std::any_of(primes.begin(), primes.end(), [=](std::uint32_t p) {
             return p != 0 && candidate % p == 0;
-        }))
+        })) {
             ++candidate;
+        }
         prime = candidate;
     }
     return primes;
@@ -32,8 +33,9 @@ class Halton final : public Sampler {
 
     double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const override {
-        if (dimension >= kHaltonDimensions)
+        if (dimension >= kHaltonDimensions) {
             return random_number(stream, point, dimension);
+        }
         const DigitScramble& scramble = scrambles_[dimension];
         const std::uint64_t period = point / scramble.period();
         const auto key = scramble.key(stream_key(stream, period, dimension));
@@ -46,8 +48,9 @@ class Halton final : public Sampler {
         std::uint64_t point,
         std::uint32_t dimension,
         std::span<double> out) const override {
-        if (dimension >= kHaltonDimensions)
+        if (dimension >= kHaltonDimensions) {
             return random_numbers(stream, point, dimension, out);
+        }
         const DigitScramble& scramble = scrambles_[dimension];
         while (!out.empty()) {
             const std::uint64_t period = point / scramble.period();
@@ -55,8 +58,9 @@ class Halton final : public Sampler {
             const std::size_t count =
                 std::min<std::uint64_t>(scramble.period() - first, out.size());
             const auto key = scramble.key(stream_key(stream, period, dimension));
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
                 out[i] = scramble.coordinate(static_cast<std::uint32_t>(first + i), key);
+            }
             point += count;
             out = out.subspan(count);
         }

@@ -4,10 +4,10 @@
 #include <bit>
 
 #include "base/checks.h"
-#include "base/multiversion.h"
 #include "samplers/hash.h"
 #include "samplers/korobov_table.h"
 #include "samplers/monte_carlo.h"
+#include "samplers/vector_loops.h"
 
 namespace quasimc {
 namespace {
@@ -52,23 +52,15 @@ Coordinate lattice_coordinate(const Stream& stream, int m, std::uint32_t dimensi
     return {step, stream_key(stream, stream.first, dimension)};
 }
 
-QUASIMC_MULTIVERSION void fill(
-    std::uint64_t position, std::uint64_t step, double* out, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint64_t x = position + i * step;
-        out[i] =
-            unit_number(static_cast<std::uint32_t>(x >> 32), static_cast<std::uint32_t>(x) >> 11);
-    }
-}
-
 class Korobov final : public Sampler {
   public:
     double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const override {
         EXPECT(point - stream.first < stream.count);
         const int m = log2_count(stream);
-        if (!in_lattice(m, dimension))
+        if (!in_lattice(m, dimension)) {
             return random_number(stream, point, dimension);
+        }
         const Coordinate x = lattice_coordinate(stream, m, dimension);
         return unit_number((point - stream.first) * x.step + x.shift);
     }
@@ -80,13 +72,18 @@ class Korobov final : public Sampler {
         std::span<double> out) const override {
         EXPECT(point - stream.first + out.size() <= stream.count);
         const int m = log2_count(stream);
-        if (!in_lattice(m, dimension))
+        if (!in_lattice(m, dimension)) {
             return random_numbers(stream, point, dimension, out);
+        }
         const Coordinate x = lattice_coordinate(stream, m, dimension);
-        fill((point - stream.first) * x.step + x.shift, x.step, out.data(), out.size());
+        loops_.fill_lattice(
+            (point - stream.first) * x.step + x.shift, x.step, out.data(), out.size());
     }
 
     bool needs_power_of_two() const override { return true; }
+
+  private:
+    VectorLoops loops_ = best_vector_loops();
 };
 
 }  // namespace

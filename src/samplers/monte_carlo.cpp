@@ -55,20 +55,23 @@ double random_number(const Stream& stream, std::uint64_t point, std::uint32_t di
 
 void random_numbers(
     const Stream& stream, std::uint64_t point, std::uint32_t dimension, std::span<double> out) {
-    if (out.empty())
+    if (out.empty()) {
         return;
+    }
     const std::uint64_t key = cipher_key(stream);
     const std::uint64_t word = counter_word(stream, dimension);
     std::size_t i = 0;
-    if (point % 2 == 1)
+    if (point % 2 == 1) {
         out[i++] = unit_number(encrypted({point / 2, word}, key)[1]);
+    }
     for (; i + 1 < out.size(); i += 2) {
         const auto words = encrypted({(point + i) / 2, word}, key);
         out[i] = unit_number(words[0]);
         out[i + 1] = unit_number(words[1]);
     }
-    if (i < out.size())
+    if (i < out.size()) {
         out[i] = unit_number(encrypted({(point + i) / 2, word}, key)[0]);
+    }
 }
 
 std::unique_ptr<Sampler> make_monte_carlo() {

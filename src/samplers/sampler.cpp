@@ -7,8 +7,9 @@ void Sampler::coordinates(
     std::uint64_t point,
     std::uint32_t dimension,
     std::span<double> out) const {
-    for (double& x : out)
+    for (double& x : out) {
         x = coordinate(stream, point++, dimension);
+    }
 }
 
 }  // namespace quasimc

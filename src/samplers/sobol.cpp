@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "base/multiversion.h"
 #include "samplers/hash.h"
 #include "samplers/sobol_directions.h"
+#include "samplers/vector_loops.h"
 
 namespace quasimc {
 namespace {
 
 constexpr int kDigits = 32;
 constexpr int kNibbles = kDigits / 4;
-constexpr int kBlock =
-    16;  // consecutive points computed together: they differ in the lowest nibble
+constexpr int kBlock = kSobolBlock;
 
 /// Digits contributed by each value of each nibble of the index.
 using NibbleTable = std::array<std::array<std::uint32_t, 16>, kNibbles>;
@@ -22,8 +21,9 @@ using NibbleTable = std::array<std::array<std::uint32_t, 16>, kNibbles>;
 constexpr std::array<std::uint32_t, kDigits> generator_columns(std::uint32_t dimension) {
     std::array<std::uint32_t, kDigits> columns{};
     if (dimension == 0) {
-        for (int k = 0; k < kDigits; ++k)
+        for (int k = 0; k < kDigits; ++k) {
             columns[k] = 1U << k;
+        }
         return columns;
     }
     const SobolDirection& row = kSobolDirections[dimension - 1];
@@ -33,9 +33,11 @@ constexpr std::array<std::uint32_t, kDigits> generator_columns(std::uint32_t dim
             m[k] = row.first[k];
         } else {
             m[k] = m[k - row.degree] ^ (m[k - row.degree] << row.degree);
-            for (int j = 1; j < row.degree; ++j)
-                if ((row.polynomial >> (row.degree - 1 - j) & 1U) != 0)
+            for (int j = 1; j < row.degree; ++j) {
+                if ((row.polynomial >> (row.degree - 1 - j) & 1U) != 0) {
                     m[k] ^= m[k - j] << j;
+                }
+            }
         }
         columns[k] = reverse_bits(m[k] << (kDigits - 1 - k));
     }
@@ -46,12 +48,13 @@ constexpr std::array<NibbleTable, kSobolDimensions> make_tables() {
     std::array<NibbleTable, kSobolDimensions> tables{};
     for (std::uint32_t dimension = 0; dimension < kSobolDimensions; ++dimension) {
         const auto columns = generator_columns(dimension);
-        for (int nibble = 0; nibble < kNibbles; ++nibble)
+        for (int nibble = 0; nibble < kNibbles; ++nibble) {
             for (std::uint32_t value = 1; value < 16; ++value) {
                 const int lowest = std::countr_zero(value);
                 tables[dimension][nibble][value] =
                     tables[dimension][nibble][value & (value - 1)] ^ columns[4 * nibble + lowest];
             }
+        }
     }
     return tables;
 }
@@ -61,45 +64,15 @@ constexpr std::array<NibbleTable, kSobolDimensions> kTables = make_tables();
 /// The matrix product, one table look-up a nibble; few runs have more than 2^16 points.
 inline std::uint32_t digits_of(const NibbleTable& table, std::uint32_t index) {
     std::uint32_t digits = 0;
-    for (int nibble = 0; nibble < kNibbles / 2; ++nibble)
+    for (int nibble = 0; nibble < kNibbles / 2; ++nibble) {
         digits ^= table[nibble][index >> (4 * nibble) & 15U];
-    if (index >> 16 != 0)
-        for (int nibble = kNibbles / 2; nibble < kNibbles; ++nibble)
-            digits ^= table[nibble][index >> (4 * nibble) & 15U];
-    return digits;
-}
-
-/// owen_scramble with the key cut in two.
-inline std::uint32_t scrambled(
-    std::uint32_t digits, std::uint32_t odd_factor, std::uint32_t summand) {
-    digits ^= digits * 0x3d20adeaU;
-    digits = digits * odd_factor + summand;
-    digits ^= digits * 0x05526c56U;
-    digits ^= digits * 0x53a22864U;
-    return digits;
-}
-
-/// 32 more bits, of which a number takes 21: they follow from the number's first 32 bits and the
-/// key.
-inline std::uint32_t more_bits(std::uint32_t first, std::uint32_t odd_factor) {
-    return (first ^ (first >> 15)) * 0x2c1b3c6dU + odd_factor * 0x9e3779b9U;
-}
-
-struct ScrambleKey {
-    std::uint32_t odd_factor, summand;
-    explicit ScrambleKey(std::uint64_t key)
-        : odd_factor(static_cast<std::uint32_t>(key >> 32) | 1U),
-          summand(static_cast<std::uint32_t>(key)) {}
-};
-
-/// The numbers of kBlock points whose index digits, but for the lowest nibble, give `base`.
-QUASIMC_MULTIVERSION void scramble_block(
-    std::uint32_t base, const std::uint32_t* lowest, ScrambleKey key, double* out) {
-    for (int i = 0; i < kBlock; ++i) {
-        const std::uint32_t first =
-            reverse_bits(scrambled(base ^ lowest[i], key.odd_factor, key.summand));
-        out[i] = unit_number(first, more_bits(first, key.odd_factor) >> 11);
     }
+    if (index >> 16 != 0) {
+        for (int nibble = kNibbles / 2; nibble < kNibbles; ++nibble) {
+            digits ^= table[nibble][index >> (4 * nibble) & 15U];
+        }
+    }
+    return digits;
 }
 
 /// Everything that the points of one dimension and one period of 2^32 points share.
@@ -116,25 +89,28 @@ struct Dimension {
           order(shuffled ? stream_key(stream, ~period, dimension / kSobolDimensions) : 0) {}
 
     std::uint32_t index(std::uint32_t point) const {
-        if (!shuffled)
+        if (!shuffled) {
             return point;
-        return reverse_bits(scrambled(reverse_bits(point), order.odd_factor, order.summand));
+        }
+        return reverse_bits(scrambled(reverse_bits(point), order));
     }
 
     double coordinate(std::uint32_t point) const {
         const std::uint32_t digits = digits_of(table, index(point));
-        const std::uint32_t first = reverse_bits(scrambled(digits, key.odd_factor, key.summand));
-        return unit_number(std::uint64_t{first} << 32 | more_bits(first, key.odd_factor));
+        const std::uint32_t first = reverse_bits(scrambled(digits, key));
+        return unit_number(std::uint64_t{first} << 32 | more_bits(first, key));
     }
 
     /// The numbers of the block of kBlock points that begins at `point`, a multiple of kBlock.
-    void block(std::uint32_t point, double* out) const {
-        if (!shuffled)
-            return scramble_block(digits_of(table, point), table[0].data(), key, out);
+    void block(const VectorLoops& loops, std::uint32_t point, double* out) const {
+        if (!shuffled) {
+            return loops.scramble_block(digits_of(table, point), table[0].data(), key, out);
+        }
         std::array<std::uint32_t, kBlock> digits;
-        for (std::uint32_t i = 0; i < kBlock; ++i)
+        for (std::uint32_t i = 0; i < kBlock; ++i) {
             digits[i] = digits_of(table, index(point + i));
-        scramble_block(0, digits.data(), key, out);
+        }
+        loops.scramble_block(0, digits.data(), key, out);
     }
 };
 
@@ -164,24 +140,26 @@ class Sobol final : public Sampler {
     }
 
   private:
-    static void numbers_of_period(
-        const Dimension& dimension, std::uint32_t point, std::span<double> out) {
+    void numbers_of_period(
+        const Dimension& dimension, std::uint32_t point, std::span<double> out) const {
         std::size_t done = 0;
         while (done < out.size()) {
             const std::uint32_t at = point + static_cast<std::uint32_t>(done);
             const std::uint32_t skipped = at % kBlock;
             if (skipped == 0 && out.size() - done >= kBlock) {
-                dimension.block(at, out.data() + done);
+                dimension.block(loops_, at, out.data() + done);
                 done += kBlock;
                 continue;
             }
             std::array<double, kBlock> block;
-            dimension.block(at - skipped, block.data());
+            dimension.block(loops_, at - skipped, block.data());
             const std::size_t taken = std::min<std::size_t>(kBlock - skipped, out.size() - done);
             std::copy_n(block.data() + skipped, taken, out.data() + done);
             done += taken;
         }
     }
+
+    VectorLoops loops_ = best_vector_loops();
 };
 
 }  // namespace
@@ -191,8 +169,7 @@ std::uint32_t sobol_digits(std::uint32_t index, std::uint32_t dimension) {
 }
 
 std::uint32_t owen_scramble(std::uint32_t digits, std::uint64_t key) {
-    const ScrambleKey halves(key);
-    return scrambled(digits, halves.odd_factor, halves.summand);
+    return scrambled(digits, ScrambleKey(key));
 }
 
 std::unique_ptr<Sampler> make_sobol() {

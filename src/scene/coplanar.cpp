@@ -4,19 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/point2.h"
+
 namespace quasimc {
 namespace {
 
-struct Point {
-    double x, y;
-};
-
-double turn(const Point& a, const Point& b, const Point& c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// Twice the area, positive if counter-clockwise.
-double area_of(const std::vector<Point>& polygon) {
+double area_of(const std::vector<Point2>& polygon) {
     double sum = 0;
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         sum += turn(polygon[0], polygon[i - 1], polygon[i]);
@@ -25,19 +19,19 @@ double area_of(const std::vector<Point>& polygon) {
 }
 
 /// The part of a polygon left of the line from a to b (Sutherland and Hodgman 1974).
-std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& a, const Point& b) {
-    std::vector<Point> kept;
+std::vector<Point2> clipped(const std::vector<Point2>& polygon, const Point2& a, const Point2& b) {
+    std::vector<Point2> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point& p = polygon[i];
-        const Point& q = polygon[(i + 1) % polygon.size()];
+        const Point2& p = polygon[i];
+        const Point2& q = polygon[(i + 1) % polygon.size()];
         const double at_p = turn(a, b, p);
         const double at_q = turn(a, b, q);
         if (at_p >= 0) {
             kept.push_back(p);
         }
         if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
-            const double s = at_p / (at_p - at_q);
-            kept.push_back({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)});
+            const double along = at_p / (at_p - at_q);
+            kept.push_back({p.s + along * (q.s - p.s), p.t + along * (q.t - p.t)});
         }
     }
     return kept;
@@ -66,14 +60,6 @@ bool is_beyond_a_side(const Triangle& other, const Triangle& t) {
 double size_of(const Bounds& bounds) {
     const Vec3 size = bounds.size();
     return std::max({size.x, size.y, size.z});
-}
-
-Bounds bounds_of(const Triangle& t) {
-    Bounds bounds;
-    for (const Vec3& corner : t) {
-        bounds.add(corner);
-    }
-    return bounds;
 }
 
 double height(const Triangle& t) {
@@ -108,15 +94,15 @@ bool lie_apart(const Triangle& a, const Triangle& b) {
 double covered_part(const Triangle& small, const Triangle& large) {
     const Frame frame = frame_about(normalized(area_vector(large)));
     const auto flat = [&](const Triangle& t) {
-        std::vector<Point> points;
+        std::vector<Point2> points;
         for (const Vec3& corner : t) {
             const Vec3 p = corner - large[0];
             points.push_back({dot(p, frame.s), dot(p, frame.t)});
         }
         return points;
     };
-    const std::vector<Point> window = flat(large);
-    std::vector<Point> rest = flat(small);
+    const std::vector<Point2> window = flat(large);
+    std::vector<Point2> rest = flat(small);
     const double whole = std::abs(area_of(rest));
     for (std::size_t i = 0; i < 3; ++i) {
         rest = clipped(rest, window[i], window[(i + 1) % 3]);

@@ -5,8 +5,6 @@
 
 namespace quasimc {
 
-[[nodiscard]] Bounds bounds_of(const Triangle& t);
-
 /// The longest side of a box.
 [[nodiscard]] double size_of(const Bounds& bounds);
 

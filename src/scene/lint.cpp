@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/length_units.h"
 #include "scene/scene_builder.h"
 
 namespace quasimc {
@@ -30,22 +31,6 @@ Survey survey_of(const Scene& scene) {
         }
     }
     return survey;
-}
-
-/// Metres per unit, if the name is known.
-std::optional<double> metres_per(std::string_view unit) {
-    struct Row {
-        std::string_view name;
-        double metres;
-    };
-    static constexpr std::array kUnits{Row{"um", 1e-6},   Row{"µm", 1e-6},     Row{"mm", 1e-3},
-                                       Row{"cm", 1e-2},   Row{"dm", 1e-1},     Row{"m", 1},
-                                       Row{"metre", 1},   Row{"meter", 1},     Row{"km", 1e3},
-                                       Row{"in", 0.0254}, Row{"inch", 0.0254}, Row{"ft", 0.3048},
-                                       Row{"yd", 0.9144}};
-    const auto row = std::find_if(
-        kUnits.begin(), kUnits.end(), [&](const Row& known) { return known.name == unit; });
-    return row == kUnits.end() ? std::nullopt : std::optional(row->metres);
 }
 
 /// The median diagonal of the organs, the ground left out; 0 if there are none.

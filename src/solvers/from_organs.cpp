@@ -16,7 +16,9 @@
 #include <numbers>
 #include <optional>
 
+#include "base/distribution.h"
 #include "solvers/block_runner.h"
+#include "sources/hemisphere.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
 #include "transport/particle.h"
@@ -194,7 +196,7 @@ class FromOrgans final : public Solver {
         const Vec3 normal = is_lower ? -point.up : point.up;
         // Of the square of the sine; less than 1 for sensors with a narrow field of view.
         const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
-        const Vec3 away = cosine_direction(
+        const Vec3 away = cosine_direction_about(
             normal, part * (is_lower ? side - 1 : side),
             coordinate(stream, point.index, dimension + 1));
         std::fill(scratch.path.weights.begin(), scratch.path.weights.end(), 1.0);
@@ -209,15 +211,6 @@ class FromOrgans final : public Solver {
                 point.region, is_lower ? SurfaceSide::lower : SurfaceSide::upper),
             scratch.fixed);
         return rays;
-    }
-
-    static Vec3 cosine_direction(const Vec3& normal, double u0, double u1) {
-        const Frame frame = frame_about(normal);
-        const double radius = std::sqrt(u0);
-        const double around = 2 * std::numbers::pi * u1;
-        const double height = std::sqrt(std::max(0.0, 1 - u0));
-        return radius * std::cos(around) * frame.s + radius * std::sin(around) * frame.t +
-               height * normal;
     }
 
     /// Sums in scratch.path.gathered the radiance that comes to the point along -away, in cell
@@ -285,7 +278,7 @@ class FromOrgans final : public Solver {
         }
         const bool is_beam = light.source_sampler->beam_direction().has_value();
         const std::array<double, 4> u{
-            std::clamp((u0 - light.before) / light.probability, 0.0, 0x1.fffffffffffffp-1),
+            std::clamp((u0 - light.before) / light.probability, 0.0, kBelowOne),
             coordinate(stream, index, 1), is_beam ? 0 : coordinate(stream, index, 2),
             is_beam ? 0 : coordinate(stream, index, 3)};
         const Emission emission = light.source_sampler->emit(u);

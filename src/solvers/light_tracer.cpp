@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "base/checks.h"
+#include "base/distribution.h"
 
 namespace quasimc {
 namespace {
@@ -18,9 +19,6 @@ namespace {
 /// Points a block holds: enough that neighbours are near, few enough for the cache and for many
 /// threads.
 constexpr std::uint64_t kPathsPerBlock = 16384;
-
-/// The largest number below 1.
-constexpr double kBelowOne = 0x1.fffffffffffffp-1;
 
 /// How the triangles hit lie towards the rays: normal times direction (not normalized), and
 /// 1/|cosine|.

@@ -12,7 +12,10 @@ constexpr double kSeaLevelHpa = 1013.25;
 }  // namespace
 
 double relative_air_mass(double elevation_deg) {
-    const double sine = std::sin(elevation_deg * std::numbers::pi / 180);
+    return relative_air_mass(elevation_deg, std::sin(elevation_deg * std::numbers::pi / 180));
+}
+
+double relative_air_mass(double elevation_deg, double sine) {
     return 1 / (sine + 0.50572 * std::pow(elevation_deg + 6.07995, -1.6364));
 }
 

@@ -17,6 +17,8 @@ inline constexpr double kSolarConstant = 1360.8;
 /// Length of the sun's way through the air relative to the vertical (Kasten and Young 1989, Applied
 /// Optics 28: 4735), at sea level. @param elevation_deg  of the sun, refracted, -1 to 90
 [[nodiscard]] double relative_air_mass(double elevation_deg);
+/// The same for who knows the sine of the elevation already.
+[[nodiscard]] double relative_air_mass(double elevation_deg, double sine);
 
 /// Daylight under a sky without clouds (Ineichen and Perez 2002, Solar Energy 73: 151-157).
 /// @param elevation_deg  of the sun, refracted; no light at 0 or below

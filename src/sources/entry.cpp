@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/distribution.h"
+
 namespace quasimc {
 
 Vec3 entry_place(const EntryBox& box, const Vec3& direction, double u0, double u1) {
@@ -16,7 +18,7 @@ Vec3 entry_place(const EntryBox& box, const Vec3& direction, double u0, double u
     // Light that travels towards +x enters at the low face, and so on.
     const auto entered = [](double d, double near, double far) { return d > 0 ? near : far; };
     const auto rest = [](double value, double width) {
-        return std::clamp(value / width, 0.0, 0x1.fffffffffffffp-1);
+        return std::clamp(value / width, 0.0, kBelowOne);
     };
     if (pick < across_z || across_x + across_y == 0) {
         return {

@@ -26,48 +26,23 @@ std::vector<double> distinct(std::vector<double> values, double least) {
     return kept;
 }
 
-/// The share of a place.
-double share_of(std::span<const double> ends, std::size_t index) {
-    return ends[index] - (index == 0 ? 0 : ends[index - 1]);
-}
-
-/// The first place whose running sum exceeds u, and how far u is into it.
-struct Pick {
-    std::size_t index;
-    double rest;   ///< 0 to below 1
-    double share;  ///< of the place
-};
-Pick pick(std::span<const double> ends, double u) {
-    const auto found = std::upper_bound(ends.begin(), ends.end() - 1, u);
-    const auto index = static_cast<std::size_t>(found - ends.begin());
-    const double share = share_of(ends, index);
-    const double before = index == 0 ? 0 : ends[index - 1];
-    return {index, std::clamp((u - before) / share, 0.0, 0x1.fffffffffffffp-1), share};
-}
-
-/// Between which two of sorted borders x lies: at one, the interval above it.
-std::size_t interval_of(std::span<const double> borders, double x) {
-    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, x);
-    return static_cast<std::size_t>(above - borders.begin()) - 1;
-}
-
-/// Running sums, scaled so that the last is 1; all the same if nothing is to be shared.
-void accumulate(std::span<const double> shares, std::span<double> ends) {
-    double sum = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        sum += shares[i];
-        ends[i] = sum;
-    }
-    for (double& end : ends) {
-        end = sum > 0 ? end / sum : 1;
-    }
-}
-
 }  // namespace
 
 Vec3 hemisphere_direction(double azimuth, double sine) {
     const double radius = std::sqrt(std::max(0.0, (1 - sine) * (1 + sine)));
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), sine};
+}
+
+Vec3 cosine_direction(double u0, double u1) {
+    const double radius = std::sqrt(u0);
+    const double around = kTurn * u1;
+    return {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0, 1 - u0))};
+}
+
+Vec3 cosine_direction_about(const Vec3& axis, double u0, double u1) {
+    const Frame frame = frame_about(axis);
+    const Vec3 d = cosine_direction(u0, u1);
+    return d.x * frame.s + d.y * frame.t + d.z * axis;
 }
 
 Vec3 HemisphereGrid::middle(std::size_t row, std::size_t column) const {
@@ -136,30 +111,20 @@ ProjectedCells::ProjectedCells(const HemisphereGrid& grid) {
 }
 
 HemisphereSampler::HemisphereSampler(HemisphereGrid grid, std::span<const double> shares)
-    : grid_(std::move(grid)), row_ends_(grid_.rows()), column_ends_(grid_.cells()) {
+    : grid_(std::move(grid)), cells_(shares, grid_.columns()) {
     EXPECT(shares.size() == grid_.cells());
-    std::vector<double> rows(grid_.rows());
-    for (std::size_t row = 0; row < grid_.rows(); ++row) {
-        const auto own = shares.subspan(row * grid_.columns(), grid_.columns());
-        for (const double share : own) {
-            rows[row] += share;
-        }
-        accumulate(own, std::span(column_ends_).subspan(row * grid_.columns(), grid_.columns()));
-    }
-    accumulate(rows, row_ends_);
 }
 
 HemisphereSampler::Sample HemisphereSampler::sample(double u0, double u1) const {
-    const Pick row = pick(row_ends_, u0);
-    const Pick column = pick({&column_ends_[row.index * grid_.columns()], grid_.columns()}, u1);
+    const auto [row, column] = cells_.pick(u0, u1);
     const double sine0 = grid_.sines[row.index];
     const double sine1 = grid_.sines[row.index + 1];
     const double azimuth0 = grid_.azimuths[column.index];
     const double azimuth1 = grid_.azimuths[column.index + 1];
-    const double sine = sine0 + row.rest * (sine1 - sine0);
-    const double azimuth = azimuth0 + column.rest * (azimuth1 - azimuth0);
+    const double sine = sine0 + row.part * (sine1 - sine0);
+    const double azimuth = azimuth0 + column.part * (azimuth1 - azimuth0);
     const double solid_angle = (sine1 - sine0) * (azimuth1 - azimuth0);
-    return {hemisphere_direction(azimuth, sine), row.share * column.share / solid_angle};
+    return {hemisphere_direction(azimuth, sine), row.width * column.width / solid_angle};
 }
 
 double HemisphereSampler::pdf(const Vec3& direction) const {
@@ -167,10 +132,10 @@ double HemisphereSampler::pdf(const Vec3& direction) const {
         return 0;
     }
     const double around = std::atan2(direction.y, direction.x);
-    const std::size_t row = interval_of(grid_.sines, direction.z);
-    const std::size_t column = interval_of(grid_.azimuths, around < 0 ? around + kTurn : around);
-    const std::span own(&column_ends_[row * grid_.columns()], grid_.columns());
-    return share_of(row_ends_, row) * share_of(own, column) / grid_.solid_angle(row, column);
+    const std::size_t row = interval_between(grid_.sines, direction.z);
+    const std::size_t column =
+        interval_between(grid_.azimuths, around < 0 ? around + kTurn : around);
+    return cells_.probability(row, column) / grid_.solid_angle(row, column);
 }
 
 }  // namespace quasimc

@@ -5,12 +5,19 @@
 #include <span>
 #include <vector>
 
+#include "base/distribution.h"
 #include "base/vec3.h"
 
 namespace quasimc {
 
 /// A function on the upper hemisphere, of the unit direction towards a place of it.
 using HemisphereFunction = std::function<double(const Vec3&)>;
+
+/// A direction of the cosine law about +z: u0 is the square of the sine of the angle from it, the
+/// azimuth 2 pi u1.
+[[nodiscard]] Vec3 cosine_direction(double u0, double u1);
+/// The same about the unit vector `axis`.
+[[nodiscard]] Vec3 cosine_direction_about(const Vec3& axis, double u0, double u1);
 
 /// The upper hemisphere cut into cells by circles of equal elevation and of equal azimuth.
 struct HemisphereGrid {
@@ -86,8 +93,7 @@ class HemisphereSampler {
 
   private:
     HemisphereGrid grid_;
-    std::vector<double> row_ends_;     // sums of shares up to and with each row, the last is 1
-    std::vector<double> column_ends_;  // [row][column], the same inside each row
+    PiecewiseConstant2D cells_;
 };
 
 }  // namespace quasimc

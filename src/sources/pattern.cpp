@@ -43,18 +43,6 @@ double versine(double theta) {
     return half * half;
 }
 
-/// The interval of ascending `until` that u in [0, 1) falls in; those of no width are passed over.
-std::size_t interval_of(std::span<const double> until, double u) {
-    const auto found = std::upper_bound(until.begin(), until.end() - 1, u);
-    return static_cast<std::size_t>(found - until.begin());
-}
-
-/// Where in interval i of `until` u lies, 0 to 1.
-double within(std::span<const double> until, std::size_t i, double u) {
-    const double before = i == 0 ? 0 : until[i - 1];
-    return std::clamp((u - before) / (until[i] - before), 0.0, 1.0);
-}
-
 }  // namespace
 
 Pattern::Pattern(
@@ -65,25 +53,15 @@ Pattern::Pattern(
         rows_.push_back(versine(theta));
     }
     for (std::size_t i = 0; i + 1 < thetas.size(); ++i) {
-        double row = 0;
         for (std::size_t j = 0; j + 1 < phis.size(); ++j) {
             mass_.push_back(
                 integral_over(intensity_, thetas[i], thetas[i + 1], phis[j], phis[j + 1]));
-            row += mass_.back();
-            along_.push_back(row);
-        }
-        total_ += row;
-        until_.push_back(total_);
-        for (std::size_t j = along_.size() - columns(); row > 0 && j < along_.size(); ++j) {
-            along_[j] /= row;
         }
     }
-    EXPECT(total_ > 0);
-    for (double& share : until_) {
-        share /= total_;
-    }
+    cells_ = PiecewiseConstant2D(mass_, columns());
+    EXPECT(total() > 0);
     for (double& share : mass_) {
-        share /= total_;
+        share /= total();
     }
 }
 
@@ -93,24 +71,22 @@ double Pattern::intensity(const Vec3& direction) const {
         return 0;
     }
     const double phi = std::atan2(direction.y, direction.x);
-    return intensity_(theta, phi < 0 ? phi + 2 * pi : phi) / total_;
+    return intensity_(theta, phi < 0 ? phi + 2 * pi : phi) / total();
 }
 
 Pattern::Drawn Pattern::draw(double u0, double u1) const {
-    const std::size_t row = interval_of(until_, u0);
-    const std::span<const double> along(&along_[row * columns()], columns());
-    const std::size_t column = interval_of(along, u1);
-    const double v = within(until_, row, u0);
-    const double w = within(along, column, u1);
-    const double height = rows_[row + 1] - rows_[row];
-    const double t = rows_[row] + v * height;
-    const double phi = phis_[column] + w * (phis_[column + 1] - phis_[column]);
+    const auto [row, column] = cells_.pick(u0, u1);
+    const double height = rows_[row.index + 1] - rows_[row.index];
+    const double width = phis_[column.index + 1] - phis_[column.index];
+    const double t = rows_[row.index] + row.part * height;
+    const double phi = phis_[column.index] + column.part * width;
     const double sine = 2 * std::sqrt(std::max(0.0, t * (1 - t)));
     const double theta = 2 * std::asin(std::sqrt(std::min(1.0, t)));
-    const double solid_angle = 2 * height * (phis_[column + 1] - phis_[column]);
+    const double solid_angle = 2 * height * width;
     return {
         {sine * std::cos(phi), sine * std::sin(phi), 1 - 2 * t},
-        intensity_(theta, phi) / total_ * solid_angle / mass_[row * columns() + column]};
+        intensity_(theta, phi) / total() * solid_angle /
+            mass_[row.index * columns() + column.index]};
 }
 
 std::vector<double> refined(const std::vector<double>& borders, double longest, int least) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/distribution.h"
 #include "base/vec3.h"
 
 namespace quasimc {
@@ -28,7 +29,7 @@ class Pattern {
         Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis);
 
     /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
-    [[nodiscard]] double total() const { return total_; }
+    [[nodiscard]] double total() const { return cells_.total(); }
     [[nodiscard]] double intensity(const Vec3& direction) const;
 
     struct Drawn {
@@ -43,11 +44,9 @@ class Pattern {
     Intensity intensity_;
     std::vector<double> rows_;  // (1 - cos theta) / 2 at the borders of the rows of cells
     std::vector<double> phis_;
-    std::vector<double> until_;  // share of the light in the rows up to each
-    std::vector<double> mass_;   // [row][column] share of the light in the cell
-    std::vector<double> along_;  // [row][column] share of the row's light up to each cell
+    std::vector<double> mass_;  // [row][column] share of the light in the cell
+    PiecewiseConstant2D cells_;
     double low_ = 0, high_ = 0;  // theta at the ends
-    double total_ = 0;
 };
 
 /// The same intensity in all directions.

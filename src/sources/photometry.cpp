@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/distribution.h"
+
 namespace quasimc {
 namespace {
 
@@ -19,8 +21,7 @@ Place place_in(const std::vector<double>& values, double x) {
     if (values.size() == 1) {
         return {};
     }
-    const auto after = std::upper_bound(values.begin() + 1, values.end() - 1, x);
-    const auto i = static_cast<std::size_t>(after - values.begin()) - 1;
+    const std::size_t i = interval_between(values, x);
     return {i, std::clamp((x - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
 }
 

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "sources/sun_ephemeris.h"
 #include "sources/sun_position.h"
 
 namespace quasimc {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 /// True elevation of the sun's centre at rise and set: refraction 34', radius 16'.
 constexpr double kRiseElevation = -0.8333;
 

@@ -2,14 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "sources/sun_terms.h"
 
 namespace quasimc {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 /// 1 January 2000, 12 h.
 constexpr double kJ2000 = 2451545;
 

@@ -1,15 +1,13 @@
 #include "sources/sun_position.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/checks.h"
 #include "sources/sun_ephemeris.h"
 
 namespace quasimc {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 /// Right ascension, declination and hour angle as seen from a place on the Earth's surface: the
 /// sun's parallax taken in (section 3.12).

@@ -10,18 +10,12 @@
 #include <numbers>
 #include <utility>
 
+#include "base/distribution.h"
 #include "sources/hemisphere.h"
 #include "sources/source.h"
 
 namespace quasimc {
 namespace {
-
-/// A direction of the cosine law about +z: u0 -> sin^2 of the zenith angle.
-Vec3 cosine_direction(double u0, double u1) {
-    const double radius = std::sqrt(u0);
-    const double around = 2 * std::numbers::pi * u1;
-    return {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0, 1 - u0))};
-}
 
 class SkySampler final : public SourceSampler {
   public:
@@ -39,14 +33,9 @@ class SkySampler final : public SourceSampler {
 
     [[nodiscard]] double flux() const override { return flux_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
-        const double pick = u[0] * flux_;
-        std::size_t face = 0;
-        while (face + 1 < kFaces && pick >= until_[face]) {
-            ++face;
-        }
-        const double before = face == 0 ? 0 : until_[face - 1];
-        const double u0 = std::clamp((pick - before) / (until_[face] - before), 0.0, 1.0);
-        return face == 0 ? from_top(u0, u[1], u[2], u[3]) : from_side(face, u0, u[1], u[2], u[3]);
+        const IntervalPick face = pick_interval(until_, u[0] * flux_);
+        return face.index == 0 ? from_top(face.part, u[1], u[2], u[3])
+                               : from_side(face.index, face.part, u[1], u[2], u[3]);
     }
 
     /// Evenly over the sky; through the top alone, as light comes through it.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/distribution.h"
+
 namespace quasimc {
 
 NextEvent::NextEvent(const PreparedScene& prepared, const Sampler& sampler, double scale)
@@ -19,7 +21,7 @@ Sight NextEvent::look(
         u1 = sampler_.coordinate(stream, point, dimension + 1);
     }
     const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
-    u0 = std::clamp((u0 - light.before) / light.probability, 0.0, 1.0);
+    u0 = std::clamp((u0 - light.before) / light.probability, 0.0, kBelowOne);
     const Illumination seen = light.source->illuminate(prepared_.to_world(place), u0, u1);
     return {
         &light, seen.to_light, seen.weight * scale_of(light),

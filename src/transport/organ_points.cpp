@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/checks.h"
+#include "base/distribution.h"
 
 namespace quasimc {
 
@@ -35,15 +37,12 @@ OrganPoints::OrganPoints(const PreparedScene& prepared) : prepared_(prepared) {
 OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > 0);
-    const double* until = &area_until_[organ.first_triangle];
-    const double pick = u0 * organ.area;
-    const auto last = organ.triangle_count - 1;
-    const auto i = static_cast<std::uint32_t>(
-        std::min<std::ptrdiff_t>(std::upper_bound(until, until + last, pick) - until, last));
-    const double before = i == 0 ? 0 : until[i - 1];
-    const double own = until[i] - before;
-    const double root = std::sqrt(own > 0 ? std::clamp((pick - before) / own, 0.0, 1.0) : 0);
-    return on_triangle(organ.first_triangle + i, root * (1 - u1), root * u1);
+    const IntervalPick pick = pick_interval(
+        std::span(area_until_).subspan(organ.first_triangle, organ.triangle_count),
+        u0 * organ.area);
+    const double root = std::sqrt(pick.part);
+    const auto triangle = organ.first_triangle + static_cast<std::uint32_t>(pick.index);
+    return on_triangle(triangle, root * (1 - u1), root * u1);
 }
 
 OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, double v) const {

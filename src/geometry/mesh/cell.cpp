@@ -13,14 +13,6 @@ namespace quasimc {
 
 namespace {
 
-Bounds bounds_of(const Triangle& t) {
-    Bounds bounds;
-    for (const Vec3& corner : t) {
-        bounds.add(corner);
-    }
-    return bounds;
-}
-
 /// An interval of shifts, counted in periods.
 struct Shifts {
     double first = 0, last = 0;

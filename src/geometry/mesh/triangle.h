@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/vec3.h"
 
 namespace quasimc {
@@ -14,6 +15,14 @@ using Triangle = std::array<Vec3, 3>;
 /// Twice the area times the unit normal of the upper side.
 constexpr Vec3 area_vector(const Triangle& t) {
     return cross(t[1] - t[0], t[2] - t[0]);
+}
+
+inline Bounds bounds_of(const Triangle& t) {
+    Bounds bounds;
+    for (const Vec3& corner : t) {
+        bounds.add(corner);
+    }
+    return bounds;
 }
 
 inline double area(const Triangle& t) {

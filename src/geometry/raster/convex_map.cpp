@@ -11,11 +11,6 @@ namespace quasimc {
 
 namespace {
 
-/// Twice the area of a, b, c; positive when they turn left.
-double turn(const Point2& a, const Point2& b, const Point2& c) {
-    return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
-}
-
 /// Drops points inside the polygon of those that lie furthest in sixteen directions (Akl and
 /// Toussaint 1978), which are most.
 void drop_inner_points(std::vector<Point2>& points) {

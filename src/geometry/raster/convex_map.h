@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "base/vec3.h"
+#include "geometry/point2.h"
 
 namespace quasimc {
-
-/// A point of a plane.
-struct Point2 {
-    double s = 0, t = 0;
-};
 
 /// The corners of the convex hull of `points`, counter-clockwise; fewer than three when the points
 /// lie on a line.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "base/checks.h"
-#include "base/multiversion.h"
 
 namespace quasimc {
 namespace {
@@ -28,30 +26,6 @@ Rays rays_of(double size, bool repeats, double pitch) {
     const double exact = size / pitch;
     const double count = std::max(1.0, repeats ? std::round(exact) : std::ceil(exact));
     return {repeats ? size / count : pitch, static_cast<std::uint32_t>(count)};
-}
-
-/// Pixels of a row that are drawn at one go; arrays have so much room behind their end.
-constexpr std::int32_t kLanes = 8;
-
-using Floats = float __attribute__((vector_size(4 * kLanes)));
-using Words = std::int32_t __attribute__((vector_size(4 * kLanes)));
-
-/// Draws a span of pixels, all lanes at once: spans are too short to be worth a branch for each.
-QUASIMC_MULTIVERSION void draw_span(
-    float* depths, std::int32_t* ids, std::int32_t count, float z, float step, std::int32_t id) {
-    Words at = {0, 1, 2, 3, 4, 5, 6, 7};
-    for (std::int32_t first = 0; first < count; first += kLanes, at += kLanes) {
-        const Floats here = z + step * __builtin_convertvector(at, Floats);
-        Floats depth;
-        Words seen;
-        std::memcpy(&depth, depths + first, sizeof(depth));
-        std::memcpy(&seen, ids + first, sizeof(seen));
-        const Words nearer = (at < count) & (here < depth);
-        depth = nearer ? here : depth;
-        seen = nearer ? Words{} + id : seen;
-        std::memcpy(depths + first, &depth, sizeof(depth));
-        std::memcpy(ids + first, &seen, sizeof(seen));
-    }
 }
 
 /// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
@@ -94,8 +68,8 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     images_.assign(1, {});
     set_grid(scene, spec);
     const std::size_t pixels = std::size_t{columns_} * rows_;
-    depths_.assign(pixels + kLanes, std::numeric_limits<float>::infinity());
-    ids_.assign(pixels + kLanes, 0);
+    depths_.assign(pixels + kSpanLanes, std::numeric_limits<float>::infinity());
+    ids_.assign(pixels + kSpanLanes, 0);
     if (pixels == 0) {
         return;
     }
@@ -215,7 +189,7 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
         bool touched = false;
         rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
             touched = true;
-            draw_span(&depths_[first], &ids_[first], count, z, step, id);
+            draw_span_(&depths_[first], &ids_[first], count, z, step, id);
         });
         if (touched) {
             images_.push_back(image);
@@ -225,7 +199,7 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
 
 /// Without a branch for each pixel.
 void ItemBuffer::find_runs() {
-    const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kLanes;
+    const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kSpanLanes;
     ids_[pixels] = -1;  // ends the last
     ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
     std::uint32_t* end = ends_.data();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/draw_span.h"
 #include "geometry/raster/projected_scene.h"
 
 namespace quasimc {
@@ -73,6 +74,7 @@ class ItemBuffer {
     void list_items();
     void add_sensor(std::uint32_t triangle);
 
+    DrawSpan* draw_span_ = best_draw_span();
     ProjectedScene scene_;
     Vec3 direction_;
     BeamAxis x_, y_, z_;  // place on the grid, and depth

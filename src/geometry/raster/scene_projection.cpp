@@ -19,13 +19,13 @@ constexpr double kMargin = 0x1p-20;
 /// A beam nearer than this to a periodic axis, or to the layer's plane, never meets the scene.
 constexpr double kGrazing = 0x1p-30;
 
-/// The plane across a beam: s and t span it, the beam travels along d.
-struct BeamFrame {
+/// Axes across a beam: s and t span the plane, the beam travels along d.
+struct AcrossBeam {
     Vec3 s, t, d;
 
     /// s along the world's x as far as may be (or y, for beams along x), so that the map of a beam
     /// along an axis runs along the other two.
-    explicit BeamFrame(const Vec3& direction) : d(direction) {
+    explicit AcrossBeam(const Vec3& direction) : d(direction) {
         const Vec3 axis = std::abs(d.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         s = normalized(axis - dot(axis, d) * d);
         t = cross(d, s);
@@ -94,7 +94,7 @@ class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSectio
   public:
     /// @param hull  about `center`, which lies before the scene
     SilhouetteCrossSection(
-        const BeamFrame& plane, const Vec3& center, const std::vector<Point2>& hull)
+        const AcrossBeam& plane, const Vec3& center, const std::vector<Point2>& hull)
         : s_(plane.s), t_(plane.t), center_(center), map_(hull) {}
     [[nodiscard]] double area() const override { return map_.area(); }
     [[nodiscard]] Vec3 place(double u0, double u1) const override {
@@ -124,7 +124,7 @@ class ParallelogramCrossSection final : public CrossSectionOf<ParallelogramCross
 
 /// The rectangle along s and t around a convex polygon.
 std::unique_ptr<BeamCrossSection> rectangle_window(
-    const BeamFrame& plane, double distance, const std::vector<Point2>& hull) {
+    const AcrossBeam& plane, double distance, const std::vector<Point2>& hull) {
     Point2 low = hull.front(), high = hull.front();
     for (const Point2& p : hull) {
         low = {std::min(low.s, p.s), std::min(low.t, p.t)};
@@ -138,7 +138,7 @@ std::unique_ptr<BeamCrossSection> rectangle_window(
 
 std::unique_ptr<BeamCrossSection> silhouette_window(
     const std::vector<Vec3>& outline, const Vec3& direction) {
-    const BeamFrame plane(direction);
+    const AcrossBeam plane(direction);
     const double distance = radius_of(outline);
     std::vector<Point2> points;
     points.reserve(outline.size());
@@ -172,7 +172,7 @@ std::unique_ptr<BeamCrossSection> silhouette_window(
 /// silhouette tears neighbours apart less than one about the disc's centre.
 std::unique_ptr<BeamCrossSection> sphere_window(const Ball& ball, const Vec3& direction) {
     constexpr int kCorners = 1024;
-    const BeamFrame plane(direction);
+    const AcrossBeam plane(direction);
     const double radius = ball.radius / std::cos(std::numbers::pi / kCorners);
     std::vector<Point2> corners;
     for (int i = 0; i < kCorners; ++i) {

@@ -4,6 +4,7 @@
 
 #include "base/checks.h"
 #include "base/input_error.h"
+#include "geometry/point2.h"
 #include "geometry/shapes/shapes.h"
 
 namespace quasimc {
@@ -11,15 +12,9 @@ namespace quasimc {
 namespace {
 
 /// A corner seen along the polygon's normal.
-struct FlatCorner {
-    double s = 0, t = 0;
+struct FlatCorner : Point2 {
     std::size_t index = 0;  ///< among the corners given
 };
-
-/// Twice the area of a, b, c; positive when they turn left.
-double turn(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c) {
-    return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
-}
 
 bool same_place(const FlatCorner& a, const FlatCorner& b) {
     return a.s == b.s && a.t == b.t;
@@ -40,7 +35,7 @@ std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& norma
     std::vector<FlatCorner> flat;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 p = corners[i] - corners[0];
-        const FlatCorner corner{dot(p, frame.s), dot(p, frame.t), i};
+        const FlatCorner corner{{dot(p, frame.s), dot(p, frame.t)}, i};
         if (flat.empty() || !same_place(flat.back(), corner)) {
             flat.push_back(corner);
         }

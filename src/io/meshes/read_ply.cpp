@@ -28,17 +28,7 @@ class PlyValues {
     [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
 
   private:
-    std::optional<double> next_word() {
-        const std::size_t begin = rest_.find_first_not_of(" \t\r\n\v\f");
-        if (begin == std::string_view::npos) {
-            rest_ = {};
-            return std::nullopt;
-        }
-        rest_.remove_prefix(begin);
-        const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r\n\v\f"));
-        rest_.remove_prefix(word.size());
-        return parse_real(word);
-    }
+    std::optional<double> next_word() { return parse_real(take_word(rest_, " \t\r\n\v\f")); }
 
     template <typename T>
     std::optional<double> take() {

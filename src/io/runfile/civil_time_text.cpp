@@ -139,11 +139,7 @@ std::optional<CivilTime> parse_civil_time(
     Faults own;
     check_time(time, where, own);
     if (!own.empty()) {
-        try {
-            own.throw_if_any();
-        } catch (const InputError& error) {
-            faults.add(error);
-        }
+        faults.add(own);
         return std::nullopt;
     }
     constexpr double kDay = 86400;

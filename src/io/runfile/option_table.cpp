@@ -6,11 +6,11 @@
 
 #include "io/runfile/options.h"
 #include "samplers/catalogue.h"
+#include "solvers/run_limits.h"
 
 namespace quasimc {
 namespace {
 
-constexpr std::int64_t kMostPaths = std::int64_t{1} << 30;
 constexpr double kLongestRun = 1e9;  // seconds
 
 /// Words of a row that don't depend on the field's type.
@@ -122,12 +122,12 @@ std::vector<Option> rows_of_paths() {
         integer_option(
             {"replicates", "",
              "independent randomizations; the standard errors come from their scatter"},
-            &RunSpec::replicates, {1, 10000}),
+            &RunSpec::replicates, {1, kMostReplicates}),
         integer_option(
             {"seed", "", "another seed gives other random numbers"}, &RunSpec::seed, {0, kAnySeed}),
         integer_option(
             {"threads", "", "0: as many as the machine has; never changes a result"},
-            &RunSpec::threads, {0, 4096}),
+            &RunSpec::threads, {0, kMostThreads}),
         integer_option(
             {"max_depth", "",
              "hits after which a path is cut off (the energy is reported); 0: never"},

@@ -162,15 +162,14 @@ std::uint64_t line_of(const std::string& place, const std::string& file) {
 
 /// Throws what was found, in the order of the file's lines.
 void throw_in_order(const Reporter& reporter) {
-    try {
-        reporter.faults.throw_if_any();
-    } catch (const InputError& error) {
-        std::vector<Fault> faults = error.faults();
-        std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
-            return line_of(a.place, reporter.file) < line_of(b.place, reporter.file);
-        });
-        throw InputError(std::move(faults));
+    if (reporter.faults.empty()) {
+        return;
     }
+    std::vector<Fault> faults = reporter.faults.all();
+    std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
+        return line_of(a.place, reporter.file) < line_of(b.place, reporter.file);
+    });
+    throw InputError(std::move(faults));
 }
 
 }  // namespace

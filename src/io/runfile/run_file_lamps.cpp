@@ -1,11 +1,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/angles.h"
+#include "base/length_units.h"
 #include "base/text.h"
 #include "io/runfile/run_file_source_kinds.h"
 #include "io/runfile/units.h"
@@ -15,18 +16,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr Range kPositive{std::numeric_limits<double>::min(), TableReader::kFinite.high};
-
-/// Metres of a unit of length, if its name is known.
-struct LengthUnit {
-    std::string_view name;
-    double metres;
-};
-constexpr std::array kLengthUnits{
-    LengthUnit{"m", 1},       LengthUnit{"cm", 0.01}, LengthUnit{"mm", 0.001},
-    LengthUnit{"dm", 0.1},    LengthUnit{"km", 1000}, LengthUnit{"ft", 0.3048},
-    LengthUnit{"in", 0.0254}, LengthUnit{"um", 1e-6}, LengthUnit{"inch", 0.0254}};
 
 /// Keys that state what a lamp emits, and the unit of the irradiance that belongs to each.
 struct FluxKey {
@@ -38,15 +28,13 @@ constexpr std::array kFluxKeys{
 
 /// Square metres of a square unit of the scene; nothing after a fault.
 std::optional<double> square_metres(TableReader& table, const RunFileContext& context) {
-    for (const LengthUnit& unit : kLengthUnits) {
-        if (unit.name == context.length_unit) {
-            return unit.metres * unit.metres;
-        }
+    if (const auto metres = metres_per(context.length_unit)) {
+        return *metres * *metres;
     }
     table.fault(
         fmt::format("length_unit is '{}'", context.length_unit),
         "what a lamp emits is turned into irradiance by the size of the scene",
-        "use m, cm, mm, dm, km, um, ft or in");
+        "use m, cm, mm, dm, km, um, ft, in or yd");
     return std::nullopt;
 }
 

@@ -131,19 +131,15 @@ void refuse_options_at_the_top(TableReader& top) {
 }
 
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter) {
-    try {
-        found.throw_if_any();
-    } catch (const InputError& error) {
-        for (Fault fault : error.faults()) {
-            const auto stated = options.places.find(fault.place);
-            if (stated != options.places.end()) {
-                fault.problem = fault.place + ": " + fault.problem;
-                fault.place = stated->second;
-            } else {
-                fault.place = reporter.file + ": " + fault.place;
-            }
-            reporter.faults.add(std::move(fault));
+    for (Fault fault : found.all()) {
+        const auto stated = options.places.find(fault.place);
+        if (stated != options.places.end()) {
+            fault.problem = fault.place + ": " + fault.problem;
+            fault.place = stated->second;
+        } else {
+            fault.place = reporter.file + ": " + fault.place;
         }
+        reporter.faults.add(std::move(fault));
     }
 }
 

@@ -26,11 +26,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
         fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
     const auto time = parse_civil_time(*text, std::nullopt, where, faults);
     if (!time) {
-        try {
-            faults.throw_if_any();
-        } catch (const InputError& error) {
-            table.reporter().faults.add(error);
-        }
+        table.reporter().faults.add(faults);
         return std::nullopt;
     }
     const SunPosition sun = sun_position(*context.place, *time, delta_t_s);

@@ -50,11 +50,7 @@ void Reporter::fault(
 }
 
 void Reporter::add(const Reporter& other) {
-    try {
-        other.faults.throw_if_any();
-    } catch (const InputError& error) {
-        faults.add(error);
-    }
+    faults.add(other.faults);
     warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
 }
 

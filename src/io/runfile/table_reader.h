@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/input_error.h"
+#include "base/range.h"
 #include "base/vec3.h"
 #include "io/runfile/document.h"
 #include "scene/scene.h"
@@ -29,11 +30,6 @@ struct Reporter {
         std::uint32_t line, std::string problem, std::string why, std::string suggestion = {});
     /// Takes over what another one has collected.
     void add(const Reporter& other);
-};
-
-/// The range of a number, ends included.
-struct Range {
-    double low, high;
 };
 
 /// Reads one table: each key once, by its type. What is wrong with a value is reported and the

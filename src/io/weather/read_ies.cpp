@@ -61,18 +61,7 @@ class Numbers {
 
   private:
     /// Numbers are parted by blanks or commas.
-    std::string_view take() {
-        constexpr std::string_view kParting = " \t,\v\f";
-        const std::size_t begin = line_.find_first_not_of(kParting);
-        if (begin == std::string_view::npos) {
-            line_ = {};
-            return {};
-        }
-        line_.remove_prefix(begin);
-        const std::string_view word = line_.substr(0, line_.find_first_of(kParting));
-        line_.remove_prefix(word.size());
-        return word;
-    }
+    std::string_view take() { return take_word(line_, " \t,\v\f"); }
 
     LineScanner& scanner_;
     Reporter& reporter_;

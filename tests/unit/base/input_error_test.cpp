@@ -36,6 +36,17 @@ TEST(Faults, ThrowNothingWhenThereIsNone) {
     EXPECT_NO_THROW(faults.throw_if_any());
 }
 
+TEST(Faults, AreToldInTheirOrder) {
+    Faults faults, others;
+    faults.add({"a", "x", "", ""});
+    others.add({"b", "y", "", ""});
+    faults.add(others);
+    ASSERT_EQ(faults.all().size(), 2U);
+    EXPECT_EQ(faults.all()[0].place, "a");
+    EXPECT_EQ(faults.all()[1].place, "b");
+    EXPECT_EQ(others.size(), 1U);
+}
+
 TEST(Faults, ThrowAllAtOnce) {
     Faults faults;
     faults.add({"a", "x", "", ""});

@@ -53,6 +53,12 @@ RC_GTEST_PROP(ConvexHull, HoldsAllPointsAndTurnsLeft, ()) {
     }
 }
 
+TEST(Turn, IsTwiceTheAreaOfATriangleAndItsSense) {
+    EXPECT_EQ(turn({1, 1}, {3, 1}, {1, 4}), 6);
+    EXPECT_EQ(turn({1, 1}, {1, 4}, {3, 1}), -6);
+    EXPECT_EQ(turn({0, 0}, {1, 1}, {2, 2}), 0);
+}
+
 TEST(ConvexHull, OfPointsOnALineHasFewerThanThreeCorners) {
     std::vector<Point2> points;
     for (int i = 0; i < 100; ++i) {

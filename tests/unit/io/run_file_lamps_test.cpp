@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/length_units.h"
 #include "io/weather/read_ies.h"
 #include "run/run.h"
 #include "unit/io/io_testing.h"
@@ -151,6 +152,16 @@ TEST(RunFileLamps, AreOfSevenTypes) {
         EXPECT_TRUE(run.sources[0]->is_lamp());
         EXPECT_EQ(run.sources[0]->spectrum()[0], 60);
         EXPECT_NE(run.source_notes[0].find("emits PAR 60 W"), std::string::npos);
+    }
+}
+
+TEST(RunFileLamps, KnowEveryUnitOfLength) {
+    const std::string keys = "type = 'point'\nposition = [0, 0, 100]\npower = 1\n";
+    for (const LengthUnit& unit : kLengthUnits) {
+        const std::string name(unit.name);
+        const RunFile run =
+            read_text(with_lamp(keys, "bands = ['PAR']\nlength_unit = '" + name + "'\n"));
+        EXPECT_DOUBLE_EQ(run.sources.at(0)->spectrum()[0], 1 / (unit.metres * unit.metres)) << name;
     }
 }
 

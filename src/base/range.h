@@ -1,0 +1,10 @@
+#pragma once
+
+namespace quasimc {
+
+/// The range of a number, ends included.
+struct Range {
+    double low, high;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace quasimc {
+
+/// A point of a plane.
+struct Point2 {
+    double s = 0, t = 0;
+};
+
+/// Twice the area of the triangle a, b, c; positive when they turn left.
+[[nodiscard]] constexpr double turn(const Point2& a, const Point2& b, const Point2& c) {
+    return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
+}
+
+}  // namespace quasimc
