@@ -6,7 +6,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(format layers scripts test install tidy docs asan tsan fuzz)
+all_steps=(format layers scripts test install members tidy docs asan tsan fuzz)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -50,6 +50,11 @@ step_install() {
     ./dev test -L install --no-tests=error
 }
 
+# What tools/new.py makes, a member of every family, builds and passes its tests.
+step_members() {
+    tools/new_build.py -j "$jobs"
+}
+
 # What is shipped. The tests take as long again: tools/tidy.py checks them too.
 step_tidy() {
     cmake --preset dev >/dev/null
@@ -82,10 +87,12 @@ step_tsan() {
 fuzz_one() {
     local fuzzer=$1
     local name=${fuzzer##*/quasimc_fuzz_}
+    local seeds=tests/fuzz/corpus/$name
+    [[ -d $seeds ]] || seeds=tests/fuzz/corpus
     mkdir -p "build/asan/corpus/$name"
     "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-10}" -timeout=10 -rss_limit_mb=2048 \
         -print_final_stats=0 -verbosity=0 \
-        "build/asan/corpus/$name" "tests/fuzz/corpus/$name"
+        "build/asan/corpus/$name" "$seeds"
 }
 
 # As many fuzzers at a time as there are processors.

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Starts a new sampler, source, bsdf or format: tools/new.py sampler halton
+"""Starts a new member of a family: tools/new.py bsdf oren_nayar
 
-Copies the simplest member of the family and its test under the new name, adds both to their
-CMakeLists.txt, and prints what is left to do.  What was copied compiles at once, so the work starts
-from something that runs.
+Makes its file, its test and its page from tools/templates/FAMILY, enters it in the catalogue of the
+family and in the lists of CMake.  What was made compiles and its tests pass, so the work starts from
+something that runs.  tools/new_test.py checks what is touched, tools/new_build.py that it builds.
 """
 
 import argparse
@@ -12,83 +12,258 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parent.parent
+TEMPLATES = "tools/templates"
+
 
 @dataclass(frozen=True)
 class Family:
-    module: str  # the folder under src/quasimc and under tests/unit
-    model: str  # the member that is copied
-    left_to_do: str
+    """Where the members of a family live, and how a catalogue tells of one.
+
+    The texts go above the lines of the catalogue that say "(tools/new.py WHAT above this line)".
+    In them and in the templates, @name@ is the name in snake_case, @Name@ in CapWords, @words@ with
+    blanks, @Words@ the same with a capital, @page@ with hyphens; @member@ and @test@ are the files.
+    """
+
+    folder: str  # of the members
+    tests: str  # the folder of their tests
+    pages: str  # the folder of their pages
+    catalogue: str
+    entries: tuple  # of (WHAT, text)
+    prefix: str = ""  # of the files of members and tests
+    page: str = "@page@.md"
+    others: tuple = ()  # of (file, pattern, replacement): lists that people read
 
 
+# THE TABLE.  All paths of this tool are here.  A family is offered once its catalogue is there and
+# its templates are: for a new seam, write the catalogue with the lines that say where to enter
+# things, and the three templates.
 FAMILIES = {
-    "sampler": Family("samplers", "monte_carlo", "add its row to src/samplers/catalogue.cpp"),
-    "source": Family("sources", "uniform_sky", "add its row to src/quasimc/sources/catalogue.cpp"),
-    "bsdf": Family("optics", "phong", "add its row to src/optics/catalogue.cpp"),
+    "sampler": Family(
+        folder="src/quasimc/samplers",
+        tests="tests/unit/samplers",
+        pages="docs/theory",
+        catalogue="src/samplers/catalogue.cpp",
+        entries=(
+            ("declares a sampler", "std::unique_ptr<Sampler> make_@name@();"),
+            ("enters a sampler", '    SamplerEntry{"@name@", "@words@", make_@name@, true},'),
+        ),
+        others=(("docs/guide/options.md", r"(\| `sampler` .*? one of [^|]*?) \|", r"\1, @name@ |"),),
+    ),
+    "source": Family(
+        folder="src/quasimc/sources",
+        tests="tests/unit/sources",
+        pages="docs/theory",
+        catalogue="src/sources/catalogue.cpp",
+        entries=(
+            (
+                "declares a kind",
+                "std::shared_ptr<const Source> make_@name@(const StatedSource& stated);",
+            ),
+            (
+                "tells the keys of a kind",
+                """constexpr std::array k@Name@Keys{SourceKey{
+    .name = "power_of_sine",
+    .summary = "of the elevation",
+    .type = SourceKeyType::number,
+    .low = 0,
+    .high = 100,
+    .usual = 1.0}};
+""",
+            ),
+            (
+                "enters a kind",
+                """    SourceEntry{
+        .name = "@name@",
+        .words = "@words@",
+        .summary = "@words@",
+        .amount = SourceAmount::irradiance_horizontal,
+        .keys = k@Name@Keys,
+        .make = make_@name@},""",
+            ),
+        ),
+    ),
+    "bsdf": Family(
+        folder="src/quasimc/optics",
+        tests="tests/unit/optics",
+        pages="docs/theory",
+        catalogue="src/optics/catalogue.cpp",
+        entries=(
+            (
+                "declares a model",
+                "std::unique_ptr<Bsdf> make_@name@(Hemisphere hemisphere, "
+                "std::span<const double> values);",
+            ),
+            (
+                "tells the parameters of a model",
+                """constexpr std::array k@Name@{BsdfParameter{
+    .name = "exponent",
+    .low = 0,
+    .high = kMaxExponent,
+    .usual = 10,
+    .summary = "the larger, the narrower the lobe",
+    .suggestion = "for one direction use model 'mirror'"}};
+""",
+            ),
+            ("enters a model", '    BsdfEntry{"@name@", "@words@", k@Name@, make_@name@},'),
+        ),
+    ),
     "format": Family(
-        "io",
-        "read_tri",
-        "add its row to src/io/meshes/formats.cpp, its inputs to tests/fuzz/corpus/, "
-        "its page to docs/formats/",
+        folder="src/quasimc/io",
+        tests="tests/unit/io",
+        pages="docs/formats",
+        catalogue="src/io/meshes/formats.cpp",
+        prefix="read_",
+        page="@name@.md",
+        entries=(
+            (
+                "declares a format",
+                "MeshFile read_@name@(std::string_view bytes, FormatContext& context);",
+            ),
+            (
+                "enters a format",
+                """        FormatEntry{
+            .name = "@name@",
+            .extensions = ".@name@",
+            .summary = "@words@",
+            .organs = "each",
+            .read = read_@name@},""",
+            ),
+        ),
+    ),
+    "solver": Family(
+        folder="src/quasimc/solvers",
+        tests="tests/unit/solvers",
+        pages="docs/theory",
+        catalogue="src/quasimc/solvers/catalogue.cpp",
+        entries=(
+            ("declares a solver", "std::unique_ptr<Solver> make_@name@();"),
+            ("enters a solver", '    SolverEntry{"@name@", "@words@", make_@name@},'),
+        ),
+    ),
+    "detector": Family(
+        folder="src/quasimc/detectors",
+        tests="tests/unit/detectors",
+        pages="docs/theory",
+        catalogue="src/quasimc/detectors/catalogue.cpp",
+        entries=(
+            ("declares a detector", "std::unique_ptr<Detector> make_@name@();"),
+            ("enters a detector", '    DetectorEntry{"@name@", "@words@", make_@name@},'),
+        ),
     ),
 }
 
 
-def cap_words(name):
-    return "".join(word.capitalize() for word in name.split("_"))
+def available(root):
+    """The families that can be added to, by name."""
+    return {
+        name: family
+        for name, family in FAMILIES.items()
+        if (root / family.catalogue).exists() and (root / TEMPLATES / name).is_dir()
+    }
 
 
-def renamed(text, old, new):
-    """The text with the name changed in all of its spellings: a_b, AB, "a b"."""
-    for spell in (str, cap_words, lambda name: name.replace("_", " ")):
-        text = re.sub(rf"(?<![a-z0-9]){re.escape(spell(old))}(?![a-z])", spell(new), text)
-    return text
+def filled(text, family, name):
+    """The text with the name in all of its spellings."""
+    words = name.replace("_", " ")
+    spellings = {
+        "member": f"{family.folder}/{family.prefix}{name}.cpp",
+        "test": f"{family.tests}/{family.prefix}{name}_test.cpp",
+        "name": name,
+        "Name": "".join(word.capitalize() for word in name.split("_")),
+        "words": words,
+        "Words": words.capitalize(),
+        "page": name.replace("_", "-"),
+    }
+    return re.sub(r"@(\w+)@", lambda match: spellings[match[1]], text)
 
 
-def add_to_cmake(path, old, new):
-    """Lists the new file right after the one it was copied from."""
-    text = path.read_text(encoding="utf-8")
-    path.write_text(text.replace(old, f"{old} {new}", 1), encoding="utf-8")
+def with_entry(text, what, entry):
+    """A catalogue with an entry above the line that marks its place."""
+    mark = f"(tools/new.py {what} above this line)"
+    lines = text.split("\n")
+    places = [i for i, line in enumerate(lines) if mark in line]
+    if len(places) != 1:
+        raise ValueError(f"{len(places)} lines say {mark}")
+    return "\n".join(lines[: places[0]] + entry.split("\n") + lines[places[0] :])
+
+
+def with_source(text, file):
+    """A CMakeLists.txt with a file among the first SOURCES, in the order of the alphabet."""
+    match = re.search(r"\bSOURCES\s+((?:[\w./]+\.cpp\s+)+)", text)
+    if not match:
+        raise ValueError("no list of SOURCES")
+    files = list(re.finditer(r"[\w./]+\.cpp", match[1]))
+    start = match.start(1)
+    for other in files:
+        if other[0] > file:
+            column = start + other.start() - text.rfind("\n", 0, start + other.start()) - 1
+            place = start + other.start()
+            return f"{text[:place]}{file}\n{' ' * column}{text[place:]}"
+    last = start + files[-1].start()
+    column = last - text.rfind("\n", 0, last) - 1
+    end = start + files[-1].end()
+    return f"{text[:end]}\n{' ' * column}{file}{text[end:]}"
+
+
+def planned(root, kind, name):
+    """The text of every file that a new member makes or changes, by path; nothing is written."""
+    family = FAMILIES[kind]
+    templates = root / TEMPLATES / kind
+    stem = f"{family.prefix}{name}"
+    made = {
+        f"{family.folder}/{stem}.cpp": "member.cpp",
+        f"{family.tests}/{stem}_test.cpp": "test.cpp",
+        f"{family.pages}/{filled(family.page, family, name)}": "page.md",
+    }
+    texts = {}
+    for path, template in made.items():
+        if (root / path).exists():
+            raise ValueError(f"{path} exists already")
+        text = (templates / template).read_text(encoding="utf-8")
+        texts[path] = filled(text, family, name)
+
+    catalogue = (root / family.catalogue).read_text(encoding="utf-8")
+    for what, entry in family.entries:
+        catalogue = with_entry(catalogue, what, filled(entry, family, name))
+    texts[family.catalogue] = catalogue
+    for folder, file in ((family.folder, f"{stem}.cpp"), (family.tests, f"{stem}_test.cpp")):
+        lists = f"{folder}/CMakeLists.txt"
+        texts[lists] = with_source((root / lists).read_text(encoding="utf-8"), file)
+    for path, pattern, replacement in family.others:
+        text = (root / path).read_text(encoding="utf-8")
+        texts[path], count = re.subn(pattern, filled(replacement, family, name), text, count=1)
+        if count != 1:
+            raise ValueError(f"{path} has no line like {pattern}")
+    return texts
 
 
 def create(root, kind, name):
-    """Writes the files of a new member; returns their paths."""
-    family = FAMILIES[kind]
-    old = family.model
-    new = f"read_{name}" if kind == "format" else name
-    written = []
-    source_folder = root / "src/quasimc" / family.module
-    test_folder = root / "tests/unit" / family.module
-    for folder, old_file, new_file in (
-        (source_folder, f"{old}.h", f"{new}.h"),
-        (source_folder, f"{old}.cpp", f"{new}.cpp"),
-        (test_folder, f"{old}_test.cpp", f"{new}_test.cpp"),
-    ):
-        if not (folder / old_file).exists():
-            continue
-        if (folder / new_file).exists():
-            sys.exit(f"{folder / new_file} exists already")
-        text = renamed((folder / old_file).read_text(encoding="utf-8"), old, new)
-        if kind == "format":
-            text = renamed(text, old.removeprefix("read_"), name)
-        (folder / new_file).write_text(text, encoding="utf-8")
-        written.append(folder / new_file)
-        cmake = folder / "CMakeLists.txt"
-        if new_file.endswith(".cpp") and cmake.exists():
-            add_to_cmake(cmake, old_file, new_file)
-    return written
+    """Writes a new member; returns the paths made and the paths changed."""
+    texts = planned(root, kind, name)
+    made = [path for path in texts if not (root / path).exists()]
+    for path, text in texts.items():
+        (root / path).write_text(text, encoding="utf-8")
+    return made, [path for path in texts if path not in made]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=FAMILIES)
+    parser.add_argument("kind", choices=available(ROOT))
     parser.add_argument("name", help="snake_case")
-    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
+    parser.add_argument("--root", type=Path, default=ROOT)
     args = parser.parse_args()
     if not re.fullmatch(r"[a-z][a-z0-9]*(_[a-z0-9]+)*", args.name):
         parser.error(f"{args.name}: write the name in snake_case")
-    for path in create(args.root, args.kind, args.name):
-        print(f"wrote {path.relative_to(args.root)}")
-    print(f"Now write the model itself, and {FAMILIES[args.kind].left_to_do}.")
+    try:
+        made, changed = create(args.root, args.kind, args.name)
+    except ValueError as error:
+        sys.exit(f"new.py: {error}")
+    for path in made:
+        print(f"wrote {path}")
+    for path in changed:
+        print(f"entered it in {path}")
+    print("It builds and its test passes. Now write the model itself, its test and its page.")
 
 
 if __name__ == "__main__":

@@ -30,7 +30,8 @@ Exit export_scene(const ExportArguments& arguments) {
     const quasimc::RunFile run = quasimc::read_run_file(arguments.file);
     print_warnings(run.warnings);
     quasimc::AtomicFile output(arguments.output);
-    format.write(run.scene, [&](std::string_view text) { output.write(text); });
+    const auto write = [&](std::string_view text) { output.write(text); };
+    quasimc::write_geometry(format, run.scene, write);
     output.commit();
     return Exit::done;
 }

@@ -25,9 +25,10 @@ std::string list_samplers() {
 std::string list_models() {
     std::string text;
     for (const quasimc::BsdfEntry& entry : quasimc::bsdf_catalogue()) {
-        text += row(
-            entry.name,
-            fmt::format("{}{}", entry.summary, entry.has_exponent ? " (takes an exponent)" : ""));
+        const std::string parameters = quasimc::parameter_words(entry);
+        text +=
+            row(entry.name, parameters.empty() ? std::string(entry.summary)
+                                               : fmt::format("{} ({})", entry.summary, parameters));
     }
     return text;
 }

@@ -142,7 +142,7 @@ void print_planner(const Effort& effort) {
         "  %-38s %7s %9s  %9s  %9s\n", "leaves, albedo, source", "gain", "sources", "organs",
         "lit");
     for (const Case& one : make_cases(effort)) {
-        if (!(one.canopy.is_repeated && one.sources.front()->is_lamp())) {
+        if (!(one.canopy.is_repeated && one.sources.front()->traits() == kLampTraits)) {
             print_case(one, effort);
         }
     }

@@ -60,7 +60,7 @@ Scene make_canopy(const Canopy& canopy) {
         if (canopy.phong_exponent > 0) {
             const bool is_mirror = std::isinf(canopy.phong_exponent);
             side.reflection_model = is_mirror ? "mirror" : "phong";
-            side.reflection_exponent = is_mirror ? 0 : canopy.phong_exponent;
+            side.reflection_parameters["exponent"] = is_mirror ? 0 : canopy.phong_exponent;
         }
         leaf.upper.push_back(side);
         leaf.lower.push_back(side);

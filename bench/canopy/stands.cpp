@@ -50,7 +50,7 @@ MaterialSpec shiny(std::string name, const std::string& model, double exponent) 
     MaterialSpec leaf = leaf_of(std::move(name));
     for (SideOptics& band : leaf.upper) {
         band.reflection_model = model;
-        band.reflection_exponent = exponent;
+        band.reflection_parameters["exponent"] = exponent;
     }
     return leaf;
 }

@@ -1,5 +1,6 @@
 // What a hit costs: each lobe model, and scattering with 1 ... 200 bands.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -43,7 +44,7 @@ MaterialSpec leaf(std::size_t bands, bool glossy) {
         SideOptics optics{.reflectance = 0.45 + 0.04 * wave, .transmittance = 0.45 - 0.03 * wave};
         if (glossy) {
             optics.reflection_model = b % 2 == 0 ? "lambertian" : "phong";
-            optics.reflection_exponent = 20;
+            optics.reflection_parameters["exponent"] = 20;
         }
         spec.upper.push_back(optics);
         spec.lower.push_back(optics);
@@ -51,8 +52,17 @@ MaterialSpec leaf(std::size_t bands, bool glossy) {
     return spec;
 }
 
+/// Of every parameter the usual value, or 20 as far as the domain goes.
+std::vector<double> values_of(const BsdfEntry& entry) {
+    std::vector<double> values;
+    for (const BsdfParameter& p : entry.parameters) {
+        values.push_back(p.usual.value_or(std::clamp(20.0, p.low, p.high)));
+    }
+    return values;
+}
+
 void sample_model(benchmark::State& state, const BsdfEntry& entry) {
-    const auto bsdf = entry.make(Hemisphere::reflected, 20);
+    const auto bsdf = entry.make(Hemisphere::reflected, values_of(entry));
     const auto u = points();
     std::size_t i = 0;
     for (auto _ : state) {
@@ -62,7 +72,7 @@ void sample_model(benchmark::State& state, const BsdfEntry& entry) {
 }
 
 void pdf_of_model(benchmark::State& state, const BsdfEntry& entry) {
-    const auto bsdf = entry.make(Hemisphere::reflected, 20);
+    const auto bsdf = entry.make(Hemisphere::reflected, values_of(entry));
     std::vector<Vec3> outgoing;
     for (const auto& [u0, u1] : points()) {
         outgoing.push_back(cosine_direction(kNormal, u0, u1));

@@ -64,9 +64,9 @@ std::optional<SideOptics> read_band(Values& values) {
         return std::nullopt;
     }
     optics.reflectance = *rho;
-    optics.reflection_exponent = *rho_exponent;
+    optics.reflection_parameters["exponent"] = *rho_exponent;
     optics.transmittance = *tau;
-    optics.transmission_exponent = *tau_exponent;
+    optics.transmission_parameters["exponent"] = *tau_exponent;
     return optics;
 }
 

@@ -119,8 +119,8 @@ class SpecificationReader {
         spec_.returns.resize(spec_.band_count(), ReturnType::flux);
         for (auto& material : spec_.materials) {
             for (SideOptics& optics : material) {
-                set_model(optics.reflection_model, optics.reflection_exponent);
-                set_model(optics.transmission_model, optics.transmission_exponent);
+                set_model(optics.reflection_model, optics.reflection_parameters);
+                set_model(optics.transmission_model, optics.transmission_parameters);
             }
         }
         if (spec_.ground && spec_.ground->material >= spec_.materials.size()) {
@@ -139,11 +139,14 @@ class SpecificationReader {
 
     /// A negative exponent, or one of 100 and more, means a mirror (or light that goes straight
     /// on).
-    void set_model(std::string& model, double& exponent) const {
+    void set_model(std::string& model, BsdfParameters& parameters) const {
         constexpr double kMirror = 100;
+        const double exponent = parameters["exponent"];
         const bool is_mirror = exponent < 0 || exponent >= kMirror;
         model = is_mirror ? "mirror" : spec_.light_model;
-        exponent = is_mirror || model == "lambertian" ? 0 : exponent;
+        if (is_mirror || model == "lambertian") {
+            parameters.clear();
+        }
     }
 
     void finish_montecarlo(Faults& faults) {

@@ -8,7 +8,8 @@ namespace quasimc {
 enum class Hemisphere { reflected, transmitted };
 
 /// How light that a surface scatters is spread over directions: the shape of one lobe, without its
-/// amount. (A material adds the amounts: one albedo per band for each of its lobes.)
+/// amount. (A material adds the amounts: one albedo per band for each of its lobes.) The amount may
+/// depend on the angle at which light arrives, in all bands alike: see relative_albedo.
 ///
 /// Directions are those in which light travels, unit length: `wi` before, `wo` after. `n` is the
 /// unit normal of the side on which the light arrives, so dot(wi, n) < 0; reflected light has
@@ -29,13 +30,21 @@ class Bsdf {
         const Vec3& n, const Vec3& wi, double u0, double u1) const = 0;
 
     /// Density [1/sr] of `sample` at `wo`; its integral over the lobe's hemisphere is 1 whatever
-    /// `wi`, so no light is lost. 0 outside the hemisphere, and everywhere for a lobe of one
-    /// direction (see is_delta).
+    /// `wi`: what is lost, relative_albedo says. 0 outside the hemisphere, and everywhere for a
+    /// lobe of one direction (see is_delta).
     [[nodiscard]] virtual double pdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const = 0;
 
-    /// pdf / |dot(wo, n)| [1/sr]: the bidirectional scattering distribution function of a surface
-    /// of albedo 1. Grows without bound towards a grazing `wo` unless the model prevents it; 0
-    /// along the surface itself. Finite everywhere.
+    /// Light scattered by this lobe relative to its stated albedo, 0 ... 1, when light arrives at
+    /// an angle of `cosine` = |dot(wi, n)| to the normal: 1 unless the model says otherwise (a
+    /// waxy surface, which reflects more at grazing angles). The stated albedo is then the largest.
+    [[nodiscard]] virtual double relative_albedo(double cosine) const;
+
+    /// Whether relative_albedo is 1 at every angle, for which faster code exists.
+    [[nodiscard]] virtual bool has_constant_albedo() const { return true; }
+
+    /// relative_albedo pdf / |dot(wo, n)| [1/sr]: the bidirectional scattering distribution
+    /// function of a surface of stated albedo 1. Grows without bound towards a grazing `wo` unless
+    /// the model prevents it; 0 along the surface itself. Finite everywhere.
     [[nodiscard]] virtual double bsdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const;
 
     /// Whether all light goes in one direction (mirror).
@@ -44,7 +53,7 @@ class Bsdf {
     /// Whether `bsdf` is the same with -wo and -wi exchanged (Helmholtz reciprocity).
     [[nodiscard]] virtual bool is_reciprocal() const = 0;
 
-    /// Whether the lobe is the cosine law, for which faster code exists.
+    /// Whether the lobe is the cosine law with a constant albedo, for which faster code exists.
     [[nodiscard]] virtual bool is_lambertian() const { return false; }
 
   private:

@@ -1,34 +1,68 @@
 #include "optics/catalogue.h"
 
+#include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
+#include "base/text.h"
 #include "optics/blinn_phong.h"
 #include "optics/lambertian.h"
 #include "optics/mirror.h"
 #include "optics/phong.h"
 
 namespace quasimc {
+
+// To add a model, tools/new.py bsdf NAME makes name.cpp (a class derived from Bsdf), name_test.cpp
+// and docs/theory/name.md, and enters the model here. Mind the contract of Bsdf: the integral of
+// pdf is 1 for every wi, no light on the wrong side. The keys of the run file, their checks and
+// `quasimc list models` follow from the row; tests/unit/optics/models_test.cpp tries every row over
+// a grid of its parameters.
+
+// (tools/new.py declares a model above this line)
+
 namespace {
 
-// To add a model (tools/new.py bsdf NAME starts it):
-// 1. name.h with its manual page on top, name.cpp with a class derived from Bsdf. Mind the
-// contract:
-//    integral 1 for every wi, no light on the wrong side.
-// 2. A row here; the file in CMakeLists.txt.
-// 3. docs/theory/name.md, and name_test.cpp for what is special to it. The grid of
-//    tests/unit/optics/models_test.cpp tries every row by itself.
+constexpr std::array kExponent{BsdfParameter{
+    .name = "exponent",
+    .low = 0,
+    .high = kMaxExponent,
+    .usual = std::nullopt,
+    .summary = "the larger, the narrower the lobe",
+    .suggestion = "for one direction use model 'mirror'"}};
+
+// (tools/new.py tells the parameters of a model above this line)
+
 constexpr std::array kModels = {
-    BsdfEntry{"lambertian", "matt: Lambert's cosine law", false, make_lambertian},
-    BsdfEntry{"phong", "glossy: cos^n of the angle to the specular direction", true, make_phong},
     BsdfEntry{
-        "blinn_phong", "glossy: cos^n of half the angle to the specular direction", true,
-        make_blinn_phong},
+        "lambertian",
+        "matt: Lambert's cosine law",
+        {},
+        [](Hemisphere side, std::span<const double>) { return make_lambertian(side); }},
     BsdfEntry{
-        "mirror", "one direction: mirrored if reflected, straight on if transmitted", false,
-        make_mirror},
+        "phong", "glossy: cos^n of the angle to the specular direction", kExponent,
+        [](Hemisphere side, std::span<const double> p) { return make_phong(side, p[0]); }},
+    BsdfEntry{
+        "blinn_phong", "glossy: cos^n of half the angle to the specular direction", kExponent,
+        [](Hemisphere side, std::span<const double> p) { return make_blinn_phong(side, p[0]); }},
+    BsdfEntry{
+        "mirror",
+        "one direction: mirrored if reflected, straight on if transmitted",
+        {},
+        [](Hemisphere side, std::span<const double>) { return make_mirror(side); }},
+    // (tools/new.py enters a model above this line)
 };
 
 }  // namespace
+
+const BsdfParameter* BsdfEntry::find_parameter(std::string_view parameter) const {
+    for (const BsdfParameter& p : parameters) {
+        if (p.name == parameter) {
+            return &p;
+        }
+    }
+    return nullptr;
+}
 
 std::span<const BsdfEntry> bsdf_catalogue() {
     return kModels;
@@ -41,6 +75,46 @@ const BsdfEntry* find_bsdf(std::string_view name) {
         }
     }
     return nullptr;
+}
+
+std::vector<BsdfParameter> parameters_of_all(std::span<const BsdfEntry> models) {
+    std::vector<BsdfParameter> all;
+    for (const BsdfEntry& model : models) {
+        for (const BsdfParameter& parameter : model.parameters) {
+            const auto known = std::find_if(all.begin(), all.end(), [&](const BsdfParameter& p) {
+                return p.name == parameter.name;
+            });
+            if (known == all.end()) {
+                all.push_back(parameter);
+            } else {
+                known->low = std::min(known->low, parameter.low);
+                known->high = std::max(known->high, parameter.high);
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<double> parameter_values(const BsdfEntry& model, const BsdfParameters& stated) {
+    std::vector<double> values;
+    for (const BsdfParameter& parameter : model.parameters) {
+        const auto found = stated.find(parameter.name);
+        values.push_back(
+            found != stated.end()
+                ? found->second
+                : parameter.usual.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return values;
+}
+
+std::string parameter_words(const BsdfEntry& model) {
+    std::string words;
+    for (const BsdfParameter& p : model.parameters) {
+        words += fmt::format(
+            "{}{} {} ... {}{}", words.empty() ? "" : ", ", p.name, shortest(p.low),
+            shortest(p.high), p.usual ? fmt::format(" (else {})", shortest(*p.usual)) : "");
+    }
+    return words;
 }
 
 }  // namespace quasimc

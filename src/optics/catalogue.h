@@ -1,8 +1,13 @@
 #pragma once
 
+#include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "optics/bsdf.h"
 
@@ -12,12 +17,28 @@ namespace quasimc {
 /// sun. A sharper lobe is a mirror.
 inline constexpr double kMaxExponent = 1e6;
 
+/// Numbers that a person states for a model, by the names of its parameters.
+using BsdfParameters = std::map<std::string, double, std::less<>>;
+
+/// A number that a lobe model takes.
+struct BsdfParameter {
+    std::string_view name;          ///< as in `reflection_<name>`, `transmission_<name>`
+    double low, high;               ///< its domain, ends included
+    std::optional<double> usual;    ///< its value where none is stated; none: it must be stated
+    std::string_view summary;       ///< a few words for the manual
+    std::string_view suggestion{};  ///< to whoever states a value outside the domain
+};
+
 /// One row of the table of lobe models.
 struct BsdfEntry {
     std::string_view name;     ///< as in `reflection_model = "..."`
     std::string_view summary;  ///< one line for the manual
-    bool has_exponent;         ///< whether the model takes an exponent, 0 ... kMaxExponent
-    std::unique_ptr<Bsdf> (*make)(Hemisphere hemisphere, double exponent);
+    std::span<const BsdfParameter> parameters;
+    /// @param values  one for each of the parameters, in their order and domains
+    std::unique_ptr<Bsdf> (*make)(Hemisphere hemisphere, std::span<const double> values);
+
+    /// The parameter of that name, or null.
+    [[nodiscard]] const BsdfParameter* find_parameter(std::string_view parameter) const;
 };
 
 /// All lobe models, in the order of the manual: lambertian, phong, blinn_phong, mirror. A mirror's
@@ -26,5 +47,17 @@ struct BsdfEntry {
 
 /// The row of that name, or null.
 [[nodiscard]] const BsdfEntry* find_bsdf(std::string_view name);
+
+/// Every name of a parameter in a catalogue, once, with the widest domain that a model gives it.
+[[nodiscard]] std::vector<BsdfParameter> parameters_of_all(
+    std::span<const BsdfEntry> models = bsdf_catalogue());
+
+/// The values of a model's parameters in the order of its row: those stated, or else the usual
+/// ones; NaN for one that has neither. What the model does not take is passed over.
+[[nodiscard]] std::vector<double> parameter_values(
+    const BsdfEntry& model, const BsdfParameters& stated);
+
+/// "exponent 0 ... 1000000" for the manual; "" for a model without parameters.
+[[nodiscard]] std::string parameter_words(const BsdfEntry& model);
 
 }  // namespace quasimc

@@ -30,7 +30,7 @@ class Lambertian final : public Bsdf {
 
 }  // namespace
 
-std::unique_ptr<Bsdf> make_lambertian(Hemisphere hemisphere, double /*exponent*/) {
+std::unique_ptr<Bsdf> make_lambertian(Hemisphere hemisphere) {
     return std::make_unique<Lambertian>(hemisphere);
 }
 

@@ -12,7 +12,7 @@
 
 namespace quasimc {
 
-/// The model `lambertian` of the catalogue; it has no exponent.
-[[nodiscard]] std::unique_ptr<Bsdf> make_lambertian(Hemisphere hemisphere, double exponent);
+/// The model `lambertian` of the catalogue.
+[[nodiscard]] std::unique_ptr<Bsdf> make_lambertian(Hemisphere hemisphere);
 
 }  // namespace quasimc

@@ -88,7 +88,10 @@ LobeTable::LobeTable(std::span<const Lobe> lobes, std::size_t bands) : bands_(ba
              .delta = lobe.shape->is_delta(),
              .lambertian = lobe.shape->is_lambertian(),
              .reciprocal = lobe.shape->is_reciprocal(),
-             .alone = true});
+             .alone = true,
+             .constant = lobe.shape->has_constant_albedo()});
+        EXPECT(rows_.back().constant || !rows_.back().lambertian);
+        constant_ = constant_ && rows_.back().constant;
         albedo_.insert(albedo_.end(), lobe.albedo.begin(), lobe.albedo.end());
         std::transform(
             sums.begin(), sums.end(), lobe.albedo.begin(), sums.begin(), std::plus<double>());
@@ -137,7 +140,14 @@ LobeTable::Choice LobeTable::choose_among(double u0, double total, const Power& 
     return {&rows_[chosen], std::min(rest / share, kBelowOne), total, total / share};
 }
 
-LobeTable::Choice LobeTable::choose(const Draw& draw, std::span<const double> weights) const {
+/// @param share_of  gives the part of its stated albedo that a lobe scatters
+/// @param largest_sum  over the bands, of the albedos of all lobes
+template <typename Share>
+LobeTable::Choice LobeTable::choose_by(
+    const Draw& draw,
+    std::span<const double> weights,
+    const Share& share_of,
+    double largest_sum) const {
     EXPECT(weights.size() == bands_);
     if (bands_ == 1) {
         if (!(weights[0] > 0)) {
@@ -146,15 +156,18 @@ LobeTable::Choice LobeTable::choose(const Draw& draw, std::span<const double> we
         // Relative to the weight. Little light is the rule, for which nothing need be divided.
         const double whole =
             weights[0] <= draw.roulette_threshold ? 1 : draw.roulette_threshold / weights[0];
-        const double total = std::max(largest_sum_, whole);
-        return choose_among(draw.u0, total, [this](const Row& row) { return albedo_[row.offset]; });
+        const double total = std::max(largest_sum, whole);
+        return choose_among(draw.u0, total, [this, &share_of](const Row& row) {
+            return share_of(row) * albedo_[row.offset];
+        });
     }
-    const auto power_of = [this, weights](const Row& row) {
-        return sum_of_products(
-            &albedo_[row.offset + row.begin], &weights[row.begin], row.end - row.begin);
+    const auto power_of = [this, weights, &share_of](const Row& row) {
+        return share_of(row) *
+               sum_of_products(
+                   &albedo_[row.offset + row.begin], &weights[row.begin], row.end - row.begin);
     };
     double total = sum(weights.data(), bands_);
-    if (largest_sum_ > 1 || draw.roulette_threshold < total) {
+    if (largest_sum > 1 || draw.roulette_threshold < total) {
         double powers = 0;
         for (const Row& row : rows_) {
             powers += power_of(row);
@@ -162,6 +175,27 @@ LobeTable::Choice LobeTable::choose(const Draw& draw, std::span<const double> we
         total = std::max(std::min(total, draw.roulette_threshold), powers);
     }
     return choose_among(draw.u0, total, power_of);
+}
+
+LobeTable::Choice LobeTable::choose(const Draw& draw, std::span<const double> weights) const {
+    return choose_by(
+        draw, weights, [](const Row&) { return 1.0; }, largest_sum_);
+}
+
+LobeTable::Choice LobeTable::choose(
+    const Vec3& n, const Vec3& wi, const Draw& draw, std::span<const double> weights) const {
+    if (constant_) {
+        return choose(draw, weights);
+    }
+    const auto share_of = [&n, &wi](const Row& row) { return row.relative_albedo(n, wi); };
+    double largest_sum = largest_sum_;
+    if (bands_ == 1) {
+        largest_sum = 0;
+        for (const Row& row : rows_) {
+            largest_sum += share_of(row) * albedo_[row.offset];
+        }
+    }
+    return choose_by(draw, weights, share_of, largest_sum);
 }
 
 void LobeTable::follow(const Row& row, double factor, std::span<double> weights) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -15,7 +16,7 @@ namespace quasimc {
 /// The share of one lobe in what a side scatters.
 struct Lobe {
     std::shared_ptr<const Bsdf> shape;
-    std::vector<double> albedo;  ///< per band
+    std::vector<double> albedo;  ///< per band; times the shape's relative_albedo
 };
 
 /// What decides where light goes from a surface, and whether it goes on.
@@ -40,7 +41,13 @@ class LobeTable {
         std::size_t offset;      ///< of its albedos, one for every band
         double sign;             ///< 1 reflected, -1 transmitted
         bool delta, lambertian, reciprocal;
-        bool alone;  ///< no other lobe can give the same direction
+        bool alone;     ///< no other lobe can give the same direction
+        bool constant;  ///< the albedo is the same at every angle
+
+        /// shape->relative_albedo at the angle between `wi` and `n`, faster.
+        [[nodiscard]] double relative_albedo(const Vec3& n, const Vec3& wi) const {
+            return constant ? 1 : shape->relative_albedo(std::abs(dot(wi, n)));
+        }
 
         /// shape->sample, faster.
         [[nodiscard]] Vec3 sample(const Vec3& n, const Vec3& wi, double u0, double u1) const;
@@ -51,6 +58,8 @@ class LobeTable {
     };
     [[nodiscard]] std::span<const Row> rows() const { return rows_; }
     [[nodiscard]] std::size_t bands() const { return bands_; }
+    /// Whether the albedo of every lobe is the same at every angle.
+    [[nodiscard]] bool has_constant_albedo() const { return constant_; }
 
     /// A lobe drawn. `row` is null if none is: the light ends.
     struct Choice {
@@ -64,7 +73,13 @@ class LobeTable {
     /// Draws a lobe with probability power(lobe) / total. The total is the sum of the weights, or
     /// draw.enough if that is less, or the powers of all lobes if they are more. None if the
     /// weights are all 0.
+    /// The albedos are those stated, of which the power of a lobe at an angle is never more.
     [[nodiscard]] Choice choose(const Draw& draw, std::span<const double> weights) const;
+
+    /// The same for light that arrives along `wi` at a surface with normal `n`: the power of each
+    /// lobe is that at this angle.
+    [[nodiscard]] Choice choose(
+        const Vec3& n, const Vec3& wi, const Draw& draw, std::span<const double> weights) const;
 
     /// sum_b w_b a_b of one lobe.
     [[nodiscard]] double power(const Row& row, std::span<const double> weights) const;
@@ -84,11 +99,18 @@ class LobeTable {
   private:
     template <typename Power>
     [[nodiscard]] Choice choose_among(double u0, double total, const Power& power_of) const;
+    template <typename Share>
+    [[nodiscard]] Choice choose_by(
+        const Draw& draw,
+        std::span<const double> weights,
+        const Share& share_of,
+        double largest_sum) const;
 
     std::size_t bands_;
     std::vector<Row> rows_;
     std::vector<double> albedo_;  ///< of all lobes, one after the other
     double largest_sum_ = 0;      ///< over the bands, of the sum of the lobes' albedos
+    bool constant_ = true;
 };
 
 /// The lobes that can give one direction, weighed against each other by the balance heuristic

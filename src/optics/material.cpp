@@ -28,24 +28,42 @@ LobeTable lobes_leading_to(const Side& side, const Side& other) {
 
 bool passes_everything(const Side& side) {
     const auto is_one = [](double albedo) { return albedo == 1; };
-    return side.lobes().size() == 1 && side.has_delta() &&
+    return side.lobes().size() == 1 && side.has_delta() && side.has_constant_albedo() &&
            side.lobes()[0].shape->hemisphere() == Hemisphere::transmitted &&
            std::all_of(side.albedo().begin(), side.albedo().end(), is_one);
 }
 
 /// A lobe seen backwards, of a surface with normal `n` on the side where light leaves along `wo`.
-/// `value` is BSDF |cos wi| at albedo 1, `density` that with which the reversed lobe draws wi. For
-/// a reciprocal lobe they are equal.
+/// `value` is BSDF |cos wi| at stated albedo 1, `density` that with which the reversed lobe draws
+/// wi. For a reciprocal lobe of constant albedo they are equal.
 struct Backwards {
     double value, density;
 };
+
+/// Whether what the lobe sends backwards is what it draws backwards.
+bool is_symmetric(const LobeTable::Row& row) {
+    return row.reciprocal && row.constant;
+}
+
 Backwards backwards(const LobeTable::Row& row, const Vec3& n, const Vec3& wi, const Vec3& wo) {
     const double density = row.shape->pdf(n, -wo, -wi);
-    if (row.reciprocal) {
+    if (is_symmetric(row)) {
         return {density, density};
     }
     const Vec3 arrival_normal = row.sign * n;
     return {row.shape->bsdf(arrival_normal, wi, wo) * std::abs(dot(wi, n)), density};
+}
+
+/// value / density of a lobe that alone can give `wi`; not finite exactly along the surface.
+double backwards_ratio(const LobeTable::Row& row, const Vec3& n, const Vec3& wi, const Vec3& wo) {
+    if (is_symmetric(row)) {
+        return 1;
+    }
+    if (row.delta) {
+        return row.relative_albedo(n, wi);
+    }
+    const auto [value, density] = backwards(row, n, wi, wo);
+    return value / density;
 }
 
 }  // namespace
@@ -85,13 +103,9 @@ std::optional<Material::Gathered> Material::gather(
         return mix.apply(choice.total) ? std::optional(Gathered{wi, false}) : std::nullopt;
     }
 
-    double ratio = 1;
-    if (!row.reciprocal) {
-        const auto [value, density] = backwards(row, n, wi, wo);
-        ratio = value / density;
-        if (!std::isfinite(ratio)) {
-            return std::nullopt;  // exactly along the surface, where no light is
-        }
+    const double ratio = backwards_ratio(row, n, wi, wo);
+    if (!std::isfinite(ratio)) {
+        return std::nullopt;  // exactly along the surface, where no light is
     }
     table.follow(row, ratio * choice.scale, weights);
     return Gathered{wi, row.delta};

@@ -9,20 +9,22 @@
 #include "base/input_error.h"
 #include "base/surface_side.h"
 #include "base/vec3.h"
+#include "optics/catalogue.h"
 #include "optics/side.h"
 
 namespace quasimc {
 
 /// What a person says of one side of a surface in one waveband: light that arrives on this side.
-/// Models are those of the catalogue; one that has no exponent ignores the exponent.
+/// Models are those of the catalogue, with their parameters by name; one that a model does not take
+/// is passed over.
 struct SideOptics {
     double reflectance = 0;  ///< rho, 0..1; fraction that leaves on the side it came from
     double transmittance =
         0;  ///< tau, 0..1; fraction that leaves on the other side; rho + tau <= 1
     std::string reflection_model = "lambertian";
-    double reflection_exponent = 0;
+    BsdfParameters reflection_parameters = {};
     std::string transmission_model = "lambertian";
-    double transmission_exponent = 0;
+    BsdfParameters transmission_parameters = {};
 
     friend bool operator==(const SideOptics&, const SideOptics&) = default;
 };
@@ -47,6 +49,11 @@ class Material {
         return side == SurfaceSide::upper ? upper_ : lower_;
     }
     [[nodiscard]] std::size_t bands() const { return upper_.albedo().size(); }
+    /// Whether the albedo of both sides is the same for light from every direction: what is
+    /// absorbed then follows from what arrives.
+    [[nodiscard]] bool has_constant_albedo() const {
+        return upper_.has_constant_albedo() && lower_.has_constant_albedo();
+    }
     /// Whether light passes as if nothing were there (transmittance 1 straight on, both sides, all
     /// bands): a sensor. Such hits are counted and change nothing.
     [[nodiscard]] bool is_transparent() const { return transparent_; }
@@ -89,8 +96,8 @@ class Material {
 };
 
 /// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
-/// side, known model names, exponents in 0 ... kMaxExponent, `bands` entries a side); adds every
-/// fault to `faults`, at "place, upper side, band 2". Bands count from 1.
+/// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
+/// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.
 /// @param place  where the material stands; empty for "material 'name'"
 void check_material(
     const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults);

@@ -26,10 +26,52 @@ void check_fraction(double value, std::string_view name, const std::string& plac
     }
 }
 
+/// A parameter as the model has it; of one that it passes over, what the other models say.
+std::optional<BsdfParameter> domain_of(const BsdfEntry* model, std::string_view name) {
+    if (const BsdfParameter* own = model == nullptr ? nullptr : model->find_parameter(name)) {
+        return *own;
+    }
+    for (BsdfParameter known : parameters_of_all()) {
+        if (known.name == name) {
+            known.high = std::numeric_limits<double>::max();
+            return known;
+        }
+    }
+    return std::nullopt;
+}
+
+/// @param what  "reflection" or "transmission"
+void check_parameter(
+    std::string_view what,
+    const BsdfEntry* model,
+    const BsdfParameters::value_type& stated,
+    const std::string& place,
+    Faults& faults) {
+    const auto& [name, value] = stated;
+    const std::optional<BsdfParameter> domain = domain_of(model, name);
+    if (!domain) {
+        faults.add(
+            {.place = place,
+             .problem = fmt::format("{} {} is given", what, name),
+             .why = "no model takes it",
+             .suggestion = ""});
+        return;
+    }
+    if (!(value >= domain->low && value <= domain->high)) {
+        const BsdfParameter* own = model == nullptr ? nullptr : model->find_parameter(name);
+        const double high = own == nullptr ? domain->high : own->high;
+        faults.add(
+            {.place = place,
+             .problem = fmt::format("{} {} is {}", what, name, shortest(value)),
+             .why = fmt::format("{} ... {}", shortest(domain->low), shortest(high)),
+             .suggestion = std::isnan(value) ? "" : std::string(domain->suggestion)});
+    }
+}
+
 void check_model(
     std::string_view what,
     const std::string& model,
-    double exponent,
+    const BsdfParameters& parameters,
     const std::string& place,
     Faults& faults) {
     const BsdfEntry* entry = find_bsdf(model);
@@ -44,14 +86,18 @@ void check_model(
              .why = "",
              .suggestion = did_you_mean(model, names)});
     }
-    const bool is_used = entry != nullptr && entry->has_exponent;
-    const double largest = is_used ? kMaxExponent : std::numeric_limits<double>::max();
-    if (!(exponent >= 0 && exponent <= largest)) {
-        faults.add(
-            {.place = place,
-             .problem = fmt::format("{} exponent is {}", what, shortest(exponent)),
-             .why = fmt::format("0 ... {}", shortest(kMaxExponent)),
-             .suggestion = std::isnan(exponent) ? "" : "for one direction use model 'mirror'"});
+    for (const auto& stated : parameters) {
+        check_parameter(what, entry, stated, place, faults);
+    }
+    for (const BsdfParameter& p :
+         entry == nullptr ? std::span<const BsdfParameter>{} : entry->parameters) {
+        if (!p.usual && !parameters.contains(p.name)) {
+            faults.add(
+                {.place = place,
+                 .problem = fmt::format("{} {} is missing", what, p.name),
+                 .why = fmt::format("model '{}' takes one", model),
+                 .suggestion = ""});
+        }
     }
 }
 
@@ -83,16 +129,17 @@ void check_side(
                  .suggestion = ""});
         }
         check_model(
-            "reflection", optics.reflection_model, optics.reflection_exponent, band, faults);
+            "reflection", optics.reflection_model, optics.reflection_parameters, band, faults);
         check_model(
-            "transmission", optics.transmission_model, optics.transmission_exponent, band, faults);
+            "transmission", optics.transmission_model, optics.transmission_parameters, band,
+            faults);
     }
 }
 
 /// One lobe of one band.
 struct Term {
     const BsdfEntry* model;
-    double exponent;  ///< 0 if the model has none
+    std::vector<double> parameters;  ///< in the order of the model's row
     double albedo;
 };
 
@@ -101,10 +148,10 @@ Term term_of(const SideOptics& optics, Hemisphere hemisphere) {
     const BsdfEntry* model =
         find_bsdf(is_reflected ? optics.reflection_model : optics.transmission_model);
     EXPECT(model != nullptr);
-    const double exponent =
-        is_reflected ? optics.reflection_exponent : optics.transmission_exponent;
+    const BsdfParameters& stated =
+        is_reflected ? optics.reflection_parameters : optics.transmission_parameters;
     return {
-        model, model->has_exponent ? exponent : 0,
+        model, parameter_values(*model, stated),
         is_reflected ? optics.reflectance : optics.transmittance};
 }
 
@@ -118,13 +165,13 @@ void append_lobes(
             continue;
         }
         const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Term& other) {
-            return other.model == term.model && other.exponent == term.exponent;
+            return other.model == term.model && other.parameters == term.parameters;
         });
         const std::size_t place = first + static_cast<std::size_t>(same - distinct.begin());
         if (same == distinct.end()) {
             distinct.push_back(term);
             lobes.push_back(
-                {term.model->make(hemisphere, term.exponent), std::vector<double>(side.size())});
+                {term.model->make(hemisphere, term.parameters), std::vector<double>(side.size())});
         }
         lobes[place].albedo[b] = term.albedo;
     }

@@ -25,7 +25,7 @@ class Mirror final : public Bsdf {
 
 }  // namespace
 
-std::unique_ptr<Bsdf> make_mirror(Hemisphere hemisphere, double /*exponent*/) {
+std::unique_ptr<Bsdf> make_mirror(Hemisphere hemisphere) {
     return std::make_unique<Mirror>(hemisphere);
 }
 

@@ -12,7 +12,7 @@
 
 namespace quasimc {
 
-/// The model `mirror` of the catalogue; it has no exponent.
-[[nodiscard]] std::unique_ptr<Bsdf> make_mirror(Hemisphere hemisphere, double exponent);
+/// The model `mirror` of the catalogue.
+[[nodiscard]] std::unique_ptr<Bsdf> make_mirror(Hemisphere hemisphere);
 
 }  // namespace quasimc

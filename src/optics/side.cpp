@@ -8,7 +8,7 @@ namespace quasimc {
 namespace {
 
 bool same_shape(const Bsdf& a, const Bsdf& b) {
-    return a.hemisphere() == b.hemisphere() &&
+    return a.hemisphere() == b.hemisphere() && a.has_constant_albedo() && b.has_constant_albedo() &&
            ((a.is_delta() && b.is_delta()) || (a.is_lambertian() && b.is_lambertian()));
 }
 
@@ -49,9 +49,20 @@ Side::Side(const std::vector<Lobe>& lobes, std::size_t bands)
     }
 }
 
+double Side::albedo(std::size_t band, double cosine) const {
+    if (has_constant_albedo()) {
+        return albedo_[band];
+    }
+    double sum = 0;
+    for (const Lobe& lobe : lobes_) {
+        sum += lobe.shape->relative_albedo(cosine) * lobe.albedo[band];
+    }
+    return sum;
+}
+
 std::optional<Side::Scattered> Side::scatter(
     const Vec3& n, const Vec3& wi, const Draw& draw, std::span<double> weights) const {
-    const LobeTable::Choice choice = table_.choose(draw, weights);
+    const LobeTable::Choice choice = table_.choose(n, wi, draw, weights);
     if (choice.row == nullptr) {
         return std::nullopt;
     }
@@ -74,15 +85,16 @@ Side::Scattered Side::scatter_by(
         LobeMix mix(table_, weights);
         for (const LobeTable::Row& other : table_.rows()) {
             if (other.shares(row)) {
-                const double pdf = other.shape->pdf(n, wi, scattered.wo);
-                mix.add(other, pdf, pdf);
+                const double density =
+                    other.relative_albedo(n, wi) * other.shape->pdf(n, wi, scattered.wo);
+                mix.add(other, density, density);
             }
         }
         if (mix.apply(choice.total)) {
             return scattered;
         }
     }
-    table_.follow(row, choice.scale, weights);
+    table_.follow(row, choice.scale * row.relative_albedo(n, wi), weights);
     return scattered;
 }
 

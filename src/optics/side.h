@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/checks.h"
 #include "base/vec3.h"
 #include "optics/lobe_table.h"
 
@@ -18,17 +19,25 @@ namespace quasimc {
 /// heuristic, Veach and Guibas 1995): unbiased in every band. See docs/theory/many-bands.md.
 class Side {
   public:
-    /// @param lobes  of which the sum of albedos is at most 1 in each band. Those of one direction
-    /// in
-    ///               the same hemisphere are merged, as are Lambertian ones; those without albedo
-    ///               are left out.
+    /// @param lobes  of which the sum of albedos is at most 1 in each band, at every angle. Those
+    ///               of one direction in the same hemisphere are merged, as are Lambertian ones;
+    ///               those without albedo are left out.
     Side(const std::vector<Lobe>& lobes, std::size_t bands);
 
     [[nodiscard]] const std::vector<Lobe>& lobes() const { return lobes_; }
-    /// rho + tau per band.
+    /// rho + tau per band, as stated: a bound where the albedo depends on the angle.
     [[nodiscard]] std::span<const double> albedo() const { return albedo_; }
-    /// 1 - rho - tau per band.
+    /// 1 - rho - tau per band: a bound from below where the albedo depends on the angle.
     [[nodiscard]] std::span<const double> absorptance() const { return absorptance_; }
+    /// Whether albedo() and absorptance() hold for light from every direction.
+    [[nodiscard]] bool has_constant_albedo() const { return table_.has_constant_albedo(); }
+    /// Fraction of the light of a band that is scattered when it arrives at an angle of `cosine` =
+    /// |dot(wi, n)| to the normal.
+    [[nodiscard]] double albedo(std::size_t band, double cosine) const;
+    /// 1 - albedo(band, cosine): the fraction that is absorbed.
+    [[nodiscard]] double absorptance(std::size_t band, double cosine) const {
+        return has_constant_albedo() ? absorptance_[band] : 1 - albedo(band, cosine);
+    }
     /// Whether some lobe is of one direction.
     [[nodiscard]] bool has_delta() const { return has_delta_; }
 
@@ -47,7 +56,13 @@ class Side {
 
     /// The same in two steps, for which the second number need not be drawn where the light ends.
     [[nodiscard]] LobeTable::Choice choose(
+        const Vec3& n, const Vec3& wi, const Draw& draw, std::span<const double> weights) const {
+        return table_.choose(n, wi, draw, weights);
+    }
+    /// The same for a side of constant albedo.
+    [[nodiscard]] LobeTable::Choice choose(
         const Draw& draw, std::span<const double> weights) const {
+        EXPECT(has_constant_albedo());
         return table_.choose(draw, weights);
     }
     /// @param choice  with a lobe

@@ -9,18 +9,23 @@
 #include "samplers/sobol.h"
 
 namespace quasimc {
+
+// To add a sampler, tools/new.py sampler NAME makes name.cpp (a final class derived from Sampler),
+// name_test.cpp and docs/theory/name.md, and enters the sampler here. Every test of
+// tests/unit/samplers/every_sampler_test.cpp runs on the new row by itself.
+
+// (tools/new.py declares a sampler above this line)
+
 namespace {
 
-// To add a sampler: write <name>.h with its manual page on top and a make_<name>(), <name>.cpp with
-// a final class derived from Sampler, one row here, one name in CMakeLists.txt, and <name>_test.cpp
-// for what is special to it. Every test of tests/unit/samplers/every_sampler_test.cpp runs on the
-// new row by itself.
 constexpr std::array kCatalogue{
-    SamplerEntry{"monte_carlo", "independent random numbers (Philox2x64-10)", make_monte_carlo},
+    SamplerEntry{
+        "monte_carlo", "independent random numbers (Philox2x64-10)", make_monte_carlo, true},
     SamplerEntry{"korobov", "randomly shifted Korobov lattice; rounds of 2^m points", make_korobov},
     SamplerEntry{"sobol", "Sobol' sequence under Owen's scrambling", make_sobol},
     SamplerEntry{"halton", "Halton sequence under Owen's scrambling", make_halton},
     SamplerEntry{"faure", "Faure sequence in base 11 under Owen's scrambling", make_faure},
+    // (tools/new.py enters a sampler above this line)
 };
 
 }  // namespace

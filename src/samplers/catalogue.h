@@ -14,6 +14,9 @@ struct SamplerEntry {
     std::string_view name;     ///< as in `sampler = "..."`
     std::string_view summary;  ///< one line for the manual
     std::unique_ptr<Sampler> (*make)();
+    /// Whether its points are independent; else they are more even than random ones, which the
+    /// tests of every sampler hold it to.
+    bool is_random = false;
 };
 
 /// All samplers, in the order of the manual.

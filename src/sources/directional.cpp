@@ -15,13 +15,13 @@ namespace {
 class Beam final : public SourceSampler {
   public:
     Beam(const Vec3& direction, std::unique_ptr<BeamCrossSection> window)
-        : direction_(direction), window_(std::move(window)) {}
+        : SourceSampler(window->area(), direction),
+          direction_(direction),
+          window_(std::move(window)) {}
 
-    [[nodiscard]] double flux() const override { return window_->area(); }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         return {window_->place(u[0], u[1]), direction_, 1};
     }
-    [[nodiscard]] std::optional<Vec3> beam_direction() const override { return direction_; }
     void beam_origins(
         std::span<const double> u0,
         std::span<const double> u1,
@@ -36,8 +36,10 @@ class Beam final : public SourceSampler {
 
 class Directional final : public Source {
   public:
+    /// @param travel  unit
     Directional(std::string name, const Vec3& travel, std::vector<double> spectrum)
-        : Source(std::move(name), std::move(spectrum)), travel_(normalized(travel)) {}
+        : Source(std::move(name), std::move(spectrum), kBeamTraits, std::max(0.0, -travel.z)),
+          travel_(travel) {}
 
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
@@ -51,10 +53,6 @@ class Directional final : public Source {
         return {-travel_, 1};
     }
     [[nodiscard]] double radiance(const Vec3&) const override { return 0; }
-    [[nodiscard]] bool is_directional() const override { return true; }
-    [[nodiscard]] double horizontal_irradiance() const override {
-        return std::max(0.0, -travel_.z);
-    }
 
   private:
     Vec3 travel_;
@@ -65,7 +63,8 @@ class Directional final : public Source {
 std::shared_ptr<const Source> make_directional_source(
     std::string name, const Vec3& travel, std::vector<double> facing_irradiance) {
     EXPECT(is_finite(travel) && length(travel) > 0);
-    return std::make_shared<Directional>(std::move(name), travel, std::move(facing_irradiance));
+    return std::make_shared<Directional>(
+        std::move(name), normalized(travel), std::move(facing_irradiance));
 }
 
 }  // namespace quasimc

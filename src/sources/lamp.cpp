@@ -28,10 +28,10 @@ struct Start {
     double weight = 0;
 };
 
-class LampEmitter final : public SourceSampler {
+/// Draws the starts of paths.
+class LampStarts {
   public:
-    LampEmitter(const LampBody& local_body, Pattern pattern, const SceneProjection& projection)
-
+    LampStarts(const LampBody& local_body, Pattern pattern, const SceneProjection& projection)
         : body_(local_body), pattern_(std::move(pattern)), box_(projection.entry_box().bounds) {
         const Cell& cell = projection.cell();
         open_x_ = !cell.along_x;
@@ -40,12 +40,11 @@ class LampEmitter final : public SourceSampler {
         const bool can_aim =
             !cell.periodic() && length(body_.center - ball_.center) > ball_.radius + body_.radius();
         choose(can_aim);
-        flux_ = fraction_ / projection.world_area();
     }
 
-    /// 0: no trial start met the scene.
-    [[nodiscard]] double flux() const override { return flux_; }
-    [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
+    /// Of the lamp's flux, that which paths carry; 0: no trial start met the scene.
+    [[nodiscard]] double fraction() const { return fraction_; }
+    [[nodiscard]] Emission emit(const std::array<double, 4>& u) const {
         const Start start = is_aimed_ ? aimed(u) : by_pattern(u);
         return {entry(start).value_or(start.origin), start.direction, start.weight / fraction_};
     }
@@ -154,14 +153,30 @@ class LampEmitter final : public SourceSampler {
     bool open_x_ = true, open_y_ = true;
     Ball ball_;
     bool is_aimed_ = false;
-    double fraction_ = 1;  // of the lamp's flux that paths carry
-    double flux_ = 0;
+    double fraction_ = 1;
+};
+
+class LampEmitter final : public SourceSampler {
+  public:
+    LampEmitter(LampStarts starts, double world_area)
+        : SourceSampler(starts.fraction() / world_area), starts_(std::move(starts)) {}
+
+    [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
+        return starts_.emit(u);
+    }
+
+  private:
+    LampStarts starts_;
 };
 
 class Lamp final : public Source {
   public:
     explicit Lamp(LampSpec spec)
-        : Source(std::move(spec.name), std::move(spec.flux)),
+        : Source(
+              std::move(spec.name),
+              std::move(spec.flux),
+              kLampTraits,
+              std::numeric_limits<double>::quiet_NaN()),
           body_{spec.position, spec.axes, spec.opening},
           pattern_(std::move(spec.pattern)),
           by_area_(has_endless_radiance()) {}
@@ -173,7 +188,8 @@ class Lamp final : public Source {
         local.opening.length *= projection.scale();
         local.opening.width *= projection.scale();
         local.opening.radius *= projection.scale();
-        auto sampler = std::make_unique<LampEmitter>(local, pattern_, projection);
+        auto sampler = std::make_unique<LampEmitter>(
+            LampStarts(local, pattern_, projection), projection.world_area());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
@@ -186,11 +202,6 @@ class Lamp final : public Source {
         return {seen.to_light, intensity * seen.factor, seen.distance};
     }
     [[nodiscard]] double radiance(const Vec3&) const override { return 0; }
-    [[nodiscard]] bool is_directional() const override { return false; }
-    [[nodiscard]] bool is_lamp() const override { return true; }
-    [[nodiscard]] double horizontal_irradiance() const override {
-        return std::numeric_limits<double>::quiet_NaN();
-    }
 
   private:
     [[nodiscard]] Vec3 axis_back() const { return -body_.axes.n; }

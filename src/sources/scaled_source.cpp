@@ -18,7 +18,11 @@ std::vector<double> times(std::span<const double> spectrum, double factor) {
 class ScaledSource final : public Source {
   public:
     ScaledSource(std::shared_ptr<const Source> source, double factor)
-        : Source(source->name(), times(source->spectrum(), factor)),
+        : Source(
+              source->name(),
+              times(source->spectrum(), factor),
+              source->traits(),
+              source->horizontal_irradiance()),
           source_(std::move(source)),
           is_off_(factor == 0) {}
 
@@ -32,12 +36,6 @@ class ScaledSource final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return source_->radiance(to_light);
     }
-    [[nodiscard]] bool is_directional() const override { return source_->is_directional(); }
-    [[nodiscard]] bool is_sun() const override { return source_->is_sun(); }
-    [[nodiscard]] double horizontal_irradiance() const override {
-        return source_->horizontal_irradiance();
-    }
-    [[nodiscard]] bool is_lamp() const override { return source_->is_lamp(); }
 
   private:
     std::shared_ptr<const Source> source_;

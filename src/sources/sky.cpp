@@ -67,13 +67,12 @@ class SkySampler final : public SourceSampler {
   public:
     /// @param integrals  of L |d.x|, L |d.y|, L d.z, L the radiance of the shape
     SkySampler(const SkyShape& shape, const Vec3& integrals, const EntryBox& box)
-        : radiance_(shape.radiance),
+        : SourceSampler(dot(box.face_area, integrals) / integrals.z),
+          radiance_(shape.radiance),
           box_(box),
           unscaled_flux_(dot(box.face_area, integrals)),
-          flux_(unscaled_flux_ / integrals.z),
           sampler_(make_entry_sampler(shape, box.face_area)) {}
 
-    [[nodiscard]] double flux() const override { return flux_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         const HemisphereSampler::Sample from = sampler_.sample(u[2], u[3]);
         const Vec3 direction = -from.direction;
@@ -94,14 +93,13 @@ class SkySampler final : public SourceSampler {
     Radiance radiance_;
     EntryBox box_;
     double unscaled_flux_;  // of the shape as it stands
-    double flux_;
     HemisphereSampler sampler_;
 };
 
 class Sky final : public Source {
   public:
     Sky(std::string name, SkyShape shape, std::vector<double> spectrum)
-        : Source(std::move(name), std::move(spectrum)), shape_(std::move(shape)) {}
+        : Source(std::move(name), std::move(spectrum), kSkyTraits, 1), shape_(std::move(shape)) {}
 
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
@@ -119,8 +117,6 @@ class Sky final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return to_light.z > 0 ? shape_.radiance(to_light) / integrals().z : 0;
     }
-    [[nodiscard]] bool is_directional() const override { return false; }
-    [[nodiscard]] double horizontal_irradiance() const override { return 1; }
 
   private:
     [[nodiscard]] const Vec3& integrals() const {

@@ -77,23 +77,15 @@ double Cone::positive_part(double a) const {
 
 class DiskEmitter final : public SourceSampler {
   public:
-    DiskEmitter(const Cone& cone, const EntryBox& box) : cone_(cone), box_(box) {
-        const auto through = [&](double area, double along) {
-            return area * (cone_.positive_part(along) + cone_.positive_part(-along));
-        };
-        const Vec3& axis = cone_.axis();
-        flux_ = (through(box.face_area.x, axis.x) + through(box.face_area.y, axis.y) +
-                 through(box.face_area.z, axis.z)) /
-                cone_.projected();
-    }
+    DiskEmitter(const Cone& cone, const EntryBox& box)
+        : SourceSampler(flux_into(cone, box)), cone_(cone), box_(box) {}
 
-    [[nodiscard]] double flux() const override { return flux_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         const Vec3 direction = -cone_.direction(u[2], u[3]);
         const double light = cone_.solid_angle() / cone_.projected();
         return {
             entry_place(box_, direction, u[0], u[1]), direction,
-            light * box_.projected_area(direction) / flux_};
+            light * box_.projected_area(direction) / flux()};
     }
     [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
         return {-cone_.direction(u0, u1), 1 / cone_.solid_angle()};
@@ -103,16 +95,29 @@ class DiskEmitter final : public SourceSampler {
     }
 
   private:
+    static double flux_into(const Cone& cone, const EntryBox& box) {
+        const auto through = [&](double area, double along) {
+            return area * (cone.positive_part(along) + cone.positive_part(-along));
+        };
+        const Vec3& axis = cone.axis();
+        return (through(box.face_area.x, axis.x) + through(box.face_area.y, axis.y) +
+                through(box.face_area.z, axis.z)) /
+               cone.projected();
+    }
+
     Cone cone_;
     EntryBox box_;
-    double flux_ = 0;
 };
 
 class SunDisk final : public Source {
   public:
-    SunDisk(
-        std::string name, const Vec3& to_sun, double radius, std::vector<double> facing_irradiance)
-        : Source(std::move(name), std::move(facing_irradiance)), cone_(to_sun, radius) {}
+    SunDisk(std::string name, const Cone& cone, std::vector<double> facing_irradiance)
+        : Source(
+              std::move(name),
+              std::move(facing_irradiance),
+              kSunDiskTraits,
+              cone.positive_part(cone.axis().z) / cone.projected()),
+          cone_(cone) {}
 
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
@@ -124,11 +129,6 @@ class SunDisk final : public Source {
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return cone_.contains(to_light) ? 1 / cone_.projected() : 0;
-    }
-    [[nodiscard]] bool is_directional() const override { return false; }
-    [[nodiscard]] bool is_sun() const override { return true; }
-    [[nodiscard]] double horizontal_irradiance() const override {
-        return cone_.positive_part(cone_.axis().z) / cone_.projected();
     }
 
   private:
@@ -151,7 +151,7 @@ std::shared_ptr<const Source> make_sun_disk(
     EXPECT(std::abs(length(to_sun) - 1) < 1e-9);
     EXPECT(angular_radius_deg > 0 && angular_radius_deg < 90);
     return std::make_shared<SunDisk>(
-        std::move(name), to_sun, angular_radius_deg * pi / 180, std::move(facing_irradiance));
+        std::move(name), Cone(to_sun, angular_radius_deg * pi / 180), std::move(facing_irradiance));
 }
 
 }  // namespace quasimc

@@ -17,23 +17,27 @@
 namespace quasimc {
 namespace {
 
+constexpr std::size_t kFaces = 5;  // top, low x, high x, low y, high y
+
+/// Flux through the faces up to each of them, for an irradiance of 1.
+std::array<double, kFaces> summed_flux(const EntryBox& box) {
+    const Vec3& area = box.face_area;
+    std::array<double, kFaces> flux{area.z, 0.5 * area.x, 0.5 * area.x, 0.5 * area.y, 0.5 * area.y};
+    double sum = 0;
+    for (double& f : flux) {
+        sum += f;
+        f = sum;
+    }
+    return flux;
+}
+
 class SkySampler final : public SourceSampler {
   public:
-    explicit SkySampler(const EntryBox& box) : box_(box) {
-        const Vec3& area = box.face_area;
-        const std::array<double, kFaces> flux{
-            area.z, 0.5 * area.x, 0.5 * area.x, 0.5 * area.y, 0.5 * area.y};
-        double sum = 0;
-        for (std::size_t i = 0; i < kFaces; ++i) {
-            sum += flux[i];
-            until_[i] = sum;
-        }
-        flux_ = sum;
-    }
+    explicit SkySampler(const EntryBox& box)
+        : SourceSampler(summed_flux(box).back()), box_(box), until_(summed_flux(box)) {}
 
-    [[nodiscard]] double flux() const override { return flux_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
-        const IntervalPick face = pick_interval(until_, u[0] * flux_);
+        const IntervalPick face = pick_interval(until_, u[0] * flux());
         return face.index == 0 ? from_top(face.part, u[1], u[2], u[3])
                                : from_side(face.index, face.part, u[1], u[2], u[3]);
     }
@@ -52,8 +56,6 @@ class SkySampler final : public SourceSampler {
     }
 
   private:
-    static constexpr std::size_t kFaces = 5;  // top, low x, high x, low y, high y
-
     [[nodiscard]] bool has_sides() const { return box_.face_area.x > 0 || box_.face_area.y > 0; }
 
     [[nodiscard]] Emission from_top(double u0, double u1, double u2, double u3) const {
@@ -82,13 +84,13 @@ class SkySampler final : public SourceSampler {
     }
 
     EntryBox box_;
-    std::array<double, kFaces> until_{};
-    double flux_ = 0;
+    std::array<double, kFaces> until_;
 };
 
 class UniformSky final : public Source {
   public:
-    using Source::Source;
+    UniformSky(std::string name, std::vector<double> horizontal_irradiance)
+        : Source(std::move(name), std::move(horizontal_irradiance), kSkyTraits, 1) {}
 
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
@@ -104,8 +106,6 @@ class UniformSky final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return to_light.z > 0 ? 1 / std::numbers::pi : 0;
     }
-    [[nodiscard]] bool is_directional() const override { return false; }
-    [[nodiscard]] double horizontal_irradiance() const override { return 1; }
 };
 
 }  // namespace

@@ -20,7 +20,10 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
 
 int replay(const std::filesystem::path& corpus) {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus)) {
+        if (!entry.is_regular_file()) {
+            continue;
+        }
         const std::vector<std::uint8_t> bytes = read_bytes(entry.path());
         LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
         ++count;

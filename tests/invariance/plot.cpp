@@ -80,7 +80,7 @@ std::vector<MaterialSpec> plot_materials(const std::vector<std::size_t>& bands) 
             {.reflectance = .1 + .2 * x,
              .transmittance = .3 - .1 * x,
              .reflection_model = b == 2 ? "mirror" : "blinn_phong",
-             .reflection_exponent = 2 + 6 * x});
+             .reflection_parameters = {{"exponent", 2 + 6 * x}}});
         leaf.lower.push_back({.reflectance = .3, .transmittance = .1 + .2 * x});
         dull.upper.push_back({.reflectance = .4 - .1 * x, .transmittance = .1 + .2 * x});
         dull.lower.push_back({.reflectance = .2 + .1 * x, .transmittance = .3});

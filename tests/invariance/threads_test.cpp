@@ -26,8 +26,8 @@ class FirstCallWaits {
 class SlowEmitter final : public SourceSampler {
   public:
     explicit SlowEmitter(std::unique_ptr<SourceSampler> source_sampler)
-        : emitter_(std::move(source_sampler)) {}
-    [[nodiscard]] double flux() const override { return emitter_->flux(); }
+        : SourceSampler(source_sampler->flux(), source_sampler->beam_direction()),
+          emitter_(std::move(source_sampler)) {}
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         first_.wait();
         return emitter_->emit(u);
@@ -38,9 +38,6 @@ class SlowEmitter final : public SourceSampler {
     }
     [[nodiscard]] double density(const Vec3& direction) const override {
         return emitter_->density(direction);
-    }
-    [[nodiscard]] std::optional<Vec3> beam_direction() const override {
-        return emitter_->beam_direction();
     }
     void beam_origins(
         std::span<const double> u0,
@@ -59,7 +56,11 @@ class SlowEmitter final : public SourceSampler {
 class SlowSource final : public Source {
   public:
     explicit SlowSource(std::shared_ptr<const Source> source)
-        : Source(source->name(), {source->spectrum().begin(), source->spectrum().end()}),
+        : Source(
+              source->name(),
+              {source->spectrum().begin(), source->spectrum().end()},
+              source->traits(),
+              source->horizontal_irradiance()),
           source_(std::move(source)) {}
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
@@ -71,10 +72,6 @@ class SlowSource final : public Source {
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return source_->radiance(to_light);
-    }
-    [[nodiscard]] bool is_directional() const override { return source_->is_directional(); }
-    [[nodiscard]] double horizontal_irradiance() const override {
-        return source_->horizontal_irradiance();
     }
 
   private:

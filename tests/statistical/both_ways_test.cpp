@@ -38,23 +38,39 @@ MaterialSpec uneven_leaf() {
         leaf.upper.push_back(
             {.reflectance = .1 + .2 * x,
              .transmittance = .3 - .1 * x,
-             .reflection_exponent = 3 + 8 * x,
-             .transmission_exponent = 10 - 4 * x});
+             .reflection_parameters = {{"exponent", 3 + 8 * x}},
+             .transmission_parameters = {{"exponent", 10 - 4 * x}}});
         leaf.lower.push_back(
             {.reflectance = .4 - .1 * x,
              .transmittance = .05 + .2 * x,
-             .reflection_exponent = 12 - 5 * x,
-             .transmission_exponent = 2 + 4 * x});
+             .reflection_parameters = {{"exponent", 12 - 5 * x}},
+             .transmission_parameters = {{"exponent", 2 + 4 * x}}});
     }
     return leaf;
 }
 
-/// A leaf whose light that is reflected (or transmitted) follows one model of the catalogue.
-Optics optics_of(std::string_view model, std::string SideOptics::*lobe, const char* words) {
-    Optics optics{fmt::format("{}_{}", model, words), uneven_leaf()};
-    for (std::size_t b = 0; b < kBands; ++b) {
-        optics.leaf.upper[b].*lobe = model;
-        optics.leaf.lower[b].*lobe = model;
+/// The fields of SideOptics that state one of its lobes.
+struct LobeFields {
+    const char* words;
+    std::string SideOptics::*model;
+    BsdfParameters SideOptics::*parameters;
+};
+constexpr LobeFields kReflected{
+    "reflected", &SideOptics::reflection_model, &SideOptics::reflection_parameters};
+constexpr LobeFields kTransmitted{
+    "transmitted", &SideOptics::transmission_model, &SideOptics::transmission_parameters};
+
+/// A leaf whose light that is reflected (or transmitted) follows one model of the catalogue. A
+/// parameter other than an exponent has its usual value, or one from the middle of its domain.
+Optics optics_of(const BsdfEntry& model, const LobeFields& lobe) {
+    Optics optics{fmt::format("{}_{}", model.name, lobe.words), uneven_leaf()};
+    for (auto* side : {&optics.leaf.upper, &optics.leaf.lower}) {
+        for (SideOptics& band : *side) {
+            band.*lobe.model = model.name;
+            for (const BsdfParameter& p : model.parameters) {
+                (band.*lobe.parameters).emplace(p.name, p.usual.value_or((p.low + p.high) / 2));
+            }
+        }
     }
     return optics;
 }
@@ -83,8 +99,8 @@ std::vector<Optics> all_optics() {
     std::vector<Optics> all{{"lambertian", uneven_leaf()}};
     for (const BsdfEntry& entry : bsdf_catalogue()) {
         if (entry.name != "lambertian") {
-            all.push_back(optics_of(entry.name, &SideOptics::reflection_model, "reflected"));
-            all.push_back(optics_of(entry.name, &SideOptics::transmission_model, "transmitted"));
+            all.push_back(optics_of(entry, kReflected));
+            all.push_back(optics_of(entry, kTransmitted));
         }
     }
     all.push_back(mixed_by_side());

@@ -96,7 +96,7 @@ Scene make_stand(const Cell& cell) {
     SceneBuilder builder = make_builder(2);
     MaterialSpec leaf = matt("leaf", .3, .2, 2);
     leaf.upper[0].reflection_model = "phong";
-    leaf.upper[0].reflection_exponent = 8;
+    leaf.upper[0].reflection_parameters["exponent"] = 8;
     for (SideOptics& side : leaf.lower) {
         side.reflection_model = "mirror";
     }

@@ -4,27 +4,62 @@
 #include <array>
 #include <cctype>
 
+#include <fmt/format.h>
+
 #include "geometry/shapes/shapes.h"
 
 namespace quasimc {
 
-// To add a format of geometry: write read_x.cpp and write_x.cpp with functions as below, declare
-// them in formats.h, add a row here, a page in docs/formats, a test in tests/unit/io and a target
-// with a corpus in tests/fuzz. The `format` key of the run file, the choice by extension, `quasimc
-// list formats`, `quasimc export` and the messages follow from the row.
+// To add a format of geometry, tools/new.py format NAME makes read_name.cpp, its test and
+// docs/formats/name.md, and enters the format here, the only place where one is entered: the
+// `format` key of the run file, the choice by extension, `quasimc list formats`, `quasimc export`
+// (of a format that has a writer), the messages and the fuzz target all follow from the row
+// (tests/fuzz/CMakeLists.txt reads the names). Files that once broke a reader go to
+// tests/fuzz/corpus/name/.
+
+// (tools/new.py declares a format above this line)
+
 std::span<const FormatEntry> format_table() {
     static constexpr std::array kTable{
         FormatEntry{
-            "tri", ".tri .txt", "nine numbers a line: the corners of a triangle", "each", read_tri,
-            write_tri},
+            .name = "tri",
+            .extensions = ".tri .txt",
+            .summary = "nine numbers a line: the corners of a triangle",
+            .organs = "each",
+            .read = read_tri,
+            .write = write_tri},
         FormatEntry{
-            "obj", ".obj", "Wavefront OBJ with MTL; objects and groups are organs", "groups",
-            read_obj, write_obj},
+            .name = "obj",
+            .extensions = ".obj",
+            .summary = "Wavefront OBJ with MTL; objects and groups are organs",
+            .organs = "groups",
+            .read = read_obj,
+            .write = write_obj},
         FormatEntry{
-            "ply", ".ply", "Stanford PLY, text or binary; faces may have an organ and a material",
-            "groups", read_ply, write_ply},
+            .name = "ply",
+            .extensions = ".ply",
+            .summary = "Stanford PLY, text or binary; faces may have an organ and a material",
+            .organs = "groups",
+            .read = read_ply,
+            .write = write_ply},
+        // (tools/new.py enters a format above this line)
     };
     return kTable;
+}
+
+void write_geometry(const FormatEntry& format, const Scene& scene, const TextSink& sink) {
+    if (format.write == nullptr) {
+        std::vector<std::string_view> writable;
+        for (const FormatEntry& entry : format_table()) {
+            if (entry.write != nullptr) {
+                writable.push_back(entry.name);
+            }
+        }
+        throw InputError(
+            {{"", fmt::format("format {} can be read, not written", format.name), "",
+              fmt::format("use {}", fmt::join(writable, ", "))}});
+    }
+    format.write(scene, sink);
 }
 
 std::vector<Triangle> face_triangles(std::span<const Vec3> corners) {

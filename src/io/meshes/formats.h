@@ -56,14 +56,14 @@ struct FormatContext {
     std::string folder;  ///< of the file, relative to that of `files`; "" or with a '/' at the end
 };
 
-/// One row of the table of geometry formats.
+/// One row of the table of geometry formats, the only place where a format is entered.
 struct FormatEntry {
     std::string_view name;        ///< as in `format = "..."`
     std::string_view extensions;  ///< ".tri", lower case, separated by blanks
     std::string_view summary;     ///< one line for the manual
     std::string_view organs;  ///< what its organs are unless the run file says: each, groups or one
     MeshFile (*read)(std::string_view bytes, FormatContext& context);
-    void (*write)(const Scene& scene, const TextSink& sink);
+    void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
 };
 
 /// All formats, in the order of the manual.
@@ -73,6 +73,10 @@ struct FormatEntry {
 [[nodiscard]] const FormatEntry* find_format(std::string_view name);
 /// The row for the extension of a path, whatever its case, or null.
 [[nodiscard]] const FormatEntry* format_of_path(std::string_view path);
+
+/// Writes the triangles of a scene.
+/// @throws InputError  if the format has no writer
+void write_geometry(const FormatEntry& format, const Scene& scene, const TextSink& sink);
 
 // The readers. Each adds every fault it finds (up to a hundred) and returns what it could read.
 [[nodiscard]] MeshFile read_tri(std::string_view bytes, FormatContext& context);

@@ -38,70 +38,11 @@ std::optional<double> square_metres(TableReader& table, const RunFileContext& co
     return std::nullopt;
 }
 
-/// Flux per band in irradiance unit x square scene unit; nothing after a fault.
-std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
-    const FluxKey* stated = nullptr;
-    std::optional<std::vector<double>> flux;
-    for (const FluxKey& key : kFluxKeys) {
-        if (table.any(key.key) == nullptr) {
-            continue;
-        }
-        if (stated != nullptr) {
-            table.fault(fmt::format("both {} and {} are given", stated->key, key.key));
-            return std::nullopt;
-        }
-        stated = &key;
-        flux = read_per_band(table, key.key, context.bands, TableReader::kNotNegative);
-    }
-    if (stated == nullptr) {
-        table.fault(
-            "what it emits is missing", "",
-            "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");
-        return std::nullopt;
-    }
-    for (const Band& band : context.bands) {
-        if (band.unit != stated->of_band) {
-            table.fault_at(
-                stated->key,
-                fmt::format("{} for band '{}' in {}", stated->key, band.name, band.unit),
-                fmt::format("it is in {}, of irradiance in {}", stated->unit, stated->of_band),
-                "state the flux in the unit of the bands");
-            return std::nullopt;
-        }
-    }
-    const std::optional<double> square = square_metres(table, context);
-    if (!flux || !square) {
-        return std::nullopt;
-    }
-    for (double& value : *flux) {
-        value /= *square;
-    }
-    return flux;
-}
-
-/// A vector of some length, z up; nothing after a fault.
-std::optional<Vec3> read_direction(
-    TableReader& table, std::string_view key, const Vec3& usual, const RunFileContext& context) {
-    const std::optional<Vec3> stated = table.vector(key);
-    if (table.any(key) == nullptr) {
-        return usual;
-    }
-    if (!stated) {
-        return std::nullopt;
-    }
-    const double size = std::max({std::abs(stated->x), std::abs(stated->y), std::abs(stated->z)});
-    if (size == 0) {
-        table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it points nowhere");
-        return std::nullopt;
-    }
-    return normalized(context.orientation.inward(*stated / size));
-}
-
 /// Sets where the lamp stands and aims. Without `aim` it aims down, without `along` its x axis is
 /// towards north.
 bool read_pose(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
     const std::optional<Vec3> position = table.required("position", table.vector("position"));
-    const auto aim = read_direction(table, "aim", {0, 0, -1}, context);
+    const auto aim = read_direction(table, "aim", Vec3{0, 0, -1}, context);
     const Vec3 north = normalized(context.orientation.inward(context.orientation.north()));
     const auto along = read_direction(table, "along", north, context);
     if (!position || !aim || !along) {
@@ -225,23 +166,82 @@ bool read_ies_lamp(TableReader& table, const RunFileContext& context, LampSpec& 
     return is_placed;
 }
 
-/// One row of the table of kinds of lamps.
+/// Reads the keys of one kind of lamp, whose words stand in the catalogue.
 struct LampKind {
     std::string_view name;
     bool (*read)(TableReader& table, const RunFileContext& context, LampSpec& lamp);
-    std::string_view words;
 };
 constexpr std::array kLampKinds{
-    LampKind{"point", read_point, "point lamp"},
-    LampKind{"spot", read_spot, "spot lamp"},
-    LampKind{"rectangle", read_rectangle, "rectangular lamp"},
-    LampKind{"disk", read_disk, "disk lamp"},
-    LampKind{"line", read_line, "line lamp"},
-    LampKind{"sphere", read_ball, "sphere lamp"},
-    LampKind{"ies", read_ies_lamp, "lamp of a photometric file"}};
+    LampKind{"point", read_point},         LampKind{"spot", read_spot},
+    LampKind{"rectangle", read_rectangle}, LampKind{"disk", read_disk},
+    LampKind{"line", read_line},           LampKind{"sphere", read_ball},
+    LampKind{"ies", read_ies_lamp}};
 
 std::string place_words(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
+    const FluxKey* stated = nullptr;
+    std::optional<std::vector<double>> flux;
+    for (const FluxKey& key : kFluxKeys) {
+        if (table.any(key.key) == nullptr) {
+            continue;
+        }
+        if (stated != nullptr) {
+            table.fault(fmt::format("both {} and {} are given", stated->key, key.key));
+            return std::nullopt;
+        }
+        stated = &key;
+        flux = read_per_band(table, key.key, context.bands, TableReader::kNotNegative);
+    }
+    if (stated == nullptr) {
+        table.fault(
+            "what it emits is missing", "",
+            "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");
+        return std::nullopt;
+    }
+    for (const Band& band : context.bands) {
+        if (band.unit != stated->of_band) {
+            table.fault_at(
+                stated->key,
+                fmt::format("{} for band '{}' in {}", stated->key, band.name, band.unit),
+                fmt::format("it is in {}, of irradiance in {}", stated->unit, stated->of_band),
+                "state the flux in the unit of the bands");
+            return std::nullopt;
+        }
+    }
+    const std::optional<double> square = square_metres(table, context);
+    if (!flux || !square) {
+        return std::nullopt;
+    }
+    for (double& value : *flux) {
+        value /= *square;
+    }
+    return flux;
+}
+
+std::optional<Vec3> read_direction(
+    TableReader& table,
+    std::string_view key,
+    const std::optional<Vec3>& usual,
+    const RunFileContext& context) {
+    std::optional<Vec3> stated = table.vector(key);
+    if (usual && table.any(key) == nullptr) {
+        return usual;
+    }
+    stated = table.required(key, stated);
+    if (!stated) {
+        return std::nullopt;
+    }
+    const double size = std::max({std::abs(stated->x), std::abs(stated->y), std::abs(stated->z)});
+    if (size == 0) {
+        table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it points nowhere");
+        return std::nullopt;
+    }
+    return normalized(context.orientation.inward(*stated / size));
 }
 
 std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
@@ -253,8 +253,6 @@ std::string flux_words(const std::vector<double>& flux, const RunFileContext& co
     }
     return text;
 }
-
-}  // namespace
 
 std::optional<NotedSource> read_lamp(
     TableReader& table, const std::string& name, const RunFileContext& context) {
@@ -273,7 +271,7 @@ std::optional<NotedSource> read_lamp(
     lamp.flux = *flux;
     const Orientation& axes = context.orientation;
     const std::string note = fmt::format(
-        "{}: {} at {}, aims along {}, {}", name, kind->words,
+        "{}: {} at {}, aims along {}, {}", name, find_source(type)->words,
         place_words(axes.outward(lamp.position)), vector_words(axes.outward(lamp.axes.n)),
         flux_words(*flux, context));
     return NotedSource{make_lamp(std::move(lamp)), note};

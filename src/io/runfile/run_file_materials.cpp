@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,6 @@ namespace quasimc {
 namespace {
 
 constexpr Range kFraction{0, 1};
-constexpr Range kExponent{0, 1e6};
 
 /// The name of a lobe model, or nothing after a fault.
 std::optional<std::string> read_model(TableReader& table, std::string_view key, const Node& node) {
@@ -49,7 +49,7 @@ std::optional<std::vector<std::string>> models_per_band(
 struct LobeKeys {
     std::optional<std::vector<double>> amount;
     std::optional<std::vector<std::string>> model;
-    std::optional<std::vector<double>> exponent;
+    std::map<std::string_view, std::vector<double>> parameters;  ///< by name, those stated
     friend bool operator==(const LobeKeys&, const LobeKeys&) = default;
 };
 
@@ -58,22 +58,49 @@ struct SideKeys {
     friend bool operator==(const SideKeys&, const SideKeys&) = default;
 };
 
-SideKeys read_side(TableReader& table, const std::vector<Band>& bands) {
-    SideKeys keys;
-    keys.reflection.amount = read_per_band(table, "reflectance", bands, kFraction);
-    keys.reflection.model = models_per_band(table, "reflection_model", bands);
-    keys.reflection.exponent = read_per_band(table, "reflection_exponent", bands, kExponent);
-    keys.transmission.amount = read_per_band(table, "transmittance", bands, kFraction);
-    keys.transmission.model = models_per_band(table, "transmission_model", bands);
-    keys.transmission.exponent = read_per_band(table, "transmission_exponent", bands, kExponent);
+/// The names of the keys that state a lobe. They outlive every reader, which keeps views of them.
+struct LobeKeyNames {
+    std::string_view amount;
+    std::string model;
+    std::vector<std::pair<std::string, BsdfParameter>> parameters;  ///< the key of each
+};
+
+/// @param word  "reflection" or "transmission"
+LobeKeyNames names_of(std::string_view amount, std::string_view word) {
+    LobeKeyNames names{amount, fmt::format("{}_model", word), {}};
+    for (const BsdfParameter& p : parameters_of_all()) {
+        names.parameters.emplace_back(fmt::format("{}_{}", word, p.name), p);
+    }
+    return names;
+}
+
+LobeKeys read_lobe(TableReader& table, const LobeKeyNames& names, const std::vector<Band>& bands) {
+    LobeKeys keys;
+    keys.amount = read_per_band(table, names.amount, bands, kFraction);
+    keys.model = models_per_band(table, names.model, bands);
+    for (const auto& [key, p] : names.parameters) {
+        if (auto values = read_per_band(table, key, bands, {p.low, p.high})) {
+            keys.parameters.emplace(p.name, std::move(*values));
+        }
+    }
     return keys;
+}
+
+SideKeys read_side(TableReader& table, const std::vector<Band>& bands) {
+    static const LobeKeyNames reflection = names_of("reflectance", "reflection");
+    static const LobeKeyNames transmission = names_of("transmittance", "transmission");
+    return {read_lobe(table, reflection, bands), read_lobe(table, transmission, bands)};
 }
 
 LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
     common.amount = side.amount ? side.amount : common.amount;
-    // Another model has another exponent.
-    common.exponent = side.exponent || side.model ? side.exponent : common.exponent;
-    common.model = side.model ? side.model : common.model;
+    if (side.model) {
+        common.parameters.clear();  // another model has parameters of its own
+        common.model = side.model;
+    }
+    for (const auto& [name, values] : side.parameters) {
+        common.parameters[name] = values;
+    }
     return common;
 }
 
@@ -81,35 +108,46 @@ LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
 struct BandLobe {
     double amount = 0;
     std::string model = "lambertian";
-    double exponent = 0;  ///< 0 for a model that takes none
+    BsdfParameters parameters;  ///< those that the model takes
 };
 
 BandLobe lobe_of(const LobeKeys& keys, std::size_t band) {
     BandLobe lobe;
     lobe.amount = keys.amount ? (*keys.amount)[band] : 0;
     lobe.model = keys.model ? (*keys.model)[band] : lobe.model;
-    const bool takes_one = find_bsdf(lobe.model)->has_exponent;
-    lobe.exponent = keys.exponent && takes_one ? (*keys.exponent)[band] : 0;
+    const BsdfEntry& model = *find_bsdf(lobe.model);
+    for (const auto& [name, values] : keys.parameters) {
+        if (model.find_parameter(name) != nullptr) {
+            lobe.parameters.emplace(name, values[band]);
+        }
+    }
     return lobe;
 }
 
 /// @param word  "reflection" or "transmission"
-void check_exponent(TableReader& table, const LobeKeys& keys, std::string_view word) {
+void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view word) {
     const std::vector<std::string> models =
         keys.model.value_or(std::vector<std::string>(1, "lambertian"));
-    const bool takes_one = std::any_of(models.begin(), models.end(), [](const std::string& name) {
-        return find_bsdf(name)->has_exponent;
-    });
-    if (takes_one && !keys.exponent) {
-        table.fault(
-            fmt::format("{}_exponent is missing", word),
-            fmt::format("its {}_model takes one", word));
-    }
-    if (!takes_one && keys.exponent) {
-        table.fault(
-            fmt::format("{}_exponent is given", word),
-            fmt::format("the model {} takes none", models.front()),
-            fmt::format("set {}_model, or leave the exponent out", word));
+    for (const BsdfParameter& p : parameters_of_all()) {
+        bool is_taken = false;
+        bool is_needed = false;
+        for (const std::string& model : models) {
+            const BsdfParameter* own = find_bsdf(model)->find_parameter(p.name);
+            is_taken = is_taken || own != nullptr;
+            is_needed = is_needed || (own != nullptr && !own->usual);
+        }
+        const bool is_given = keys.parameters.count(p.name) > 0;
+        if (is_needed && !is_given) {
+            table.fault(
+                fmt::format("{}_{} is missing", word, p.name),
+                fmt::format("its {}_model takes one", word));
+        }
+        if (!is_taken && is_given) {
+            table.fault(
+                fmt::format("{}_{} is given", word, p.name),
+                fmt::format("the model {} takes none", models.front()),
+                fmt::format("set {}_model, or leave the {} out", word, p.name));
+        }
     }
 }
 
@@ -131,7 +169,7 @@ std::vector<SideOptics> make_side(
     for (std::size_t b = 0; b < bands.size() && !table.failed(); ++b) {
         const BandLobe r = lobe_of(keys.reflection, b);
         const BandLobe t = lobe_of(keys.transmission, b);
-        side.push_back({r.amount, t.amount, r.model, r.exponent, t.model, t.exponent});
+        side.push_back({r.amount, t.amount, r.model, r.parameters, t.model, t.parameters});
         if (r.amount + t.amount > 1) {
             table.fault(
                 fmt::format(
@@ -171,8 +209,8 @@ MaterialSpec make_material_spec(
     for (const SideKeys* side : {&upper, &lower}) {
         if (!table.failed() && (side == &upper || differ)) {
             check_stated(table, *side);
-            check_exponent(table, side->reflection, "reflection");
-            check_exponent(table, side->transmission, "transmission");
+            check_parameters(table, side->reflection, "reflection");
+            check_parameters(table, side->transmission, "transmission");
         }
     }
     MaterialSpec spec{

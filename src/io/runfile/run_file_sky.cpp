@@ -116,19 +116,6 @@ std::optional<StatedShape> read_model(
 
 }  // namespace
 
-std::optional<NotedSource> read_uniform_sky(
-    TableReader& table, const std::string& name, const RunFileContext& context) {
-    const auto values = table.required(
-        "irradiance_horizontal",
-        read_per_band(table, "irradiance_horizontal", context.bands, TableReader::kNotNegative));
-    if (!values) {
-        return std::nullopt;
-    }
-    const std::string note = fmt::format(
-        "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands));
-    return NotedSource{make_uniform_sky(name, *values), note};
-}
-
 std::optional<NotedSource> read_sky(
     TableReader& table, const std::string& name, const RunFileContext& context) {
     const auto model = table.required("model", table.choice("model", model_names()));

@@ -4,32 +4,45 @@
 
 #include <fmt/format.h>
 
+#include "base/checks.h"
 #include "io/runfile/run_file_source_kinds.h"
 
 namespace quasimc {
 namespace {
 
-/// One row of the table of kinds of sources.
-struct SourceKind {
+/// A kind of source whose keys depend on each other, so that its row in the catalogue
+/// (sources/catalogue.cpp, the one table of kinds) does not tell all of it.
+struct OwnReader {
     std::string_view name;
     std::optional<NotedSource> (*read)(
         TableReader& table, const std::string& name, const RunFileContext& context);
 };
+constexpr std::array kOwnReaders{
+    OwnReader{"directional", read_directional},
+    OwnReader{"sun", read_sun},
+    OwnReader{"sky", read_sky},
+    OwnReader{"point", read_lamp},
+    OwnReader{"spot", read_lamp},
+    OwnReader{"rectangle", read_lamp},
+    OwnReader{"disk", read_lamp},
+    OwnReader{"line", read_lamp},
+    OwnReader{"sphere", read_lamp},
+    OwnReader{"ies", read_lamp}};
 
-// To add a kind of source to the run file: a function in a file of its own, declared in
-// run_file_source_kinds.h, a row here, a section in docs/formats/run-file.md.
-constexpr std::array kKinds{
-    SourceKind{"directional", read_directional},
-    SourceKind{"sun", read_sun},
-    SourceKind{"sky", read_sky},
-    SourceKind{"uniform_sky", read_uniform_sky},
-    SourceKind{"point", read_lamp},
-    SourceKind{"spot", read_lamp},
-    SourceKind{"rectangle", read_lamp},
-    SourceKind{"disk", read_lamp},
-    SourceKind{"line", read_lamp},
-    SourceKind{"sphere", read_lamp},
-    SourceKind{"ies", read_lamp}};
+std::optional<NotedSource> read_kind(
+    const SourceEntry& kind,
+    TableReader& table,
+    const std::string& name,
+    const RunFileContext& context) {
+    if (kind.make != nullptr) {
+        return read_stated_source(kind, table, name, context);
+    }
+    const auto* own = std::find_if(
+        kOwnReaders.begin(), kOwnReaders.end(),
+        [&](const OwnReader& reader) { return reader.name == kind.name; });
+    EXPECT(own != kOwnReaders.end());
+    return own->read(table, name, context);
+}
 
 /// One pair of hours; nothing after a fault.
 std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Node& node) {
@@ -81,23 +94,18 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
 }
 
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
-    std::array<std::string_view, kKinds.size()> names;
-    std::transform(kKinds.begin(), kKinds.end(), names.begin(), [](const SourceKind& kind) {
-        return kind.name;
-    });
+    std::vector<std::string_view> names;
+    for (const SourceEntry& kind : source_catalogue()) {
+        names.push_back(kind.name);
+    }
     TableReader table(node, "source", *context.reporter);
     const std::optional<std::string> type = table.required("type", table.choice("type", names));
     const std::string name = table.text("name").value_or(type.value_or("source"));
     table.rename(fmt::format("source '{}'", name));
-    std::optional<NotedSource> source;
     if (!type) {
-        return source;  // which keys are meant can't be told
+        return std::nullopt;  // which keys are meant can't be told
     }
-    for (const SourceKind& kind : kKinds) {
-        if (kind.name == *type) {
-            source = kind.read(table, name, context);
-        }
-    }
+    std::optional<NotedSource> source = read_kind(*find_source(*type), table, name, context);
     const std::optional<DailyHours> hours = read_on_hours(table, context);
     if (source && hours) {
         source->hours = hours;

@@ -72,7 +72,7 @@ visualization: light box wire 1 0 0
     ASSERT_EQ(spec.materials.size(), 3U);
     EXPECT_EQ(spec.leaf_lower, 1U);
     EXPECT_EQ(spec.materials[0][0].reflection_model, "phong");
-    EXPECT_EQ(spec.materials[0][0].transmission_exponent, 20);
+    EXPECT_EQ(spec.materials[0][0].transmission_parameters.at("exponent"), 20);
     EXPECT_EQ(spec.materials[0][1].reflection_model, "mirror");
     EXPECT_EQ(spec.materials[0][1].transmission_model, "mirror");
     ASSERT_EQ(spec.lights.size(), 3U);

@@ -1,6 +1,7 @@
 // The heart of the matter: light of many bands on one path, each with a shape of its own, is
 // unbiased in every band, forwards (scatter), backwards (gather) and looked up (add_reflected).
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -211,8 +212,8 @@ TEST(ManyBandsReversed, GatherAndScatterGiveTheSameTransport) {
 /// What the older program did: the lobe of one band, drawn by its share, for all bands without
 /// correction. The comparison above must find that out.
 TEST(ManyBandsControl, OneBandsExponentForAllIsFoundOut) {
-    const auto wide = find_bsdf("phong")->make(Hemisphere::reflected, 1);
-    const auto narrow = find_bsdf("phong")->make(Hemisphere::reflected, 20);
+    const auto wide = find_bsdf("phong")->make(Hemisphere::reflected, std::array{1.0});
+    const auto narrow = find_bsdf("phong")->make(Hemisphere::reflected, std::array{20.0});
     const Incidence at = incidence_at(30);
     RunningMean mean;
     Random random(12);

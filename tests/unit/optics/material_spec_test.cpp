@@ -36,7 +36,7 @@ TEST(CheckMaterial, PassesWhatIsInOrder) {
         .reflectance = 0.7,
         .transmittance = 0.3,
         .reflection_model = "phong",
-        .reflection_exponent = kMaxExponent};
+        .reflection_parameters = {{"exponent", kMaxExponent}}};
     EXPECT_EQ(faults_of(edges, 2), "");
 }
 
@@ -88,17 +88,28 @@ TEST(CheckMaterial, SuggestsTheModelThatWasMeant) {
 TEST(CheckMaterial, RefusesExponentsThatNoLobeHas) {
     for (const double bad : {-1.0, kNan, kInfinity}) {
         MaterialSpec spec = grey_leaf(1);
-        spec.upper[0].transmission_exponent = bad;
+        spec.upper[0].transmission_parameters["exponent"] = bad;
         EXPECT_NE(faults_of(spec, 1).find("transmission exponent is"), std::string::npos) << bad;
     }
     MaterialSpec spec = grey_leaf(1);
-    spec.upper[0].reflection_exponent = 2e6;
+    spec.upper[0].reflection_parameters["exponent"] = 2e6;
     EXPECT_EQ(faults_of(spec, 1), "") << "the Lambertian model ignores it";
     spec.upper[0].reflection_model = "phong";
     EXPECT_EQ(
         faults_of(spec, 1),
         "material 'leaf', upper side, band 1: reflection exponent is 2000000 (0 ... 1000000); for "
         "one direction use model 'mirror'");
+}
+
+TEST(CheckMaterial, NamesAParameterThatIsMissingOrThatNoModelTakes) {
+    MaterialSpec spec = grey_leaf(1);
+    spec.upper[0].reflection_model = "phong";
+    spec.lower[0].transmission_parameters["roughness"] = 1;
+    EXPECT_EQ(
+        faults_of(spec, 1),
+        "material 'leaf', upper side, band 1: reflection exponent is missing (model 'phong' takes "
+        "one)\n"
+        "material 'leaf', lower side, band 1: transmission roughness is given (no model takes it)");
 }
 
 TEST(CheckMaterial, CountsTheBandsOfBothSides) {
@@ -123,9 +134,10 @@ TEST(CheckMaterial, ReportsAllFaultsAtOnce) {
 TEST(MakeMaterial, MergesEqualLobesOfTheBandsAndDropsBlackOnes) {
     MaterialSpec spec = grey_leaf(5);
     for (std::size_t b = 0; b < 5; ++b) {
-        spec.upper[b].reflection_exponent = static_cast<double>(b);  // ignored by Lambert's law
+        spec.upper[b].reflection_parameters["exponent"] =
+            static_cast<double>(b);  // ignored by Lambert's law
         spec.upper[b].transmission_model = "phong";
-        spec.upper[b].transmission_exponent = b % 2 == 0 ? 10 : 20;
+        spec.upper[b].transmission_parameters["exponent"] = b % 2 == 0 ? 10 : 20;
     }
     spec.upper[1].transmittance = 0;
     spec.upper[2].transmittance = 0;

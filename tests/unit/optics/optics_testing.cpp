@@ -215,16 +215,16 @@ MaterialSpec varied_leaf(std::size_t bands, std::size_t exponents) {
             {.reflectance = 0.3 + 0.2 * std::sin(x),
              .transmittance = 0.3 + 0.2 * std::cos(2 * x),
              .reflection_model = models[b % exponents % 4],
-             .reflection_exponent = 3 + 4 * kind,
+             .reflection_parameters = {{"exponent", 3 + 4 * kind}},
              .transmission_model = models[(b % exponents + 2) % 4],
-             .transmission_exponent = 20 / (1 + kind)});
+             .transmission_parameters = {{"exponent", 20 / (1 + kind)}}});
         spec.lower.push_back(
             {.reflectance = 0.25 + 0.2 * std::cos(x),
              .transmittance = 0.4 + 0.1 * std::sin(3 * x),
              .reflection_model = models[(b + 1) % exponents % 4],
-             .reflection_exponent = 5 + 2 * kind,
+             .reflection_parameters = {{"exponent", 5 + 2 * kind}},
              .transmission_model = models[(b % exponents + 1) % 4],
-             .transmission_exponent = 1 + kind});
+             .transmission_parameters = {{"exponent", 1 + kind}}});
     }
     return spec;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr double kBelowOne = 1 - 0x1p-53;
 
 Lobe lobe(const char* model, Hemisphere hemisphere, double exponent, std::vector<double> albedo) {
-    return {find_bsdf(model)->make(hemisphere, exponent), std::move(albedo)};
+    return {find_bsdf(model)->make(hemisphere, std::array{exponent}), std::move(albedo)};
 }
 
 double sum(std::span<const double> values) {

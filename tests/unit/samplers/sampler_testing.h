@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <ostream>
@@ -18,7 +19,11 @@ class EverySampler : public ::testing::TestWithParam<std::string> {
   protected:
     EverySampler() : sampler_(make_sampler(GetParam())) {}
     [[nodiscard]] const Sampler& sampler() const { return *sampler_; }
-    [[nodiscard]] bool is_random() const { return GetParam() == "monte_carlo"; }
+    [[nodiscard]] static bool is_random() {
+        return std::any_of(
+            sampler_catalogue().begin(), sampler_catalogue().end(),
+            [](const SamplerEntry& e) { return e.name == GetParam() && e.is_random; });
+    }
 
   private:
     std::unique_ptr<const Sampler> sampler_;

@@ -136,7 +136,7 @@ TEST(Directional, IlluminatesEveryPointFromOneDirection) {
         EXPECT_EQ(seen.weight, 1);
         EXPECT_TRUE(std::isinf(seen.distance));
     }
-    EXPECT_TRUE(source->is_directional());
+    EXPECT_EQ(source->traits(), kBeamTraits);
     EXPECT_EQ(source->radiance(-slanted()), 0);
     EXPECT_NEAR(source->horizontal_irradiance(), -slanted().z, 1e-15);
     EXPECT_EQ(source->spectrum()[1], 3);

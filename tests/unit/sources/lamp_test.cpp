@@ -201,8 +201,7 @@ TEST(Lamp, ThatShinesAwayFromTheSceneSendsNothing) {
 
 TEST(Lamp, IsNoSky) {
     const auto lamp = make_lamp(disk());
-    EXPECT_TRUE(lamp->is_lamp());
-    EXPECT_FALSE(lamp->is_directional());
+    EXPECT_EQ(lamp->traits(), kLampTraits);
     EXPECT_EQ(lamp->radiance({0, 0, 1}), 0);
     EXPECT_TRUE(std::isnan(lamp->horizontal_irradiance()));
 }

@@ -22,14 +22,13 @@ TEST(ScaledSource, IsTheSourceWithLessLight) {
     EXPECT_EQ(half->name(), "lamp");
     EXPECT_EQ(half->spectrum()[0], 5);
     EXPECT_EQ(half->spectrum()[1], 2);
-    EXPECT_TRUE(half->is_lamp());
-    EXPECT_FALSE(half->is_sun() || half->is_directional());
+    EXPECT_EQ(half->traits(), kLampTraits);
     EXPECT_EQ(
         half->illuminate({1, 0, 0}, .1, .2).weight, whole->illuminate({1, 0, 0}, .1, .2).weight);
     EXPECT_EQ(make_dimmed(whole, 1), whole);
     const auto sun = make_dimmed(make_directional_source("sun", {0, 0, -1}, {2}), 3);
     EXPECT_EQ(sun->spectrum()[0], 6);
-    EXPECT_TRUE(sun->is_sun() && sun->is_directional());
+    EXPECT_EQ(sun->traits(), kBeamTraits);
     EXPECT_EQ(sun->horizontal_irradiance(), 1);
     EXPECT_EQ(sun->radiance({0, 0, 1}), 0);
 }

@@ -238,8 +238,7 @@ TEST(SunDisk, BringsItsIrradianceToThePlaneThatFacesIt) {
         EXPECT_NEAR(facing / (kSide * kSide), 1, 1e-5) << radius;
         EXPECT_NEAR(horizontal / (kSide * kSide), to_sun.z, 1e-5) << radius;
         EXPECT_EQ(disk->radiance(-1.0 * to_sun), 0);
-        EXPECT_TRUE(disk->is_sun());
-        EXPECT_FALSE(disk->is_directional());
+        EXPECT_EQ(disk->traits(), kSunDiskTraits);
         EXPECT_NEAR(disk->horizontal_irradiance(), to_sun.z, 1e-9);
     }
 }

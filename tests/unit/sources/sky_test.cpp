@@ -47,7 +47,7 @@ TEST_P(EverySky, BringsTheIrradianceAskedForToTheHorizontal) {
     EXPECT_NEAR(integral, 1, 1e-6);
     EXPECT_EQ(sky_->horizontal_irradiance(), 1);
     EXPECT_EQ(sky_->spectrum()[1], 3);
-    EXPECT_FALSE(sky_->is_directional() || sky_->is_sun());
+    EXPECT_EQ(sky_->traits(), kSkyTraits);
     std::mt19937_64 bits(5);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 1000; ++i) {

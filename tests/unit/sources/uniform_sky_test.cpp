@@ -166,7 +166,7 @@ TEST(UniformSky, IsDarkBelowTheHorizon) {
     const auto sky = make_uniform_sky("sky", {1});
     EXPECT_EQ(sky->radiance({.6, 0, -.8}), 0);
     EXPECT_DOUBLE_EQ(sky->radiance({.6, 0, .8}), 1 / pi);
-    EXPECT_FALSE(sky->is_directional());
+    EXPECT_EQ(sky->traits(), kSkyTraits);
 }
 
 void tell_the_density(const Cell& cell) {

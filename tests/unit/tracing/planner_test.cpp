@@ -45,7 +45,7 @@ MaterialSpec glossy(const std::string& model, double exponent) {
     MaterialSpec leaf = matt("leaf", .1, .1);
     for (SideOptics* side : {&leaf.upper[0], &leaf.lower[0]}) {
         side->reflection_model = model;
-        side->reflection_exponent = exponent;
+        side->reflection_parameters["exponent"] = exponent;
     }
     return leaf;
 }

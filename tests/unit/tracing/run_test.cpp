@@ -27,7 +27,7 @@ Scene make_leaf(double rho = .4, double tau = .2) {
 /// A uniform sky in which every 512th look takes three milliseconds.
 class TiredSky final : public Source {
   public:
-    TiredSky() : Source("tired", {1}), sky_(make_uniform_sky("sky", {1})) {}
+    TiredSky() : Source("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return sky_->make_sampler_in(projection);
@@ -42,8 +42,6 @@ class TiredSky final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return sky_->radiance(to_light);
     }
-    [[nodiscard]] bool is_directional() const override { return false; }
-    [[nodiscard]] double horizontal_irradiance() const override { return 1; }
 
   private:
     std::shared_ptr<const Source> sky_;

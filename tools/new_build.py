@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Builds what tools/new.py makes: a member of every family, in a copy of the tree, with its tests.
+
+Runs the tests that were made and those that try every row of a catalogue on the new rows.  With
+ccache, which has seen the modules of the release preset, a minute of one processor; else five.
+"""
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import new
+
+NAME = "trial_member"
+PARTS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "src", "tests", "tools", "docs", "examples")
+
+# The tests that try every row of a catalogue, with what they need, and which of their cases.
+EVERY_ROW = {
+    "bsdf": ("models_test.cpp", "optics_testing.cpp"),
+    "source": (),
+    "format": ("formats_test.cpp", "io_testing.cpp", "catalogues_test.cpp"),
+    "sampler": ("every_sampler_test.cpp", "sampler_testing.cpp"),
+}
+FILTER = "*Trial*:*trial*:Catalogue*:Formats.*:Catalogues.*"
+
+PROGRAM = """quasimc_test(
+    NAME new_members
+    SOURCES {sources}
+    LIBS quasimc::io fmt::fmt nlohmann_json::nlohmann_json)
+{includes}"""
+
+
+def copy_tree(copy):
+    ignored = shutil.ignore_patterns("build", "__pycache__", ".git")
+    for part in PARTS:
+        source = new.ROOT / part
+        if source.is_dir():
+            shutil.copytree(source, copy / part, ignore=ignored, symlinks=True)
+        elif source.exists():
+            shutil.copy2(source, copy / part)
+
+
+def leave_only_new_tests(copy, families):
+    """One program of the new members' tests, in place of all others; the fuzz targets stay."""
+    sources, folders = [], []
+    for kind, family in families.items():
+        names = (f"{family.prefix}{NAME}_test.cpp", *EVERY_ROW.get(kind, ()))
+        sources += [f'"${{PROJECT_SOURCE_DIR}}/{family.tests}/{name}"' for name in names]
+        folders.append(f'"${{PROJECT_SOURCE_DIR}}/{family.tests}"')
+    for lists in (copy / "tests").glob("**/CMakeLists.txt"):
+        if lists.parent.name not in ("tests", "support", "fuzz"):
+            lists.unlink()
+    target = copy / "tests/new_members"
+    target.mkdir()
+    includes = f"target_include_directories(quasimc_test_new_members PRIVATE {' '.join(folders)})\n"
+    text = PROGRAM.format(sources="\n            ".join(sources), includes=includes)
+    (target / "CMakeLists.txt").write_text(text, encoding="utf-8")
+
+
+def run(command, **more):
+    """Runs a command and shows what it says only if it fails."""
+    done = subprocess.run(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **more
+    )
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout[-8000:]}\nnew_build: failed: {' '.join(map(str, command))}")
+    return done.stdout
+
+
+def build(copy, jobs):
+    # The build folder is where every build of this preset is, so that ccache knows the modules.
+    environment = {"CCACHE_BASEDIR": str(copy), "CCACHE_NOHASHDIR": "1", **os.environ}
+    folder = copy / "build/release"
+    settings = ["-DQUASIMC_BUILD_APPS=OFF", "-DQUASIMC_BUILD_TESTS=ON"]
+    run(["cmake", "--preset", "release", *settings], cwd=copy, env=environment)
+    targets = ["quasimc_test_new_members", f"quasimc_fuzz_{NAME}"]
+    run(["cmake", "--build", folder, "--target", *targets, "-j", str(jobs)], env=environment)
+    return folder
+
+
+def test(copy, folder, families):
+    program = next(folder.glob("**/quasimc_test_new_members"))
+    said = run([program, f"--gtest_filter={FILTER}"])
+    passed = re.findall(r"\[       OK \] (\S+)", said)
+    for kind, family in families.items():
+        test_file = f"{family.tests}/{family.prefix}{NAME}_test.cpp"
+        text = (copy / test_file).read_text(encoding="utf-8")
+        for suite, case in re.findall(r"^TEST\((\w+), (\w+)\)", text, re.M):
+            if f"{suite}.{case}" not in passed:
+                sys.exit(f"{said}\nnew_build: {kind}: {suite}.{case} did not pass")
+    rows = [name for name in passed if NAME in name]
+    if not rows:
+        sys.exit("new_build: no test over the rows of a catalogue took a new row up")
+    run(["ctest", "--test-dir", folder, "--no-tests=error", "-R", f"Fuzz.Replays.{NAME}"])
+    print(f"new_build: {len(families)} families, {len(passed)} tests passed, {len(rows)} on new rows")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count() or 2)
+    args = parser.parse_args()
+    families = new.available(new.ROOT)
+    with tempfile.TemporaryDirectory(prefix="quasimc-new-") as folder:
+        copy = Path(folder).resolve() / "quasimc"
+        copy.mkdir()
+        copy_tree(copy)
+        for kind in families:
+            new.create(copy, kind, NAME)
+        run([sys.executable, copy / "tools/check_layers.py", "--root", copy])
+        leave_only_new_tests(copy, families)
+        test(copy, build(copy, args.jobs), families)
+
+
+if __name__ == "__main__":
+    main()
