@@ -11,7 +11,6 @@ set(QUASIMC_THIRD_PARTY_embree QuasimcEmbree::embree)
 set(QUASIMC_THIRD_PARTY_highway hwy::hwy)
 set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
 set(QUASIMC_THIRD_PARTY_nlohmann_json nlohmann_json::nlohmann_json)
-set(QUASIMC_THIRD_PARTY_crypto OpenSSL::Crypto)
 set(QUASIMC_THIRD_PARTY_cli11 CLI11::CLI11)
 set(QUASIMC_THIRD_PARTY_png PNG::PNG)
 

@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -47,11 +46,13 @@ Exit check(const CheckArguments& arguments) {
 
 }  // namespace
 
-void add_check_command(CLI::App& program, Action& action) {
+Command check_command() {
     const auto arguments = std::make_shared<CheckArguments>();
-    CLI::App* command = program.add_subcommand(
-        "check", "read a run file and all it names, say what is wrong, run nothing");
-    command->add_option("FILE", arguments->file, "run file; - is standard input")->required();
-    arguments->flags.add_to(*command);
-    command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+    Command command{
+        "check",
+        "read a run file and all it names, say what is wrong, run nothing",
+        {{"FILE", &arguments->file, "run file; - is standard input", true}},
+        [arguments] { return check(*arguments); }};
+    arguments->flags.add_to(command.flags);
+    return command;
 }

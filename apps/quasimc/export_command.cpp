@@ -1,7 +1,5 @@
 #include <memory>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.h"
 #include "io/atomic_file.h"
 #include "io/meshes/formats.h"
@@ -38,19 +36,20 @@ Exit export_scene(const ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export_command(CLI::App& program, Action& action) {
+Command export_command() {
     const auto arguments = std::make_shared<ExportArguments>();
-    std::vector<std::string> names;
+    std::vector<std::string> formats;
     for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
-        names.emplace_back(entry.name);
+        formats.emplace_back(entry.name);
     }
-    CLI::App* command =
-        program.add_subcommand("export", "write the triangles of a scene as a geometry file");
-    command->add_option("FILE", arguments->file, "run file; - is standard input")->required();
-    command->add_option("OUTPUT", arguments->output, "geometry file; - is standard output")
-        ->required();
-    command->add_option("--format", arguments->format, "if the name of OUTPUT does not tell")
-        ->check(CLI::IsMember(names));
-    command->callback(
-        [arguments, &action] { action = [arguments] { return export_scene(*arguments); }; });
+    return {
+        "export",
+        "write the triangles of a scene as a geometry file",
+        {{"FILE", &arguments->file, "run file; - is standard input", true},
+         {"OUTPUT", &arguments->output, "geometry file; - is standard output", true},
+         {.name = "--format",
+          .target = &arguments->format,
+          .summary = "if the name of OUTPUT does not tell",
+          .choices = formats}},
+        [arguments] { return export_scene(*arguments); }};
 }

@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -97,14 +96,15 @@ Exit print_list(const std::string& name) {
 
 }  // namespace
 
-void add_list_command(CLI::App& program, Action& action) {
+Command list_command() {
     const auto name = std::make_shared<std::string>();
     std::vector<std::string> names;
     for (const ListEntry& entry : lists()) {
         names.push_back(entry.name);
     }
-    CLI::App* command = program.add_subcommand(
-        "list", "print what there is: options, samplers, models, formats, skies, quantities");
-    command->add_option("WHAT", *name, "")->required()->check(CLI::IsMember(names));
-    command->callback([name, &action] { action = [name] { return print_list(*name); }; });
+    return {
+        "list",
+        "print what there is: options, samplers, models, formats, skies, quantities",
+        {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
+        [name] { return print_list(*name); }};
 }

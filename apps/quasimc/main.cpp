@@ -1,9 +1,7 @@
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
-
-#include <CLI/CLI.hpp>
+#include <string>
 
 #include "commands.h"
 #include "quasimc/quasimc.h"
@@ -21,51 +19,41 @@ int internal_error(const char* what) {
     return status_of(Exit::internal_error);
 }
 
-void describe(CLI::App& program) {
-    program.name("quasimc");
-    program.set_version_flag("--version", "quasimc " + std::string(quasimc::version()));
-    program.footer(
+Program make_program(bool& dump_default) {
+    return {
+        "quasimc",
+        "quasimc " + std::string(quasimc::version()),
+        "Light on virtual plants: what every organ absorbs, with standard errors",
         "Exit status: 0 done, 1 the input has faults, 2 wrong usage, 3 internal error,\n"
-        "4 stopped before the target error was reached (the results are written all the same).");
+        "4 stopped before the target error was reached (the results are written all the same).",
+        {{"--dump-default", &dump_default,
+          "print a run file with every option, its default and a comment"}},
+        {run_command(), check_command(), export_command(), list_command(), sky_command()}};
 }
 
-int run_program(int argc, char** argv) {
-    CLI::App program("Light on virtual plants: what every organ absorbs, with standard errors");
-    describe(program);
-    Action action;
+Exit run_program(int argc, char** argv) {
     bool dump_default = false;
-    program.add_flag(
-        "--dump-default", dump_default,
-        "print a run file with every option, its default and a comment");
-    add_run_command(program, action);
-    add_check_command(program, action);
-    add_export_command(program, action);
-    add_list_command(program, action);
-    add_sky_command(program, action);
-    program.require_subcommand(0, 1);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        const bool is_help = error.get_exit_code() == 0;
-        program.exit(error, std::cout, std::cerr);
-        return status_of(is_help ? Exit::done : Exit::usage);
+    const Program program = make_program(dump_default);
+    const Parsed parsed = parse_command_line(program, argc, argv);
+    if (parsed.exit) {
+        return *parsed.exit;
     }
     if (dump_default) {
-        std::cout << quasimc::default_run_file();
-        return status_of(Exit::done);
+        std::fputs(quasimc::default_run_file().c_str(), stdout);
+        return Exit::done;
     }
-    if (!action) {
-        std::cerr << program.help();
-        return status_of(Exit::usage);
+    if (parsed.command == nullptr) {
+        std::fputs(parsed.help.c_str(), stderr);
+        return Exit::usage;
     }
-    return status_of(action());
+    return parsed.command->run();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        const int status = run_program(argc, argv);
+        const int status = status_of(run_program(argc, argv));
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
             std::fprintf(stderr, "standard output: can't be written\n");
             return status_of(Exit::input_error);

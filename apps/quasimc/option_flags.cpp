@@ -2,34 +2,45 @@
 
 #include <cstdio>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "io/runfile/options.h"
 
-void OptionFlags::add_to(CLI::App& command) {
-    for (const quasimc::Option& option : quasimc::option_table()) {
-        Flag& flag = flags_.emplace_back();
-        flag.key = option.key;
-        flag.name = quasimc::option_flag(option);
-        const std::string words =
-            fmt::format("{} ({})", option.summary, quasimc::domain_text(option));
-        flag.option =
-            command.add_option(flag.name, flag.text, words)
-                ->group("Options of the run, before those of the file")
-                ->default_str(quasimc::option_toml(option.get(quasimc::default_run_spec())))
-                ->type_name("");
+OptionFlags::OptionFlags() {
+    for (const auto table : {quasimc::option_table(), quasimc::former_option_table()}) {
+        for (const quasimc::Option& option : table) {
+            given_.push_back({&option, {}});
+        }
     }
 }
 
+void OptionFlags::add_to(std::vector<Flag>& flags) {
+    std::vector<Flag> shown;
+    for (Given& given : given_) {
+        const quasimc::Option& option = *given.option;
+        const bool is_former = !option.replaced_by.empty();
+        (is_former ? flags : shown)
+            .push_back(
+                {.name = quasimc::option_flag(option),
+                 .target = &given.text,
+                 .summary = fmt::format("{} ({})", option.summary, quasimc::domain_text(option)),
+                 .type_name = "",
+                 .group = is_former ? "" : "Options of the run, before those of the file",
+                 .default_text = quasimc::option_toml(option.get(quasimc::default_run_spec()))});
+    }
+    flags.insert(flags.end(), shown.begin(), shown.end());
+}
+
 std::vector<quasimc::Override> OptionFlags::overrides() const {
-    std::vector<quasimc::Override> given;
-    for (const Flag& flag : flags_) {
-        if (flag.option->count() > 0) {
-            given.push_back({flag.key, flag.text, flag.name});
+    std::vector<quasimc::Override> overrides;
+    for (const Given& given : given_) {
+        if (given.text) {
+            const quasimc::Option& option = *given.option;
+            overrides.push_back(
+                {std::string(option.key), *given.text, quasimc::option_flag(option)});
         }
     }
-    return given;
+    return overrides;
 }
 
 void print_warnings(const std::vector<quasimc::Warning>& warnings) {

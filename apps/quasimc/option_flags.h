@@ -1,30 +1,32 @@
 #pragma once
 
-#include <list>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line.h"
+#include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs
-class App;
-class Option;
-}  // namespace CLI
-
 /// The flags of the run options (--paths, --sampler, ...), one for each row of the table of
-/// options.
+/// options; those of former options are not shown. Flags point into it.
 class OptionFlags {
   public:
-    void add_to(CLI::App& command);
+    OptionFlags();
+    OptionFlags(const OptionFlags&) = delete;
+    OptionFlags& operator=(const OptionFlags&) = delete;
+
+    /// Their rows, at the end of a command's table.
+    void add_to(std::vector<Flag>& flags);
     /// Those that were given.
     [[nodiscard]] std::vector<quasimc::Override> overrides() const;
 
   private:
-    struct Flag {
-        std::string key, name, text;
-        const CLI::Option* option = nullptr;
+    struct Given {
+        const quasimc::Option* option;
+        std::optional<std::string> text;
     };
-    std::list<Flag> flags_;  // CLI11 keeps references
+    std::vector<Given> given_;  // of every option, and of those with former names
 };
 
 /// Prints the warnings of a run file to stderr.

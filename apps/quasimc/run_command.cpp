@@ -3,7 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -55,17 +54,6 @@ Outputs open_outputs(const RunArguments& arguments, quasimc::OutputSpec spec) {
     return outputs;
 }
 
-void write_outputs(Outputs& outputs, const quasimc::RunFile& run, const quasimc::Result& result) {
-    if (outputs.csv) {
-        quasimc::write_csv(run, result, [&](std::string_view text) { outputs.csv->write(text); });
-        outputs.csv->commit();
-    }
-    if (outputs.json) {
-        quasimc::write_json(run, result, [&](std::string_view text) { outputs.json->write(text); });
-        outputs.json->commit();
-    }
-}
-
 quasimc::StoredRun read_run(const RunArguments& arguments) {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
@@ -86,26 +74,85 @@ std::string comparison(
     return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
 }
 
-quasimc::TextSink sink_of(const std::unique_ptr<quasimc::AtomicFile>& file) {
-    return [&file](std::string_view text) {
-        if (file) {
-            file->write(text);
+/// What a run writes while it is computed.
+class RunWriters {
+  public:
+    /// @param is_repeated  whether the digest is asked for, even if no JSON is
+    RunWriters(const quasimc::RunFile& run, Outputs outputs, bool is_repeated)
+        : outputs_(std::move(outputs)), summary_(run) {
+        if (outputs_.csv) {
+            csv_.emplace(run, sink_of(*outputs_.csv));
         }
-    };
-}
+        if (outputs_.days) {
+            days_.emplace(run, sink_of(*outputs_.days));
+        }
+        if (outputs_.json) {
+            json_.emplace(run, sink_of(*outputs_.json));
+        } else if (is_repeated) {
+            json_.emplace(run);
+        }
+    }
 
-/// What a series writes while it is computed.
-struct SeriesOutputs {
-    Outputs files;
-    quasimc::TextSink csv = sink_of(files.csv), days = sink_of(files.days);
+    /// What the run is to tell.
+    [[nodiscard]] quasimc::SeriesEvents events(bool has_days) {
+        quasimc::SeriesEvents events;
+        events.on_progress = progress_line();
+        events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
+            add_moment(time_step, result, traced);
+        };
+        events.wants_total = has_days && outputs_.json != nullptr;
+        if (days_ || events.wants_total) {
+            events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
+        }
+        return events;
+    }
 
-    void commit() const {
-        for (const auto* file : {&files.csv, &files.json, &files.days}) {
+    /// Gives the files their names. @returns the digest of the organs, if it was asked for
+    std::string finish(const quasimc::SeriesSummary& summary) {
+        std::string digest = json_ ? json_->finish(summary) : "";
+        for (const auto* file : {&outputs_.csv, &outputs_.json, &outputs_.days}) {
             if (*file) {
                 (*file)->commit();
             }
         }
+        return digest;
     }
+
+    void print_summary(const quasimc::SeriesSummary& summary, const std::string& comparison) const {
+        const std::string text = summary_.text(summary, outputs_.names) + comparison;
+        std::fputs(text.c_str(), outputs_.uses_stdout ? stderr : stdout);
+    }
+
+  private:
+    static quasimc::TextSink sink_of(quasimc::AtomicFile& file) {
+        return [&file](std::string_view text) { file.write(text); };
+    }
+
+    void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
+        end_progress_line();
+        summary_.add_moment(result);
+        if (csv_) {
+            csv_->add_moment(time_step, result);
+        }
+        if (json_) {
+            json_->add_moment(time_step, result, traced);
+        }
+    }
+
+    void add_day(std::size_t day, const quasimc::SeriesSum& sum) {
+        if (days_) {
+            days_->add_day(day, sum);
+        }
+        if (json_) {
+            json_->add_day(day, sum);
+        }
+    }
+
+    Outputs outputs_;
+    quasimc::Summary summary_;
+    std::optional<quasimc::CsvWriter> csv_;
+    std::optional<quasimc::DaysWriter> days_;
+    std::optional<quasimc::JsonWriter> json_;
 };
 
 /// What an audit found goes to stderr, whether or not there is a summary.
@@ -116,55 +163,6 @@ void print_audit(double chance) {
     }
 }
 
-Exit run_times(const RunArguments& arguments, const quasimc::StoredRun& stored, Outputs opened) {
-    const quasimc::RunFile& file = stored.run;
-    const SeriesOutputs outputs{std::move(opened)};
-    const bool has_csv = outputs.files.csv != nullptr;
-    const bool has_days = outputs.files.days != nullptr;
-    std::optional<quasimc::SeriesJson> json;
-    if (outputs.files.json || !arguments.from.empty()) {
-        json.emplace(file, sink_of(outputs.files.json));
-    }
-    if (has_csv) {
-        quasimc::write_series_csv_head(file, outputs.csv);
-    }
-    if (has_days) {
-        quasimc::write_days_head(file, outputs.days);
-    }
-    quasimc::SeriesEvents events;
-    events.on_progress = progress_line();
-    events.on_time_step = [&](std::size_t time_step, const quasimc::Result& result,
-                              std::size_t traced) {
-        if (has_csv) {
-            quasimc::write_series_csv_moment(file, time_step, result, outputs.csv);
-        }
-        if (json) {
-            json->add_moment(time_step, result, traced);
-        }
-    };
-    events.on_day = [&](std::size_t day, const quasimc::SeriesSum& sum) {
-        if (has_days) {
-            quasimc::write_days_day(file, day, sum, outputs.days);
-        }
-        if (json) {
-            json->add_day(day, sum);
-        }
-    };
-    const quasimc::SeriesSummary summary =
-        quasimc::run_series(file.scene, file.series->time_steps, file.spec, events);
-    end_progress_line();
-    const std::string digest = json ? json->finish(summary) : "";
-    outputs.commit();
-    print_audit(summary.audit_chance);
-    if (!arguments.quiet) {
-        const std::string text = quasimc::series_summary(file, summary, outputs.files.names) +
-                                 comparison(arguments, stored, digest);
-        std::fputs(text.c_str(), outputs.files.uses_stdout ? stderr : stdout);
-    }
-    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
-    return missed ? Exit::target_missed : Exit::done;
-}
-
 Exit run(const RunArguments& arguments) {
     const quasimc::StoredRun stored = read_run(arguments);
     const quasimc::RunFile& file = stored.run;
@@ -173,64 +171,66 @@ Exit run(const RunArguments& arguments) {
         throw quasimc::InputError(
             {{"--days", "the run has no [time]", "sums over days need times", ""}});
     }
-    Outputs outputs = open_outputs(arguments, file.output);
-    if (file.series) {
-        return run_times(arguments, stored, std::move(outputs));
-    }
-    const quasimc::Result result =
-        quasimc::run(file.scene, file.sources, file.spec, progress_line());
+    RunWriters writers(file, open_outputs(arguments, file.output), !arguments.from.empty());
+    const quasimc::SeriesSummary summary = quasimc::run_series(
+        file.scene, quasimc::moments_of(file), file.spec, writers.events(file.series.has_value()));
     end_progress_line();
-    write_outputs(outputs, file, result);
-    print_audit(result.audit ? result.audit->chance : 1);
+    const std::string digest = writers.finish(summary);
+    print_audit(summary.audit_chance);
     if (!arguments.quiet) {
-        const std::string text =
-            quasimc::summary(file, result, outputs.names) +
-            comparison(
-                arguments, stored,
-                arguments.from.empty() ? "" : quasimc::digest_of_organs(file, result));
-        std::fputs(text.c_str(), outputs.uses_stdout ? stderr : stdout);
+        writers.print_summary(summary, comparison(arguments, stored, digest));
     }
-    const bool missed =
-        file.spec.target_error > 0 && result.stop != quasimc::StopReason::target_reached;
+    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
     return missed ? Exit::target_missed : Exit::done;
+}
+
+/// @throws UsageError
+void check_usage(const RunArguments& arguments) {
+    if (arguments.file.empty() && arguments.from.empty()) {
+        throw UsageError("FILE or --from RESULT is required");
+    }
+    if (!arguments.csv.empty() && arguments.csv == arguments.json) {
+        throw UsageError("--csv and --json: name the same file");
+    }
+    if (!arguments.days.empty() &&
+        (arguments.days == arguments.csv || arguments.days == arguments.json)) {
+        throw UsageError("--days: names the same file as another output");
+    }
+}
+
+std::vector<Flag> flags_of(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "FILE",
+         .target = &arguments.file,
+         .summary = "run file (docs/formats/run-file.md); - is standard input",
+         .excludes = "--from"},
+        {.name = "--from",
+         .target = &arguments.from,
+         .summary = "repeat the run of this JSON result instead",
+         .type_name = "RESULT"},
+        {.name = "--csv",
+         .target = &arguments.csv,
+         .summary = "write the table of organs here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--json",
+         .target = &arguments.json,
+         .summary = "write everything here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--days",
+         .target = &arguments.days,
+         .summary =
+             "of a run with [time]: write the table of sums over days here; - is standard output",
+         .type_name = "FILE"},
+        {"-q,--quiet", &arguments.quiet, "no summary"}};
+    arguments.flags.add_to(flags);
+    return flags;
 }
 
 }  // namespace
 
-void add_run_command(CLI::App& program, Action& action) {
+Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
-    CLI::App* command =
-        program.add_subcommand("run", "compute the light on every organ of a scene");
-    CLI::Option* file = command->add_option(
-        "FILE", arguments->file, "run file (docs/formats/run-file.md); - is standard input");
-    CLI::Option* from =
-        command->add_option("--from", arguments->from, "repeat the run of this JSON result instead")
-            ->type_name("RESULT");
-    file->excludes(from);
-    command
-        ->add_option(
-            "--csv", arguments->csv, "write the table of organs here; - is standard output")
-        ->type_name("FILE");
-    command->add_option("--json", arguments->json, "write everything here; - is standard output")
-        ->type_name("FILE");
-    command
-        ->add_option(
-            "--days", arguments->days,
-            "of a run with [time]: write the table of sums over days here; - is standard output")
-        ->type_name("FILE");
-    command->add_flag("-q,--quiet", arguments->quiet, "no summary");
-    arguments->flags.add_to(*command);
-    command->callback([arguments, &action] {
-        if (arguments->file.empty() && arguments->from.empty()) {
-            throw CLI::RequiredError("FILE or --from RESULT");
-        }
-        if (!arguments->csv.empty() && arguments->csv == arguments->json) {
-            throw CLI::ValidationError("--csv and --json", "name the same file");
-        }
-        if (!arguments->days.empty() &&
-            (arguments->days == arguments->csv || arguments->days == arguments->json)) {
-            throw CLI::ValidationError("--days", "names the same file as another output");
-        }
-        action = [arguments] { return run(*arguments); };
-    });
+    return {
+        "run", "compute the light on every organ of a scene", flags_of(*arguments),
+        [arguments] { return run(*arguments); }, [arguments] { check_usage(*arguments); }};
 }

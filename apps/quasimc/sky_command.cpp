@@ -5,7 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -180,7 +179,18 @@ std::shared_ptr<const quasimc::Source> sky_of(
     return quasimc::make_sky(std::string(entry.name), entry.make(state), {1.0});
 }
 
+void require_png() {
+    if (!quasimc::has_png()) {
+        throw quasimc::InputError(
+            {{"--png", "this program can draw no pictures", "it was built without libpng",
+              "leave --png out, or build it where libpng is installed"}});
+    }
+}
+
 Exit show_sky(const SkyArguments& arguments) {
+    if (!arguments.png.empty()) {
+        require_png();
+    }
     quasimc::Faults faults;
     const auto place = place_of(arguments, faults);
     const auto time = quasimc::parse_civil_time(arguments.time, std::nullopt, "--time", faults);
@@ -215,42 +225,48 @@ Exit show_sky(const SkyArguments& arguments) {
     return Exit::done;
 }
 
-void add_flags(CLI::App& command, SkyArguments& arguments) {
+std::vector<Flag> flags_of(SkyArguments& arguments) {
     std::vector<std::string> skies;
     for (const quasimc::SkyEntry& entry : quasimc::sky_catalogue()) {
         skies.emplace_back(entry.name);
     }
-    command.add_option("--place", arguments.place, "LAT,LON in degrees, north and east positive")
-        ->required();
-    command.add_option("--time", arguments.time, "with its time zone: 2024-06-21T12:00+02:00")
-        ->required();
-    command.add_option("--elevation-m", arguments.elevation_m, "above the sea");
-    command.add_option("--pressure-hpa", arguments.pressure_hpa, "by default from the elevation");
-    command.add_option("--temperature-c", arguments.temperature_c, "by default 12");
-    command.add_option("--delta-t-s", arguments.delta_t_s, "terrestrial less universal time");
-    command
-        .add_option(
-            "--linke-turbidity", arguments.linke_turbidity, "1 to 10, of the air without clouds")
-        ->check(CLI::Range(1.0, 10.0));
-    command.add_option("--sky", arguments.sky, "model of the sky; by default cie_clear by day")
-        ->check(CLI::IsMember(skies));
-    command.add_option("--cie-type", arguments.cie_type, "1 to 15, of cie_general")
-        ->check(CLI::Range(1, 15));
-    command.add_option("--turbidity", arguments.turbidity, "1.7 to 10, of preetham")
-        ->check(CLI::Range(quasimc::kLowestTurbidity, quasimc::kHighestTurbidity));
-    command.add_option("--direct-normal", arguments.direct_normal, "W m-2, of perez");
-    command.add_option("--diffuse-horizontal", arguments.diffuse_horizontal, "W m-2, of perez");
-    command.add_option("--png", arguments.png, "draw the sky as a fisheye picture; - is stdout");
-    command.add_option("--size", arguments.size, "pixels of a side")->check(CLI::Range(64, 4096));
+    return {
+        {"--place", &arguments.place, "LAT,LON in degrees, north and east positive", true},
+        {"--time", &arguments.time, "with its time zone: 2024-06-21T12:00+02:00", true},
+        {"--elevation-m", &arguments.elevation_m, "above the sea"},
+        {"--pressure-hpa", &arguments.pressure_hpa, "by default from the elevation"},
+        {"--temperature-c", &arguments.temperature_c, "by default 12"},
+        {"--delta-t-s", &arguments.delta_t_s, "terrestrial less universal time"},
+        {.name = "--linke-turbidity",
+         .target = &arguments.linke_turbidity,
+         .summary = "1 to 10, of the air without clouds",
+         .range = {{1, 10}}},
+        {.name = "--sky",
+         .target = &arguments.sky,
+         .summary = "model of the sky; by default cie_clear by day",
+         .choices = skies},
+        {.name = "--cie-type",
+         .target = &arguments.cie_type,
+         .summary = "1 to 15, of cie_general",
+         .range = {{1, 15}}},
+        {.name = "--turbidity",
+         .target = &arguments.turbidity,
+         .summary = "1.7 to 10, of preetham",
+         .range = {{quasimc::kLowestTurbidity, quasimc::kHighestTurbidity}}},
+        {"--direct-normal", &arguments.direct_normal, "W m-2, of perez"},
+        {"--diffuse-horizontal", &arguments.diffuse_horizontal, "W m-2, of perez"},
+        {"--png", &arguments.png, "draw the sky as a fisheye picture; - is stdout"},
+        {.name = "--size",
+         .target = &arguments.size,
+         .summary = "pixels of a side",
+         .range = {{64, 4096}}}};
 }
 
 }  // namespace
 
-void add_sky_command(CLI::App& program, Action& action) {
+Command sky_command() {
     const auto arguments = std::make_shared<SkyArguments>();
-    CLI::App* command =
-        program.add_subcommand("sky", "tell where the sun stands, and show the sky around it");
-    add_flags(*command, *arguments);
-    command->callback(
-        [arguments, &action] { action = [arguments] { return show_sky(*arguments); }; });
+    return {
+        "sky", "tell where the sun stands, and show the sky around it", flags_of(*arguments),
+        [arguments] { return show_sky(*arguments); }};
 }

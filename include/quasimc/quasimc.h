@@ -14,7 +14,6 @@
 #include "geometry/shapes/shapes.h"
 #include "io/results/read_result.h"
 #include "io/results/write_result.h"
-#include "io/results/write_series.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "optics/catalogue.h"

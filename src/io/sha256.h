@@ -1,26 +1,29 @@
 #pragma once
 
-#include <memory>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace quasimc {
 
-/// The SHA-256 digest of bytes that come in pieces.
+/// The SHA-256 digest (FIPS 180-4, section 6.2) of bytes that come in pieces.
 class Sha256 {
   public:
-    Sha256();
-    ~Sha256();
-    Sha256(const Sha256&) = delete;
-    Sha256& operator=(const Sha256&) = delete;
-
     void add(std::string_view bytes);
-    /// 64 lower-case hexadecimal digits. Nothing is added after it.
-    [[nodiscard]] std::string hex();
+    /// 64 lower-case hexadecimal digits, of all bytes so far; more may be added afterwards.
+    [[nodiscard]] std::string hex() const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    static constexpr std::size_t kBlock = 64;  // bytes
+
+    void take_block(const char* bytes);
+
+    std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    std::array<char, kBlock> pending_{};  // the beginning of a block
+    std::uint64_t size_ = 0;              // bytes so far
 };
 
 /// The digest of one piece.

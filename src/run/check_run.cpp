@@ -105,7 +105,7 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     if (spec.method == Method::from_organs &&
         std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
         faults.add(
-            {"trace_from", "no organ is measured", "there is nothing to trace from",
+            {"method", "no organ is measured", "there is nothing to trace from",
              "leave measured = false out for the organs whose light you want"});
     }
 }
@@ -143,9 +143,9 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
     if (has_lamp && scene.cell().periodic() && spec.method == Method::from_organs) {
         faults.add(
-            {"trace_from", "organs, with a lamp in a periodic scene",
+            {"method", "from_organs, with a lamp in a periodic scene",
              "the lamp repeats with the cell; its light is traced from the sources only",
-             "use trace_from = \"sources\""});
+             "use method = \"light_tracing\""});
     }
 }
 

@@ -77,7 +77,6 @@ class SeriesRun {
                 last_use_[plans_[i].traced] = i;
             }
         }
-        dark_ = dark_result(scene, spec);
     }
 
     SeriesSummary run() {
@@ -89,7 +88,9 @@ class SeriesRun {
                 finish_day(i);
             }
         }
-        summary_.total = total_.sum(dark_.bands, dark_.values.size());
+        if (events_.wants_total) {
+            summary_.total = sum_of(total_);
+        }
         summary_.seconds = seconds();
         const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
         summary_.audit_chance = std::min(1.0, least_chance_ * audits);
@@ -113,7 +114,10 @@ class SeriesRun {
         day_.add_seconds(time_step.seconds);
         total_.add_seconds(time_step.seconds);
         if (plan.factor == 0) {
-            tell(i, dark_);
+            if (!dark_) {
+                dark_ = dark_result(scene_, spec_);
+            }
+            tell(i, *dark_);
             return;
         }
         if (plan.traced == i) {
@@ -164,21 +168,26 @@ class SeriesRun {
         };
     }
 
+    [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
+        const std::size_t bands = scene_.bands().size();
+        return adder.sum(bands, scene_.organs().size() * kQuantities * bands);
+    }
+
     void finish_day(std::size_t last) {
         for (auto it = kept_.begin(); it != kept_.end();) {
             Kept& kept = it->second;
-            if (kept.day_weight > 0) {
+            if (events_.on_day && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
             }
             const bool is_needed = last_use_[it->first] > last;
-            if (!is_needed && kept.total_weight > 0) {
+            if (events_.wants_total && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
             it = is_needed ? std::next(it) : kept_.erase(it);
         }
         if (events_.on_day) {
-            events_.on_day(time_steps_[last].day, day_.sum(dark_.bands, dark_.values.size()));
+            events_.on_day(time_steps_[last].day, sum_of(day_));
         }
         day_ = {};
     }
@@ -195,8 +204,8 @@ class SeriesRun {
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
-    Result dark_;
-    double least_chance_ = 1;  // of an audit
+    std::optional<Result> dark_;  // once it was needed
+    double least_chance_ = 1;     // of an audit
     SeriesSummary summary_;
 };
 

@@ -41,11 +41,12 @@ struct SeriesEvents {
         on_time_step;
     std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
     std::function<void(const Progress&)> on_progress;
+    bool wants_total = true;  ///< whether SeriesSummary::total is computed
 };
 
 /// What is known of a series at its end.
 struct SeriesSummary {
-    SeriesSum total;         ///< over all days
+    SeriesSum total;         ///< over all days, if it was wanted
     std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
     /// By which methods, and how many moments by each.
     std::map<Method, std::size_t> methods;

@@ -20,7 +20,11 @@ struct Picture {
     [[nodiscard]] std::uint8_t& at(std::size_t x, std::size_t y) { return pixels[y * width + x]; }
 };
 
-/// The bytes of a PNG file. @throws std::runtime_error  if libpng can't make one
+/// Whether to_png can be called: the library was built with libpng.
+[[nodiscard]] bool has_png();
+
+/// The bytes of a PNG file. Needs has_png().
+/// @throws std::runtime_error  if libpng can't make one
 [[nodiscard]] std::string to_png(const Picture& picture);
 
 }  // namespace quasimc

@@ -7,6 +7,10 @@
 
 namespace quasimc {
 
+bool has_png() {
+    return true;
+}
+
 std::string to_png(const Picture& picture) {
     EXPECT(picture.pixels.size() == picture.width * picture.height);
     EXPECT(!picture.palette.empty() && picture.palette.size() <= 256);

@@ -6,6 +6,7 @@
 
 #include "base/version.h"
 #include "program.h"
+#include "view/picture.h"
 
 namespace quasimc::test {
 namespace {
@@ -23,9 +24,39 @@ TEST_F(ProgramTest, AuditsOnDemand) {
 }
 
 TEST_F(ProgramTest, NamesTheMethodThatItChose) {
-    const Outcome outcome = run({"run", "run.toml", "--trace-from", "auto"});
+    const Outcome outcome = run({"run", "run.toml", "--method", "auto"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.out.find("method    from "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits: "), std::string::npos) << outcome.out;
+}
+
+TEST_F(ProgramTest, UnderstandsTheFormerNameOfTheMethod) {
+    const Outcome outcome = run({"run", "run.toml", "--trace-from", "lit_surfaces"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(
+        outcome.err,
+        "warning: --trace-from: trace_from = \"lit_surfaces\" is now method = \"first_hits\"\n");
+    EXPECT_NE(folder_.read("out.csv").find("method = \"first_hits\""), std::string::npos);
+    EXPECT_EQ(
+        run({"run", "run.toml", "--trace-from", "sources", "--method", "light_tracing"}).status, 0);
+    const Outcome torn =
+        run({"run", "run.toml", "--trace-from", "sources", "--method", "first_hits"});
+    EXPECT_EQ(torn.status, 1);
+    EXPECT_NE(torn.err.find("--trace-from: says otherwise than --method"), std::string::npos)
+        << torn.err;
+    EXPECT_EQ(run({"run", "run.toml", "--trace-from", "first_hits"}).status, 1);
+    EXPECT_EQ(run({"run", "--help"}).out.find("trace-from"), std::string::npos);
+}
+
+TEST_F(ProgramTest, RepeatsResultsThatHaveTheFormerNameOfTheMethod) {
+    ASSERT_EQ(run({"run", "run.toml", "--method", "from_organs"}).status, 0);
+    std::string json = folder_.read("out.json");
+    json = replaced(json, "\"format_version\": 2", "\"format_version\": 1");
+    json = replaced(json, "\"method\": \"from_organs\"", "\"trace_from\": \"organs\"");
+    folder_.write("old.json", json);
+    const Outcome outcome = run({"run", "--from", "old.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("the same numbers as in old.json"), std::string::npos);
+    EXPECT_NE(outcome.err.find("is now method = \"from_organs\""), std::string::npos);
 }
 
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
@@ -244,7 +275,7 @@ TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
     const Outcome outcome = run(
         {"sky", "--place", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
          "--elevation-m", "1830.14", "--pressure-hpa", "820", "--temperature-c", "11",
-         "--delta-t-s", "67", "--png", "sky.png", "--size", "128"});
+         "--delta-t-s", "67"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(
         outcome.out.find("azimuth 194.3402 deg (from north over east), elevation 39.8884 deg"),
@@ -254,7 +285,20 @@ TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
     EXPECT_NE(outcome.out.find("cie_clear"), std::string::npos);
     EXPECT_NE(outcome.out.find("clear sky on the horizontal "), std::string::npos);
     EXPECT_NE(outcome.out.find("PPFD "), std::string::npos);
-    EXPECT_TRUE(folder_.read("sky.png").starts_with("\x89PNG"));
+}
+
+TEST_F(ProgramTest, SkyDrawsItOrSaysThatItWasBuiltWithoutPictures) {
+    const Outcome outcome = run(
+        {"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--png", "sky.png", "--size",
+         "128"});
+    if (has_png()) {
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_TRUE(folder_.read("sky.png").starts_with("\x89PNG"));
+    } else {
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_NE(outcome.err.find("it was built without libpng"), std::string::npos);
+        EXPECT_TRUE(new_files().empty());
+    }
 }
 
 TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {

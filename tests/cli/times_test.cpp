@@ -68,11 +68,10 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
 }
 
-TEST_F(TimesTest, SaysWhereItTracesFrom) {
-    const Outcome outcome =
-        run({"run", "days.toml", "--csv", "t.csv", "--trace-from", "lit_surfaces"});
+TEST_F(TimesTest, NameTheirMethod) {
+    const Outcome outcome = run({"run", "days.toml", "--csv", "t.csv", "--method", "first_hits"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("from lit_surfaces, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("sobol points, first_hits, "), std::string::npos) << outcome.out;
 }
 
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {

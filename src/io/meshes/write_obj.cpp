@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,20 +18,23 @@ std::string statement_name(std::string name) {
     return name;
 }
 
-std::string element_text(const Scene& scene, const Region& element, const Organ& organ) {
-    std::string text = "usemtl " + statement_name(scene.material(element).name()) + "\n";
+/// The statements of an organ's elements, one text each.
+std::vector<std::string> element_texts(const Scene& scene, const Organ& organ) {
+    std::vector<std::string> texts;
+    for (std::uint32_t e = 0; e < organ.region_count; ++e) {
+        const Region& element = scene.regions()[organ.first_region + e];
+        texts.push_back("usemtl " + statement_name(scene.material(element).name()) + "\n");
+    }
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const std::uint32_t triangle = organ.first_triangle + i;
-        if (&scene.regions()[scene.triangle_regions()[triangle].value] != &element) {
-            continue;
-        }
+        std::string& text = texts[scene.triangle_regions()[triangle].value - organ.first_region];
         for (const Vec3& corner : scene.triangles()[triangle]) {
             const Vec3 p = scene.orientation().outward(corner);
             fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
         }
         text += "f -3 -2 -1\n";
     }
-    return text;
+    return texts;
 }
 
 }  // namespace
@@ -44,8 +48,8 @@ void write_obj(const Scene& scene, const TextSink& sink) {
             names.insert(name);
         }
         sink("o " + name + "\n");
-        for (std::uint32_t e = 0; e < organ.region_count; ++e) {
-            sink(element_text(scene, scene.regions()[organ.first_region + e], organ));
+        for (const std::string& text : element_texts(scene, organ)) {
+            sink(text);
         }
     }
 }

@@ -19,7 +19,8 @@ std::string verdict(double chance) {
 }
 
 std::string band_line(const BandAudit& audit, const Band& band, const std::string& length_unit) {
-    std::string text = fmt::format("{}: chi {:.3g}", band.name, audit.reduced_chi_square);
+    std::string text =
+        fmt::format("{}: reduced chi-square {:.3g}", band.name, audit.reduced_chi_square);
     if (std::isfinite(audit.difference)) {
         text += fmt::format(
             "; organs absorb {:.3g} +- {:.2g} {} more than in the audit", audit.difference,

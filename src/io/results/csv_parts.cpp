@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -50,9 +51,10 @@ void append_csv(std::string& out, const Estimate& estimate) {
 
 std::vector<std::string> label_keys(const Scene& scene) {
     std::vector<std::string> keys;
+    std::unordered_set<std::string_view> seen;
     for (const Organ& organ : scene.organs()) {
         for (const auto& [key, value] : organ.labels) {
-            if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+            if (seen.insert(key).second) {
                 keys.push_back(key);
             }
         }

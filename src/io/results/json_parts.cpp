@@ -1,89 +1,34 @@
 #include "io/results/json_parts.h"
 
-#include <cmath>
-#include <iterator>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include "base/version.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 
 namespace quasimc {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string dumped(const Json& json, int indent = -1) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+void write_real(JsonStream& json, std::string_view key, double value) {
+    json.key(key);
+    json.real(value);
 }
 
-Json to_json(const Node& node) {
-    if (const auto* table = node.as<Node::Table>()) {
-        Json json = Json::object();
-        for (const Member& member : *table) {
-            json[member.key] = to_json(member.node);
-        }
-        return json;
-    }
-    if (const auto* list = node.as<Node::List>()) {
-        Json json = Json::array();
-        for (const Node& item : *list) {
-            json.push_back(to_json(item));
-        }
-        return json;
-    }
-    if (const auto* text = node.as<std::string>()) {
-        return *text;
-    }
-    if (const auto* integer = node.as<std::int64_t>()) {
-        return *integer;
-    }
-    if (const auto* real = node.as<double>()) {
-        return *real;
-    }
-    if (const auto* other = node.as<Node::Other>(); other != nullptr && !other->text.empty()) {
-        return other->text;
-    }
-    const auto* boolean = node.as<bool>();
-    return boolean ? Json(*boolean) : Json();
+void write_text(JsonStream& json, std::string_view key, std::string_view text) {
+    json.key(key);
+    json.text(text);
 }
 
-Json estimate_json(const Estimate& e) {
-    return {
-        {"mean", e.mean}, {"standard_error", e.standard_error}, {"low", e.low}, {"high", e.high}};
+void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
+    json.key(key);
+    json.count(count);
 }
 
-Json inputs_json(const std::vector<InputFile>& inputs) {
-    Json list = Json::array();
-    for (const InputFile& input : inputs) {
-        list.push_back(
-            {{"path", input.path},
-             {"resolved", input.resolved},
-             {"sha256", input.sha256},
-             {"bytes", input.bytes},
-             {"is_run_file", input.is_run_file}});
-    }
-    return list;
-}
-
-Json axes_json(const Orientation& axes) {
-    return {
-        {"up", axes.up() == UpAxis::z ? "z" : "y"},
-        {"north", {axes.north().x, axes.north().y, axes.north().z}}};
-}
-
-Json quantities_json(const Scene& scene) {
-    Json list = Json::array();
-    for (const QuantityEntry& entry : quantity_table()) {
-        Json units = Json::object();
-        for (const Band& band : scene.bands()) {
-            units[band.name] = unit_of(entry, band, scene.length_unit());
-        }
-        list.push_back({{"name", entry.name}, {"meaning", entry.summary}, {"unit", units}});
-    }
-    return list;
+void write_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
+    json.key(key);
+    json.begin_object(layout);
+    write_real(json, "mean", e.mean);
+    write_real(json, "standard_error", e.standard_error);
+    write_real(json, "low", e.low);
+    write_real(json, "high", e.high);
+    json.end_object();
 }
 
 std::string_view stop_name(StopReason stop) {
@@ -99,224 +44,91 @@ std::string_view stop_name(StopReason stop) {
     }
 }
 
-Json energy_json(const Scene& scene, const Result& result) {
-    Json energy = Json::object();
-    for (std::size_t b = 0; b < result.budget.size(); ++b) {
-        const Band& band = scene.bands()[b];
-        const BandBudget& budget = result.budget[b];
-        energy[band.name] = {
-            {"unit", flux_unit(band.unit, scene.length_unit())},
-            {"emitted", budget.emitted},
-            {"absorbed_by_organs", estimate_json(budget.absorbed_by_organs)},
-            {"absorbed_by_ground", estimate_json(budget.absorbed_by_ground)},
-            {"escaped", estimate_json(budget.escaped)},
-            {"cut_off", estimate_json(budget.cut_off)},
-            {"roulette", estimate_json(budget.roulette)},
-            {"closure_error", budget.closure_error}};
-    }
-    return energy;
+void write_band_audit(
+    JsonStream& json, const std::string& unit, const BandAudit& audit, JsonLayout layout) {
+    json.begin_object(layout);
+    write_text(json, "unit", unit);
+    write_real(json, "reduced_chi_square", audit.reduced_chi_square);
+    write_real(json, "degrees_of_freedom", audit.freedom);
+    write_real(json, "chi_square_chance", audit.chi_chance);
+    write_real(json, "difference", audit.difference);
+    write_real(json, "standard_error", audit.standard_error);
+    write_real(json, "difference_chance", audit.difference_chance);
+    json.end_object();
 }
 
-Json warnings_json(const std::vector<Warning>& warnings) {
-    Json list = Json::array();
-    for (const Warning& warning : warnings) {
-        list.push_back({{"place", warning.place}, {"text", warning.text}});
-    }
-    return list;
-}
-
-Json done_json(const Result& result) {
-    return {
-        {"paths", result.paths},
-        {"replicates", result.replicates},
-        {"rays", result.rays},
-        {"stop", stop_name(result.stop)},
-        {"fraction_at_target", result.fraction_at_target}};
-}
-
-Json method_json(const RunSpec& spec, const Result& result) {
-    return {
-        {"trace_from", method_name(result.chosen.method)},
-        {"asked", method_name(spec.method)},
-        {"reason", result.chosen.reason}};
-}
-
-Json audit_json(const RunFile& run, const Result& result) {
-    if (!result.audit) {
-        return {};
-    }
-    const Audit& audit = *result.audit;
-    Json bands = Json::object();
-    for (std::size_t b = 0; b < audit.bands.size(); ++b) {
-        const Band& band = run.scene.bands()[b];
-        const BandAudit& own = audit.bands[b];
-        bands[band.name] = {
-            {"unit", flux_unit(band.unit, run.scene.length_unit())},
-            {"chi", own.reduced_chi_square},
-            {"chi_freedom", own.freedom},
-            {"chi_chance", own.chi_chance},
-            {"difference", own.difference},
-            {"standard_error", own.standard_error},
-            {"difference_chance", own.difference_chance}};
-    }
-    return {{"paths", audit.paths}, {"replicates", audit.replicates}, {"chance", audit.chance},
-            {"level", kAuditLevel}, {"agrees", audit.agrees()},       {"bands", bands}};
-}
-
-/// What is known before anything is traced.
-Json head_json(const RunFile& run) {
-    const Scene& scene = run.scene;
-    Json head;
-    head["format"] = "quasimc-result";
-    head["format_version"] = 1;
-    head["program_version"] = version();
-    head["title"] = run.title;
-    head["run_file"] = run.path;
-    head["folder"] = run.folder;
-    head["inputs"] = inputs_json(run.inputs);
-    head["run"] = to_json(run.document);
-    head["scene"] = {
-        {"organs", scene.organs().size()},
-        {"triangles", scene.triangles().size()},
-        {"length_unit", scene.length_unit()},
-        {"axes", axes_json(scene.orientation())}};
-    head["sources"] = run.source_notes;
-    head["quantities"] = quantities_json(scene);
-    return head;
-}
-
-/// The members of an object, each on lines of its own.
-std::string members(const Json& json) {
-    std::string text;
-    for (const auto& [key, value] : json.items()) {
-        text += fmt::format("{}: {},\n", dumped(key), dumped(value, 2));
-    }
-    return text;
-}
-
-/// The part of an organ's object that tells which organ it is, open at the end.
-std::string organ_head(const Organ& organ) {
-    Json labels = Json::object();
-    for (const auto& [key, value] : organ.labels) {
-        labels[key] = value;
-    }
-    std::string out = fmt::format(
-        R"({{"id":{},"name":{},"labels":{})", organ.id, dumped(organ.name), dumped(labels));
-    out += organ.is_ground ? R"(,"ground":true,"area":)" : R"(,"area":)";
-    append_json(out, organ.area);
-    return out;
+void write_budget(
+    JsonStream& json, const std::string& unit, const BandBudget& budget, JsonLayout layout) {
+    json.begin_object(layout);
+    write_text(json, "unit", unit);
+    write_real(json, "emitted", budget.emitted);
+    write_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
+    write_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
+    write_estimate(json, "escaped", budget.escaped, layout);
+    write_estimate(json, "cut_off", budget.cut_off, layout);
+    write_estimate(json, "roulette", budget.roulette, layout);
+    write_real(json, "closure_error", budget.closure_error);
+    json.end_object();
 }
 
 }  // namespace
 
-std::string json_head(const RunFile& run) {
-    return members(head_json(run));
+void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
+    json.key("method");
+    json.begin_object(layout);
+    write_text(json, "used", method_name(result.chosen.method));
+    write_text(json, "asked", method_name(run.spec.method));
+    write_text(json, "reason", result.chosen.reason);
+    json.end_object();
 }
 
-std::string json_result_head(const RunFile& run, const Result& result) {
-    Json head;
-    head["method"] = method_json(run.spec, result);
-    head["done"] = done_json(result);
-    head["seconds"] = {
-        {"build", result.build_seconds},
-        {"trace", result.trace_seconds},
-        {"trace_cpu", result.trace_cpu_seconds}};
-    head["audit"] = audit_json(run, result);
-    head["energy"] = energy_json(run.scene, result);
-    head["escaped_is_remainder"] = result.escaped_is_remainder;
-    return members(head);
+void json_done(JsonStream& json, const Result& result, JsonLayout layout) {
+    json.key("done");
+    json.begin_object(layout);
+    write_count(json, "paths", result.paths);
+    write_count(json, "replicates", result.replicates);
+    write_count(json, "rays", result.rays);
+    write_text(json, "stop", stop_name(result.stop));
+    write_real(json, "fraction_at_target", result.fraction_at_target);
+    json.end_object();
 }
 
-std::string json_warnings(const RunFile& run) {
-    return members({{"warnings", warnings_json(run.warnings)}});
-}
-
-std::string json_quoted(std::string_view text) {
-    return dumped(std::string(text));
-}
-
-std::string json_method(const RunFile& run, const Result& result) {
-    return dumped(method_json(run.spec, result));
-}
-
-std::string json_audit(const RunFile& run, const Result& result) {
-    return dumped(audit_json(run, result));
-}
-
-std::string json_done(const Result& result) {
-    return dumped(done_json(result));
-}
-
-std::string json_energy(const RunFile& run, const Result& result) {
-    return dumped(energy_json(run.scene, result));
-}
-
-void append_json(std::string& out, double value) {
-    if (std::isfinite(value)) {
-        fmt::format_to(std::back_inserter(out), "{}", value);
-    } else {
-        out += "null";
+void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
+    json.key("audit");
+    if (!result.audit) {
+        json.null();
+        return;
     }
+    const Audit& audit = *result.audit;
+    const Scene& scene = run.scene;
+    json.begin_object(layout);
+    write_count(json, "paths", audit.paths);
+    write_count(json, "replicates", audit.replicates);
+    write_real(json, "chance", audit.chance);
+    write_real(json, "level", kAuditLevel);
+    json.key("agrees");
+    json.boolean(audit.agrees());
+    json.key("bands");
+    json.begin_object(layout);
+    for (std::size_t b = 0; b < audit.bands.size(); ++b) {
+        const Band& band = scene.bands()[b];
+        json.key(band.name);
+        write_band_audit(json, flux_unit(band.unit, scene.length_unit()), audit.bands[b], layout);
+    }
+    json.end_object();
+    json.end_object();
 }
 
-void append_json(std::string& out, const Estimate& e) {
-    out += R"({"mean":)";
-    append_json(out, e.mean);
-    out += R"(,"standard_error":)";
-    append_json(out, e.standard_error);
-    out += R"(,"low":)";
-    append_json(out, e.low);
-    out += R"(,"high":)";
-    append_json(out, e.high);
-    out += '}';
-}
-
-std::string json_organ(
-    const Organ& organ, const Result& result, std::size_t index, const JsonNames& names) {
-    std::string out = organ_head(organ);
-    for (const QuantityEntry& entry : quantity_table()) {
-        fmt::format_to(std::back_inserter(out), R"(,"{}":{{)", entry.name);
-        for (std::size_t b = 0; b < result.bands; ++b) {
-            out += (b == 0 ? "" : ",") + names.bands[b] + ":";
-            append_json(out, result.at(index, entry.quantity, b));
-        }
-        out += '}';
+void json_energy(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
+    const Scene& scene = run.scene;
+    json.key("energy");
+    json.begin_object(layout);
+    for (std::size_t b = 0; b < result.budget.size(); ++b) {
+        const Band& band = scene.bands()[b];
+        json.key(band.name);
+        write_budget(json, flux_unit(band.unit, scene.length_unit()), result.budget[b], layout);
     }
-    if (!result.sunlit_fraction.empty()) {
-        out += R"(,"sunlit_fraction":)";
-        append_json(out, result.sunlit_fraction[index]);
-    }
-    out += R"(,"ratios":{)";
-    for (std::size_t i = 0; i < result.ratios; ++i) {
-        out += (i == 0 ? "" : ",") + names.ratios[i] + ":";
-        append_json(out, result.ratio(index, i));
-    }
-    return out + "}}";
-}
-
-JsonNames json_names(const RunFile& run) {
-    JsonNames names;
-    for (const Band& band : run.scene.bands()) {
-        names.bands.push_back(dumped(band.name));
-    }
-    for (const std::string& ratio : run.spec.ratios) {
-        names.ratios.push_back(dumped(ratio));
-    }
-    return names;
-}
-
-std::string json_organ_sum(
-    const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
-    std::string out = organ_head(organ);
-    for (const QuantityEntry& entry : quantity_table()) {
-        fmt::format_to(std::back_inserter(out), R"(,"{}":{{)", entry.name);
-        for (std::size_t b = 0; b < sum.bands; ++b) {
-            out += (b == 0 ? "" : ",") + names.bands[b] + ":";
-            append_json(out, sum.at(index, entry.quantity, b));
-        }
-        out += '}';
-    }
-    return out + "}";
+    json.end_object();
 }
 
 }  // namespace quasimc

@@ -1,41 +1,40 @@
 #pragma once
 
-// The parts that results in JSON are made of, as text. Included by the write_*json.cpp only.
+// The parts that results in JSON are made of. Included by their writer and reader only.
 
+#include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "io/results/json_stream.h"
 #include "io/runfile/run_file.h"
 #include "results/result.h"
 #include "run/series.h"
 
 namespace quasimc {
 
-// Members of the outermost object, each ended by a comma.
+/// The format_version of results (docs/formats/json.md says what each changed).
+inline constexpr int kResultVersion = 2;
+
+// json_head.cpp: members of the outermost object.
 /// What is known before anything is traced.
-[[nodiscard]] std::string json_head(const RunFile& run);
-/// What is known of a result besides its organs.
-[[nodiscard]] std::string json_result_head(const RunFile& run, const Result& result);
-[[nodiscard]] std::string json_warnings(const RunFile& run);
+void json_head(JsonStream& json, const RunFile& run);
+void json_warnings(JsonStream& json, const RunFile& run);
 
-// Values.
-[[nodiscard]] std::string json_quoted(std::string_view text);
-[[nodiscard]] std::string json_method(const RunFile& run, const Result& result);
+// json_parts.cpp: members on one result. Their objects stand in `layout`.
+void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
+void json_done(JsonStream& json, const Result& result, JsonLayout layout);
 /// null without one.
-[[nodiscard]] std::string json_audit(const RunFile& run, const Result& result);
-[[nodiscard]] std::string json_done(const Result& result);
-[[nodiscard]] std::string json_energy(const RunFile& run, const Result& result);
-/// A number; null if it is not finite.
-void append_json(std::string& out, double value);
-void append_json(std::string& out, const Estimate& e);
+void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
+void json_energy(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
 
-/// The names of bands and ratios, quoted.
+// json_organs.cpp
+/// The names of quantities, bands and ratios, quoted.
 struct JsonNames {
-    std::vector<std::string> bands, ratios;
+    std::vector<std::string> quantities, bands, ratios;
 };
 [[nodiscard]] JsonNames json_names(const RunFile& run);
-/// An organ on one line; written by hand since there may be millions.
+/// An organ on one line: there may be millions.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const Result& result, std::size_t index, const JsonNames& names);
 /// The same of a sum, whose values are in the units of the sum.

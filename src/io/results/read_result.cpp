@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/results/json_parts.h"
 #include "io/sha256.h"
 
 namespace quasimc {
@@ -14,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr int kFormatVersion = 1;
 
 [[noreturn]] void refuse(const std::string& path, std::string problem, std::string why = {}) {
     throw InputError({{path, std::move(problem), std::move(why), ""}});
@@ -89,10 +88,10 @@ void check_format(const Json& head, const std::string& path) {
     }
     const auto version = head.find("format_version");
     if (version == head.end() || !version->is_number_integer() || *version < 1 ||
-        *version > kFormatVersion) {
+        *version > kResultVersion) {
         refuse(
             path, "its format_version is not known",
-            fmt::format("this program knows versions up to {}", kFormatVersion));
+            fmt::format("this program knows versions up to {}", kResultVersion));
     }
 }
 

@@ -63,9 +63,12 @@ SummedUnit summed_unit(const std::string& unit) {
 }
 
 SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
+    std::vector<double> factors;
+    for (const Band& band : run.scene.bands()) {
+        factors.push_back(summed_unit(band.unit).factor);
+    }
     for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        const double factor = summed_unit(run.scene.bands()[i % sum.bands].unit).factor;
-        sum.values[i] = scaled(sum.values[i], factor);
+        sum.values[i] = scaled(sum.values[i], factors[i % factors.size()]);
     }
     return sum;
 }

@@ -8,7 +8,6 @@
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
 #include "io/results/write_result.h"
-#include "io/results/write_series.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 
@@ -50,7 +49,7 @@ std::string subject_lines(const RunFile& run) {
 std::string run_line(const RunSpec& spec, const Result& result) {
     return line(
         "run", fmt::format(
-                   "{} from {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
+                   "{} points, {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
                    method_name(result.chosen.method), result.paths, result.replicates, spec.seed,
                    thread_count(spec.threads)));
 }
@@ -61,8 +60,7 @@ std::string method_line(const RunSpec& spec, const Result& result) {
         return "";
     }
     return line(
-        "method",
-        fmt::format("from {}: {}", method_name(result.chosen.method), result.chosen.reason));
+        "method", fmt::format("{}: {}", method_name(result.chosen.method), result.chosen.reason));
 }
 
 std::string time_line(const Result& result) {
@@ -158,7 +156,7 @@ std::string energy_lines(const Scene& scene, const Result& result) {
     return text;
 }
 
-/// From where the times were traced: one name, or each with the number of times.
+/// The methods of the times: one name, or each with the number of times.
 std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
     std::string text;
     for (const auto& [from, times] : summary.methods) {
@@ -208,31 +206,17 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
         last.collapsed->until, summary.traced, suns);
 }
 
-}  // namespace
-
-std::string summary(
-    const RunFile& run, const Result& result, const std::vector<std::string>& written) {
-    std::string text = subject_lines(run);
-    text += run_line(run.spec, result) + method_line(run.spec, result) + time_line(result) +
-            target_line(run.spec, result);
-    text += energy_lines(run.scene, result) + error_line(run.scene, result);
-    for (const std::string& words : audit_lines(run, result)) {
-        text += line("audit", words);
-    }
-    return text + written_line(written);
-}
-
-std::string series_summary(
-    const RunFile& run, const SeriesSummary& summary, const std::vector<std::string>& written) {
+/// How the times of a series were computed.
+std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
-    std::string text = subject_lines(run);
+    std::string text;
     for (const std::string& words : series.words) {
         text += line("time", one_line(words));
     }
     text += line("times", times_words(series, summary));
     text += line(
         "run", fmt::format(
-                   "{} from {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
+                   "{} points, {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
                    run.spec.sampler, series_method(run.spec, summary), run.spec.paths,
                    run.spec.replicates, summary.seconds, summary.rays));
     if (run.spec.target_error > 0) {
@@ -244,7 +228,39 @@ std::string series_summary(
     if (summary.audited > 0) {
         text += line("audit", audit_line(summary));
     }
-    return text + written_line(written);
+    return text;
+}
+
+/// How the one time of a run without [time] was computed.
+std::string result_lines(const RunFile& run, const Result& result) {
+    std::string text = run_line(run.spec, result) + method_line(run.spec, result) +
+                       time_line(result) + target_line(run.spec, result) +
+                       energy_lines(run.scene, result) + error_line(run.scene, result);
+    for (const std::string& words : audit_lines(run, result)) {
+        text += line("audit", words);
+    }
+    return text;
+}
+
+}  // namespace
+
+void Summary::add_moment(const Result& result) {
+    if (!run_.series) {
+        result_lines_ = result_lines(run_, result);
+    }
+}
+
+std::string Summary::text(
+    const SeriesSummary& summary, const std::vector<std::string>& written) const {
+    return subject_lines(run_) + (run_.series ? series_lines(run_, summary) : result_lines_) +
+           written_line(written);
+}
+
+std::string summary(
+    const RunFile& run, const Result& result, const std::vector<std::string>& written) {
+    Summary summary(run);
+    summary.add_moment(result);
+    return summary.text({}, written);
 }
 
 }  // namespace quasimc

@@ -1,4 +1,5 @@
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -7,7 +8,6 @@
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
 #include "io/results/write_result.h"
-#include "io/results/write_series.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 
@@ -69,52 +69,57 @@ void append_results(std::string& out, const Result& result, std::size_t organ) {
     out += '\n';
 }
 
-/// A row for each organ, after `first`.
-void write_rows(
-    const RunFile& run, const Result& result, std::string_view first, const TextSink& sink) {
-    const std::vector<std::string> labels = label_keys(run.scene);
-    const std::vector<Organ>& organs = run.scene.organs();
-    std::string out;
-    for (std::size_t i = 0; i < organs.size(); ++i) {
-        out += first;
-        append_organ(out, organs[i], labels);
-        append_results(out, result, i);
-        if (out.size() >= kPiece) {
-            sink(out);
-            out.clear();
-        }
+/// How a run without [time] was computed.
+std::string result_comments(const RunFile& run, const Result& result) {
+    std::string out = fmt::format(
+        "# method: {}, {}\n", method_name(result.chosen.method), one_line(result.chosen.reason));
+    out += fmt::format(
+        "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
+        result.rays);
+    for (const std::string& words : audit_lines(run, result)) {
+        out += "# audit: " + one_line(words) + "\n";
     }
-    sink(out);
+    return out;
 }
 
 }  // namespace
 
-void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
-    sink(csv_origin(run, "table of organs"));
-    sink(fmt::format(
-        "# method: from {}, {}\n", method_name(result.chosen.method),
-        one_line(result.chosen.reason)));
-    sink(fmt::format(
-        "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
-        result.rays));
-    for (const std::string& words : audit_lines(run, result)) {
-        sink("# audit: " + one_line(words) + "\n");
+CsvWriter::CsvWriter(const RunFile& run, TextSink sink)
+    : run_(run), sink_(std::move(sink)), labels_(label_keys(run.scene)) {}
+
+void CsvWriter::write_head(const Result& result) {
+    const std::string columns = csv_organ_columns(run_) + light_columns(run_) + csv_error_columns();
+    if (run_.series) {
+        sink_(csv_origin(run_, "table of organs and times") + series_comments(run_));
+        sink_("# column time: where the time that the row is the mean of begins\n" + columns);
+        sink_(csv_header({"time"}, labels_, estimate_columns(run_)));
+    } else {
+        sink_(csv_origin(run_, "table of organs") + result_comments(run_, result) + columns);
+        sink_(csv_header({}, labels_, estimate_columns(run_)));
     }
-    sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
-    sink(csv_header({}, label_keys(run.scene), estimate_columns(run)));
-    write_rows(run, result, "", sink);
 }
 
-void write_series_csv_head(const RunFile& run, const TextSink& sink) {
-    sink(csv_origin(run, "table of organs and times") + series_comments(run));
-    sink("# column time: where the time that the row is the mean of begins\n");
-    sink(csv_organ_columns(run) + light_columns(run) + csv_error_columns());
-    sink(csv_header({"time"}, label_keys(run.scene), estimate_columns(run)));
+void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
+    if (!std::exchange(has_head_, true)) {
+        write_head(result);
+    }
+    const std::string first = run_.series ? run_.series->notes[time_step].time + "," : "";
+    const std::vector<Organ>& organs = run_.scene.organs();
+    std::string out;
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        out += first;
+        append_organ(out, organs[i], labels_);
+        append_results(out, result, i);
+        if (out.size() >= kPiece) {
+            sink_(out);
+            out.clear();
+        }
+    }
+    sink_(out);
 }
 
-void write_series_csv_moment(
-    const RunFile& run, std::size_t time_step, const Result& result, const TextSink& sink) {
-    write_rows(run, result, run.series->notes[time_step].time + ",", sink);
+void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
+    CsvWriter(run, sink).add_moment(0, result);
 }
 
 }  // namespace quasimc

@@ -1,41 +1,251 @@
-#include <fmt/format.h>
+#include <utility>
 
 #include "io/results/json_parts.h"
+#include "io/results/series_words.h"
 #include "io/results/write_result.h"
-#include "io/sha256.h"
+#include "io/runfile/units.h"
 
 namespace quasimc {
 namespace {
 
-/// Writes the list of organs and returns its digest.
-std::string write_organs(const RunFile& run, const Result& result, const TextSink& sink) {
-    const JsonNames names = json_names(run);
-    Sha256 digest;
-    const std::vector<Organ>& organs = run.scene.organs();
-    for (std::size_t i = 0; i < organs.size(); ++i) {
-        std::string line = json_organ(organs[i], result, i, names);
-        line += i + 1 < organs.size() ? ",\n" : "\n";
-        digest.add(line);
-        sink(line);
+constexpr JsonLayout kRows = JsonLayout::rows;
+constexpr JsonLayout kSpaced = JsonLayout::spaced;
+
+void write_number(JsonStream& json, std::string_view key, double value) {
+    json.key(key);
+    json.number(value);
+}
+
+void write_text(JsonStream& json, std::string_view key, std::string_view text) {
+    json.key(key);
+    json.text(text);
+}
+
+void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
+    json.key(key);
+    json.count(count);
+}
+
+/// Units of the sums, by band: of densities and of fluxes.
+void write_sum_units(JsonStream& json, const Scene& scene) {
+    json.key("sum_units");
+    json.begin_object(kSpaced);
+    for (const Band& band : scene.bands()) {
+        json.key(band.name);
+        json.begin_object(kSpaced);
+        write_text(json, "density", summed_unit(band.unit).name);
+        write_text(json, "flux", summed_unit(flux_unit(band.unit, scene.length_unit())).name);
+        json.end_object();
     }
-    return digest.hex();
+    json.end_object();
+}
+
+/// What precedes the moments of a run with [time].
+void write_series_head(JsonStream& json, const RunFile& run) {
+    json_warnings(json, run);
+    json.key("time");
+    json.begin_list(kSpaced);
+    for (const std::string& words : run.series->words) {
+        json.text(words);
+    }
+    json.end_list();
+    write_sum_units(json, run.scene);
+    json.key("moments");
+    json.begin_list(kRows);
+}
+
+/// Where the sun of a moment stands.
+void write_sun(JsonStream& json, const MomentNotes& notes) {
+    json.key("sun");
+    json.begin_object(kSpaced);
+    write_number(json, "azimuth_deg", notes.sun.azimuth_deg);
+    write_number(json, "elevation_deg", notes.sun.elevation_deg);
+    write_number(json, "true_elevation_deg", notes.sun.true_elevation_deg);
+    json.key("towards");
+    json.begin_list(kSpaced);
+    for (const double x : {notes.to_sun.x, notes.to_sun.y, notes.to_sun.z}) {
+        json.number(x);
+    }
+    json.end_list();
+    write_count(json, "steps_with_beam", notes.suns);
+    json.end_object();
+}
+
+void write_collapsed(JsonStream& json, const MomentNotes& notes) {
+    const MomentNotes::Collapsed& times = *notes.collapsed;
+    write_text(json, "until", times.until);
+    json.key("collapsed");
+    json.begin_object(kSpaced);
+    write_count(json, "times", times.times);
+    write_count(json, "with_daylight", times.with_light);
+    write_count(json, "suns", notes.suns);
+    write_count(json, "skies", times.skies);
+    json.end_object();
+}
+
+void write_daylight(JsonStream& json, const Daylight& daylight) {
+    json.key("daylight_W_m-2");
+    json.begin_object(kSpaced);
+    write_number(json, "direct", daylight.direct);
+    write_number(json, "diffuse", daylight.diffuse);
+    json.end_object();
+}
+
+/// The members of a sum, in its object.
+void write_sum(JsonStream& json, const RunFile& run, const SeriesSum& raw) {
+    const SeriesSum sum = in_summed_units(run, raw);
+    const JsonNames names = json_names(run);
+    const std::vector<Organ>& organs = run.scene.organs();
+    write_number(json, "seconds", sum.seconds);
+    json.key("organs");
+    json.begin_list(kRows);
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        json.raw(json_organ_sum(organs[i], sum, i, names));
+    }
+    json.end_list();
 }
 
 }  // namespace
 
-std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {
-    sink("{\n");
-    sink(json_head(run));
-    sink(json_result_head(run, result));
-    sink(json_warnings(run));
-    sink("\"organs\": [\n");
-    std::string digest = write_organs(run, result, sink);
-    sink(fmt::format("],\n\"organs_sha256\": \"{}\"\n}}\n", digest));
+JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
+    : run_(run),
+      writes_(static_cast<bool>(sink)),
+      json_(std::move(sink)),
+      days_([this](std::string_view text) { days_text_.add(text); }) {
+    if (writes_) {
+        json_.begin_object(kRows);
+        json_head(json_, run);
+    }
+    if (writes_ && run.series) {
+        write_series_head(json_, run);
+        days_.begin_list(kRows);
+    }
+}
+
+void JsonWriter::write_single_head(const Result& result) {
+    constexpr JsonLayout kPretty = JsonLayout::pretty;
+    json_method(json_, run_, result, kPretty);
+    json_done(json_, result, kPretty);
+    json_.key("seconds");
+    json_.begin_object(kPretty);
+    for (const auto& [key, seconds] :
+         {std::pair("build", result.build_seconds), std::pair("trace", result.trace_seconds),
+          std::pair("trace_cpu", result.trace_cpu_seconds)}) {
+        json_.key(key);
+        json_.real(seconds);
+    }
+    json_.end_object();
+    json_audit(json_, run_, result, kPretty);
+    json_energy(json_, run_, result, kPretty);
+    json_.key("escaped_is_remainder");
+    json_.boolean(result.escaped_is_remainder);
+    json_warnings(json_, run_);
+}
+
+void JsonWriter::write_moment_head(
+    std::size_t time_step, const Result& result, std::size_t traced) {
+    constexpr JsonLayout kCompact = JsonLayout::compact;
+    const MomentNotes& notes = run_.series->notes[time_step];
+    write_text(json_, "time", notes.time);
+    write_number(json_, "seconds", notes.seconds);
+    notes.collapsed ? write_collapsed(json_, notes) : write_sun(json_, notes);
+    write_daylight(json_, notes.daylight);
+    write_text(json_, "traced", run_.series->notes[traced].time);
+    json_method(json_, run_, result, kCompact);
+    json_done(json_, result, kCompact);
+    json_audit(json_, run_, result, kCompact);
+    json_energy(json_, run_, result, kCompact);
+}
+
+/// The digest is of the lines as they stand in the file.
+void JsonWriter::write_organs(const Result& result) {
+    const JsonNames names = json_names(run_);
+    const std::vector<Organ>& organs = run_.scene.organs();
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        const std::string line = json_organ(organs[i], result, i, names);
+        digest_.add(line);
+        digest_.add(i + 1 < organs.size() ? ",\n" : "\n");
+        if (writes_) {
+            json_.raw(line);
+        }
+    }
+}
+
+void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::size_t traced) {
+    ++time_steps_;
+    if (!writes_) {
+        write_organs(result);
+        return;
+    }
+    if (run_.series) {
+        json_.begin_object(kSpaced);
+        write_moment_head(time_step, result, traced);
+    } else {
+        write_single_head(result);
+    }
+    json_.key("organs");
+    json_.begin_list(kRows);
+    write_organs(result);
+    json_.end_list();
+    if (run_.series) {
+        json_.end_object();
+    }
+}
+
+void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
+    if (!writes_) {
+        return;
+    }
+    days_.begin_object(kSpaced);
+    write_text(days_, "date", run_.series->days[day]);
+    write_sum(days_, run_, sum);
+    days_.end_object();
+}
+
+void JsonWriter::write_series_end(const SeriesSummary& summary) {
+    json_.end_list();
+    days_.end_list();
+    days_.flush();
+    json_.key("days");
+    json_.raw("");
+    days_text_.copy_to([this](std::string_view text) { json_.raw_continued(text); });
+    json_.key("total");
+    json_.begin_object(kSpaced);
+    write_sum(json_, run_, summary.total);
+    json_.end_object();
+    json_.key("done");
+    json_.begin_object(kSpaced);
+    write_count(json_, "moments", time_steps_);
+    write_count(json_, "traced", summary.traced);
+    write_count(json_, "rays", summary.rays);
+    write_count(json_, "audited", summary.audited);
+    write_number(json_, "audit_chance", summary.audit_chance);
+    json_.end_object();
+    write_number(json_, "seconds", summary.seconds);
+}
+
+std::string JsonWriter::finish(const SeriesSummary& summary) {
+    std::string digest = digest_.hex();
+    if (writes_) {
+        if (run_.series) {
+            write_series_end(summary);
+        }
+        write_text(json_, "organs_sha256", digest);
+        json_.end_object();
+        json_.raw_continued("\n");
+        json_.flush();
+    }
     return digest;
 }
 
+std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {
+    JsonWriter writer(run, sink);
+    writer.add_moment(0, result, 0);
+    return writer.finish();
+}
+
 std::string digest_of_organs(const RunFile& run, const Result& result) {
-    return write_organs(run, result, [](std::string_view) {});
+    return write_json(run, result, {});
 }
 
 }  // namespace quasimc

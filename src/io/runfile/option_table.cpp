@@ -102,19 +102,20 @@ Option words_option(Words words, std::vector<std::string> RunSpec::*field, Words
 // To add an option of a run: add a field with its default to RunSpec (solvers/run_spec.h) and a row
 // here. The key in [run], the flag of the program, the range check with its message,
 // --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
-// --markdown`; a test compares) and the echo in the JSON result follow from the row.
+// -markdown`; a test compares) and the echo in the JSON result follow from the row.
 std::vector<Option> rows_of_paths() {
     constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
     return {
         sampler_option({"sampler", "", "point set that the paths are made from"}),
         choice_option<Method>(
-            {"trace_from", "",
-             "where paths start: lit_surfaces (sun, sky), sources (lamps), organs (few or small "
-             "ones measured); auto: the best of them, and why"},
+            {"method", "",
+             "how light is followed: first_hits (sun, sky), light_tracing (lamps), from_organs "
+             "(few "
+             "or small ones measured); auto: the best of them, and why"},
             &RunSpec::method,
-            {{"sources", Method::light_tracing},
-             {"organs", Method::from_organs},
-             {"lit_surfaces", Method::first_hits},
+            {{"light_tracing", Method::light_tracing},
+             {"first_hits", Method::first_hits},
+             {"from_organs", Method::from_organs},
              {"auto", Method::automatic}}),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
@@ -190,6 +191,19 @@ std::vector<Option> rows_of_ends() {
     };
 }
 
+// To rename an option or its values: change its row, and add here what it was. Run files, results
+// and command lines of before are understood on, with a warning that names what stands there now.
+std::vector<Option> former_rows() {
+    Option method = choice_option<Method>(
+        {"trace_from", "", "the former name of method"}, &RunSpec::method,
+        {{"sources", Method::light_tracing},
+         {"organs", Method::from_organs},
+         {"lit_surfaces", Method::first_hits},
+         {"auto", Method::automatic}});
+    method.replaced_by = "method";
+    return {method};
+}
+
 std::vector<Option> make_table() {
     std::vector<Option> table = rows_of_paths();
     for (const auto& more : {rows_of_engine(), rows_of_ends()}) {
@@ -202,6 +216,11 @@ std::vector<Option> make_table() {
 
 std::span<const Option> option_table() {
     static const std::vector<Option> table = make_table();
+    return table;
+}
+
+std::span<const Option> former_option_table() {
+    static const std::vector<Option> table = former_rows();
     return table;
 }
 

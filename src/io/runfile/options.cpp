@@ -63,6 +63,12 @@ bool in_domain(const OptionDomain& domain, const OptionValue& value) {
     return true;
 }
 
+const Option* find_in(std::span<const Option> table, std::string_view key) {
+    const auto found = std::find_if(
+        table.begin(), table.end(), [key](const Option& option) { return option.key == key; });
+    return found == table.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 double as_real(const OptionValue& value) {
@@ -71,10 +77,20 @@ double as_real(const OptionValue& value) {
 }
 
 const Option* find_option(std::string_view key) {
-    const std::span<const Option> table = option_table();
-    const auto found = std::find_if(
-        table.begin(), table.end(), [key](const Option& option) { return option.key == key; });
-    return found == table.end() ? nullptr : &*found;
+    return find_in(option_table(), key);
+}
+
+const Option* find_former_option(std::string_view key) {
+    return find_in(former_option_table(), key);
+}
+
+std::string replacement_words(const Option& former, const OptionValue& value) {
+    RunSpec spec;
+    former.set(spec, value);
+    const OptionValue now = find_option(former.replaced_by)->get(spec);
+    return fmt::format(
+        "{} = {} is now {} = {}", former.key, option_toml(value), former.replaced_by,
+        option_toml(now));
 }
 
 std::string option_flag(const Option& option) {
@@ -124,7 +140,7 @@ RunSpec default_run_spec() {
 std::string method_name(Method from) {
     RunSpec spec;
     spec.method = from;
-    return std::get<std::string>(find_option("trace_from")->get(spec));
+    return std::get<std::string>(find_option("method")->get(spec));
 }
 
 OptionValue parse_option(const Option& option, std::string_view text) {

@@ -41,18 +41,28 @@ struct Option {
     std::function<void(RunSpec&, const OptionValue&)>
         set;  ///< of a value that check_option accepts
     std::function<OptionValue(const RunSpec&)> get;
+    std::string_view replaced_by = {};  ///< of a former option: the key of today
 };
 
 /// All options of a run, in the order of the manual.
 [[nodiscard]] std::span<const Option> option_table();
+
+/// Options under the names they had before, with the values of then. They are still understood,
+/// with a warning; lists and manuals leave them out.
+[[nodiscard]] std::span<const Option> former_option_table();
 
 /// A number, of an integer too.
 [[nodiscard]] double as_real(const OptionValue& value);
 
 /// The row of that key, or null.
 [[nodiscard]] const Option* find_option(std::string_view key);
+[[nodiscard]] const Option* find_former_option(std::string_view key);
 
-/// "--trace-from" for trace_from.
+/// What to tell who states a former option with a value that it takes: "trace_from = "organs" is
+/// now method = "from_organs"".
+[[nodiscard]] std::string replacement_words(const Option& former, const OptionValue& value);
+
+/// "--max-depth" for max_depth.
 [[nodiscard]] std::string option_flag(const Option& option);
 
 /// What the option takes, in words: "1 to 100", "one of sobol, halton", "list of BAND:BAND".
@@ -63,10 +73,10 @@ struct Option {
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
 /// What a run file that says nothing asks for: RunSpec's defaults, but that the planner chooses
-/// where paths start (solvers/planner.h).
+/// the method (solvers/planner.h).
 [[nodiscard]] RunSpec default_run_spec();
 
-/// How run files name a way of tracing: "lit_surfaces".
+/// How run files name a method: "first_hits".
 [[nodiscard]] std::string method_name(Method from);
 
 /// The value that a text on the command line states ("65536", "sobol", "R:FR,B:R"); a text that is

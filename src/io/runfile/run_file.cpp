@@ -174,6 +174,15 @@ void throw_in_order(const Reporter& reporter) {
 
 }  // namespace
 
+std::vector<TimeStep> moments_of(const RunFile& run) {
+    if (run.series) {
+        return run.series->time_steps;
+    }
+    TimeStep only;
+    only.sources = run.sources;
+    return {std::move(only)};
+}
+
 RunFile read_run_document(
     Node document,
     const std::string& name,

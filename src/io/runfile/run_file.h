@@ -44,6 +44,10 @@ struct RunFile {
     Node document;                  ///< the run file, its [run] complete
 };
 
+/// The times to compute: those of [time] or else a single one, an instant, with the sources of the
+/// run.
+[[nodiscard]] std::vector<TimeStep> moments_of(const RunFile& run);
+
 /// Reads a run file ("-": standard input).
 /// @throws InputError  with all its faults at once
 [[nodiscard]] RunFile read_run_file(

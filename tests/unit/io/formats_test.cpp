@@ -100,6 +100,27 @@ TEST(Formats, EveryReaderReportsRubbishAndNothingElse) {
     }
 }
 
+/// An organ's triangles stand below their materials, whatever the order they came in.
+TEST(Formats, ObjPutsTheTrianglesOfAMaterialTogether) {
+    RunText text;
+    text.materials += "[[material]]\nname = 'soil'\nreflectance = 0.2\n";
+    text.organs =
+        "[[geometry]]\nfile = 'a.obj'\nmaterials = { a = 'leaf', b = 'soil' }\norgans = 'one'\n";
+    const std::string corners = "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 2 1\n";
+    const std::string faces = "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\nusemtl a\nf 2 3 4\n";
+    const Scene scene = read_text(text.text(), {{"a.obj", corners + faces}}).scene;
+    ASSERT_EQ(scene.organs().size(), 1U);
+    std::string obj = written(*find_format("obj"), scene);
+    std::erase_if(obj, [](char c) { return c == '\n'; });
+    const std::string face = "f -3 -2 -1";
+    EXPECT_NE(
+        obj.find(
+            "usemtl leafv 0 0 1v 1 0 1v 0 1 1" + face + "v 1 0 1v 0 1 1v 0 2 1" + face +
+            "usemtl soilv 0 0 1v 1 0 1v 0 2 1" + face),
+        std::string::npos)
+        << obj;
+}
+
 TEST(Formats, PlyKeepsIds) {
     const Scene scene = read_text(scene_text()).scene;
     const Scene back = read_back(*find_format("ply"), written(*find_format("ply"), scene)).scene;

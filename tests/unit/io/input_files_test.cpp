@@ -9,20 +9,6 @@
 namespace quasimc::test {
 namespace {
 
-TEST(Sha256, HasTheValueOfTheStandard) {
-    // FIPS 180-4, example "abc"
-    EXPECT_EQ(
-        sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-}
-
-TEST(Sha256, TakesBytesInPieces) {
-    Sha256 digest;
-    digest.add("a");
-    digest.add("");
-    digest.add("bc");
-    EXPECT_EQ(digest.hex(), sha256_hex("abc"));
-}
-
 class InputFilesTest : public FolderTest {};
 
 TEST_F(InputFilesTest, ReadsPathsFromItsFolderAndNotesEachFileOnce) {

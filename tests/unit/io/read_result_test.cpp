@@ -90,7 +90,7 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
     EXPECT_NE(faults_of_text("[]").find("is no result of QuasiMC"), std::string::npos);
     EXPECT_NE(faults_of_text("{}").find("is no result of QuasiMC"), std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})")
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 3})")
             .find("format_version"),
         std::string::npos);
     EXPECT_NE(

@@ -1,10 +1,12 @@
 // Times of [time] that are collapsed into one moment.
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "io/results/write_series.h"
+#include "io/results/write_result.h"
 #include "run/series.h"
 #include "unit/io/io_testing.h"
 
@@ -96,9 +98,15 @@ TEST(RunFileCollapse, NeedsTimesWithALength) {
         "collapse is 'weeks'"));
 }
 
+std::string days_head(const RunFile& run) {
+    std::string text;
+    const DaysWriter days(run, [&](std::string_view part) { text += part; });
+    return text;
+}
+
 std::string series_json(const RunFile& run) {
     std::string text;
-    SeriesJson json(run, [&](std::string_view part) { text += part; });
+    JsonWriter json(run, [&](std::string_view part) { text += part; });
     json.add_moment(0, dark_result(run.scene, run.spec), 0);
     static_cast<void>(json.finish({}));
     return text;
@@ -106,8 +114,7 @@ std::string series_json(const RunFile& run) {
 
 TEST(RunFileCollapse, IsToldInTheResults) {
     const RunFile run = read_text(with_two_bands(std::string(kDays) + "collapse = 'period'\n"));
-    std::string csv;
-    write_days_head(run, [&](std::string_view part) { csv += part; });
+    const std::string csv = days_head(run);
     EXPECT_NE(
         csv.find("# moment: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
         std::string::npos);
@@ -118,9 +125,79 @@ TEST(RunFileCollapse, IsToldInTheResults) {
         std::string::npos);
     EXPECT_EQ(json.find("azimuth_deg\": "), std::string::npos);
     const RunFile days = read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n"));
-    csv.clear();
-    write_days_head(days, [&](std::string_view part) { csv += part; });
-    EXPECT_NE(csv.find("incident_upper_PAR [mol m-2 d-1]:"), std::string::npos);
+    EXPECT_NE(days_head(days).find("incident_upper_PAR [mol m-2 d-1]:"), std::string::npos);
+}
+
+/// A sum in which every value is `mean`.
+SeriesSum flat_sum(const RunFile& run, double seconds, double mean) {
+    SeriesSum sum;
+    sum.bands = run.scene.bands().size();
+    sum.seconds = seconds;
+    sum.values.resize(run.scene.organs().size() * kQuantities * sum.bands, {mean, 0, mean, mean});
+    return sum;
+}
+
+TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
+    const RunFile run = read_text(with_two_bands(kDays));
+    std::string text;
+    std::string digest;
+    {
+        JsonWriter json(run, [&](std::string_view part) { text += part; });
+        const Result dark = dark_result(run.scene, run.spec);
+        for (std::size_t day = 0; day < 3; ++day) {
+            for (std::size_t hour = 0; hour < 24; ++hour) {
+                json.add_moment(24 * day + hour, dark, 24 * day + hour);
+            }
+            json.add_day(day, flat_sum(run, 86400, 1 + static_cast<double>(day)));
+        }
+        SeriesSummary summary;
+        summary.total = flat_sum(run, 3 * 86400, 6);
+        digest = json.finish(summary);
+    }
+    const auto json = nlohmann::ordered_json::parse(text);
+    EXPECT_EQ(json["moments"].size(), 72U);
+    EXPECT_EQ(json["moments"][71]["time"], "2024-06-22T23:00+01:00");
+    EXPECT_EQ(json["moments"][71]["organs"].size(), 1U);
+    ASSERT_EQ(json["days"].size(), 3U);
+    EXPECT_EQ(json["days"][2]["date"], "2024-06-22");
+    EXPECT_EQ(json["days"][2]["seconds"], 86400);
+    EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["NIR"]["mean"], 3);
+    EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["PAR"]["mean"], 3e-6) << "mol";
+    EXPECT_EQ(json["total"]["organs"][0]["incident_upper"]["NIR"]["high"], 6);
+    EXPECT_EQ(json["done"]["moments"], 72);
+    EXPECT_EQ(json["organs_sha256"], digest);
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) {
+        keys.push_back(key);
+    }
+    const auto place = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
+    EXPECT_LT(place("moments"), place("days"));
+    EXPECT_LT(place("days"), place("total"));
+    EXPECT_LT(place("total"), place("organs_sha256"));
+}
+
+TEST(JsonOfTimes, HasADigestWithoutAFile) {
+    const RunFile run = read_text(with_two_bands(kDays));
+    const Result dark = dark_result(run.scene, run.spec);
+    std::string text;
+    JsonWriter written(run, [&](std::string_view part) { text += part; });
+    JsonWriter unwritten(run);
+    for (JsonWriter* json : {&written, &unwritten}) {
+        json->add_moment(0, dark, 0);
+        json->add_day(0, flat_sum(run, 1, 1));
+    }
+    const std::string digest = written.finish();
+    EXPECT_EQ(unwritten.finish(), digest);
+    EXPECT_NE(digest, JsonWriter(run).finish()) << "of nothing";
+}
+
+TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {
+    const RunFile single = read_text(RunText{}.text());
+    const std::vector<TimeStep> one = moments_of(single);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(one[0].sources, single.sources);
+    EXPECT_EQ(one[0].seconds, 0);
+    EXPECT_EQ(moments_of(read_text(with_two_bands(kDays))).size(), 72U);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ TEST(RunFileLamps, AnIesFileOfALambertianPanelIsTheRectangle) {
             text.sources = fmt::format(
                 "[[source]]\nposition = [0.3, 0.2, {}]\nalong = [1, 0, 0]\npower = 1\n{}",
                 1 + height, keys);
-            text.run = "[run]\ntrace_from = 'organs'\npaths = 65536\n";
+            text.run = "[run]\nmethod = 'from_organs'\npaths = 65536\n";
             const RunFile run = read_text(text.text(), {{"lamp.ies", lambertian_ies()}});
             return quasimc::run(run.scene, run.sources, run.spec)
                 .at(0, Quantity::incident_upper, 0);

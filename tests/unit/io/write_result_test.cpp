@@ -168,14 +168,15 @@ TEST(Method, IsToldWithItsReason) {
     run.spec.method = Method::automatic;
     Result result = small_result();
     result.chosen = {Method::first_hits, "it is sunny"};
-    EXPECT_NE(summary(run, result, {}).find("from lit_surfaces: it is sunny"), std::string::npos);
+    EXPECT_NE(
+        summary(run, result, {}).find("method    first_hits: it is sunny"), std::string::npos);
     const auto json = json_of(run, result)["method"];
-    EXPECT_EQ(json["trace_from"], "lit_surfaces");
+    EXPECT_EQ(json["used"], "first_hits");
     EXPECT_EQ(json["asked"], "auto");
     EXPECT_EQ(json["reason"], "it is sunny");
     std::string table;
     write_csv(run, result, [&](std::string_view piece) { table += piece; });
-    EXPECT_TRUE(mentions(lines_of(table), "# method: from lit_surfaces, it is sunny"));
+    EXPECT_TRUE(mentions(lines_of(table), "# method: first_hits, it is sunny"));
 }
 
 TEST(Method, IsNoNewsToWhoAskedForIt) {
@@ -203,13 +204,15 @@ TEST(Audit, IsToldBandByBand) {
     const auto json = json_of(small_run(), result)["audit"];
     EXPECT_EQ(json["agrees"], true);
     EXPECT_EQ(json["paths"], 10);
-    EXPECT_EQ(json["bands"]["R"]["chi"], 1.5);
+    EXPECT_EQ(json["bands"]["R"]["reduced_chi_square"], 1.5);
     EXPECT_EQ(json["bands"]["R"]["difference"], -2.0);
     EXPECT_EQ(json["bands"]["R"]["unit"], "W m-2 cm2");
     EXPECT_TRUE(json["bands"]["FR"]["difference"].is_null());
     const std::string text = summary(small_run(), result, {});
     EXPECT_NE(text.find("audit     agrees"), std::string::npos) << text;
-    EXPECT_NE(text.find("R: chi 1.5; organs absorb -2 +- 1 W m-2 cm2 more"), std::string::npos);
+    EXPECT_NE(
+        text.find("R: reduced chi-square 1.5; organs absorb -2 +- 1 W m-2 cm2 more"),
+        std::string::npos);
 }
 
 TEST(Audit, IsLoudWhenItDisagrees) {

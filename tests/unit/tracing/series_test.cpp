@@ -139,6 +139,27 @@ TEST(Series, SumsOverDaysAndInAll) {
     }
 }
 
+/// Sums take as much memory as a result: they are made only for who asks for them.
+TEST(Series, LeavesOutSumsThatNobodyWants) {
+    const Scene scene = make_scene();
+    const std::vector<TimeStep> time_steps{
+        moment_of({sky({10})}, "o"), moment_of({}, ""), moment_of({sky({20})}, "o", 1)};
+    std::vector<Result> results;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+    };
+    events.wants_total = false;
+    const SeriesSummary summary = run_series(scene, time_steps, small_spec(), events);
+    EXPECT_TRUE(summary.total.values.empty());
+    EXPECT_EQ(summary.traced, 1U);
+    const auto usual = results_of(scene, time_steps, small_spec());
+    ASSERT_EQ(results.size(), usual.size());
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+        EXPECT_TRUE(same_numbers(results[i], usual[i])) << i;
+    }
+}
+
 /// {1, 3} has mean 2 and standard error 1; twice that and {0, 0.2} independently.
 TEST(SeriesAdder, AddsMeansAndSquaresOfErrors) {
     Result a;

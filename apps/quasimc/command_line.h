@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// Exit statuses of the program.
+enum class Exit { done = 0, input_error = 1, usage = 2, internal_error = 3, target_missed = 4 };
+
+/// What a flag sets. Whoever owns it must outlive the parsing.
+using FlagTarget = std::variant<
+    bool*,
+    int*,
+    std::size_t*,
+    double*,
+    std::string*,
+    std::optional<double>*,
+    std::optional<std::string>*>;
+
+/// A flag or an argument of a command: one row of the command's table.
+struct Flag {
+    std::string name;  ///< "--csv", "-q,--quiet"; of an argument "FILE"
+    FlagTarget target;
+    std::string summary;
+    bool required = false;
+    std::optional<std::string> type_name = {};  ///< in the help; by default that of the target
+    std::string excludes = {};                  ///< the name of a flag that can't stand beside it
+    std::vector<std::string> choices = {};      ///< if there are any, it must be one of them
+    std::optional<std::pair<double, double>> range = {};  ///< of a number, ends included
+    std::optional<std::string> group = {};                ///< heading in the help; "": not shown
+    std::string default_text = {};                        ///< shown in the help
+};
+
+/// Thrown by Command::check: the command line asks for what can't be.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A command of the program, as "run" in `quasimc run FILE`.
+struct Command {
+    std::string name, summary;
+    std::vector<Flag> flags;
+    std::function<Exit()> run;         ///< what it does, once its flags are set
+    std::function<void()> check = {};  ///< throws UsageError if flags don't go together
+};
+
+/// The program: flags of its own, and its commands.
+struct Program {
+    std::string name, version, summary, footer;
+    std::vector<Flag> flags;
+    std::vector<Command> commands;
+};
+
+/// What a command line asks for.
+struct Parsed {
+    std::optional<Exit> exit;          ///< help, version or a usage error was printed: end so
+    const Command* command = nullptr;  ///< the command, if one was named
+    std::string help;                  ///< of the program
+};
+
+/// Sets what the flags name. Prints help and version to stdout, usage errors to stderr.
+[[nodiscard]] Parsed parse_command_line(const Program& program, int argc, char** argv);

@@ -1,0 +1,154 @@
+#include "base/version.h"
+#include "io/results/json_parts.h"
+#include "io/runfile/units.h"
+
+namespace quasimc {
+namespace {
+
+constexpr JsonLayout kLayout = JsonLayout::pretty;
+
+void write_text(JsonStream& json, std::string_view key, std::string_view text) {
+    json.key(key);
+    json.text(text);
+}
+
+void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
+    json.key(key);
+    json.count(count);
+}
+
+void write_node(JsonStream& json, const Node& node);
+
+void write_table(JsonStream& json, const Node::Table& table) {
+    json.begin_object(kLayout);
+    for (const Member& member : table) {
+        json.key(member.key);
+        write_node(json, member.node);
+    }
+    json.end_object();
+}
+
+void write_list(JsonStream& json, const Node::List& list) {
+    json.begin_list(kLayout);
+    for (const Node& item : list) {
+        write_node(json, item);
+    }
+    json.end_list();
+}
+
+void write_node(JsonStream& json, const Node& node) {
+    if (const auto* table = node.as<Node::Table>()) {
+        write_table(json, *table);
+    } else if (const auto* list = node.as<Node::List>()) {
+        write_list(json, *list);
+    } else if (const auto* text = node.as<std::string>()) {
+        json.text(*text);
+    } else if (const auto* integer = node.as<std::int64_t>()) {
+        json.integer(*integer);
+    } else if (const auto* real = node.as<double>()) {
+        json.real(*real);
+    } else if (const auto* boolean = node.as<bool>()) {
+        json.boolean(*boolean);
+    } else if (const auto* other = node.as<Node::Other>(); other && !other->text.empty()) {
+        json.text(other->text);
+    } else {
+        json.null();
+    }
+}
+
+void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
+    json.key("inputs");
+    json.begin_list(kLayout);
+    for (const InputFile& input : inputs) {
+        json.begin_object(kLayout);
+        write_text(json, "path", input.path);
+        write_text(json, "resolved", input.resolved);
+        write_text(json, "sha256", input.sha256);
+        write_count(json, "bytes", input.bytes);
+        json.key("is_run_file");
+        json.boolean(input.is_run_file);
+        json.end_object();
+    }
+    json.end_list();
+}
+
+void write_axes(JsonStream& json, const Orientation& axes) {
+    json.key("axes");
+    json.begin_object(kLayout);
+    write_text(json, "up", axes.up() == UpAxis::z ? "z" : "y");
+    json.key("north");
+    json.begin_list(kLayout);
+    for (const double x : {axes.north().x, axes.north().y, axes.north().z}) {
+        json.real(x);
+    }
+    json.end_list();
+    json.end_object();
+}
+
+void write_scene(JsonStream& json, const Scene& scene) {
+    json.key("scene");
+    json.begin_object(kLayout);
+    write_count(json, "organs", scene.organs().size());
+    write_count(json, "triangles", scene.triangles().size());
+    write_text(json, "length_unit", scene.length_unit());
+    write_axes(json, scene.orientation());
+    json.end_object();
+}
+
+void write_sources(JsonStream& json, const std::vector<std::string>& notes) {
+    json.key("sources");
+    json.begin_list(kLayout);
+    for (const std::string& note : notes) {
+        json.text(note);
+    }
+    json.end_list();
+}
+
+void write_quantities(JsonStream& json, const Scene& scene) {
+    json.key("quantities");
+    json.begin_list(kLayout);
+    for (const QuantityEntry& entry : quantity_table()) {
+        json.begin_object(kLayout);
+        write_text(json, "name", entry.name);
+        write_text(json, "meaning", entry.summary);
+        json.key("unit");
+        json.begin_object(kLayout);
+        for (const Band& band : scene.bands()) {
+            write_text(json, band.name, unit_of(entry, band, scene.length_unit()));
+        }
+        json.end_object();
+        json.end_object();
+    }
+    json.end_list();
+}
+
+}  // namespace
+
+void json_head(JsonStream& json, const RunFile& run) {
+    write_text(json, "format", "quasimc-result");
+    write_count(json, "format_version", kResultVersion);
+    write_text(json, "program_version", version());
+    write_text(json, "title", run.title);
+    write_text(json, "run_file", run.path);
+    write_text(json, "folder", run.folder);
+    write_inputs(json, run.inputs);
+    json.key("run");
+    write_node(json, run.document);
+    write_scene(json, run.scene);
+    write_sources(json, run.source_notes);
+    write_quantities(json, run.scene);
+}
+
+void json_warnings(JsonStream& json, const RunFile& run) {
+    json.key("warnings");
+    json.begin_list(kLayout);
+    for (const Warning& warning : run.warnings) {
+        json.begin_object(kLayout);
+        write_text(json, "place", warning.place);
+        write_text(json, "text", warning.text);
+        json.end_object();
+    }
+    json.end_list();
+}
+
+}  // namespace quasimc
