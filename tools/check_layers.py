@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the shape of the source: layers, fences around libraries, silence of the engine, sizes.
 
-The layers stand in src/quasimc/layers.txt.  Every fault is printed as "file:line: problem", and
+The layers stand in src/layers.txt.  Every fault is printed as "file:line: problem", and
 the exit status is 1 if there was one.  File sizes are hints and never fail.
 """
 
@@ -12,14 +12,14 @@ from pathlib import Path
 
 # The start of an include -> where alone it may stand (a folder ends in "/").
 FENCES = {
-    "toml++/": ["src/quasimc/io/", "tests/"],
-    "nlohmann/": ["src/quasimc/io/", "tests/"],
+    "toml++/": ["src/io/", "tests/"],
+    "nlohmann/": ["src/io/", "tests/"],
     "CLI/": ["apps/quasimc/cli.cpp", "bench/"],
     "pybind11/": ["python/"],
     "embree3/": ["src/geometry/cast/embree.cpp", "bench/"],
     "embree4/": ["src/geometry/cast/embree.cpp", "bench/"],
     "hwy/": [
-        "src/geometry/draw_span.cpp",
+        "src/geometry/raster/draw_span.cpp",
         "src/samplers/vector_loops.cpp",
         "tests/",
     ],
@@ -29,8 +29,7 @@ FENCES = {
 # Headers so slow to compile that they stay out of ours.
 SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/", "hwy/")
 
-# The engine, layers 0 to 3, knows nothing of files, terminals and pipes, and never exits.
-ENGINE_LAYERS = range(0, 4)
+# The engine, all layers below io, knows nothing of files, terminals and pipes, and never exits.
 ENGINE_HEADERS = {"iostream", "fstream", "filesystem", "cstdio", "stdio.h", "unistd.h"}
 ENGINE_CALLS = re.compile(r"\b(std::(cout|cerr|clog|exit|quick_exit|abort)\b|printf\s*\(|fopen\s*\()")
 ENGINE_EXCEPTIONS = {"src/base/checks.h"}  # EXPECT and ENSURE end the program
@@ -43,7 +42,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 def read_layers(root):
     """The layer of each module, and the set of modules in no order."""
     layers = {}
-    for line in (root / "src/quasimc/layers.txt").read_text().splitlines():
+    for line in (root / "src/layers.txt").read_text().splitlines():
         words = line.split()
         if words and not line.startswith("#"):
             layers.update({name: int(words[0]) for name in words[1:]})
@@ -54,7 +53,7 @@ def read_links(root, layers):
     """For each module: the modules it links, and those of them that its users see (PUBLIC)."""
     every, public = {}, {}
     for module in layers:
-        path = root / "src/quasimc" / module / "CMakeLists.txt"
+        path = root / "src" / module / "CMakeLists.txt"
         if not path.exists():
             continue
         every[module], public[module] = set(), set()
@@ -85,8 +84,8 @@ def module_of(path, layers):
     parts = path.parts
     if parts[0] in ("apps", "python"):
         return parts[0]
-    if parts[:2] == ("src", "quasimc") and len(parts) > 3 and parts[2] in layers:
-        return parts[2]
+    if parts[0] == "src" and len(parts) > 2 and parts[1] in layers:
+        return parts[1]
     return None
 
 
@@ -105,19 +104,21 @@ class Checker:
         parts = target.split("/")
         if path.parts[0] in ("tests", "bench") and (self.root / path.parts[0] / target).exists():
             return
-        if parts[0] != "quasimc":
-            if path.parts[0] == "src" or "/" in target:
-                self.fault(path, line, f'include "{target}" from src/, as "quasimc/<module>/..."')
-            return
-        if module is None or len(parts) < 3:
+        if parts[0] == "quasimc":
             if module is not None and self.layers[module] < self.layers["apps"]:
                 self.fault(path, line, f'"{target}" is for users; include the module\'s header')
             return
-        other = parts[1]
+        if len(parts) < 2:
+            if path.parts[0] == "src":
+                self.fault(path, line, f'include "{target}" from src/, as "<module>/..."')
+            return
+        if module is None:
+            return
+        other = parts[0]
         if other == module:
             return
         if other not in self.layers:
-            self.fault(path, line, f'"{target}": no module {other} in src/quasimc/layers.txt')
+            self.fault(path, line, f'"{target}": no module {other} in src/layers.txt')
         elif self.layers[other] >= self.layers[module]:
             self.fault(
                 path,
@@ -145,7 +146,7 @@ class Checker:
         module = module_of(path, self.layers)
         engine = (
             module is not None
-            and self.layers[module] in ENGINE_LAYERS
+            and self.layers[module] < self.layers["io"]
             and str(path) not in ENGINE_EXCEPTIONS
         )
         for number, content in enumerate(lines, 1):
@@ -168,12 +169,17 @@ class Checker:
             self.fault(path, 1, "no #pragma once")
 
     def is_listed(self, path):
-        cmake = (self.root / path).parent / "CMakeLists.txt"
-        pattern = rf"(?<![\w/]){re.escape(path.name)}(?!\w)"
-        return not cmake.exists() or re.search(pattern, cmake.read_text(encoding="utf-8"))
+        """Whether the nearest CMakeLists.txt above a source lists it, by its path from there."""
+        for folder in path.parents:
+            cmake = self.root / folder / "CMakeLists.txt"
+            if cmake.exists():
+                name = re.escape(str(path.relative_to(folder)))
+                pattern = rf"(?<![\w/]){name}(?!\w)"
+                return re.search(pattern, cmake.read_text(encoding="utf-8"))
+        return True
 
     def run(self):
-        for folder in ("src", "apps", "python", "tests", "bench"):
+        for folder in ("src", "include", "apps", "python", "tests", "bench"):
             for path in sorted((self.root / folder).rglob("*")):
                 if path.suffix in (".h", ".cpp"):
                     self.check_file(path.relative_to(self.root))

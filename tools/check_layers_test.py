@@ -7,13 +7,13 @@ from pathlib import Path
 import check_layers
 
 TREE = {
-    "src/quasimc/layers.txt": "# the layers\n0 base\n1 geometry optics\n4 io\n6 apps python\n",
-    "src/quasimc/geometry/CMakeLists.txt": "quasimc_module(NAME geometry SOURCES a.cpp PUBLIC base)\n",
+    "src/layers.txt": "# the layers\n0 base\n1 geometry optics\n4 io\n6 apps python\n",
+    "src/geometry/CMakeLists.txt": "quasimc_module(NAME geometry SOURCES a.cpp PUBLIC base)\n",
     "src/base/vec3.h": "#pragma once\n",
-    "src/quasimc/geometry/a.cpp": '#include "quasimc/base/vec3.h"\n#include <vector>\n',
+    "src/geometry/a.cpp": '#include "base/vec3.h"\n#include <vector>\n',
     "src/io/runfile/read_toml.cpp": "#include <fstream>\n#include <toml++/toml.h>\n",
     "tests/support/agrees.h": "#pragma once\n",
-    "tests/unit/base/vec3_test.cpp": '#include "quasimc/base/vec3.h"\n#include "support/agrees.h"\n',
+    "tests/unit/base/vec3_test.cpp": '#include "base/vec3.h"\n#include "support/agrees.h"\n',
 }
 
 
@@ -38,42 +38,42 @@ class CheckLayers(unittest.TestCase):
         self.assertTrue(faults[0].startswith(f"{path}:"), faults[0])
 
     def test_a_higher_layer_is_refused(self):
-        text = '#include "quasimc/geometry/a.h"\n'
-        self.assert_one_fault("src/quasimc/base/b.cpp", text, "only lower layers")
+        text = '#include "geometry/a.h"\n'
+        self.assert_one_fault("src/base/b.cpp", text, "only lower layers")
 
     def test_a_neighbour_is_refused(self):
-        text = '#include "quasimc/optics/bsdf.h"\n'
-        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "only lower layers")
+        text = '#include "optics/bsdf.h"\n'
+        self.assert_one_fault("src/geometry/a.cpp", text, "only lower layers")
 
     def test_an_unlinked_module_is_refused(self):
-        path = "src/quasimc/geometry/CMakeLists.txt"
+        path = "src/geometry/CMakeLists.txt"
         faults = faults_with(path, "quasimc_module(NAME geometry SOURCES a.cpp)\n")
         self.assertEqual(len(faults), 1, faults)
         self.assertIn("does not link it", faults[0])
 
     def test_a_library_outside_its_fence_is_refused(self):
         text = "#include <nlohmann/json.hpp>\n"
-        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "only by src/quasimc/io/")
+        self.assert_one_fault("src/geometry/a.cpp", text, "only by src/io/")
 
     def test_a_slow_header_in_a_header_is_refused(self):
         text = "#pragma once\n#include <toml++/toml.h>\n"
-        self.assert_one_fault("src/quasimc/io/toml.h", text, "slow to compile")
+        self.assert_one_fault("src/io/toml.h", text, "slow to compile")
 
     def test_an_engine_that_prints_is_refused(self):
         text = 'void f() { std::printf("x"); }\n'
-        self.assert_one_fault("src/quasimc/geometry/a.cpp", text, "neither prints nor exits")
+        self.assert_one_fault("src/geometry/a.cpp", text, "neither prints nor exits")
 
     def test_printing_in_a_comment_is_left_alone(self):
-        self.assertEqual(faults_with("src/quasimc/geometry/a.cpp", "// std::cout\n"), [])
+        self.assertEqual(faults_with("src/geometry/a.cpp", "// std::cout\n"), [])
 
     def test_a_relative_include_is_refused(self):
-        self.assert_one_fault("src/quasimc/geometry/a.cpp", '#include "a.h"\n', "from src/")
+        self.assert_one_fault("src/geometry/a.cpp", '#include "a.h"\n', "from src/")
 
     def test_a_source_that_is_not_built_is_refused(self):
-        self.assert_one_fault("src/quasimc/geometry/b.cpp", "\n", "not listed")
+        self.assert_one_fault("src/geometry/b.cpp", "\n", "not listed")
 
     def test_a_header_without_a_guard_is_refused(self):
-        self.assert_one_fault("src/quasimc/base/b.h", "int f();\n", "#pragma once")
+        self.assert_one_fault("src/base/b.h", "int f();\n", "#pragma once")
 
 
 if __name__ == "__main__":

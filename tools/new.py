@@ -40,7 +40,7 @@ class Family:
 # things, and the three templates.
 FAMILIES = {
     "sampler": Family(
-        folder="src/quasimc/samplers",
+        folder="src/samplers",
         tests="tests/unit/samplers",
         pages="docs/theory",
         catalogue="src/samplers/catalogue.cpp",
@@ -51,7 +51,7 @@ FAMILIES = {
         others=(("docs/guide/options.md", r"(\| `sampler` .*? one of [^|]*?) \|", r"\1, @name@ |"),),
     ),
     "source": Family(
-        folder="src/quasimc/sources",
+        folder="src/sources",
         tests="tests/unit/sources",
         pages="docs/theory",
         catalogue="src/sources/catalogue.cpp",
@@ -84,7 +84,7 @@ FAMILIES = {
         ),
     ),
     "bsdf": Family(
-        folder="src/quasimc/optics",
+        folder="src/optics",
         tests="tests/unit/optics",
         pages="docs/theory",
         catalogue="src/optics/catalogue.cpp",
@@ -109,7 +109,7 @@ FAMILIES = {
         ),
     ),
     "format": Family(
-        folder="src/quasimc/io",
+        folder="src/io/meshes",
         tests="tests/unit/io",
         pages="docs/formats",
         catalogue="src/io/meshes/formats.cpp",
@@ -132,20 +132,20 @@ FAMILIES = {
         ),
     ),
     "solver": Family(
-        folder="src/quasimc/solvers",
+        folder="src/solvers",
         tests="tests/unit/solvers",
         pages="docs/theory",
-        catalogue="src/quasimc/solvers/catalogue.cpp",
+        catalogue="src/solvers/catalogue.cpp",
         entries=(
             ("declares a solver", "std::unique_ptr<Solver> make_@name@();"),
             ("enters a solver", '    SolverEntry{"@name@", "@words@", make_@name@},'),
         ),
     ),
     "detector": Family(
-        folder="src/quasimc/detectors",
+        folder="src/detectors",
         tests="tests/unit/detectors",
         pages="docs/theory",
-        catalogue="src/quasimc/detectors/catalogue.cpp",
+        catalogue="src/detectors/catalogue.cpp",
         entries=(
             ("declares a detector", "std::unique_ptr<Detector> make_@name@();"),
             ("enters a detector", '    DetectorEntry{"@name@", "@words@", make_@name@},'),
@@ -206,6 +206,14 @@ def with_source(text, file):
     return f"{text[:end]}\n{' ' * column}{file}{text[end:]}"
 
 
+def list_of(root, file):
+    """The nearest CMakeLists.txt above a file, and the file's path from there."""
+    for folder in Path(file).parents:
+        if (root / folder / "CMakeLists.txt").exists():
+            return f"{folder}/CMakeLists.txt", str(Path(file).relative_to(folder))
+    raise ValueError(f"no CMakeLists.txt above {file}")
+
+
 def planned(root, kind, name):
     """The text of every file that a new member makes or changes, by path; nothing is written."""
     family = FAMILIES[kind]
@@ -228,8 +236,8 @@ def planned(root, kind, name):
         catalogue = with_entry(catalogue, what, filled(entry, family, name))
     texts[family.catalogue] = catalogue
     for folder, file in ((family.folder, f"{stem}.cpp"), (family.tests, f"{stem}_test.cpp")):
-        lists = f"{folder}/CMakeLists.txt"
-        texts[lists] = with_source((root / lists).read_text(encoding="utf-8"), file)
+        lists, listed = list_of(root, f"{folder}/{file}")
+        texts[lists] = with_source((root / lists).read_text(encoding="utf-8"), listed)
     for path, pattern, replacement in family.others:
         text = (root / path).read_text(encoding="utf-8")
         texts[path], count = re.subn(pattern, filled(replacement, family, name), text, count=1)

@@ -18,7 +18,7 @@ class Spellings(unittest.TestCase):
         self.assertEqual(
             new.filled(text, family, "open_leaf"),
             "open_leaf OpenLeaf 'open leaf' 'Open leaf' open-leaf "
-            "src/quasimc/io/read_open_leaf.cpp tests/unit/io/read_open_leaf_test.cpp",
+            "src/io/meshes/read_open_leaf.cpp tests/unit/io/read_open_leaf_test.cpp",
         )
 
 
@@ -76,14 +76,14 @@ class EveryFamily(unittest.TestCase):
                         f"{family.pages}/{page}",
                     },
                 )
-                lists = {f"{family.folder}/CMakeLists.txt", f"{family.tests}/CMakeLists.txt"}
+                lists = {new.list_of(ROOT, f"{folder}/x")[0] for folder in (family.folder, family.tests)}
                 read = {path for path, _, _ in family.others}
                 self.assertEqual(set(texts) - made, {family.catalogue} | lists | read)
 
     def test_only_lines_are_added_to_the_lists_of_the_build_and_the_catalogue(self):
         for kind, family in new.available(ROOT).items():
             texts = new.planned(ROOT, kind, NAME)
-            for path in (family.catalogue, f"{family.folder}/CMakeLists.txt"):
+            for path in (family.catalogue, new.list_of(ROOT, f"{family.folder}/x")[0]):
                 with self.subTest(path):
                     before = (ROOT / path).read_text(encoding="utf-8")
                     after = iter(texts[path].split())

@@ -1,7 +1,7 @@
 // Compiled once for each vector unit: foreach_target.h includes this file again and again. The
 // loops are left to the compiler's vectorizer.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "quasimc/samplers/vector_loops.cpp"
+#define HWY_TARGET_INCLUDE "samplers/vector_loops.cpp"
 #include "samplers/vector_loops.h"
 
 #include <hwy/foreach_target.h>  // before highway.h

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/point2.h"
+#include "geometry/mesh/point2.h"
 
 namespace quasimc {
 namespace {

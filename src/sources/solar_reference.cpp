@@ -11,7 +11,7 @@ struct Row {
     double wavelength_nm, global, direct;
 };
 constexpr Row kRows[] = {
-#include "quasimc/sources/astm_g173_03.inc"
+#include "sources/astm_g173_03.inc"
 };
 
 Spectrum spectrum_of(double Row::*column) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vec3.h"
-#include "geometry/point2.h"
+#include "geometry/mesh/point2.h"
 
 namespace quasimc {
 

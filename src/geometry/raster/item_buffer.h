@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/draw_span.h"
+#include "geometry/raster/draw_span.h"
 #include "geometry/raster/projected_scene.h"
 
 namespace quasimc {

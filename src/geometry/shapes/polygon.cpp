@@ -4,7 +4,7 @@
 
 #include "base/checks.h"
 #include "base/input_error.h"
-#include "geometry/point2.h"
+#include "geometry/mesh/point2.h"
 #include "geometry/shapes/shapes.h"
 
 namespace quasimc {

@@ -7,7 +7,7 @@
 #include "io/results/json_stream.h"
 #include "io/runfile/run_file.h"
 #include "io/sha256.h"
-#include "io/spool.h"
+#include "io/results/spool.h"
 #include "io/text_sink.h"
 #include "results/result.h"
 #include "run/series.h"

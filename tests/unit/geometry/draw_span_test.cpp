@@ -1,4 +1,4 @@
-#include "geometry/draw_span.h"
+#include "geometry/raster/draw_span.h"
 
 #include <cstdint>
 #include <limits>

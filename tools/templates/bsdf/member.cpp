@@ -14,8 +14,8 @@
 #include <numbers>
 #include <span>
 
-#include "quasimc/optics/bsdf.h"
-#include "quasimc/optics/directions.h"
+#include "optics/bsdf.h"
+#include "optics/directions.h"
 
 namespace quasimc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/optics/catalogue.h"
+#include "optics/catalogue.h"
 
 namespace quasimc::test {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "quasimc/io/formats.h"
-#include "quasimc/io/line_scanner.h"
-#include "quasimc/io/numbers.h"
+#include "io/meshes/formats.h"
+#include "io/line_scanner.h"
+#include "io/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "quasimc/samplers/monte_carlo.h"
-#include "quasimc/samplers/sampler.h"
+#include "samplers/monte_carlo.h"
+#include "samplers/sampler.h"
 
 namespace quasimc {
 namespace {

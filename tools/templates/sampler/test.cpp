@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/samplers/catalogue.h"
+#include "samplers/catalogue.h"
 
 namespace quasimc::test {
 namespace {

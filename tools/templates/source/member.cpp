@@ -9,8 +9,8 @@
 #include <cmath>
 #include <memory>
 
-#include "quasimc/sources/catalogue.h"
-#include "quasimc/sources/sky.h"
+#include "sources/catalogue.h"
+#include "sources/sky.h"
 
 namespace quasimc {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sources/catalogue.h"
+#include "sources/catalogue.h"
 
 namespace quasimc::test {
 namespace {

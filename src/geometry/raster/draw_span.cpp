@@ -1,7 +1,7 @@
 // Compiled once for each vector unit: foreach_target.h includes this file again and again.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "quasimc/geometry/draw_span.cpp"
-#include "geometry/draw_span.h"
+#define HWY_TARGET_INCLUDE "geometry/raster/draw_span.cpp"
+#include "geometry/raster/draw_span.h"
 
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>

@@ -1,4 +1,4 @@
-#include "io/spool.h"
+#include "io/results/spool.h"
 
 #include <array>
 #include <cerrno>
