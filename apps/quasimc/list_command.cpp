@@ -9,14 +9,14 @@
 
 namespace {
 
-std::string row(std::string_view name, std::string_view summary) {
+std::string list_row(std::string_view name, std::string_view summary) {
     return fmt::format("{:<24}{}\n", name, summary);
 }
 
 std::string list_samplers() {
     std::string text;
     for (const quasimc::SamplerEntry& entry : quasimc::sampler_catalogue()) {
-        text += row(entry.name, entry.summary);
+        text += list_row(entry.name, entry.summary);
     }
     return text;
 }
@@ -25,9 +25,9 @@ std::string list_models() {
     std::string text;
     for (const quasimc::BsdfEntry& entry : quasimc::bsdf_catalogue()) {
         const std::string parameters = quasimc::parameter_words(entry);
-        text +=
-            row(entry.name, parameters.empty() ? std::string(entry.summary)
-                                               : fmt::format("{} ({})", entry.summary, parameters));
+        text += list_row(
+            entry.name, parameters.empty() ? std::string(entry.summary)
+                                           : fmt::format("{} ({})", entry.summary, parameters));
     }
     return text;
 }
@@ -35,7 +35,7 @@ std::string list_models() {
 std::string list_formats() {
     std::string text;
     for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
-        text += row(fmt::format("{} ({})", entry.name, entry.extensions), entry.summary);
+        text += list_row(fmt::format("{} ({})", entry.name, entry.extensions), entry.summary);
     }
     return text;
 }
@@ -44,9 +44,9 @@ std::string list_options() {
     std::string text;
     for (const quasimc::Option& option : quasimc::option_table()) {
         const std::string value = quasimc::option_toml(option.get(quasimc::default_run_spec()));
-        text +=
-            row(fmt::format("{} = {}", option.key, value),
-                fmt::format("{} ({})", option.summary, quasimc::domain_text(option)));
+        text += list_row(
+            fmt::format("{} = {}", option.key, value),
+            fmt::format("{} ({})", option.summary, quasimc::domain_text(option)));
     }
     return text;
 }
@@ -54,7 +54,7 @@ std::string list_options() {
 std::string list_quantities() {
     std::string text;
     for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
-        text += row(entry.name, entry.summary);
+        text += list_row(entry.name, entry.summary);
     }
     return text;
 }
@@ -62,9 +62,9 @@ std::string list_quantities() {
 std::string list_skies() {
     std::string text;
     for (const quasimc::SkyEntry& entry : quasimc::sky_catalogue()) {
-        text += row(entry.name, entry.summary);
+        text += list_row(entry.name, entry.summary);
     }
-    return text + row("table", "radiance of cells of azimuth and elevation, from a file");
+    return text + list_row("table", "radiance of cells of azimuth and elevation, from a file");
 }
 
 /// One row of the table of lists.

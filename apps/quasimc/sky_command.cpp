@@ -58,7 +58,7 @@ std::optional<quasimc::Place> place_of(const SkyArguments& arguments, quasimc::F
     return place;
 }
 
-std::string row(std::string_view name, const std::string& text) {
+std::string sky_row(std::string_view name, const std::string& text) {
     return fmt::format("{:<10}{}\n", name, text);
 }
 
@@ -86,21 +86,26 @@ std::string sun_text(
     const quasimc::CivilTime& time,
     const quasimc::SunPosition& sun,
     const Vec3& to_sun) {
-    return row("place", fmt::format(
+    return sky_row(
+               "place", fmt::format(
                             "latitude {}, longitude {}, {} m, {:.1f} hPa, {:.1f} C",
                             shortest(place.latitude_deg), shortest(place.longitude_deg),
                             shortest(place.elevation_m), place.pressure_hpa, place.temperature_c)) +
-           row("time", fmt::format(
+           sky_row(
+               "time", fmt::format(
                            "{}, Julian day {:.6f} (UTC)", quasimc::civil_time_text(time),
                            sun.intermediates.julian_day)) +
-           row("sun", fmt::format(
+           sky_row(
+               "sun", fmt::format(
                           "azimuth {:.4f} deg (from north over east), elevation {:.4f} deg ({:.4f} "
                           "without refraction)",
                           sun.azimuth_deg, sun.elevation_deg, sun.true_elevation_deg)) +
-           row("", fmt::format(
+           sky_row(
+               "", fmt::format(
                        "towards ({:.6f}, {:.6f}, {:.6f}): east, north, up", to_sun.x, to_sun.y,
                        to_sun.z)) +
-           row("", fmt::format(
+           sky_row(
+               "", fmt::format(
                        "declination {:.4f} deg, equation of time {:.2f} min, distance {:.6f} au, "
                        "radius {:.4f} deg",
                        sun.declination_deg, sun.equation_of_time_min, sun.distance_au,
@@ -114,16 +119,18 @@ std::string clear_text(
     const quasimc::Daylight light = quasimc::clear_sky(
         sun.elevation_deg, outside, {linke_turbidity, place.elevation_m, place.pressure_hpa});
     if (light.global() <= 0) {
-        return row("clear sky", "no light: the sun is below the horizon");
+        return sky_row("clear sky", "no light: the sun is below the horizon");
     }
     const quasimc::DaylightSpectra spectra;
     const quasimc::SpectralSpan ppfd = quasimc::span_of(quasimc::LightUnit::ppfd);
-    return row("clear sky", fmt::format(
+    return sky_row(
+               "clear sky", fmt::format(
                                 "on the horizontal {:.1f} W m-2, direct {:.1f} and diffuse {:.1f}; "
                                 "beam {:.1f} W m-2",
                                 light.global(), light.direct, light.diffuse,
                                 light.direct / std::sin(sun.elevation_deg * kRadians))) +
-           row("", fmt::format(
+           sky_row(
+               "", fmt::format(
                        "PPFD {:.1f} umol m-2 s-1, direct {:.1f} and diffuse {:.1f}; Linke "
                        "turbidity {}",
                        spectra.direct(ppfd) * light.direct + spectra.diffuse(ppfd, light),
@@ -152,12 +159,13 @@ std::string sky_text(const quasimc::Source& sky, const quasimc::SkyEntry& entry)
         plates +=
             fmt::format("{}{} {:.4f}", plates.empty() ? "" : ", ", name, on_plate(sky, normal));
     }
-    return row("sky", fmt::format("{}: {}", entry.name, entry.summary)) +
-           row("", fmt::format(
+    return sky_row("sky", fmt::format("{}: {}", entry.name, entry.summary)) +
+           sky_row(
+               "", fmt::format(
                        "for an irradiance of 1 on the horizontal: radiance of the zenith {:.4f} "
                        "per sr,",
                        sky.radiance({0, 0, 1}))) +
-           row("", fmt::format("on vertical plates that face {}", plates));
+           sky_row("", fmt::format("on vertical plates that face {}", plates));
 }
 
 void write_png(const SkyArguments& arguments, const quasimc::Source& sky, const Vec3& to_sun) {
@@ -197,9 +205,10 @@ Exit show_sky(const SkyArguments& arguments) {
     faults.throw_if_any();
     const quasimc::SunPosition sun = quasimc::sun_position(*place, *time, arguments.delta_t_s);
     const Vec3 to_sun = quasimc::Orientation().towards(sun.azimuth_deg, sun.elevation_deg);
-    std::string text = sun_text(*place, *time, sun, to_sun) +
-                       row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s))) +
-                       clear_text(*place, sun, arguments.linke_turbidity);
+    std::string text =
+        sun_text(*place, *time, sun, to_sun) +
+        sky_row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s))) +
+        clear_text(*place, sun, arguments.linke_turbidity);
     const bool is_asked = !arguments.sky.empty();
     if (is_asked || to_sun.z > 0) {
         const quasimc::SkyEntry& entry = *quasimc::find_sky(is_asked ? arguments.sky : "cie_clear");

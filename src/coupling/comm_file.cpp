@@ -91,7 +91,7 @@ struct CommEntry {
     void (*read)(const CommLine& line, Reading& reading);
 };
 
-constexpr std::array kEntries{
+constexpr std::array kCommEntries{
     CommEntry{"communication type", read_transport},
     CommEntry{"executable", ignore},  // theirs
     CommEntry{"turtle position", read_turtle<TurtleField::position>},
@@ -113,14 +113,16 @@ constexpr std::array kEntries{
 
 void read_line(const CommLine& line, Reading& reading, Notices& notices) {
     const auto* entry = std::find_if(
-        kEntries.begin(), kEntries.end(), [&](const CommEntry& e) { return e.name == line.name; });
-    if (entry != kEntries.end()) {
+        kCommEntries.begin(), kCommEntries.end(),
+        [&](const CommEntry& e) { return e.name == line.name; });
+    if (entry != kCommEntries.end()) {
         entry->read(line, reading);
         return;
     }
-    std::array<std::string_view, kEntries.size()> names;
-    std::transform(
-        kEntries.begin(), kEntries.end(), names.begin(), [](const CommEntry& e) { return e.name; });
+    std::array<std::string_view, kCommEntries.size()> names;
+    std::transform(kCommEntries.begin(), kCommEntries.end(), names.begin(), [](const CommEntry& e) {
+        return e.name;
+    });
     notices.once(fmt::format(
         "{}: {} is not known and skipped; {}", line.place, shown(line.name),
         did_you_mean(line.name, names)));

@@ -212,7 +212,7 @@ void read_sky_file(Values& values, DirectiveContext& context) {
     numbers.finish();
 }
 
-constexpr std::array kEntries{
+constexpr std::array kLightDirectives{
     DirectiveEntry{"local light model", Dialect::quasimc, read_model},
     DirectiveEntry{"reflectance model", Dialect::montecarlo, read_model},
     DirectiveEntry{"light source", Dialect::both, read_light},
@@ -229,7 +229,7 @@ constexpr std::array kEntries{
 }  // namespace
 
 std::span<const DirectiveEntry> light_directives() {
-    return kEntries;
+    return kLightDirectives;
 }
 
 }  // namespace quasimc

@@ -129,7 +129,7 @@ void read_parameter(Values& values, DirectiveContext& context) {
     }
 }
 
-constexpr std::array kEntries{
+constexpr std::array kMaterialDirectives{
     DirectiveEntry{"spectrum samples", Dialect::both, read_samples},
     DirectiveEntry{"source spectrum", Dialect::both, read_spectrum},
     DirectiveEntry{"leaf material (top)", Dialect::both, read_leaf_upper},
@@ -141,7 +141,7 @@ constexpr std::array kEntries{
 }  // namespace
 
 std::span<const DirectiveEntry> material_directives() {
-    return kEntries;
+    return kMaterialDirectives;
 }
 
 }  // namespace quasimc

@@ -212,7 +212,7 @@ void read_density(Values& values, DirectiveContext& context) {
     }
 }
 
-constexpr std::array kEntries{
+constexpr std::array kRunDirectives{
     DirectiveEntry{"verbose", Dialect::both, read_verbose},
     DirectiveEntry{"remove objects", Dialect::both, ignore},
     DirectiveEntry{"visualization", Dialect::both, ignore},
@@ -241,7 +241,7 @@ constexpr std::array kEntries{
 }  // namespace
 
 std::span<const DirectiveEntry> run_directives() {
-    return kEntries;
+    return kRunDirectives;
 }
 
 }  // namespace quasimc

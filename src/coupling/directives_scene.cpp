@@ -109,7 +109,7 @@ void read_obstacles(Values& values, DirectiveContext& /*context*/) {
     values.notice("obstacles are not read from files: send them as organs with E < 0");
 }
 
-constexpr std::array kEntries{
+constexpr std::array kSceneDirectives{
     DirectiveEntry{"surface", Dialect::both, read_surface},
     DirectiveEntry{"cylinder sides", Dialect::both, read_sides},
     DirectiveEntry{"cylinder width", Dialect::both, read_cylinder_width},
@@ -124,7 +124,7 @@ constexpr std::array kEntries{
 }  // namespace
 
 std::span<const DirectiveEntry> scene_directives() {
-    return kEntries;
+    return kSceneDirectives;
 }
 
 }  // namespace quasimc

@@ -12,8 +12,6 @@
 #include "io/line_scanner.h"
 
 namespace quasimc {
-namespace {
-
 /// The frame of an organ: unit vectors.
 struct OrganFrame {
     Vec3 base;
@@ -25,6 +23,8 @@ struct OrganFrame {
         return base + p.x * across + p.y * heading + p.z * up;
     }
 };
+
+namespace {
 
 std::optional<OrganFrame> frame_of(const Turtle& turtle) {
     const Vec3 across = cross(turtle.heading, turtle.up);

@@ -32,12 +32,12 @@ union SemaphoreArgument {
     unsigned short* values;
 };
 
-[[noreturn]] void gone(const char* how) {
+[[noreturn]] void semaphores_gone(const char* how) {
     throw PeerDisconnected(std::string("the plant simulator is gone: ") + how);
 }
 
 [[noreturn]] void gone_by_error(int error) {
-    gone(
+    semaphores_gone(
         error == EIDRM || error == EINVAL ? "its semaphores were removed"
                                           : std::generic_category().message(error).c_str());
 }
@@ -109,7 +109,7 @@ void SemaphorePair::check() const {
         gone_by_error(errno);
     }
     if (master_died()) {
-        gone("its process has ended without an order to exit");
+        semaphores_gone("its process has ended without an order to exit");
     }
 }
 

@@ -6,6 +6,8 @@
 
 namespace quasimc {
 
+inline constexpr double kSecondsADay = 86400;
+
 /// A place on the Earth.
 struct Place {
     double latitude_deg = 0;        ///< -90 to 90, north positive

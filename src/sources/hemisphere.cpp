@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/checks.h"
 
 namespace quasimc {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kColumns = 64;
-constexpr int kRows = 32;
+constexpr int kElevationRows = 32;
 
 /// Sorted, those nearer to the one before than `least` left out (never the first nor the last).
 std::vector<double> distinct(std::vector<double> values, double least) {
@@ -35,7 +35,7 @@ Vec3 hemisphere_direction(double azimuth, double sine) {
 
 Vec3 cosine_direction(double u0, double u1) {
     const double radius = std::sqrt(u0);
-    const double around = kTurn * u1;
+    const double around = kFullTurn * u1;
     return {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0, 1 - u0))};
 }
 
@@ -53,20 +53,20 @@ Vec3 HemisphereGrid::middle(std::size_t row, std::size_t column) const {
 HemisphereGrid make_hemisphere_grid(
     std::span<const double> azimuths, std::span<const double> sines) {
     constexpr double kLeast = 1e-9;
-    std::vector<double> columns{0, kTurn};
+    std::vector<double> columns{0, kFullTurn};
     for (const double azimuth : azimuths) {
-        columns.push_back(azimuth - kTurn * std::floor(azimuth / kTurn));
+        columns.push_back(azimuth - kFullTurn * std::floor(azimuth / kFullTurn));
     }
     const bool is_coarse = azimuths.size() < kColumns;
     const int steps = is_coarse ? kColumns : 4;
     for (int i = 1; i < steps; ++i) {
-        columns.push_back(kTurn * i / steps);
+        columns.push_back(kFullTurn * i / steps);
     }
     std::vector<double> rows{0, 1};
     rows.insert(rows.end(), sines.begin(), sines.end());
     // Equal steps of elevation.
-    for (int i = 1; sines.size() < kRows && i < kRows; ++i) {
-        rows.push_back(std::sin(std::numbers::pi / 2 * i / kRows));
+    for (int i = 1; sines.size() < kElevationRows && i < kElevationRows; ++i) {
+        rows.push_back(std::sin(std::numbers::pi / 2 * i / kElevationRows));
     }
     return {distinct(std::move(columns), kLeast), distinct(std::move(rows), kLeast)};
 }
@@ -134,7 +134,7 @@ double HemisphereSampler::pdf(const Vec3& direction) const {
     const double around = std::atan2(direction.y, direction.x);
     const std::size_t row = interval_between(grid_.sines, direction.z);
     const std::size_t column =
-        interval_between(grid_.azimuths, around < 0 ? around + kTurn : around);
+        interval_between(grid_.azimuths, around < 0 ? around + kFullTurn : around);
     return cells_.probability(row, column) / grid_.solid_angle(row, column);
 }
 

@@ -17,12 +17,12 @@ namespace quasimc {
 namespace {
 
 /// x1 + x2 Z + delta (x3 + x4 Z), for each of a, b, c, d, e; Z the sun's zenith angle.
-using Row = std::array<std::array<double, 4>, 5>;
+using CoefficientRow = std::array<std::array<double, 4>, 5>;
 
 /// A range of clearness, up to `until`, with its row of table 1.
 struct Bin {
     double until;
-    Row row;
+    CoefficientRow row;
 };
 
 // clang-format off
@@ -87,8 +87,8 @@ PerezWeather perez_weather(const SkyState& state) {
     // Kasten (1966).
     const double zenith_deg = zenith * 180 / std::numbers::pi;
     const double air_mass = 1 / (state.to_sun.z + 0.15 * std::pow(93.885 - zenith_deg, -1.253));
-    constexpr double kSolarConstant = 1367;  // of the paper, W m-2
-    const double outside = kSolarConstant / (state.distance_au * state.distance_au);
+    constexpr double kPerezSolarConstant = 1367;  // of the paper, W m-2
+    const double outside = kPerezSolarConstant / (state.distance_au * state.distance_au);
     return {(ratio + cube) / (1 + cube), state.diffuse_horizontal * air_mass / outside};
 }
 
@@ -104,7 +104,7 @@ SkyShape perez_shape(const SkyState& state) {
     // 0.2 (both limits as in gendaylit, Delaunay 1994), and what is left of a positive b as 0.
     const bool is_intermediate = bin >= 1 && bin <= 4;
     const double delta = std::clamp(weather.brightness, is_intermediate ? 0.2 : 0.01, 0.6);
-    const Row& row = kBins[bin].row;
+    const CoefficientRow& row = kBins[bin].row;
     std::array<double, 5> x{};
     for (std::size_t i = 0; i < x.size(); ++i) {
         x[i] = row[i][0] + row[i][1] * zenith + delta * (row[i][2] + row[i][3] * zenith);

@@ -12,12 +12,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// The place of x between ascending values: the interval, and how far in it.
-struct Place {
+/// Where x lies between ascending values: the interval, and how far in it.
+struct AngleBetween {
     std::size_t interval = 0;
     double part = 0;
 };
-Place place_in(const std::vector<double>& values, double x) {
+AngleBetween angle_between(const std::vector<double>& values, double x) {
     if (values.size() == 1) {
         return {};
     }
@@ -35,8 +35,9 @@ double folded(double phi_deg, double last_deg) {
 }
 
 double intensity_of(const PhotometricWeb& web, double theta, double phi) {
-    const Place v = place_in(web.vertical_deg, theta * 180 / pi);
-    const Place h = place_in(web.horizontal_deg, folded(phi * 180 / pi, web.horizontal_deg.back()));
+    const AngleBetween v = angle_between(web.vertical_deg, theta * 180 / pi);
+    const AngleBetween h =
+        angle_between(web.horizontal_deg, folded(phi * 180 / pi, web.horizontal_deg.back()));
     const std::size_t rows = web.vertical_deg.size();
     const auto at = [&](std::size_t column) {
         const double* candela = &web.candela[column * rows + v.interval];

@@ -7,16 +7,16 @@ namespace quasimc {
 namespace {
 
 /// A line of data/astm_g173_03.csv.
-struct Row {
+struct ReferenceRow {
     double wavelength_nm, global, direct;
 };
-constexpr Row kRows[] = {
+constexpr ReferenceRow kReferenceRows[] = {
 #include "sources/astm_g173_03.inc"
 };
 
-Spectrum spectrum_of(double Row::*column) {
+Spectrum spectrum_of(double ReferenceRow::*column) {
     std::vector<double> nm, values;
-    for (const Row& row : kRows) {
+    for (const ReferenceRow& row : kReferenceRows) {
         nm.push_back(row.wavelength_nm);
         values.push_back(row.*column);
     }
@@ -26,12 +26,12 @@ Spectrum spectrum_of(double Row::*column) {
 }  // namespace
 
 const Spectrum& reference_global() {
-    static const Spectrum spectrum = spectrum_of(&Row::global);
+    static const Spectrum spectrum = spectrum_of(&ReferenceRow::global);
     return spectrum;
 }
 
 const Spectrum& reference_direct() {
-    static const Spectrum spectrum = spectrum_of(&Row::direct);
+    static const Spectrum spectrum = spectrum_of(&ReferenceRow::direct);
     return spectrum;
 }
 

@@ -16,9 +16,9 @@ namespace {
 constexpr double kRiseElevation = -0.8333;
 
 /// The sun over a place in the course of time.
-class SunPath {
+class SunTrack {
   public:
-    SunPath(const Place& place, double delta_t_s) : place_(place), delta_t_s_(delta_t_s) {}
+    SunTrack(const Place& place, double delta_t_s) : place_(place), delta_t_s_(delta_t_s) {}
 
     /// The transit nearest to a moment (Julian days).
     [[nodiscard]] double transit(double moment) const {
@@ -69,7 +69,7 @@ SunDay sun_day(const Place& place, const CivilTime& date, std::optional<double> 
     noon.hour = 12;
     noon.minute = 0;
     noon.second = 0;
-    const SunPath path(place, delta_t_s.value_or(delta_t_seconds(date)));
+    const SunTrack path(place, delta_t_s.value_or(delta_t_seconds(date)));
     const double transit = path.transit(julian_day(noon));
     const auto on_the_clock = [&](double moment) {
         return civil_time(moment, date.utc_offset_hours);

@@ -31,9 +31,9 @@ std::array<double, kFaces> summed_flux(const EntryBox& box) {
     return flux;
 }
 
-class SkySampler final : public SourceSampler {
+class UniformSkySampler final : public SourceSampler {
   public:
-    explicit SkySampler(const EntryBox& box)
+    explicit UniformSkySampler(const EntryBox& box)
         : SourceSampler(summed_flux(box).back()), box_(box), until_(summed_flux(box)) {}
 
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
@@ -94,7 +94,7 @@ class UniformSky final : public Source {
 
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        auto sampler = std::make_unique<SkySampler>(projection.entry_box());
+        auto sampler = std::make_unique<UniformSkySampler>(projection.entry_box());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     /// Uniform over the upper half of the sphere: bounded for a surface of any slope.

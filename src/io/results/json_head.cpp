@@ -5,22 +5,12 @@
 namespace quasimc {
 namespace {
 
-constexpr JsonLayout kLayout = JsonLayout::pretty;
-
-void write_text(JsonStream& json, std::string_view key, std::string_view text) {
-    json.key(key);
-    json.text(text);
-}
-
-void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
-    json.key(key);
-    json.count(count);
-}
+constexpr JsonLayout kHeadLayout = JsonLayout::pretty;
 
 void write_node(JsonStream& json, const Node& node);
 
 void write_table(JsonStream& json, const Node::Table& table) {
-    json.begin_object(kLayout);
+    json.begin_object(kHeadLayout);
     for (const Member& member : table) {
         json.key(member.key);
         write_node(json, member.node);
@@ -29,7 +19,7 @@ void write_table(JsonStream& json, const Node::Table& table) {
 }
 
 void write_list(JsonStream& json, const Node::List& list) {
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const Node& item : list) {
         write_node(json, item);
     }
@@ -58,9 +48,9 @@ void write_node(JsonStream& json, const Node& node) {
 
 void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
     json.key("inputs");
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const InputFile& input : inputs) {
-        json.begin_object(kLayout);
+        json.begin_object(kHeadLayout);
         write_text(json, "path", input.path);
         write_text(json, "resolved", input.resolved);
         write_text(json, "sha256", input.sha256);
@@ -74,10 +64,10 @@ void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
 
 void write_axes(JsonStream& json, const Orientation& axes) {
     json.key("axes");
-    json.begin_object(kLayout);
+    json.begin_object(kHeadLayout);
     write_text(json, "up", axes.up() == UpAxis::z ? "z" : "y");
     json.key("north");
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const double x : {axes.north().x, axes.north().y, axes.north().z}) {
         json.real(x);
     }
@@ -87,7 +77,7 @@ void write_axes(JsonStream& json, const Orientation& axes) {
 
 void write_scene(JsonStream& json, const Scene& scene) {
     json.key("scene");
-    json.begin_object(kLayout);
+    json.begin_object(kHeadLayout);
     write_count(json, "organs", scene.organs().size());
     write_count(json, "triangles", scene.triangles().size());
     write_text(json, "length_unit", scene.length_unit());
@@ -97,7 +87,7 @@ void write_scene(JsonStream& json, const Scene& scene) {
 
 void write_sources(JsonStream& json, const std::vector<std::string>& notes) {
     json.key("sources");
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const std::string& note : notes) {
         json.text(note);
     }
@@ -106,13 +96,13 @@ void write_sources(JsonStream& json, const std::vector<std::string>& notes) {
 
 void write_quantities(JsonStream& json, const Scene& scene) {
     json.key("quantities");
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const QuantityEntry& entry : quantity_table()) {
-        json.begin_object(kLayout);
+        json.begin_object(kHeadLayout);
         write_text(json, "name", entry.name);
         write_text(json, "meaning", entry.summary);
         json.key("unit");
-        json.begin_object(kLayout);
+        json.begin_object(kHeadLayout);
         for (const Band& band : scene.bands()) {
             write_text(json, band.name, unit_of(entry, band, scene.length_unit()));
         }
@@ -141,9 +131,9 @@ void json_head(JsonStream& json, const RunFile& run) {
 
 void json_warnings(JsonStream& json, const RunFile& run) {
     json.key("warnings");
-    json.begin_list(kLayout);
+    json.begin_list(kHeadLayout);
     for (const Warning& warning : run.warnings) {
-        json.begin_object(kLayout);
+        json.begin_object(kHeadLayout);
         write_text(json, "place", warning.place);
         write_text(json, "text", warning.text);
         json.end_object();

@@ -3,18 +3,18 @@
 namespace quasimc {
 namespace {
 
-constexpr JsonLayout kLayout = JsonLayout::compact;
+constexpr JsonLayout kOrganLayout = JsonLayout::compact;
 
 /// The object of an organ, begun with what tells which organ it is.
 JsonStream begin_organ(const Organ& organ) {
     JsonStream json;
-    json.begin_object(kLayout);
+    json.begin_object(kOrganLayout);
     json.quoted_key("\"id\"");
     json.integer(organ.id);
     json.quoted_key("\"name\"");
     json.text(organ.name);
     json.quoted_key("\"labels\"");
-    json.begin_object(kLayout);
+    json.begin_object(kOrganLayout);
     for (const auto& [key, value] : organ.labels) {
         json.key(key);
         json.text(value);
@@ -30,7 +30,7 @@ JsonStream begin_organ(const Organ& organ) {
 }
 
 void write_estimate(JsonStream& json, const Estimate& e) {
-    json.begin_object(kLayout);
+    json.begin_object(kOrganLayout);
     json.quoted_key("\"mean\"");
     json.number(e.mean);
     json.quoted_key("\"standard_error\"");
@@ -49,7 +49,7 @@ void write_quantities(
     JsonStream& json, const Light& light, std::size_t organ, const JsonNames& names) {
     for (std::size_t q = 0; q < kQuantities; ++q) {
         json.quoted_key(names.quantities[q]);
-        json.begin_object(kLayout);
+        json.begin_object(kOrganLayout);
         for (std::size_t b = 0; b < light.bands; ++b) {
             json.quoted_key(names.bands[b]);
             write_estimate(json, light.at(organ, quantity_table()[q].quantity, b));
@@ -83,7 +83,7 @@ std::string json_organ(
         write_estimate(json, result.sunlit_fraction[index]);
     }
     json.quoted_key("\"ratios\"");
-    json.begin_object(kLayout);
+    json.begin_object(kOrganLayout);
     for (std::size_t i = 0; i < result.ratios; ++i) {
         json.quoted_key(names.ratios[i]);
         write_estimate(json, result.ratio(index, i));

@@ -6,21 +6,6 @@
 namespace quasimc {
 namespace {
 
-void write_real(JsonStream& json, std::string_view key, double value) {
-    json.key(key);
-    json.real(value);
-}
-
-void write_text(JsonStream& json, std::string_view key, std::string_view text) {
-    json.key(key);
-    json.text(text);
-}
-
-void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
-    json.key(key);
-    json.count(count);
-}
-
 void write_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
     json.key(key);
     json.begin_object(layout);

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;
+constexpr std::size_t kJsonPiece = 1 << 16;
 constexpr std::size_t kIndent = 2;
 
 }  // namespace
@@ -121,7 +121,7 @@ void JsonStream::break_line() {
 }
 
 void JsonStream::flush_when_long() {
-    if (sink_ && out_.size() >= kPiece) {
+    if (sink_ && out_.size() >= kJsonPiece) {
         flush();
     }
 }

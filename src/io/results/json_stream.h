@@ -76,4 +76,22 @@ class JsonStream {
     bool has_key_ = false;    // the next value follows its key
 };
 
+// A key and its value.
+inline void write_text(JsonStream& json, std::string_view key, std::string_view text) {
+    json.key(key);
+    json.text(text);
+}
+inline void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
+    json.key(key);
+    json.count(count);
+}
+inline void write_number(JsonStream& json, std::string_view key, double value) {
+    json.key(key);
+    json.number(value);
+}
+inline void write_real(JsonStream& json, std::string_view key, double value) {
+    json.key(key);
+    json.real(value);
+}
+
 }  // namespace quasimc

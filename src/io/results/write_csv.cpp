@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;
+constexpr std::size_t kCsvPiece = 1 << 16;
 
 /// The columns of numbers: the name of each estimate.
 std::vector<std::string> estimate_columns(const RunFile& run) {
@@ -110,7 +110,7 @@ void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
         out += first;
         append_organ(out, organs[i], labels_);
         append_results(out, result, i);
-        if (out.size() >= kPiece) {
+        if (out.size() >= kCsvPiece) {
             sink_(out);
             out.clear();
         }

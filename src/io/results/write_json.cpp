@@ -11,21 +11,6 @@ namespace {
 constexpr JsonLayout kRows = JsonLayout::rows;
 constexpr JsonLayout kSpaced = JsonLayout::spaced;
 
-void write_number(JsonStream& json, std::string_view key, double value) {
-    json.key(key);
-    json.number(value);
-}
-
-void write_text(JsonStream& json, std::string_view key, std::string_view text) {
-    json.key(key);
-    json.text(text);
-}
-
-void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
-    json.key(key);
-    json.count(count);
-}
-
 /// Units of the sums, by band: of densities and of fluxes.
 void write_sum_units(JsonStream& json, const Scene& scene) {
     json.key("sum_units");

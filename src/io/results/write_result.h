@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "io/results/json_stream.h"
+#include "io/results/spool.h"
 #include "io/runfile/run_file.h"
 #include "io/sha256.h"
-#include "io/results/spool.h"
 #include "io/text_sink.h"
 #include "results/result.h"
 #include "run/series.h"

@@ -142,8 +142,7 @@ std::optional<CivilTime> parse_civil_time(
         faults.add(own);
         return std::nullopt;
     }
-    constexpr double kDay = 86400;
-    return is_midnight ? later(time, kDay) : time;
+    return is_midnight ? later(time, kSecondsADay) : time;
 }
 
 std::string date_text(const CivilTime& time) {

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') {
@@ -174,11 +174,11 @@ std::string option_toml(const OptionValue& value) {
         return shortest(*real);
     }
     if (const auto* text = std::get_if<std::string>(&value)) {
-        return quoted(*text);
+        return in_quotes(*text);
     }
     std::string list;
     for (const std::string& word : std::get<std::vector<std::string>>(value)) {
-        list += (list.empty() ? "" : ", ") + quoted(word);
+        list += (list.empty() ? "" : ", ") + in_quotes(word);
     }
     return "[" + list + "]";
 }

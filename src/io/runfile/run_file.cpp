@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::int64_t kFormatVersion = 1;
+constexpr std::int64_t kRunFileVersion = 1;
 
 Orientation read_orientation(TableReader& top) {
     constexpr std::array<std::string_view, 2> kAxes{"z", "y"};
@@ -65,10 +65,10 @@ OutputSpec read_output(TableReader& top, const InputFiles& files) {
 
 void read_format_version(TableReader& top) {
     const auto version = top.integer("format", {1, 1e9});
-    if (version && *version > kFormatVersion) {
+    if (version && *version > kRunFileVersion) {
         top.fault_at(
             "format", fmt::format("format is {}", *version),
-            fmt::format("this program knows formats up to {}", kFormatVersion),
+            fmt::format("this program knows formats up to {}", kRunFileVersion),
             "use a newer program");
     }
 }

@@ -96,7 +96,7 @@ std::optional<DaylightSpectra> read_spectra(TimeContext& context, const std::str
 }
 
 /// The name of a sky of the catalogue.
-std::string read_sky(TableReader& table, std::string_view key, std::string_view usual) {
+std::string read_sky_model(TableReader& table, std::string_view key, std::string_view usual) {
     std::vector<std::string_view> names;
     for (const SkyEntry& entry : sky_catalogue()) {
         names.push_back(entry.name);
@@ -135,8 +135,8 @@ DaylightSources read_daylight(TimeContext& context) {
     DaylightSources how;
     how.orientation = context.run->orientation;
     how.bands = band_spans(table, context.run->bands);
-    how.sky = read_sky(table, "sky", how.sky);
-    how.overcast_sky = read_sky(table, "overcast_sky", how.overcast_sky);
+    how.sky = read_sky_model(table, "sky", how.sky);
+    how.overcast_sky = read_sky_model(table, "overcast_sky", how.overcast_sky);
     const bool needs_beam = how.overcast_sky == "preetham";
     if (needs_beam) {
         table.fault_at("overcast_sky", "overcast_sky is 'preetham'", "that is a clear sky");

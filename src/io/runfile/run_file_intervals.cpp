@@ -11,13 +11,12 @@
 namespace quasimc {
 namespace {
 
-constexpr double kDay = 86400;
 constexpr std::size_t kMostMoments = 1000000;
 /// Times are computed to 0.1 ms.
 constexpr double kSlack = 1e-3;
 
 double seconds_from(const CivilTime& a, const CivilTime& b) {
-    return kDay * (julian_day(b) - julian_day(a));
+    return kSecondsADay * (julian_day(b) - julian_day(a));
 }
 
 /// A date of [time], at midnight; nothing after a fault.
@@ -115,7 +114,7 @@ std::vector<Interval> read_times(TimeContext& context) {
 std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, double step) {
     TableReader& table = *context.table;
     std::vector<Interval> intervals;
-    const double days = std::round(seconds_from(span.first, span.last) / kDay);
+    const double days = std::round(seconds_from(span.first, span.last) / kSecondsADay);
     const double each = (span.to_hour - span.from_hour) * 3600 / step;
     if (days * each > static_cast<double>(kMostMoments)) {
         table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
@@ -125,7 +124,7 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
     for (int i = 0; i < static_cast<int>(days) * a_day; ++i) {
         const int day = i / a_day;
         const double at = span.from_hour * 3600 + i % a_day * step;
-        const CivilTime start = later(span.first, day * kDay + at);
+        const CivilTime start = later(span.first, day * kSecondsADay + at);
         intervals.push_back(
             {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.place()});
     }
@@ -168,7 +167,7 @@ std::optional<TimeSpan> read_span(TimeContext& context) {
         return std::nullopt;
     }
     span.first = *first;
-    span.last = later(*last, kDay);
+    span.last = later(*last, kSecondsADay);
     return span;
 }
 

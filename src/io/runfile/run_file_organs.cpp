@@ -19,12 +19,12 @@ std::array<std::string_view, 2> horizontal_axes(const Orientation& orientation) 
                                          : std::array<std::string_view, 2>{"z", "x"};
 }
 
-struct Interval {
+struct HorizontalRange {
     double low, high;
 };
 
 /// A pair low, high with low < high.
-std::optional<Interval> read_interval(TableReader& table, std::string_view key) {
+std::optional<HorizontalRange> read_horizontal_range(TableReader& table, std::string_view key) {
     const Node* node = table.any(key);
     if (node == nullptr) {
         return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Interval> read_interval(TableReader& table, std::string_view key) 
             *node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
         return std::nullopt;
     }
-    return Interval{*low, *high};
+    return HorizontalRange{*low, *high};
 }
 
 /// Rotation by `angle` about the unit vector `k` (Rodrigues).
@@ -106,8 +106,8 @@ void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder
 std::optional<std::array<double, 4>> read_extent(
     TableReader& table, const Orientation& orientation) {
     const auto [x, y] = horizontal_axes(orientation);
-    const auto along_x = read_interval(table, x);
-    const auto along_y = read_interval(table, y);
+    const auto along_x = read_horizontal_range(table, x);
+    const auto along_y = read_horizontal_range(table, y);
     if ((table.any(x) == nullptr) != (table.any(y) == nullptr)) {
         table.fault(
             fmt::format("{} is missing", table.any(x) ? y : x), "a rectangle has two sides");
@@ -234,8 +234,8 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
     }
     TableReader table(*node, "cell", *context.reporter);
     const auto [x, y] = horizontal_axes(context.orientation);
-    const auto along_x = read_interval(table, x);
-    const auto along_y = read_interval(table, y);
+    const auto along_x = read_horizontal_range(table, x);
+    const auto along_y = read_horizontal_range(table, y);
     if (!along_x && !along_y && !table.failed()) {
         table.fault(
             "it repeats along no axis", "",

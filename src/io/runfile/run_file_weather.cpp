@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::array<std::string_view, 2> kKinds{"epw", "csv"};
+constexpr std::array<std::string_view, 2> kWeatherFormats{"epw", "csv"};
 constexpr std::array<std::string_view, 3> kStamps{"end", "start", "middle"};
 constexpr std::array<std::string_view, 2> kGaps{"fault", "skip"};
 
@@ -143,9 +143,8 @@ class Selection {
 
     /// Tells of steps that are asked for between the record before and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
-        constexpr double kDay = 86400;
         constexpr double kMostSteps = 1e6;
-        const double length = end_ ? kDay * (julian_day(next) - julian_day(*end_)) : 0;
+        const double length = end_ ? kSecondsADay * (julian_day(next) - julian_day(*end_)) : 0;
         if (length > kMostSteps * record.seconds) {
             note_gap(record.line, "more than a million rows are missing");
             return;
@@ -192,7 +191,8 @@ std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std:
     TableReader& table = *context.table;
     const bool looks_epw = path.ends_with(".epw") || path.ends_with(".EPW");
     const bool is_epw =
-        table.choice("weather_format", kKinds).value_or(looks_epw ? "epw" : "csv") == "epw";
+        table.choice("weather_format", kWeatherFormats).value_or(looks_epw ? "epw" : "csv") ==
+        "epw";
     const WeatherColumns columns = is_epw ? WeatherColumns() : read_columns(context);
     Reporter own{path, {}, {}};
     WeatherFile file;

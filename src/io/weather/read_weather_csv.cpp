@@ -162,8 +162,8 @@ class TableOfWeather {
     }
 
     [[nodiscard]] double seconds_between(std::size_t a, std::size_t b) const {
-        constexpr double kDay = 86400;
-        return kDay * (julian_day(file_.records[b].start) - julian_day(file_.records[a].start));
+        return kSecondsADay *
+               (julian_day(file_.records[b].start) - julian_day(file_.records[a].start));
     }
 
     LineScanner scanner_;
