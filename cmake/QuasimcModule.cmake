@@ -8,6 +8,7 @@
 set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
 set(QUASIMC_THIRD_PARTY_threads Threads::Threads)
 set(QUASIMC_THIRD_PARTY_embree QuasimcEmbree::embree)
+set(QUASIMC_THIRD_PARTY_boost_headers $<BUILD_INTERFACE:Boost::headers>)
 set(QUASIMC_THIRD_PARTY_highway hwy::hwy)
 set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
 set(QUASIMC_THIRD_PARTY_nlohmann_json nlohmann_json::nlohmann_json)
