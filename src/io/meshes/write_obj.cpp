@@ -21,7 +21,7 @@ std::string element_text(const Scene& scene, const Region& element, const Organ&
     std::string text = "usemtl " + statement_name(scene.material(element).name()) + "\n";
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const std::uint32_t triangle = organ.first_triangle + i;
-        if (&scene.regions()[scene.triangle_regions()[triangle].value] != &element) {
+        if (&scene.regions()[scene.element_of(triangle).value] != &element) {
             continue;
         }
         for (const Vec3& corner : scene.triangles()[triangle]) {
