@@ -1,20 +1,16 @@
 #include "bare_embree.h"
 
-#include <numeric>
-
 namespace quasimc::bench {
 
 BareEmbree::BareEmbree(const LocalMesh& mesh)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    const std::size_t corners = std::size_t{3} * mesh.triangle_count();
     rtcSetSharedGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
-        3 * sizeof(float), corners);
-    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-        mesh.triangle_count()));
-    std::iota(index, index + corners, 0U);
+        3 * sizeof(float), mesh.vertex_count());
+    rtcSetSharedGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0, sizeof(Face),
+        mesh.faces.size());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);

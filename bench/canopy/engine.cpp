@@ -56,14 +56,14 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
         const PreparedScene recording(
             scene, sources, spec.window,
             std::make_shared<RayCaster>(
-                scene.triangles(), scene.cell(), [&](const LocalMesh& mesh) {
+                scene.shared_triangles(), scene.cell(), [&](const LocalMesh& mesh) {
                     return std::make_unique<Recorder>(make_embree_intersector(mesh), log);
                 }));
         static_cast<void>(trace_all(recording, *sampler, spec));
     }
     const PreparedScene stage(
         scene, sources, spec.window,
-        std::make_shared<RayCaster>(scene.triangles(), scene.cell(), spec.engine));
+        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), spec.engine));
     const BareEmbree bare(stage.caster().mesh());
     std::vector<double> ratios;
     std::vector<double> engine;

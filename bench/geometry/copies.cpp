@@ -1,7 +1,6 @@
 #include "copies.h"
 
 #include <cmath>
-#include <numeric>
 
 #if QUASIMC_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -34,13 +33,12 @@ struct Copies::Scene {
     [[nodiscard]] RTCScene make_original(const LocalMesh& mesh) const {
         const RTCScene original = rtcNewScene(device);
         const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        const std::size_t triangles = mesh.triangle_count();
         rtcSetSharedGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
-            3 * sizeof(float), 3 * triangles);
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles));
-        std::iota(index, index + 3 * triangles, 0U);
+            3 * sizeof(float), mesh.vertex_count());
+        rtcSetSharedGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.faces.data(), 0,
+            sizeof(Face), mesh.faces.size());
         attach(original, geometry);
         rtcCommitScene(original);
         return original;

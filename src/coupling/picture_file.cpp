@@ -53,7 +53,7 @@ void write_picture_file(const StepView& view) {
     }
     const Scene& scene = *view.light.scene;
     std::string text = ply_header(scene.triangles().size());
-    for (const Triangle& triangle : scene.triangles()) {
+    for (const Triangle triangle : scene.triangles()) {
         for (const Vec3& corner : triangle) {
             const Vec3 p = scene.orientation().outward(corner);
             text += fmt::format("{:.7g} {:.7g} {:.7g}\n", p.x, p.y, p.z);
@@ -61,7 +61,7 @@ void write_picture_file(const StepView& view) {
     }
     const double full = std::max(view.spec.irradiance.front(), 0.0);
     for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
-        const std::uint32_t organ = scene.regions()[scene.triangle_regions()[i].value].organ.value;
+        const std::uint32_t organ = scene.regions()[scene.region_of(i).value].organ.value;
         const double light = view.light.at(organ, Quantity::absorbed_flux_density, 0).mean;
         const Colour c = colour_of(full > 0 ? light / full : 0);
         text += fmt::format(

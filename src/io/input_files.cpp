@@ -31,6 +31,11 @@ struct Closer {
 
 std::string read_all(std::FILE* file, const fs::path& path) {
     std::string text;
+    std::error_code unknown_size;
+    const std::uintmax_t size = fs::file_size(path, unknown_size);
+    if (!unknown_size) {
+        text.reserve(size);
+    }
     std::array<char, 65536> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
         text.append(buffer.data(), count);

@@ -40,7 +40,7 @@ class Simulator {
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
     std::shared_ptr<const RayCaster> caster_;
-    std::shared_ptr<const std::vector<Triangle>> triangles_;  // of caster_, with cell and engine:
+    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
     Cell cell_;
     Engine engine_ = Engine::embree;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;

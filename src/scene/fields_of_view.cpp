@@ -27,7 +27,7 @@ double least_cosine(double field_of_view_deg) {
 }
 
 void check_fields_of_view(
-    std::span<const OrganSpec> organs,
+    const SceneDraft& draft,
     std::span<const std::pair<MaterialSpec, std::string>> materials,
     OrganFaults& faults) {
     std::unordered_map<std::string_view, bool> is_sensor;
@@ -35,27 +35,30 @@ void check_fields_of_view(
         is_sensor[material.name] =
             passes_everything(material.upper) && passes_everything(material.lower);
     }
-    for (const OrganSpec& organ : organs) {
-        const double angle = organ.field_of_view_deg;
+    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+        const double angle = draft.stated[i].field_of_view_deg;
         if (angle == kHemisphere) {
             continue;
         }
         if (!(angle > 0 && angle < kHemisphere)) {
             faults.add(
-                organ, {"", "its field of view is " + shortest(angle) + " degrees",
-                        "the half angle about the normal is above 0, at most 90", ""});
+                draft, i,
+                {"", "its field of view is " + shortest(angle) + " degrees",
+                 "the half angle about the normal is above 0, at most 90", ""});
         }
+        const std::span<const DraftPart> parts = draft.parts_of(i);
         const bool all_sensors =
-            std::all_of(organ.parts.begin(), organ.parts.end(), [&](const OrganPart& part) {
-                const auto found = is_sensor.find(part.material);
+            std::all_of(parts.begin(), parts.end(), [&](const DraftPart& part) {
+                const auto found = is_sensor.find(draft.material_names[part.material]);
                 return found == is_sensor.end() || found->second;
             });
         if (!all_sensors) {
             faults.add(
-                organ, {"", "it has a field of view but is no sensor",
-                        "what absorbs or scatters does so with light from all directions",
-                        "give it a material with transmittance 1 and transmission_model "
-                        "\"mirror\", or leave the field of view out"});
+                draft, i,
+                {"", "it has a field of view but is no sensor",
+                 "what absorbs or scatters does so with light from all directions",
+                 "give it a material with transmittance 1 and transmission_model "
+                 "\"mirror\", or leave the field of view out"});
         }
     }
 }

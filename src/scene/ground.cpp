@@ -125,9 +125,9 @@ OrganSpec make_ground_organ(
     OrganSpec organ;
     organ.name = ground.name.empty() ? "ground" : ground.name;
     organ.place = ground.place;
-    std::vector<Triangle> triangles = ground.triangles.empty()
-                                          ? horizontal_ground(ground, cell, organs, faults)
-                                          : std::move(ground.triangles);
+    Mesh triangles = ground.triangles.empty()
+                         ? Mesh(horizontal_ground(ground, cell, organs, faults))
+                         : std::move(ground.triangles);
     organ.parts.push_back({std::move(ground.material), std::move(triangles)});
     return organ;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -14,16 +15,33 @@
 namespace quasimc {
 namespace {
 
+/// @param instances  the bounds of each
+Bounds bounds_of(const Scene& scene, const Organ& organ, const std::vector<Bounds>& instances) {
+    const SceneGeometry& triangles = scene.triangles();
+    const std::size_t end = organ.first_triangle + organ.triangle_count;
+    Bounds bounds;
+    for (std::size_t i = organ.first_triangle; i < end;) {
+        if (i >= triangles.mesh().size()) {
+            const std::uint32_t k = triangles.ranges().find(static_cast<std::uint32_t>(i));
+            bounds.add(instances[k].low);
+            bounds.add(instances[k].high);
+            i += triangles.ranges().count(k);
+            continue;
+        }
+        for (const Vec3& corner : triangles[i]) {
+            bounds.add(corner);
+        }
+        ++i;
+    }
+    return bounds;
+}
+
 Survey survey_of(const Scene& scene) {
     Survey survey{scene, {}, {}};
     survey.organ_bounds.reserve(scene.organs().size());
+    const std::vector<Bounds> instances = instance_bounds(scene.triangles().instances());
     for (const Organ& organ : scene.organs()) {
-        Bounds bounds;
-        for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-            for (const Vec3& corner : scene.triangles()[organ.first_triangle + i]) {
-                bounds.add(corner);
-            }
-        }
+        const Bounds bounds = bounds_of(scene, organ, instances);
         survey.organ_bounds.push_back(bounds);
         if (!organ.is_ground) {
             survey.canopy.add(bounds.low);
@@ -149,15 +167,51 @@ std::vector<Warning> lint_materials(const Survey& survey) {
     return std::move(black).finish();
 }
 
+namespace {
+
+/// Counts the triangles of no area. A mesh with many instances is looked at once.
+class DegenerateCount {
+  public:
+    explicit DegenerateCount(const Scene& scene) : triangles_(scene.triangles()) {}
+
+    std::size_t count(const Organ& organ) {
+        const std::size_t end = organ.first_triangle + organ.triangle_count;
+        std::size_t count = 0;
+        for (std::size_t i = organ.first_triangle; i < end;) {
+            if (i < triangles_.mesh().size()) {
+                count += is_degenerate(triangles_[i]) ? 1 : 0;
+                ++i;
+                continue;
+            }
+            const std::uint32_t k = triangles_.ranges().find(static_cast<std::uint32_t>(i));
+            count += count_in(*triangles_.instances()[k].mesh);
+            i += triangles_.ranges().count(k);
+        }
+        return count;
+    }
+
+  private:
+    std::size_t count_in(const Mesh& mesh) {
+        const auto [known, is_new] = known_.try_emplace(&mesh, 0);
+        for (std::size_t i = 0; is_new && i < mesh.size(); ++i) {
+            known->second += is_degenerate(mesh[i]) ? 1 : 0;
+        }
+        return known->second;
+    }
+
+    const SceneGeometry& triangles_;
+    std::unordered_map<const Mesh*, std::size_t> known_;
+};
+
+}  // namespace
+
 std::vector<Warning> lint_areas(const Survey& survey) {
     const Scene& scene = survey.scene;
+    DegenerateCount degenerate(scene);
     WarningKind empty("organs or parts of them have no area");
     for (const Organ& organ : scene.organs()) {
-        const auto first =
-            scene.triangles().begin() + static_cast<std::ptrdiff_t>(organ.first_triangle);
-        const auto flat = std::count_if(
-            first, first + static_cast<std::ptrdiff_t>(organ.triangle_count), is_degenerate);
-        if (flat == static_cast<std::ptrdiff_t>(organ.triangle_count)) {
+        const std::size_t flat = degenerate.count(organ);
+        if (flat == organ.triangle_count) {
             empty.add(words_for(organ), "has no area: nothing falls on it");
         } else if (flat > 0) {
             empty.add(

@@ -99,7 +99,7 @@ class OverlapSearch {
         std::vector<std::int16_t> level_of(triangles_.size(), -1);
         std::array<bool, kLevels> is_home{};
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            const Triangle& t = triangles_[i];
+            const Triangle t = triangles_[i];
             const double size = size_of(bounds_of(t));
             // Slivers about as thin as the tolerance lie in no plane in particular.
             constexpr double kThin = 8;
@@ -118,7 +118,7 @@ class OverlapSearch {
     }
 
     void enter(std::uint32_t i, int level, bool is_native) {
-        const Triangle& t = triangles_[i];
+        const Triangle t = triangles_[i];
         const Bounds bounds = bounds_of(t);
         const double blur = thickness(size_of(bounds));
         const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
@@ -150,7 +150,7 @@ class OverlapSearch {
         if (is_found_[entry.triangle]) {
             return;
         }
-        const Triangle& small = triangles_[entry.triangle];
+        const Triangle small = triangles_[entry.triangle];
         const Bounds bounds = bounds_of(small);
         const double tolerance = thickness(size_of(bounds));
         const auto is_before = [](const Entry& e, float facing) { return e.facing < facing; };
@@ -163,7 +163,7 @@ class OverlapSearch {
             if (++comparisons_ > most_comparisons_) {
                 return;
             }
-            const Triangle& large = triangles_[other->triangle];
+            const Triangle large = triangles_[other->triangle];
             if (lies_on(small, bounds, large, tolerance)) {
                 found_.push_back(
                     {entry.triangle, other->triangle, is_same(small, large, tolerance)});
@@ -187,7 +187,7 @@ class OverlapSearch {
     static constexpr double kOverlap =
         1e-3;  // of the smaller triangle; less is rounding at an edge
 
-    const std::vector<Triangle>& triangles_;
+    const SceneGeometry& triangles_;
     Vec3 low_;
     double size_;
     std::size_t most_comparisons_;
@@ -200,7 +200,7 @@ class OverlapSearch {
 /// "12 triangles are the same as triangles of organ 'b' (id 2)", for each pair of organs.
 std::vector<Warning> words_for(const Scene& scene, const std::vector<Overlap>& overlaps) {
     const auto organ_of = [&](std::uint32_t triangle) {
-        return scene.regions()[scene.triangle_regions()[triangle].value].organ.value;
+        return scene.regions()[scene.region_of(triangle).value].organ.value;
     };
     std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, std::size_t> pairs;
     for (const Overlap& o : overlaps) {

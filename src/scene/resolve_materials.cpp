@@ -35,18 +35,19 @@ MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, F
 /// Names of materials that do not exist; each is reported once, with the first organ that names it.
 class Missing {
   public:
-    void add(const OrganSpec& organ, std::string_view material) {
+    void add(std::size_t organ, std::string_view material) {
         const auto [at, is_new] = place_of_.try_emplace(material, rows_.size());
         if (is_new) {
-            rows_.push_back({&organ, material});
+            rows_.push_back({organ, material});
         }
         ++rows_[at->second].parts;
     }
 
-    void report(std::span<const std::string_view> known, Faults& faults) const {
+    void report(
+        const SceneDraft& draft, std::span<const std::string_view> known, Faults& faults) const {
         for (const Row& row : rows_) {
             faults.add(
-                {place_of(*row.first),
+                {place_of(draft, row.first),
                  row.material.empty() ? "no material is named"
                                       : fmt::format("material '{}' is not defined", row.material),
                  row.parts == 1 ? "organs name their materials"
@@ -58,7 +59,7 @@ class Missing {
 
   private:
     struct Row {
-        const OrganSpec* first;
+        std::size_t first;
         std::string_view material;
         std::size_t parts = 0;
     };
@@ -70,18 +71,22 @@ class Missing {
 
 std::vector<MaterialId> resolve_materials(
     std::span<const std::pair<MaterialSpec, std::string>> materials,
-    std::span<const OrganSpec> organs,
+    const SceneDraft& draft,
     std::size_t bands,
     Faults& faults) {
     const MaterialNumbers numbers = number_materials(materials, bands, faults);
     std::vector<MaterialId> found;
+    std::vector<bool> is_missing;
+    for (const std::string& name : draft.material_names) {
+        const auto material = numbers.find(name);
+        is_missing.push_back(material == numbers.end());
+        found.push_back({is_missing.back() ? 0 : material->second});
+    }
     Missing missing;
-    for (const OrganSpec& organ : organs) {
-        for (const OrganPart& part : organ.parts) {
-            const auto material = numbers.find(part.material);
-            found.push_back({material == numbers.end() ? 0 : material->second});
-            if (material == numbers.end()) {
-                missing.add(organ, part.material);
+    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+        for (const DraftPart& part : draft.parts_of(i)) {
+            if (is_missing[part.material]) {
+                missing.add(i, draft.material_names[part.material]);
             }
         }
     }
@@ -89,7 +94,7 @@ std::vector<MaterialId> resolve_materials(
     for (const auto& [spec, place] : materials) {
         known.push_back(spec.name);
     }
-    missing.report(known, faults);
+    missing.report(draft, known, faults);
     return found;
 }
 

@@ -12,9 +12,14 @@
 #include "base/orientation.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/triangle.h"
+#include "geometry/scene_geometry.h"
 #include "optics/material.h"
 
 namespace quasimc {
+
+class OrganAreas;
+template <typename T>
+class Lazy;
 
 /// A waveband. Amounts of different bands never mix, so each may have its own unit.
 struct Band {
@@ -65,19 +70,32 @@ class Scene {
     [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
     [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
     [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
-    /// Triangles of organ 0, organ 1, ...; within an organ those of its first element first.
-    [[nodiscard]] const std::vector<Triangle>& triangles() const { return *triangles_; }
+    /// The triangles of an organ stand together, those of its first element first. Organs that
+    /// are made of instances come after all others.
+    [[nodiscard]] const SceneGeometry& triangles() const { return *geometry_; }
     /// The same, for who keeps them longer than the scene. Copies of a scene share them.
-    [[nodiscard]] std::shared_ptr<const std::vector<Triangle>> shared_triangles() const {
-        return triangles_;
+    [[nodiscard]] std::shared_ptr<const SceneGeometry> shared_triangles() const {
+        return geometry_;
     }
-    /// The element of each triangle.
+    /// The element of each triangle that belongs to no instance, and of each instance.
     [[nodiscard]] const std::vector<RegionIndex>& triangle_regions() const {
         return triangle_regions_;
+    }
+    [[nodiscard]] const std::vector<RegionIndex>& instance_regions() const {
+        return instance_regions_;
+    }
+    /// The element of a triangle.
+    [[nodiscard]] RegionIndex region_of(std::uint32_t triangle) const {
+        return triangle < triangle_regions_.size()
+                   ? triangle_regions_[triangle]
+                   : instance_regions_[geometry_->ranges().find(triangle)];
     }
     [[nodiscard]] const Material& material(const Region& e) const {
         return materials_[e.material.value];
     }
+    /// The areas of the triangles of each organ, made when they are first asked for. Copies of a
+    /// scene share them.
+    [[nodiscard]] const OrganAreas& organ_areas() const;
     [[nodiscard]] const Cell& cell() const { return cell_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
     [[nodiscard]] const Orientation& orientation() const { return orientation_; }
@@ -92,8 +110,9 @@ class Scene {
     std::vector<Organ> organs_;
     std::vector<Region> regions_;
     std::vector<Material> materials_;
-    std::shared_ptr<std::vector<Triangle>> triangles_ = std::make_shared<std::vector<Triangle>>();
-    std::vector<RegionIndex> triangle_regions_;
+    std::shared_ptr<const SceneGeometry> geometry_ = std::make_shared<const SceneGeometry>();
+    std::shared_ptr<const Lazy<OrganAreas>> areas_;
+    std::vector<RegionIndex> triangle_regions_, instance_regions_;
     Cell cell_;
     Bounds bounds_;
     Orientation orientation_;

@@ -3,13 +3,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/affine.h"
 #include "base/input_error.h"
+#include "geometry/mesh/mesh.h"
 #include "scene/scene.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 
@@ -17,7 +21,11 @@ namespace quasimc {
 struct OrganPart {
     std::string material;
     /// The file's axes: up and north as its Orientation says.
-    std::vector<Triangle> triangles = {};
+    Mesh triangles = {};
+    /// Instead of triangles: a mesh that other parts have too, and where this copy of it stands.
+    /// Many copies of one mesh cost little more memory than one.
+    std::shared_ptr<const Mesh> shared = {};
+    Affine transform = {};
 };
 
 /// An organ as it is given to the builder.
@@ -44,10 +52,16 @@ struct GroundSpec {
     /// Low x, low y, high x, high y: horizontal axes, z up. Along a periodic axis it must be the
     /// cell's.
     std::optional<std::array<double, 4>> extent = {};
-    std::vector<Triangle> triangles = {};  ///< a given surface instead, the file's axes
+    Mesh triangles = {};  ///< a given surface instead, the file's axes
     std::string name = "ground";
     std::string place = "ground";
 };
+
+/// How often a mesh must be used, and how many triangles it must have, to be kept once for all its
+/// copies (OrganPart::shared). Copies of others are stored like any triangles, which is faster to
+/// trace.
+inline constexpr std::size_t kFewestCopies = 3;
+inline constexpr std::size_t kSmallestPrototype = 64;
 
 /// Collects a scene and checks it whole. Nothing is repaired silently; every fault is reported at
 /// once.
@@ -73,13 +87,11 @@ class SceneBuilder {
     [[nodiscard]] Scene build() &&;
 
   private:
-    class Assembly;  // turns checked organs into a scene
-
     std::vector<Band> bands_;
     Orientation orientation_;
     std::string length_unit_ = "m";
     std::vector<std::pair<MaterialSpec, std::string>> materials_;
-    std::vector<OrganSpec> organs_;
+    SceneDraft draft_;
     std::optional<GroundSpec> ground_;
     Cell cell_;
 };

@@ -24,27 +24,41 @@ bool is_usable(const Vec3& p) {
     return small(p.x) && small(p.y) && small(p.z);
 }
 
-/// A fault about the first corner that is not usable.
-Fault corner_fault(const OrganSpec& organ, std::size_t bad_triangles) {
-    std::size_t number = 0;
-    for (const OrganPart& part : organ.parts) {
-        for (const Triangle& t : part.triangles) {
+/// Whether all corners of a triangle are usable. A corner of two numbers that are too large may
+/// be moved to where it is not finite.
+bool is_usable(const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [](const Vec3& p) { return is_usable(p); });
+}
+
+/// A fault about the first corner of an organ that is not usable, or nothing.
+std::optional<Fault> corner_fault(
+    const SceneDraft& draft, std::size_t organ, const Orientation& orientation) {
+    std::size_t number = 0, bad = 0, first_bad = 0;
+    Triangle worst{};
+    for (const DraftPart& part : draft.parts_of(organ)) {
+        for (std::size_t i = 0; i < draft.size_of(part); ++i) {
             ++number;
-            const auto corner = std::find_if_not(t.begin(), t.end(), is_usable);
-            if (corner == t.end()) {
-                continue;
+            const Triangle t = draft.triangle(part, i);
+            if (!is_usable(t) && ++bad == 1) {
+                worst = t;
+                first_bad = number;
             }
-            std::string problem = fmt::format(
-                "corner {} of triangle {} is {}", corner - t.begin() + 1, number, text_of(*corner));
-            if (bad_triangles > 1) {
-                problem += fmt::format(", and {} more triangles are like it", bad_triangles - 1);
-            }
-            return {
-                "", problem,
-                fmt::format("coordinates are finite numbers up to {}", kLargestCoordinate), ""};
         }
     }
-    return {};
+    if (bad == 0) {
+        return std::nullopt;
+    }
+    const auto corner =
+        std::find_if_not(worst.begin(), worst.end(), [](const Vec3& p) { return is_usable(p); });
+    std::string problem = fmt::format(
+        "corner {} of triangle {} is {}", corner - worst.begin() + 1, first_bad,
+        text_of(orientation.outward(*corner)));
+    if (bad > 1) {
+        problem += fmt::format(", and {} more triangles are like it", bad - 1);
+    }
+    return Fault{
+        "", problem, fmt::format("coordinates are finite numbers up to {}", kLargestCoordinate),
+        ""};
 }
 
 void check_axis_of_cell(char axis, double low, double size, double extent, Faults& faults) {
@@ -71,48 +85,85 @@ void check_axis_of_cell(char axis, double low, double size, double extent, Fault
     }
 }
 
-/// About how many cells the triangles lie in, each counted by itself.
-double images_in(const Cell& cell, std::span<const OrganSpec> organs) {
+/// About how many cells the triangles lie in, each counted by itself. Of an instance, each counts
+/// as one.
+double images_in(const Cell& cell, const SceneDraft& draft) {
     double images = 0;
-    for (const OrganSpec& organ : organs) {
-        for (const OrganPart& part : organ.parts) {
-            for (const Triangle& t : part.triangles) {
-                const auto [low_x, high_x] = std::minmax({t[0].x, t[1].x, t[2].x});
-                const auto [low_y, high_y] = std::minmax({t[0].y, t[1].y, t[2].y});
-                images += (cell.along_x ? 1 + (high_x - low_x) / cell.size_x : 1) *
-                          (cell.along_y ? 1 + (high_y - low_y) / cell.size_y : 1);
-            }
-        }
+    for (std::size_t i = 0; i < draft.mesh.size(); ++i) {
+        const Triangle t = draft.mesh[i];
+        const auto [low_x, high_x] = std::minmax({t[0].x, t[1].x, t[2].x});
+        const auto [low_y, high_y] = std::minmax({t[0].y, t[1].y, t[2].y});
+        images += (cell.along_x ? 1 + (high_x - low_x) / cell.size_x : 1) *
+                  (cell.along_y ? 1 + (high_y - low_y) / cell.size_y : 1);
+    }
+    for (const Instance& copy : draft.copies) {
+        images += static_cast<double>(copy.mesh->size());
     }
     return images;
 }
 
-void add_repeated_ids(const std::vector<OrganSpec>& organs, OrganFaults& faults) {
+void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
+    const std::vector<Organ>& organs = draft.organs;
     std::vector<std::uint32_t> order(organs.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return *organs[a].id < *organs[b].id;
+        return organs[a].id < organs[b].id;
     });
     std::uint32_t first = order.front();
     for (const std::uint32_t i : order) {
-        if (i == first || *organs[i].id != *organs[first].id) {
+        if (i == first || organs[i].id != organs[first].id) {
             first = i;
             continue;
         }
         faults.add(
-            organs[i], {"", fmt::format("id {} is taken", *organs[i].id),
-                        "by " + place_of(organs[first]), "ids are unique in a scene"});
+            draft, i,
+            {"", fmt::format("id {} is taken", organs[i].id), "by " + place_of(draft, first),
+             "ids are unique in a scene"});
     }
+}
+
+void extend(Bounds& bounds, const Bounds& by) {
+    if (!by.empty()) {
+        bounds.add(by.low);
+        bounds.add(by.high);
+    }
+}
+
+/// Whether everything is finite and not too large: then organs need not be looked at one by one.
+bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
+    const auto is_small = [](const Bounds& b) { return is_usable(b.low) && is_usable(b.high); };
+    // Of numbers that are none, bounds know nothing.
+    const auto has_usable_mesh = [](const Instance& copy) {
+        return std::all_of(
+            copy.mesh->vertices.begin(), copy.mesh->vertices.end(),
+            [](const Vec3& p) { return is_usable(p); });
+    };
+    const Mesh* last = nullptr;
+    for (const Instance& copy : draft.copies) {
+        if (copy.mesh.get() != last && !has_usable_mesh(copy)) {
+            return false;
+        }
+        last = copy.mesh.get();
+        if (!is_usable(copy.transform.shift) ||
+            !std::all_of(
+                copy.transform.rows.begin(), copy.transform.rows.end(),
+                [](const Vec3& row) { return is_usable(row); })) {
+            return false;
+        }
+    }
+    return std::all_of(
+               draft.mesh.vertices.begin(), draft.mesh.vertices.end(),
+               [](const Vec3& p) { return is_usable(p); }) &&
+           std::all_of(copies.begin(), copies.end(), is_small);
 }
 
 }  // namespace
 
-std::string place_of(const OrganSpec& organ) {
-    if (!organ.place.empty()) {
-        return fmt::format("{}: organ '{}'", organ.place, organ.name);
-    }
-    return organ.id ? fmt::format("organ '{}' (id {})", organ.name, *organ.id)
-                    : fmt::format("organ '{}'", organ.name);
+std::string place_of(const SceneDraft& draft, std::size_t organ) {
+    const Organ& which = draft.organs[organ];
+    const std::string_view place = draft.place_of(organ);
+    return place.empty() ? fmt::format("organ '{}' (id {})", which.name, which.id)
+                         : fmt::format("{}: organ '{}'", place, which.name);
 }
 
 std::string place_of(const MaterialSpec& material, const std::string& place) {
@@ -120,9 +171,9 @@ std::string place_of(const MaterialSpec& material, const std::string& place) {
     return place.empty() ? which : place + ": " + which;
 }
 
-void OrganFaults::add(const OrganSpec& organ, Fault fault) {
+void OrganFaults::add(const SceneDraft& draft, std::size_t organ, Fault fault) {
     if (++count_ <= kMostOrganFaults) {
-        fault.place = place_of(organ);
+        fault.place = place_of(draft, organ);
         faults_.add(std::move(fault));
     }
 }
@@ -174,9 +225,9 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults) {
     }
 }
 
-void check_images(const Cell& cell, std::span<const OrganSpec> organs, Faults& faults) {
+void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults) {
     constexpr double kMostImages = 1e8;
-    const double images = cell.periodic() ? images_in(cell, organs) : 0;
+    const double images = cell.periodic() ? images_in(cell, draft) : 0;
     if (images > kMostImages) {
         faults.add(
             {"cell", fmt::format("the triangles reach over {:.0f} cells in all", images),
@@ -185,52 +236,73 @@ void check_images(const Cell& cell, std::span<const OrganSpec> organs, Faults& f
     }
 }
 
-std::int64_t number_organs(std::vector<OrganSpec>& organs, OrganFaults& faults) {
+std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
     std::int64_t largest = 0;
-    std::optional<std::int64_t> previous;
     bool ascending = true;
-    for (OrganSpec& organ : organs) {
-        organ.id = organ.id.value_or(largest + 1);
+    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+        Organ& organ = draft.organs[i];
+        organ.id = draft.stated[i].has_id ? organ.id : largest + 1;
         if (organ.name.empty()) {
-            organ.name = fmt::format("organ {}", *organ.id);
+            organ.name = fmt::format("organ {}", organ.id);
         }
-        if (*organ.id >= kLastId) {
+        if (organ.id >= kLastId) {
             faults.add(
-                organ, {"", fmt::format("id {} is too large", *organ.id),
-                        fmt::format("ids end at {}", kLastId - 1), ""});
+                draft, i,
+                {"", fmt::format("id {} is too large", organ.id),
+                 fmt::format("ids end at {}", kLastId - 1), ""});
         }
-        largest = std::clamp(*organ.id, largest, kLastId - 1);
-        ascending = ascending && (!previous || *organ.id > *previous);
-        previous = organ.id;
+        largest = std::clamp(organ.id, largest, kLastId - 1);
+        ascending = ascending && (i == 0 || organ.id > draft.organs[i - 1].id);
     }
     if (!ascending) {
-        add_repeated_ids(organs, faults);
+        add_repeated_ids(draft, faults);
     }
     return largest + 1;
 }
 
-Bounds take_inward(OrganSpec& organ, const Orientation& orientation, OrganFaults& faults) {
+void turn_inward(SceneDraft& draft, const Orientation& orientation) {
+    for (Vec3& p : draft.mesh.vertices) {
+        p = orientation.inward(p);
+    }
+    for (Instance& copy : draft.copies) {
+        Affine& a = copy.transform;
+        if (orientation.up() == UpAxis::y) {
+            a.rows = {a.rows[2], a.rows[0], a.rows[1]};
+        }
+        a.shift = orientation.inward(a.shift);
+    }
+}
+
+Bounds check_triangles(
+    const SceneDraft& draft,
+    std::size_t first,
+    const Orientation& orientation,
+    OrganFaults& faults) {
+    const std::vector<Bounds> copies = instance_bounds(draft.copies);
+    const bool all_usable = is_usable(draft, copies);
     Bounds bounds;
-    std::size_t triangles = 0;
-    std::size_t bad = 0;
-    for (const OrganPart& part : organ.parts) {
-        triangles += part.triangles.size();
-        bad += static_cast<std::size_t>(std::count_if(
-            part.triangles.begin(), part.triangles.end(),
-            [](const Triangle& t) { return !std::all_of(t.begin(), t.end(), is_usable); }));
-    }
-    if (triangles == 0) {
-        faults.add(organ, {"", "it has no triangles", "light falls on triangles", ""});
-    }
-    if (bad > 0) {
-        faults.add(organ, corner_fault(organ, bad));
-        return bounds;
-    }
-    for (OrganPart& part : organ.parts) {
-        for (Triangle& t : part.triangles) {
-            for (Vec3& corner : t) {
-                corner = orientation.inward(corner);
-                bounds.add(corner);
+    for (std::size_t i = first; i < draft.organs.size(); ++i) {
+        const std::span<const DraftPart> parts = draft.parts_of(i);
+        const bool is_empty = std::all_of(parts.begin(), parts.end(), [&](const DraftPart& part) {
+            return draft.size_of(part) == 0;
+        });
+        if (is_empty) {
+            faults.add(draft, i, {"", "it has no triangles", "light falls on triangles", ""});
+        }
+        if (!all_usable) {
+            if (const auto fault = corner_fault(draft, i, orientation)) {
+                faults.add(draft, i, *fault);
+                continue;
+            }
+        }
+        for (const DraftPart& part : parts) {
+            if (part.copy != DraftPart::kNoCopy) {
+                extend(bounds, copies[part.copy]);
+            }
+            for (std::size_t k = 0; k < part.face_count; ++k) {
+                for (const Vec3& corner : draft.mesh[part.first_face + k]) {
+                    bounds.add(corner);
+                }
             }
         }
     }

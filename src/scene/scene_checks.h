@@ -22,8 +22,8 @@ inline constexpr double kLargestCoordinate = 1e30;
 class OrganFaults {
   public:
     explicit OrganFaults(Faults& faults) : faults_(faults) {}
-    /// Adds a fault at the place of `organ`.
-    void add(const OrganSpec& organ, Fault fault);
+    /// Adds a fault at the place of an organ of the draft.
+    void add(const SceneDraft& draft, std::size_t organ, Fault fault);
     /// Adds one fault that counts those left out, if any.
     void finish();
 
@@ -33,7 +33,7 @@ class OrganFaults {
 };
 
 /// Where an organ was stated, and which it is: "leaves.toml:12: organ 'leaf 7'".
-[[nodiscard]] std::string place_of(const OrganSpec& organ);
+[[nodiscard]] std::string place_of(const SceneDraft& draft, std::size_t organ);
 
 /// Where a material was stated, and which it is: "leaves.toml:3: material 'leaf'".
 [[nodiscard]] std::string place_of(const MaterialSpec& material, const std::string& place);
@@ -44,7 +44,7 @@ void check_bands(const std::vector<Band>& bands, Faults& faults);
 /// Adds a fault for each organ whose field of view is no angle up to 90 degrees, or narrower though
 /// it is made of more than transparent materials.
 void check_fields_of_view(
-    std::span<const OrganSpec> organs,
+    const SceneDraft& draft,
     std::span<const std::pair<MaterialSpec, std::string>> materials,
     OrganFaults& faults);
 
@@ -61,22 +61,28 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults);
 
 /// Adds a fault if the organs, finite and z up, reach over so many cells that tracing would drown
 /// in images. The cell has no fault.
-void check_images(const Cell& cell, std::span<const OrganSpec> organs, Faults& faults);
+void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults);
 
 /// Gives an id and a name to each organ that has none; adds ids that are not unique to `faults`.
 /// Returns the first free id.
-std::int64_t number_organs(std::vector<OrganSpec>& organs, OrganFaults& faults);
+std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults);
 
-/// Turns the triangles of an organ to z up and returns their bounds; adds a fault if it has no
-/// triangles, or coordinates that are not finite or too large (the bounds are then empty).
-[[nodiscard]] Bounds take_inward(
-    OrganSpec& organ, const Orientation& orientation, OrganFaults& faults);
+/// Turns all triangles to z up.
+void turn_inward(SceneDraft& draft, const Orientation& orientation);
 
-/// Checks the materials, and returns those that the parts of all organs name, in order. A part
-/// whose material is missing gets number 0, and a fault.
+/// The bounds of the organs from `first` on; adds a fault for each that has no triangles, or
+/// coordinates that are not finite or too large (it is then left out of the bounds).
+[[nodiscard]] Bounds check_triangles(
+    const SceneDraft& draft,
+    std::size_t first,
+    const Orientation& orientation,
+    OrganFaults& faults);
+
+/// Checks the materials, and returns those that the names of the draft stand for. A name that is
+/// missing gets number 0, and a fault.
 [[nodiscard]] std::vector<MaterialId> resolve_materials(
     std::span<const std::pair<MaterialSpec, std::string>> materials,
-    std::span<const OrganSpec> organs,
+    const SceneDraft& draft,
     std::size_t bands,
     Faults& faults);
 

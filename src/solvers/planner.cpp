@@ -138,6 +138,9 @@ double brightest_peak(const Scene& scene) {
     return brightest;
 }
 
+/// Copies of meshes may be more triangles than memory could hold; rasters keep something of each.
+constexpr std::size_t kMostForRasters = 100'000'000;
+
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     if (spec.method != Method::automatic) {
         return {spec.method, "asked for"};
@@ -157,6 +160,11 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     }
     if (!lighting.sun && !lighting.sky) {
         return {Method::light_tracing, "all light comes from lamps"};
+    }
+    if (scene.triangles().size() > kMostForRasters) {
+        return {
+            Method::light_tracing,
+            fmt::format("pictures of {} triangles would take too long", scene.triangles().size())};
     }
     return {
         Method::first_hits, fmt::format(

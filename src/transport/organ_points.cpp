@@ -9,20 +9,19 @@
 
 namespace quasimc {
 
-OrganPoints::OrganPoints(const PreparedScene& prepared) : prepared_(prepared) {
-    const Scene& scene = prepared.scene();
-    for (const Triangle& triangle : scene.triangles()) {
-        area_until_.push_back(area(triangle));
+OrganPoints::OrganPoints(const PreparedScene& prepared)
+    : prepared_(prepared), areas_(prepared.scene().organ_areas()) {
+    if (!prepared.caster().has_own_numbers()) {
+        list_images();
     }
-    for (const Organ& organ : scene.organs()) {
-        const auto first = area_until_.begin() + organ.first_triangle;
-        double sum = 0;
-        std::for_each(first, first + organ.triangle_count, [&](double& x) { x = sum += x; });
-    }
-    const std::uint32_t n = prepared.caster().mesh().triangle_count();
-    first_image_.assign(scene.triangles().size() + 1, 0);
+}
+
+void OrganPoints::list_images() {
+    const RayCaster& caster = prepared_.caster();
+    const std::uint32_t n = caster.mesh().triangle_count();
+    first_image_.assign(prepared_.scene().triangles().size() + 1, 0);
     for (std::uint32_t i = 0; i < n; ++i) {
-        ++first_image_[prepared.caster().source(i) + 1];
+        ++first_image_[caster.source(i) + 1];
     }
     for (std::size_t i = 1; i < first_image_.size(); ++i) {
         first_image_[i] += first_image_[i - 1];
@@ -30,35 +29,38 @@ OrganPoints::OrganPoints(const PreparedScene& prepared) : prepared_(prepared) {
     images_.resize(n);
     std::vector<std::uint32_t> next(first_image_.begin(), first_image_.end() - 1);
     for (std::uint32_t i = 0; i < n; ++i) {
-        images_[next[prepared.caster().source(i)]++] = i;
+        images_[next[caster.source(i)]++] = i;
     }
 }
 
 OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > 0);
-    const IntervalPick pick = pick_interval(
-        std::span(area_until_).subspan(organ.first_triangle, organ.triangle_count),
-        u0 * organ.area);
-    const double root = std::sqrt(pick.part);
-    const auto triangle = organ.first_triangle + static_cast<std::uint32_t>(pick.index);
-    return on_triangle(triangle, root * (1 - u1), root * u1);
+    const OrganAreas::Pick pick = areas_.pick(organ, u0 * organ.area);
+    const double root = std::sqrt(pick.fraction);
+    return on_triangle(pick.triangle, root * (1 - u1), root * u1);
 }
 
 OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, double v) const {
     const LocalMesh& mesh = prepared_.caster().mesh();
-    const std::uint32_t first = first_image_[scene_triangle];
-    const std::uint32_t last = first_image_[scene_triangle + 1];
-    std::uint32_t triangle = images_[first];
-    for (std::uint32_t i = first; i < last && last - first > 1; ++i) {
-        if (in_cell(mesh.point(images_[i], u, v))) {
-            triangle = images_[i];
-            break;
-        }
-    }
+    const std::uint32_t triangle =
+        first_image_.empty() ? scene_triangle : image_at(scene_triangle, u, v);
     const Vec3 a = mesh.vertex(triangle, 0);
     const Vec3 up = cross(mesh.vertex(triangle, 1) - a, mesh.vertex(triangle, 2) - a);
     return {mesh.point(triangle, u, v), normalized(up), triangle, prepared_.region(triangle)};
+}
+
+/// The image of a triangle that has the point (u, v) in the cell.
+std::uint32_t OrganPoints::image_at(std::uint32_t scene_triangle, double u, double v) const {
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const std::uint32_t first = first_image_[scene_triangle];
+    const std::uint32_t last = first_image_[scene_triangle + 1];
+    for (std::uint32_t i = first; i < last && last - first > 1; ++i) {
+        if (in_cell(mesh.point(images_[i], u, v))) {
+            return images_[i];
+        }
+    }
+    return images_[first];
 }
 
 bool OrganPoints::in_cell(const Vec3& local) const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/organ_areas.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -26,13 +27,15 @@ class OrganPoints {
     [[nodiscard]] OrganPoint place(std::size_t organ, double u0, double u1) const;
 
   private:
+    void list_images();
     [[nodiscard]] OrganPoint on_triangle(std::uint32_t scene_triangle, double u, double v) const;
+    [[nodiscard]] std::uint32_t image_at(std::uint32_t scene_triangle, double u, double v) const;
     [[nodiscard]] bool in_cell(const Vec3& local) const;
 
     const PreparedScene& prepared_;
-    std::vector<double> area_until_;  // of each triangle, summed within its organ
+    const OrganAreas& areas_;
     // The mesh triangles that are images of scene triangle i: [first_image_[i], first_image_[i +
-    // 1])
+    // 1]). Empty if the mesh has the scene's own numbers.
     std::vector<std::uint32_t> first_image_, images_;
 };
 

@@ -63,23 +63,37 @@ PreparedScene::PreparedScene(
     const Sources& sources,
     CrossSectionShape window,
     std::shared_ptr<const RayCaster> caster)
-    : scene_(&scene),
-      caster_(std::move(caster)),
-      projection_(caster_->mesh(), scene.cell(), window) {
-    primitives_.resize(caster_->mesh().triangle_count());
-    for (std::uint32_t i = 0; i < primitives_.size(); ++i) {
-        const RegionIndex region = scene.triangle_regions()[caster_->source(i)];
-        primitives_[i] = {region.value, scene.regions()[region.value].material.value};
-    }
-    for (const Region& region : scene.regions()) {
-        materials_.push_back(&scene.material(region));
-        ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
-        has_transparent_ = has_transparent_ || materials_.back()->is_transparent();
-        has_delta_ = has_delta_ || materials_.back()->side(true).has_delta() ||
-                     materials_.back()->side(false).has_delta();
-    }
+    : scene_(&scene), caster_(std::move(caster)), projection_(*caster_, window) {
+    set_elements();
     set_fields_of_view();
     set_lights(sources);
+}
+
+void PreparedScene::set_elements() {
+    const Scene& scene = *scene_;
+    triangle_regions_ = scene.triangle_regions();
+    if (!caster_->has_own_numbers()) {
+        const auto count = static_cast<std::uint32_t>(caster_->mesh().faces.size());
+        image_regions_.reserve(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            image_regions_.push_back(scene.region_of(caster_->source(i)));
+        }
+        triangle_regions_ = image_regions_;
+    }
+    std::vector<bool> is_used(scene.materials().size());
+    element_materials_.reserve(scene.regions().size());
+    for (const Region& region : scene.regions()) {
+        element_materials_.push_back(region.material);
+        is_used[region.material.value] = true;
+        ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+        const Material& material = scene.materials()[i];
+        has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
+        has_delta_ =
+            has_delta_ ||
+            (is_used[i] && (material.side(true).has_delta() || material.side(false).has_delta()));
+    }
 }
 
 void PreparedScene::set_fields_of_view() {

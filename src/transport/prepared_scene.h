@@ -47,6 +47,8 @@ class PreparedScene {
         const Sources& sources,
         CrossSectionShape window,
         std::shared_ptr<const RayCaster> caster);
+    PreparedScene(const PreparedScene&) = delete;
+    PreparedScene& operator=(const PreparedScene&) = delete;
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const RayCaster& caster() const { return *caster_; }
@@ -69,14 +71,18 @@ class PreparedScene {
     [[nodiscard]] double sun_area() const { return sun_area_; }
 
     /// Region and material of a triangle of the caster's mesh.
-    [[nodiscard]] const PrimitiveInfo& primitive(std::uint32_t mesh_triangle) const {
-        return primitives_[mesh_triangle];
+    [[nodiscard]] PrimitiveInfo primitive(std::uint32_t mesh_triangle) const {
+        const std::uint32_t e = region(mesh_triangle);
+        return {e, element_materials_[e].value};
     }
     [[nodiscard]] std::uint32_t region(std::uint32_t mesh_triangle) const {
-        return primitives_[mesh_triangle].region;
+        if (mesh_triangle < triangle_regions_.size()) [[likely]] {
+            return triangle_regions_[mesh_triangle].value;
+        }
+        return scene_->region_of(caster_->source(mesh_triangle)).value;
     }
     [[nodiscard]] const Material& material(std::uint32_t region) const {
-        return *materials_[region];
+        return scene_->materials()[element_materials_[region].value];
     }
     /// Whether an element counts light that comes at this cosine from its normal: all but sensors
     /// with a narrow field of view do.
@@ -101,14 +107,18 @@ class PreparedScene {
     [[nodiscard]] bool has_transparent() const { return has_transparent_; }
 
   private:
+    void set_elements();
     void set_fields_of_view();
     void set_lights(const Sources& sources);
 
     const Scene* scene_;
     std::shared_ptr<const RayCaster> caster_;
     SceneProjection projection_;
-    std::vector<PrimitiveInfo> primitives_;
-    std::vector<const Material*> materials_;
+    // Of the triangles that belong to no instance: the scene's own list, unless the caster counts
+    // images of them.
+    std::span<const RegionIndex> triangle_regions_;
+    std::vector<RegionIndex> image_regions_;
+    std::vector<MaterialId> element_materials_;
     std::vector<BoundSource> lights_;
     std::vector<std::vector<double>> spectra_;
     std::vector<double> flux_;

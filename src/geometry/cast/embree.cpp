@@ -9,9 +9,10 @@
 #endif
 
 #include <new>
-#include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #if QUASIMC_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -60,17 +61,17 @@ Device make_device() {
     return device;
 }
 
-Geometry make_geometry(RTCDevice device, const LocalMesh& mesh) {
+/// @param vertices  3 numbers each, and kVertexPadding
+Geometry make_triangles(
+    RTCDevice device, const std::vector<float>& vertices, std::span<const Face> faces) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    const std::size_t corners = std::size_t{3} * mesh.triangle_count();
     rtcSetSharedGeometryBuffer(
-        geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.vertices.data(), 0,
-        3 * sizeof(float), corners);
-    auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-        mesh.triangle_count()));
+        geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices.data(), 0,
+        3 * sizeof(float), (vertices.size() - kVertexPadding) / 3);
+    rtcSetSharedGeometryBuffer(
+        geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, faces.data(), 0, sizeof(Face),
+        faces.size());
     throw_if_failed(device);
-    std::iota(index, index + corners, 0U);
     return geometry;
 }
 
@@ -87,11 +88,20 @@ struct OcclusionContext {
     std::uint32_t except;
 };
 
+/// Instances are the geometries of the scene that come before that of the other triangles, so that
+/// their numbers are those of LocalMesh::instances.
+std::uint32_t triangle_number(const LocalMesh& mesh, unsigned instance, unsigned primitive) {
+    return instance == RTC_INVALID_GEOMETRY_ID ? primitive
+                                               : mesh.ranges.first(instance) + primitive;
+}
+
 /// Refuses the hit with the triangle that is excepted, and hits that are there only because of
 /// rounding. We trace single rays here, so N is 1.
 void refuse_excepted(const RTCFilterFunctionNArguments* arguments) {
     const auto* context = reinterpret_cast<const OcclusionContext*>(arguments->context);
-    const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
+    const std::uint32_t triangle = triangle_number(
+        *context->mesh, RTCHitN_instID(arguments->hit, 1, 0, 0),
+        RTCHitN_primID(arguments->hit, 1, 0));
     const float t = RTCRayN_tfar(arguments->ray, 1, 0);
     if (triangle == context->except || is_rounding(*context->mesh, *context->ray, triangle, t)) {
         arguments->valid[0] = 0;
@@ -119,13 +129,11 @@ class EmbreeIntersector final : public Intersector {
   public:
     explicit EmbreeIntersector(const LocalMesh& mesh)
         : mesh_(mesh), device_(make_device()), scene_(rtcNewScene(device_.get())) {
-        const Geometry geometry = make_geometry(device_.get(), mesh);
-        rtcSetGeometryOccludedFilterFunction(geometry.get(), refuse_excepted);
-        rtcCommitGeometry(geometry.get());
-        rtcAttachGeometry(scene_.get(), geometry.get());
-        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
-        rtcCommitScene(scene_.get());
-        throw_if_failed(device_.get());
+        attach_instances();
+        if (!mesh.faces.empty()) {
+            attach_triangles(scene_.get(), mesh.vertices, mesh.faces);
+        }
+        commit(scene_.get());
     }
 
     [[nodiscard]] Hit closest(const Ray& ray) const override {
@@ -144,7 +152,12 @@ class EmbreeIntersector final : public Intersector {
         rtcIntersect1(scene_.get(), &context, &query);
 #endif
         const RTCHit& hit = query.hit;
-        return {hit.primID, query.ray.tfar, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
+        Hit found{hit.primID, query.ray.tfar, hit.u, hit.v, {hit.Ng_x, hit.Ng_y, hit.Ng_z}};
+        if (hit.instID[0] != RTC_INVALID_GEOMETRY_ID) [[unlikely]] {
+            found.triangle = triangle_number(mesh_, hit.instID[0], hit.primID);
+            found.normal = normal_of(found.triangle);
+        }
+        return found;
     }
 
     void closest(Packet& packet) const override;
@@ -169,10 +182,64 @@ class EmbreeIntersector final : public Intersector {
     }
 
   private:
+    void attach_triangles(
+        RTCScene scene, const std::vector<float>& vertices, std::span<const Face> faces) {
+        const Geometry geometry = make_triangles(device_.get(), vertices, faces);
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), refuse_excepted);
+        rtcCommitGeometry(geometry.get());
+        rtcAttachGeometry(scene, geometry.get());
+    }
+
+    void attach_instances() {
+        for (const LocalPrototype& prototype : mesh_.prototypes) {
+            const EmbreeScene& scene =
+                prototypes_.emplace_back(EmbreeScene(rtcNewScene(device_.get())));
+            attach_triangles(scene.get(), prototype.vertices, prototype.faces);
+            commit(scene.get());
+        }
+        for (const LocalInstance& instance : mesh_.instances) {
+            const Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+            rtcSetGeometryInstancedScene(geometry.get(), prototypes_[instance.prototype].get());
+            rtcSetGeometryTransform(
+                geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, instance.matrix.data());
+            rtcCommitGeometry(geometry.get());
+            rtcAttachGeometry(scene_.get(), geometry.get());
+        }
+    }
+
+    void commit(RTCScene scene) {
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+        rtcCommitScene(scene);
+        throw_if_failed(device_.get());
+    }
+
+    /// Embree gives the normal of a triangle of an instance before it is moved.
+    [[nodiscard]] std::array<float, 3> normal_of(std::uint32_t triangle) const {
+        const Vec3 n = mesh_.across(triangle);
+        return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    }
+    /// Numbers and normals of the hits with instances.
+    void resolve_instances(const RTCHit16& hits, Packet& packet) const;
+
     const LocalMesh& mesh_;
     Device device_;
+    std::vector<EmbreeScene> prototypes_;
     EmbreeScene scene_;
 };
+
+void EmbreeIntersector::resolve_instances(const RTCHit16& hits, Packet& packet) const {
+    for (std::size_t i = 0; i < kPacket; ++i) {
+        const unsigned instance = hits.instID[0][i];
+        if (packet.triangle[i] == kNoTriangle || instance == RTC_INVALID_GEOMETRY_ID) {
+            continue;
+        }
+        packet.triangle[i] = triangle_number(mesh_, instance, packet.triangle[i]);
+        const std::array<float, 3> normal = normal_of(packet.triangle[i]);
+        packet.normal_x[i] = normal[0];
+        packet.normal_y[i] = normal[1];
+        packet.normal_z[i] = normal[2];
+    }
+}
 
 void EmbreeIntersector::closest(Packet& packet) const {
     alignas(64) RTCRayHit16 query;
@@ -216,6 +283,9 @@ void EmbreeIntersector::closest(Packet& packet) const {
         packet.normal_x[i] = query.hit.Ng_x[i];
         packet.normal_y[i] = query.hit.Ng_y[i];
         packet.normal_z[i] = query.hit.Ng_z[i];
+    }
+    if (!mesh_.instances.empty()) {
+        resolve_instances(query.hit, packet);
     }
 }
 

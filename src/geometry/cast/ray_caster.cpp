@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/bounds.h"
 #include "base/checks.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
+#include "geometry/raster/outline.h"
 
 namespace quasimc {
 
@@ -34,24 +34,19 @@ Hit closest_past(
     return hit;
 }
 
-/// Cell and scene bounds in local coordinates.
+/// @param cell  local coordinates
 Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
-    Tile tile{{}, cell.along_x, cell.along_y};
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            tile.box.add(mesh.vertex(i, corner));
-        }
-    }
+    Tile tile{mesh.bounds(), cell.along_x, cell.along_y};
     constexpr Vec3 kMargin{kOverlap, kOverlap, kOverlap};
     tile.box.low -= kMargin;
     tile.box.high += kMargin;
     if (cell.along_x) {
-        tile.box.low.x = mesh.scale * (cell.low_x - mesh.origin.x);
-        tile.box.high.x = tile.box.low.x + mesh.scale * cell.size_x;
+        tile.box.low.x = cell.low_x;
+        tile.box.high.x = cell.low_x + cell.size_x;
     }
     if (cell.along_y) {
-        tile.box.low.y = mesh.scale * (cell.low_y - mesh.origin.y);
-        tile.box.high.y = tile.box.low.y + mesh.scale * cell.size_y;
+        tile.box.low.y = cell.low_y;
+        tile.box.high.y = cell.low_y + cell.size_y;
     }
     return tile;
 }
@@ -60,7 +55,9 @@ Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
 
 struct RayCaster::Impl {
     LocalMesh mesh;
-    std::vector<std::uint32_t> sources;  // empty if every triangle is its own
+    WrappedGeometry wrapped;  // of a periodic scene: what its triangles are images of
+    Cell cell;                // local coordinates
+    std::vector<Vec3> outline;
     Tile tile;
     std::unique_ptr<Intersector> engine;
 
@@ -88,6 +85,10 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
         return (!tile.along_x || std::round(moved.x / size.x) == shift_x) &&
                (!tile.along_y || std::round(moved.y / size.y) == shift_y);
     };
+    const std::vector<std::uint32_t>& sources = wrapped.source;
+    if (self >= sources.size()) {
+        return kNoTriangle;  // of an instance, which lies in one cell
+    }
     // Images of one triangle stand next to each other.
     for (std::uint32_t i = self; i-- > 0 && sources[i] == sources[self];) {
         if (is_it(i)) {
@@ -127,25 +128,44 @@ bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
     return false;
 }
 
+/// Frees the corners of the images in double precision, of which only the faces are needed.
+void RayCaster::drop_places(Impl& impl) {
+    const auto faces =
+        std::make_shared<const std::vector<Face>>(impl.wrapped.geometry->mesh().faces);
+    impl.mesh.faces = *faces;
+    impl.mesh.owner = faces;
+    impl.wrapped.geometry.reset();
+}
+
 RayCaster::RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine)
+    : RayCaster(std::make_shared<const SceneGeometry>(Mesh(triangles)), cell, engine) {}
+
+RayCaster::RayCaster(
+    const std::shared_ptr<const SceneGeometry>& geometry, const Cell& cell, Engine engine)
     : RayCaster(
-          triangles,
+          geometry,
           cell,
           engine == Engine::embree ? make_embree_intersector : make_brute_force_intersector) {}
 
 RayCaster::RayCaster(
-    const std::vector<Triangle>& triangles, const Cell& cell, const MakeIntersector& make)
+    const std::shared_ptr<const SceneGeometry>& geometry,
+    const Cell& cell,
+    const MakeIntersector& make)
     : impl_(std::make_unique<Impl>()) {
-    EXPECT(!triangles.empty());
+    EXPECT(!geometry->empty());
     if (cell.periodic()) {
-        WrappedTriangles wrapped = wrap_into_cell(triangles, cell);
-        impl_->mesh = make_local_mesh(wrapped.triangles);
-        impl_->sources = std::move(wrapped.source);
-    } else {
-        impl_->mesh = make_local_mesh(triangles);
+        impl_->wrapped = wrap_into_cell(*geometry, cell);
     }
-    impl_->tile = make_tile(impl_->mesh, cell);
+    impl_->mesh = make_local_mesh(cell.periodic() ? impl_->wrapped.geometry : geometry);
+    if (cell.periodic()) {
+        drop_places(*impl_);
+    }
+    impl_->cell = local_cell(impl_->mesh, cell);
+    impl_->tile = make_tile(impl_->mesh, impl_->cell);
     impl_->engine = make(impl_->mesh);
+    if (!(cell.along_x && cell.along_y)) {
+        impl_->outline = outline_points(impl_->mesh);
+    }
 }
 
 RayCaster::~RayCaster() = default;
@@ -157,7 +177,19 @@ const LocalMesh& RayCaster::mesh() const {
 }
 
 std::uint32_t RayCaster::source(std::uint32_t i) const {
-    return impl_->sources.empty() ? i : impl_->sources[i];
+    return impl_->periodic() ? impl_->wrapped.source_of(i, impl_->mesh.ranges) : i;
+}
+
+bool RayCaster::has_own_numbers() const {
+    return !impl_->periodic();
+}
+
+const Cell& RayCaster::cell() const {
+    return impl_->cell;
+}
+
+const std::vector<Vec3>& RayCaster::outline() const {
+    return impl_->outline;
 }
 
 CastHit RayCaster::cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const {

@@ -29,10 +29,15 @@ class RayCaster {
   public:
     /// @param triangles  the scene, world coordinates; at least one
     RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine);
+    /// The same of a scene, which is kept.
+    RayCaster(
+        const std::shared_ptr<const SceneGeometry>& geometry, const Cell& cell, Engine engine);
     /// The same with an engine of the caller's.
     using MakeIntersector = std::function<std::unique_ptr<Intersector>(const LocalMesh&)>;
     RayCaster(
-        const std::vector<Triangle>& triangles, const Cell& cell, const MakeIntersector& make);
+        const std::shared_ptr<const SceneGeometry>& geometry,
+        const Cell& cell,
+        const MakeIntersector& make);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;
@@ -42,6 +47,13 @@ class RayCaster {
     [[nodiscard]] const LocalMesh& mesh() const;
     /// The input triangle that triangle `i` of the mesh is (an image of).
     [[nodiscard]] std::uint32_t source(std::uint32_t i) const;
+    /// Whether each triangle of the mesh is the input triangle of the same number.
+    [[nodiscard]] bool has_own_numbers() const;
+    /// The cell in local coordinates.
+    [[nodiscard]] const Cell& cell() const;
+    /// Points whose convex hull holds the scene, local coordinates; none of a scene periodic along
+    /// x and y.
+    [[nodiscard]] const std::vector<Vec3>& outline() const;
 
     /// The first hit of a ray that leaves `self` (or kNoTriangle) from `origin`, local coordinates.
     /// `self` is never hit by its own ray. In a periodic scene the origin may lie in any image of
@@ -66,6 +78,7 @@ class RayCaster {
 
   private:
     struct Impl;
+    static void drop_places(Impl& impl);
     std::unique_ptr<Impl> impl_;
 };
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/bounds.h"
 #include "base/checks.h"
@@ -90,11 +93,12 @@ class Frame2 {
 
 /// A few rounding errors of the local coordinates that the images will be traced in: their unit is
 /// at most the largest extent of the scene.
-double rounding_margin(const std::vector<Triangle>& triangles, const Cell& cell) {
+template <typename Triangles>
+double rounding_margin(const Triangles& triangles, const Cell& cell) {
     Bounds all;
     Vec3 largest;
-    for (const Triangle& t : triangles) {
-        const Bounds b = bounds_of(t);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Bounds b = bounds_of(triangles[i]);
         all.add(b.low);
         all.add(b.high);
         const Vec3 size = b.size();
@@ -112,7 +116,8 @@ double rounding_margin(const std::vector<Triangle>& triangles, const Cell& cell)
 
 /// Refuses scenes that would make more images than any sensible one: more than a million and more
 /// than eight for each triangle.
-void refuse_too_many(const std::vector<Triangle>& triangles, const Frame2& frame) {
+template <typename Triangles>
+void refuse_too_many(const Triangles& triangles, const Frame2& frame) {
     double total = 0, most = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -134,26 +139,105 @@ void refuse_too_many(const std::vector<Triangle>& triangles, const Frame2& frame
     }
 }
 
+/// Adds the images of triangles to `images`, and which they are images of to `source`.
+template <typename Triangles, typename Images>
+void add_images(
+    const Triangles& triangles,
+    const Cell& cell,
+    Images& images,
+    std::vector<std::uint32_t>& source) {
+    const Frame2 frame(cell, rounding_margin(triangles, cell));
+    refuse_too_many(triangles, frame);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle triangle = triangles[i];
+        for (const Vec3& shift : frame.shifts_of(triangle)) {
+            const auto& [a, b, c] = triangle;
+            const Triangle image{a + shift, b + shift, c + shift};
+            if (frame.touches(image)) {
+                images.push_back(image);
+                source.push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+    }
+}
+
+/// Along one axis: the move by whole periods that brings [from, to] into the cell, away from its
+/// borders by far more than rounding. Nothing if there is none.
+std::optional<double> move_inside(double from, double to, double low, double size) {
+    const double shift = -std::floor((0.5 * (from + to) - low) / size) * size;
+    constexpr double kOfSize = 0x1p-14, kOfPlace = 0x1p-46;
+    const double margin =
+        kOfSize * size + kOfPlace * std::max({std::abs(from), std::abs(to), std::abs(low)});
+    const bool fits = from + shift > low + margin && to + shift < low + size - margin;
+    return fits ? std::optional(shift) : std::nullopt;
+}
+
+/// The instance moved into the cell; nothing if it reaches over a border.
+std::optional<Instance> moved_inside(
+    const Instance& instance, const Bounds& bounds, const Cell& cell) {
+    std::optional<double> x = 0, y = 0;
+    if (cell.along_x) {
+        x = move_inside(bounds.low.x, bounds.high.x, cell.low_x, cell.size_x);
+    }
+    if (cell.along_y) {
+        y = move_inside(bounds.low.y, bounds.high.y, cell.low_y, cell.size_y);
+    }
+    if (!x || !y) {
+        return std::nullopt;
+    }
+    Instance moved = instance;
+    moved.transform.shift += Vec3{*x, *y, 0};
+    return moved;
+}
+
 }  // namespace
 
 WrappedTriangles wrap_into_cell(const std::vector<Triangle>& triangles, const Cell& cell) {
     EXPECT(cell.periodic() && cell.size_x > 0 && cell.size_y > 0);
-    const Frame2 frame(cell, rounding_margin(triangles, cell));
-    refuse_too_many(triangles, frame);
-
     WrappedTriangles wrapped;
     wrapped.triangles.reserve(triangles.size());
     wrapped.source.reserve(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        for (const Vec3& shift : frame.shifts_of(triangles[i])) {
-            const auto& [a, b, c] = triangles[i];
-            const Triangle image{a + shift, b + shift, c + shift};
-            if (frame.touches(image)) {
-                wrapped.triangles.push_back(image);
-                wrapped.source.push_back(static_cast<std::uint32_t>(i));
-            }
+    add_images(triangles, cell, wrapped.triangles, wrapped.source);
+    return wrapped;
+}
+
+WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) {
+    EXPECT(cell.periodic() && cell.size_x > 0 && cell.size_y > 0);
+    WrappedGeometry wrapped;
+    Mesh images;
+    if (geometry.instances().empty()) {
+        images.vertices.reserve(geometry.mesh().vertices.size());
+        images.faces.reserve(geometry.size());
+        wrapped.source.reserve(geometry.size());
+        add_images(geometry.mesh(), cell, images, wrapped.source);
+        wrapped.geometry = std::make_shared<const SceneGeometry>(std::move(images));
+        return wrapped;
+    }
+    // The triangles that are no longer of an instance, and their numbers in the input.
+    std::vector<Triangle> loose(
+        geometry.begin(), SceneGeometry::Iterator(geometry, geometry.mesh().size()));
+    std::vector<std::uint32_t> numbers(loose.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    std::vector<Instance> kept;
+    const std::vector<Bounds> bounds = instance_bounds(geometry.instances());
+    for (std::size_t i = 0; i < geometry.instances().size(); ++i) {
+        const Instance& instance = geometry.instances()[i];
+        const std::uint32_t first = geometry.ranges().first(i);
+        if (const auto moved = moved_inside(instance, bounds[i], cell)) {
+            kept.push_back(*moved);
+            wrapped.instance_source.push_back(first);
+            continue;
+        }
+        for (std::uint32_t k = 0; k < instance.mesh->size(); ++k) {
+            loose.push_back(instance.triangle(k));
+            numbers.push_back(first + k);
         }
     }
+    add_images(loose, cell, images, wrapped.source);
+    for (std::uint32_t& source : wrapped.source) {
+        source = numbers[source];
+    }
+    wrapped.geometry = std::make_shared<const SceneGeometry>(std::move(images), std::move(kept));
     return wrapped;
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
-#include "base/bounds.h"
 #include "base/checks.h"
+#include "geometry/raster/outline.h"
 
 namespace quasimc {
 
@@ -23,34 +25,147 @@ double scale_to_unit(double half_extent) {
     return std::ldexp(1.0, std::clamp(-exponent, -kLargest, kLargest));
 }
 
+double scale_of(const Bounds& bounds) {
+    const Vec3 half = 0.5 * bounds.size();
+    return scale_to_unit(std::max({half.x, half.y, half.z}));
+}
+
+Bounds bounds_of(const std::vector<Vec3>& points) {
+    Bounds bounds;
+    for (const Vec3& p : points) {
+        EXPECT(is_finite(p));
+        bounds.add(p);
+    }
+    return bounds;
+}
+
+/// (points - origin) * scale in single precision, and the padding.
+std::vector<float> to_floats(const std::vector<Vec3>& points, const Vec3& origin, double scale) {
+    std::vector<float> floats;
+    floats.reserve(3 * points.size() + kVertexPadding);
+    for (const Vec3& point : points) {
+        const Vec3 p = scale * (point - origin);
+        floats.push_back(static_cast<float>(p.x));
+        floats.push_back(static_cast<float>(p.y));
+        floats.push_back(static_cast<float>(p.z));
+    }
+    floats.resize(floats.size() + kVertexPadding, 0.0F);
+    return floats;
+}
+
+/// Makes prototypes and instances of the local mesh of a scene.
+class InstanceMaker {
+  public:
+    explicit InstanceMaker(LocalMesh& mesh) : mesh_(mesh) {}
+
+    void add(const Instance& instance) {
+        const auto [known, is_new] = known_.try_emplace(instance.mesh.get(), known_.size());
+        if (is_new) {
+            add_prototype(instance.mesh);
+        }
+        // (A (c + v / s) + shift - origin) * scale, of a vertex v about the prototype's centre c
+        const Frame& frame = frames_[known->second];
+        const Affine& a = instance.transform;
+        const double factor = mesh_.scale / frame.scale;
+        const Vec3 shift = mesh_.to_local(a.point(frame.center));
+        LocalInstance& local = mesh_.instances.emplace_back();
+        local.prototype = static_cast<std::uint32_t>(known->second);
+        const std::array<double, 3> shifts{shift.x, shift.y, shift.z};
+        for (std::size_t row = 0; row < 3; ++row) {
+            local.matrix[row] = static_cast<float>(factor * a.rows[row].x);
+            local.matrix[row + 3] = static_cast<float>(factor * a.rows[row].y);
+            local.matrix[row + 6] = static_cast<float>(factor * a.rows[row].z);
+            local.matrix[row + 9] = static_cast<float>(shifts[row]);
+        }
+    }
+
+  private:
+    struct Frame {
+        Vec3 center;
+        double scale = 1;
+    };
+
+    void add_prototype(const std::shared_ptr<const Mesh>& mesh) {
+        const Bounds bounds = bounds_of(mesh->vertices);
+        const Frame& frame = frames_.emplace_back(Frame{bounds.center(), scale_of(bounds)});
+        LocalPrototype& prototype = mesh_.prototypes.emplace_back();
+        prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale);
+        prototype.faces = mesh->faces;
+        prototype.owner = mesh;
+        std::vector<Vec3> points;
+        for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
+            const float* v = &prototype.vertices[3 * i];
+            points.push_back({v[0], v[1], v[2]});
+        }
+        prototype.outline = outline_points(points, 3 * mesh->size());
+    }
+
+    LocalMesh& mesh_;
+    std::vector<Frame> frames_;
+    std::unordered_map<const Mesh*, std::size_t> known_;
+};
+
+/// The part of a local mesh that belongs to no instance.
+/// @param bounds  of the whole scene
+LocalMesh make_own_part(const Mesh& mesh, const Bounds& bounds) {
+    LocalMesh local;
+    local.origin = bounds.center();
+    local.scale = scale_of(bounds);
+    local.vertices = to_floats(mesh.vertices, local.origin, local.scale);
+    return local;
+}
+
 }  // namespace
+
+Vec3 LocalMesh::instance_vertex(std::uint32_t triangle, int corner) const {
+    const std::uint32_t range = ranges.find(triangle);
+    const LocalInstance& instance = instances[range];
+    const LocalPrototype& prototype = prototypes[instance.prototype];
+    const Face& face = prototype.faces[triangle - ranges.first(range)];
+    const float* v = &prototype.vertices[std::size_t{3} * face[static_cast<std::size_t>(corner)]];
+    return instance.point({v[0], v[1], v[2]});
+}
 
 LocalMesh make_local_mesh(const std::vector<Triangle>& triangles) {
     EXPECT(!triangles.empty());
-    Bounds bounds;
-    for (const Triangle& t : triangles) {
-        for (const Vec3& corner : t) {
-            EXPECT(is_finite(corner));
-            bounds.add(corner);
-        }
-    }
-    const Vec3 half = 0.5 * bounds.size();
+    Mesh mesh(triangles);
+    LocalMesh local = make_own_part(mesh, bounds_of(mesh.vertices));
+    const auto faces = std::make_shared<const std::vector<Face>>(std::move(mesh.faces));
+    local.faces = *faces;
+    local.owner = faces;
+    for_each_outer_vertex(local, [&](const Vec3& p) { local.box.add(p); });
+    return local;
+}
 
-    LocalMesh mesh;
-    mesh.origin = bounds.center();
-    mesh.scale = scale_to_unit(std::max({half.x, half.y, half.z}));
-    constexpr std::size_t kPadding = 4;
-    mesh.vertices.reserve(9 * triangles.size() + kPadding);
-    for (const Triangle& t : triangles) {
-        for (const Vec3& corner : t) {
-            const Vec3 p = mesh.to_local(corner);
-            mesh.vertices.push_back(static_cast<float>(p.x));
-            mesh.vertices.push_back(static_cast<float>(p.y));
-            mesh.vertices.push_back(static_cast<float>(p.z));
-        }
+LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry) {
+    EXPECT(!geometry->empty());
+    Bounds bounds = bounds_of(geometry->mesh().vertices);
+    for (const Bounds& box : instance_bounds(geometry->instances())) {
+        EXPECT(is_finite(box.low) && is_finite(box.high));
+        bounds.add(box.low);
+        bounds.add(box.high);
     }
-    mesh.vertices.resize(mesh.vertices.size() + kPadding, 0.0F);
-    return mesh;
+    LocalMesh local = make_own_part(geometry->mesh(), bounds);
+    local.faces = geometry->mesh().faces;
+    local.owner = geometry;
+    InstanceMaker maker(local);
+    local.instances.reserve(geometry->instances().size());
+    for (const Instance& instance : geometry->instances()) {
+        maker.add(instance);
+    }
+    local.ranges = geometry->ranges();
+    local.instance_triangles = static_cast<std::uint32_t>(geometry->size() - local.faces.size());
+    for_each_outer_vertex(local, [&](const Vec3& p) { local.box.add(p); });
+    return local;
+}
+
+Cell local_cell(const LocalMesh& mesh, const Cell& world) {
+    Cell cell = world;
+    cell.low_x = mesh.scale * (world.low_x - mesh.origin.x);
+    cell.low_y = mesh.scale * (world.low_y - mesh.origin.y);
+    cell.size_x = mesh.scale * world.size_x;
+    cell.size_y = mesh.scale * world.size_y;
+    return cell;
 }
 
 }  // namespace quasimc

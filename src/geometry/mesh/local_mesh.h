@@ -1,30 +1,74 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "base/bounds.h"
 #include "base/vec3.h"
+#include "geometry/mesh/cell.h"
+#include "geometry/mesh/mesh.h"
 #include "geometry/mesh/triangle.h"
+#include "geometry/range_index.h"
+#include "geometry/scene_geometry.h"
 
 namespace quasimc {
+
+/// Floats for the ray engine: three numbers a vertex, and padding at the end that it may read.
+inline constexpr std::size_t kVertexPadding = 4;
+
+/// A mesh that stands in the scene several times, in single precision about its own centre.
+struct LocalPrototype {
+    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::span<const Face> faces;
+    std::vector<Vec3> outline;          ///< vertices whose convex hull is the mesh's
+    std::shared_ptr<const void> owner;  ///< of the faces
+};
+
+/// A copy of a prototype.
+struct LocalInstance {
+    std::uint32_t prototype = 0;
+    /// Columns x, y, z and shift of the map from the prototype's coordinates to local ones.
+    std::array<float, 12> matrix{};
+
+    [[nodiscard]] Vec3 point(const Vec3& p) const {
+        const auto row = [&](std::size_t i) {
+            return double{matrix[i]} * p.x + double{matrix[i + 3]} * p.y +
+                   double{matrix[i + 6]} * p.z + double{matrix[i + 9]};
+        };
+        return {row(0), row(1), row(2)};
+    }
+};
 
 /// Triangles as the ray engine sees them: single precision about a local origin, scaled by a power
 /// of two so that every coordinate lies in [-1, 1]. Neither the unit of length nor the distance
 /// from the world's origin changes the digits that are traced.
 ///
 /// "Local coordinates" below and in the intersectors are (world - origin) * scale.
+///
+/// Triangles are counted as in SceneGeometry: those of one mesh, then those of the instances.
 struct LocalMesh {
     Vec3 origin;
     double scale = 1;             ///< a power of two
-    std::vector<float> vertices;  ///< 9 numbers a triangle, and 4 of padding at the end
+    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::span<const Face> faces;
+    std::shared_ptr<const void> owner;  ///< of the faces
+
+    std::vector<LocalPrototype> prototypes;
+    std::vector<LocalInstance> instances;
+    RangeIndex ranges;  ///< the triangles of each instance
 
     [[nodiscard]] std::uint32_t triangle_count() const {
-        return static_cast<std::uint32_t>(vertices.size() / 9);
+        return static_cast<std::uint32_t>(faces.size()) + instance_triangles;
     }
     [[nodiscard]] Vec3 vertex(std::uint32_t triangle, int corner) const {
-        const float* v =
-            &vertices[std::size_t{9} * triangle + 3 * static_cast<std::size_t>(corner)];
-        return {v[0], v[1], v[2]};
+        if (triangle >= faces.size()) [[unlikely]] {
+            return instance_vertex(triangle, corner);
+        }
+        return own_vertex(faces[triangle][static_cast<std::size_t>(corner)]);
     }
     /// The point v0 + u (v1 - v0) + v (v2 - v0) of a triangle, local coordinates.
     [[nodiscard]] Vec3 point(std::uint32_t triangle, double u, double v) const {
@@ -38,10 +82,45 @@ struct LocalMesh {
     }
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return origin + local / scale; }
+
+    /// How many vertices belong to no instance, and one of them.
+    [[nodiscard]] std::size_t vertex_count() const {
+        return vertices.empty() ? 0 : (vertices.size() - kVertexPadding) / 3;
+    }
+    [[nodiscard]] Vec3 own_vertex(std::size_t i) const {
+        const float* v = &vertices[3 * i];
+        return {v[0], v[1], v[2]};
+    }
+    /// Bounds of the triangles, local coordinates.
+    [[nodiscard]] const Bounds& bounds() const { return box; }
+
+    std::uint32_t instance_triangles = 0;  ///< of all instances together
+    Bounds box;
+
+  private:
+    [[nodiscard]] Vec3 instance_vertex(std::uint32_t triangle, int corner) const;
 };
 
 /// The local mesh of `triangles` about the center of their bounds; at least one triangle, all
 /// finite.
 [[nodiscard]] LocalMesh make_local_mesh(const std::vector<Triangle>& triangles);
+/// The same of a scene, whose faces it shares.
+[[nodiscard]] LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry);
+
+/// A cell in the local coordinates of a mesh.
+[[nodiscard]] Cell local_cell(const LocalMesh& mesh, const Cell& world);
+
+/// Calls visit(p) for points p, local coordinates, whose convex hull is that of the mesh.
+template <typename Visit>
+void for_each_outer_vertex(const LocalMesh& mesh, const Visit& visit) {
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+        visit(mesh.own_vertex(i));
+    }
+    for (const LocalInstance& instance : mesh.instances) {
+        for (const Vec3& p : mesh.prototypes[instance.prototype].outline) {
+            visit(instance.point(p));
+        }
+    }
+}
 
 }  // namespace quasimc

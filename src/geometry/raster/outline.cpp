@@ -118,25 +118,40 @@ class OctantGrid {
 
 }  // namespace
 
-std::vector<Vec3> outline_points(const LocalMesh& mesh) {
-    std::vector<Vec3> points;
-    points.reserve(std::size_t{3} * mesh.triangle_count());
-    Bounds bounds;
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            points.push_back(mesh.vertex(i, corner));
-            bounds.add(points.back());
-        }
-    }
-    OctantGrid grid(bounds, points.size());
-    for (const Vec3& p : points) {
-        grid.add(p);
-    }
+namespace {
+
+/// Those of the points that `for_each` visits that may be corners of their hull.
+template <typename ForEach>
+std::vector<Vec3> points_of_outline(
+    const ForEach& for_each, const Bounds& bounds, std::size_t cells) {
+    OctantGrid grid(bounds, cells);
+    for_each([&](const Vec3& p) { grid.add(p); });
     grid.finish();
-    const auto inside = [&](const Vec3& p) { return grid.is_inside(p); };
-    points.erase(std::remove_if(points.begin(), points.end(), inside), points.end());
-    points.shrink_to_fit();
-    return points;
+    std::vector<Vec3> outline;
+    for_each([&](const Vec3& p) {
+        if (!grid.is_inside(p)) {
+            outline.push_back(p);
+        }
+    });
+    return outline;
+}
+
+}  // namespace
+
+std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells) {
+    Bounds bounds;
+    for (const Vec3& p : points) {
+        bounds.add(p);
+    }
+    const auto for_each = [&](const auto& visit) {
+        std::for_each(points.begin(), points.end(), visit);
+    };
+    return points_of_outline(for_each, bounds, cells);
+}
+
+std::vector<Vec3> outline_points(const LocalMesh& mesh) {
+    const auto for_each = [&](const auto& visit) { for_each_outer_vertex(mesh, visit); };
+    return points_of_outline(for_each, mesh.bounds(), std::size_t{3} * mesh.triangle_count());
 }
 
 }  // namespace quasimc

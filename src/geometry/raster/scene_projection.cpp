@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/checks.h"
 #include "geometry/raster/convex_map.h"
@@ -221,12 +222,7 @@ std::unique_ptr<BeamCrossSection> row_window(
 }
 
 EntryBox make_entry_box(const LocalMesh& mesh, const Cell& local_cell) {
-    Bounds box;
-    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            box.add(mesh.vertex(i, corner));
-        }
-    }
+    Bounds box = mesh.bounds();
     constexpr Vec3 kMargins{kMargin, kMargin, kMargin};
     box.low -= kMargins;
     box.high += kMargins;
@@ -248,15 +244,24 @@ EntryBox make_entry_box(const LocalMesh& mesh, const Cell& local_cell) {
 }  // namespace
 
 SceneProjection::SceneProjection(const LocalMesh& mesh, const Cell& cell, CrossSectionShape shape)
-    : cell_(cell), shape_(shape), origin_(mesh.origin), scale_(mesh.scale) {
-    cell_.low_x = mesh.scale * (cell.low_x - mesh.origin.x);
-    cell_.low_y = mesh.scale * (cell.low_y - mesh.origin.y);
-    cell_.size_x = mesh.scale * cell.size_x;
-    cell_.size_y = mesh.scale * cell.size_y;
-    box_ = make_entry_box(mesh, cell_);
-    if (!(cell.along_x && cell.along_y)) {
-        outline_ = outline_points(mesh);
-    }
+    : SceneProjection(
+          mesh,
+          local_cell(mesh, cell),
+          cell.along_x && cell.along_y ? std::vector<Vec3>() : outline_points(mesh),
+          shape) {}
+
+SceneProjection::SceneProjection(const RayCaster& caster, CrossSectionShape shape)
+    : SceneProjection(caster.mesh(), caster.cell(), caster.outline(), shape) {}
+
+/// @param cell  local coordinates
+SceneProjection::SceneProjection(
+    const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, CrossSectionShape shape)
+    : outline_(std::move(outline)),
+      cell_(cell),
+      shape_(shape),
+      box_(make_entry_box(mesh, cell)),
+      origin_(mesh.origin),
+      scale_(mesh.scale) {
     if (!cell.periodic() && shape == CrossSectionShape::sphere) {
         ball_ = small_ball(outline_);
     }

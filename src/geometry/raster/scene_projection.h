@@ -7,6 +7,7 @@
 
 #include "base/bounds.h"
 #include "base/vec3.h"
+#include "geometry/cast/ray_caster.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/local_mesh.h"
 
@@ -59,6 +60,8 @@ class SceneProjection {
     /// @param mesh  the scene in local coordinates
     /// @param cell  world coordinates, as given to the RayCaster of the same mesh
     SceneProjection(const LocalMesh& mesh, const Cell& cell, CrossSectionShape shape);
+    /// The same of a scene that is ready to trace, whose outline it takes over.
+    SceneProjection(const RayCaster& caster, CrossSectionShape shape);
 
     /// The window of a beam that travels along `direction` (unit). Null if a periodic scene is
     /// never met by it: the beam runs along a periodic axis, or in the layer's plane.
@@ -80,6 +83,12 @@ class SceneProjection {
     [[nodiscard]] const Cell& cell() const { return cell_; }
 
   private:
+    SceneProjection(
+        const LocalMesh& mesh,
+        const Cell& cell,
+        std::vector<Vec3> outline,
+        CrossSectionShape shape);
+
     std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
     Ball ball_;                  // holds the scene; for windows of that shape only
     Cell cell_;                  // local coordinates

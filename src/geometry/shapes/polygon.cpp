@@ -95,14 +95,14 @@ std::size_t find_ear(const std::vector<FlatCorner>& rest) {
 
 }  // namespace
 
-std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
+std::vector<Face> make_polygon_faces(std::span<const Vec3> corners) {
     EXPECT(corners.size() >= 3);
     const Vec3 normal = newell_normal(corners);
     if (!(length(normal) > 0)) {
-        return {{corners[0], corners[1], corners[2]}};
+        return {{0, 1, 2}};
     }
     std::vector<FlatCorner> rest = flatten(corners, normal);
-    std::vector<Triangle> triangles;
+    std::vector<Face> faces;
     while (rest.size() >= 3) {
         const std::size_t n = rest.size(), i = find_ear(rest);
         if (i == n) {
@@ -112,11 +112,20 @@ std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
                   "give the corners in order around it"}});
         }
         if (!is_flat(rest, i)) {
-            triangles.push_back(
-                {corners[rest[(i + n - 1) % n].index], corners[rest[i].index],
-                 corners[rest[(i + 1) % n].index]});
+            const auto number = [&](std::size_t k) {
+                return static_cast<std::uint32_t>(rest[k % n].index);
+            };
+            faces.push_back({number(i + n - 1), number(i), number(i + 1)});
         }
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return faces;
+}
+
+std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
+    std::vector<Triangle> triangles;
+    for (const auto& [a, b, c] : make_polygon_faces(corners)) {
+        triangles.push_back({corners[a], corners[b], corners[c]});
     }
     return triangles;
 }

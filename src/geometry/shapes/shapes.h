@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/mesh/mesh.h"
 #include "geometry/mesh/triangle.h"
 
 namespace quasimc {
@@ -34,6 +35,8 @@ struct Flatness {
 /// from the upper side. Corners may lie on a straight side, repeat their neighbour, or be not quite
 /// in one plane. Throws InputError if sides cross each other so that no triangles can be cut off.
 [[nodiscard]] std::vector<Triangle> make_polygon(std::span<const Vec3> corners);
+/// The same as numbers of the corners.
+[[nodiscard]] std::vector<Face> make_polygon_faces(std::span<const Vec3> corners);
 /// A surface of one or several patches, tessellated on the surface itself, without cracks inside a
 /// patch and along sides that patches share (the same four control points). At most 1024 steps
 /// along each side of a patch, whatever the tolerance.

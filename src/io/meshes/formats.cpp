@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,6 +68,76 @@ std::vector<Triangle> face_triangles(std::span<const Vec3> corners) {
     constexpr std::size_t kTriangle = 3;
     return corners.size() == kTriangle ? make_triangle(corners[0], corners[1], corners[2])
                                        : make_polygon(corners);
+}
+
+void MeshPart::add_face(
+    std::span<const Vec3> corners, std::span<const std::uint32_t> numbers, std::uint32_t line) {
+    constexpr std::size_t kTriangle = 3;
+    if (corners.size() == kTriangle) {
+        faces.push_back({numbers[0], numbers[1], numbers[2]});
+    } else {
+        for (const auto& [a, b, c] : make_polygon_faces(corners)) {
+            faces.push_back({numbers[a], numbers[b], numbers[c]});
+        }
+    }
+    lines.resize(faces.size(), line);
+}
+
+namespace {
+
+/// Takes the vertices that a few faces name out of many.
+class VertexPicker {
+  public:
+    explicit VertexPicker(const std::vector<Vec3>& vertices)
+        : vertices_(vertices), numbers_(vertices.size(), kNone) {}
+
+    Mesh pick(std::vector<Face> faces) {
+        Mesh mesh;
+        taken_.clear();
+        for (Face& face : faces) {
+            for (std::uint32_t& vertex : face) {
+                if (numbers_[vertex] == kNone) {
+                    numbers_[vertex] = static_cast<std::uint32_t>(taken_.size());
+                    taken_.push_back(vertex);
+                }
+                vertex = numbers_[vertex];
+            }
+        }
+        mesh.faces = std::move(faces);
+        mesh.vertices.reserve(taken_.size());
+        for (const std::uint32_t vertex : taken_) {
+            mesh.vertices.push_back(vertices_[vertex]);
+            numbers_[vertex] = kNone;
+        }
+        return mesh;
+    }
+
+  private:
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    const std::vector<Vec3>& vertices_;
+    std::vector<std::uint32_t> numbers_;  // in the mesh being made
+    std::vector<std::uint32_t> taken_;
+};
+
+}  // namespace
+
+std::vector<Mesh> MeshFile::take_meshes() {
+    std::vector<Mesh> meshes;
+    if (groups.size() == 1 && groups.front().parts.size() == 1) {
+        Mesh& mesh = meshes.emplace_back();
+        mesh.vertices = std::move(vertices);
+        mesh.faces = std::move(groups.front().parts.front().faces);
+        return meshes;
+    }
+    VertexPicker picker(vertices);
+    for (MeshGroup& group : groups) {
+        for (MeshPart& part : group.parts) {
+            meshes.push_back(picker.pick(std::move(part.faces)));
+        }
+    }
+    vertices = {};
+    return meshes;
 }
 
 const FormatEntry* find_format(std::string_view name) {

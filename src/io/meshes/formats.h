@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/mesh/mesh.h"
 #include "geometry/mesh/triangle.h"
 #include "io/input_files.h"
 #include "io/runfile/table_reader.h"
@@ -17,9 +18,15 @@ namespace quasimc {
 
 /// Triangles of one material.
 struct MeshPart {
-    std::string material;  ///< as the file calls it; "" if it does not say
-    std::vector<Triangle> triangles;
+    std::string material;              ///< as the file calls it; "" if it does not say
+    std::vector<Face> faces;           ///< numbers of vertices of the file
     std::vector<std::uint32_t> lines;  ///< of each triangle: line, or number of the face, from 1
+
+    /// Adds the triangles of a face of 3 to kMostCorners corners.
+    /// @param numbers  of the corners, among the vertices of the file
+    /// @throws InputError  if its sides cross
+    void add_face(
+        std::span<const Vec3> corners, std::span<const std::uint32_t> numbers, std::uint32_t line);
 };
 
 /// Faces and lists have no more corners than this.
@@ -46,6 +53,15 @@ struct MeshFile {
     std::vector<MeshGroup> groups;        ///< in the order of the file
     std::vector<MeshMaterial> materials;  ///< of the material libraries that it names
     std::string_view line_word;           ///< what `lines` count: "line" or "face"
+    std::vector<Vec3> vertices;
+
+    [[nodiscard]] Triangle triangle(const MeshPart& part, std::size_t i) const {
+        const auto& [a, b, c] = part.faces[i];
+        return {vertices[a], vertices[b], vertices[c]};
+    }
+    /// The meshes of all parts, group after group, each with the vertices that it needs. Takes the
+    /// vertices and the faces from the file.
+    [[nodiscard]] std::vector<Mesh> take_meshes();
 };
 
 /// What a reader is told beside the bytes. Faults go to `reporter`, whose `file` is the file that

@@ -22,12 +22,23 @@ std::string rest_of_line(std::string_view line) {
     return text;
 }
 
+/// About how many vertices a file states: lines that begin with "v".
+std::size_t count_vertices(std::string_view bytes) {
+    std::size_t count = bytes.starts_with("v ") ? 1 : 0;
+    for (std::size_t at = bytes.find("\nv "); at != std::string_view::npos;
+         at = bytes.find("\nv ", at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
 /// What the statements of a file have built so far.
 class ObjReader {
   public:
     explicit ObjReader(FormatContext& context) : context_(context) {}
 
     MeshFile read(std::string_view bytes) {
+        vertices_.reserve(count_vertices(bytes));
         LineScanner scanner(bytes);
         std::string joined;
         while (scanner.next() && !context_.reporter.is_full()) {
@@ -46,6 +57,7 @@ class ObjReader {
                 joined.clear();
             }
         }
+        mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
     }
 
@@ -89,9 +101,10 @@ class ObjReader {
 
     void read_face(std::string_view line) {
         corners_.clear();
+        numbers_.clear();
         for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-            const std::optional<Vec3> corner = read_corner(word.substr(0, word.find('/')));
-            if (!corner) {
+            const auto number = read_corner(word.substr(0, word.find('/')));
+            if (!number) {
                 fault(
                     shown(word) + " names no vertex",
                     fmt::format(
@@ -99,7 +112,8 @@ class ObjReader {
                         vertices_.size()));
                 return;
             }
-            corners_.push_back(*corner);
+            numbers_.push_back(*number);
+            corners_.push_back(vertices_[*number]);
         }
         if (corners_.size() < 3 || corners_.size() > kMostCorners) {
             fault(
@@ -108,24 +122,22 @@ class ObjReader {
             return;
         }
         try {
-            const std::vector<Triangle> triangles = face_triangles(corners_);
-            MeshPart& part = current_part();
-            part.triangles.insert(part.triangles.end(), triangles.begin(), triangles.end());
-            part.lines.insert(part.lines.end(), triangles.size(), line_);
+            current_part().add_face(corners_, numbers_, line_);
         } catch (const InputError& error) {
             const Fault& first = error.faults().front();
             fault("the face " + first.problem, first.why, first.suggestion);
         }
     }
 
-    [[nodiscard]] std::optional<Vec3> read_corner(std::string_view word) const {
+    /// The number of a vertex, from 0.
+    [[nodiscard]] std::optional<std::uint32_t> read_corner(std::string_view word) const {
         const std::optional<std::int64_t> number = parse_integer(word);
         const auto count = static_cast<std::int64_t>(vertices_.size());
         if (!number || *number == 0 || *number > count || *number < -count) {
             return std::nullopt;
         }
         const std::int64_t index = *number > 0 ? *number - 1 : count + *number;
-        return vertices_[static_cast<std::size_t>(index)];
+        return static_cast<std::uint32_t>(index);
     }
 
     void read_name(std::string_view line, std::string& name) {
@@ -198,8 +210,9 @@ class ObjReader {
     }
 
     FormatContext& context_;
-    MeshFile mesh_{{}, {}, "line"};
-    std::vector<Vec3> vertices_, corners_;
+    MeshFile mesh_{{}, {}, "line", {}};
+    std::vector<Vec3> vertices_, corners_;  // of the file; of a face
+    std::vector<std::uint32_t> numbers_;    // of the corners, among the vertices
     std::string object_, group_, material_;
     std::map<std::pair<std::string, std::string>, std::size_t> groups_;
     MeshPart* part_ = nullptr;

@@ -89,6 +89,7 @@ class PlyReader {
         } catch (const Broken& broken) {
             context_.reporter.fault(0, broken.problem, broken.why);
         }
+        mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
     }
 
@@ -99,6 +100,8 @@ class PlyReader {
         }
         if (element.name == "vertex") {
             vertices_.reserve(std::min<std::uint64_t>(element.count, values_.bytes_left() / 3));
+        } else if (element.name == "face") {
+            reserve_faces(element);
         }
         for (std::uint64_t i = 0; i < element.count && !context_.reporter.is_full(); ++i) {
             number_ = i + 1;
@@ -158,6 +161,7 @@ class PlyReader {
 
     void read_face(const PlyElement& element) {
         corners_.clear();
+        numbers_.clear();
         std::optional<std::int64_t> organ;
         std::string material;
         for (const PlyProperty& property : element.properties) {
@@ -182,20 +186,14 @@ class PlyReader {
             return;
         }
         try {
-            add_triangles(part_of(organ, material), face_triangles(corners_));
+            constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+            part_of(organ, material)
+                .add_face(corners_, numbers_, static_cast<std::uint32_t>(std::min(number_, kMost)));
         } catch (const InputError& error) {
             const Fault& first = error.faults().front();
             context_.reporter.fault(
                 0, fmt::format("face {} {}", number_, first.problem), first.why, first.suggestion);
         }
-    }
-
-    void add_triangles(MeshPart& part, const std::vector<Triangle>& triangles) const {
-        constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-        part.triangles.insert(part.triangles.end(), triangles.begin(), triangles.end());
-        part.lines.insert(
-            part.lines.end(), triangles.size(),
-            static_cast<std::uint32_t>(std::min(number_, kMost)));
     }
 
     void take_corners() {
@@ -206,7 +204,8 @@ class PlyReader {
                     fmt::format("face {} names vertex {}", number_, item),
                     fmt::format("there are {}, counted from 0", vertices_.size())};
             }
-            corners_.push_back(vertices_[static_cast<std::size_t>(item)]);
+            numbers_.push_back(static_cast<std::uint32_t>(item));
+            corners_.push_back(vertices_[numbers_.back()]);
         }
     }
 
@@ -232,22 +231,35 @@ class PlyReader {
             mesh_.groups.push_back({"", organ, {}});
         }
         std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
-        const auto [part, is_new_part] =
-            parts_.try_emplace({group->second, material}, parts.size());
-        if (is_new_part) {
-            parts.push_back({material, {}, {}});
+        const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
+            return part.material == material;
+        });
+        return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}, {}});
+    }
+
+    /// Makes room for the faces of a file that puts them all into one part.
+    void reserve_faces(const PlyElement& element) {
+        const bool is_one = std::none_of(
+            element.properties.begin(), element.properties.end(), [](const PlyProperty& property) {
+                return property.role == PlyRole::organ || property.role == PlyRole::material;
+            });
+        if (is_one && element.count > 0) {
+            constexpr std::uint64_t kFewestBytes = 4;
+            MeshPart& part = part_of({}, "");
+            part.faces.reserve(
+                std::min<std::uint64_t>(element.count, values_.bytes_left() / kFewestBytes));
+            part.lines.reserve(part.faces.capacity());
         }
-        return parts[part->second];
     }
 
     const PlyHeader& header_;
     PlyValues values_;
     FormatContext& context_;
-    MeshFile mesh_{{}, {}, "face"};
-    std::vector<Vec3> vertices_, corners_;
+    MeshFile mesh_{{}, {}, "face", {}};
+    std::vector<Vec3> vertices_, corners_;  // of the file; of a face
+    std::vector<std::uint32_t> numbers_;    // of the corners, among the vertices
     std::vector<double> items_;
     std::map<std::optional<std::int64_t>, std::size_t> groups_;
-    std::map<std::pair<std::size_t, std::string>, std::size_t> parts_;
     std::uint64_t number_ = 0;
 };
 
@@ -256,7 +268,7 @@ class PlyReader {
 MeshFile read_ply(std::string_view bytes, FormatContext& context) {
     const std::optional<PlyHeader> header = read_ply_header(bytes, context.reporter);
     if (!header) {
-        return {{}, {}, "face"};
+        return {{}, {}, "face", {}};
     }
     return PlyReader(*header, header->body, context).read();
 }

@@ -43,7 +43,9 @@ Parsed parse_triangle(std::string_view line) {
 MeshFile read_tri(std::string_view bytes, FormatContext& context) {
     constexpr std::size_t kShortestLine = 18;
     MeshPart part;
-    part.triangles.reserve(bytes.size() / (4 * kShortestLine));
+    Mesh mesh;
+    mesh.faces.reserve(bytes.size() / (4 * kShortestLine));
+    part.lines.reserve(mesh.faces.capacity());
     LineScanner scanner(bytes);
     while (scanner.next() && !context.reporter.is_full()) {
         const std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
@@ -53,7 +55,7 @@ MeshFile read_tri(std::string_view bytes, FormatContext& context) {
         }
         const Parsed parsed = parse_triangle(line);
         if (parsed.problem.empty()) {
-            part.triangles.push_back(parsed.triangle);
+            mesh.push_back(parsed.triangle);
             part.lines.push_back(scanner.number());
         } else {
             context.reporter.fault(
@@ -61,7 +63,8 @@ MeshFile read_tri(std::string_view bytes, FormatContext& context) {
                 "a line holds nine numbers: x y z of three corners");
         }
     }
-    return {{{"", {}, {std::move(part)}}}, {}, "line"};
+    part.faces = std::move(mesh.faces);
+    return {{{"", {}, {std::move(part)}}}, {}, "line", std::move(mesh.vertices)};
 }
 
 }  // namespace quasimc

@@ -27,7 +27,7 @@ std::vector<std::string> element_texts(const Scene& scene, const Organ& organ) {
     }
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const std::uint32_t triangle = organ.first_triangle + i;
-        std::string& text = texts[scene.triangle_regions()[triangle].value - organ.first_region];
+        std::string& text = texts[scene.region_of(triangle).value - organ.first_region];
         for (const Vec3& corner : scene.triangles()[triangle]) {
             const Vec3 p = scene.orientation().outward(corner);
             fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);

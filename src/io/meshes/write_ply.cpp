@@ -38,7 +38,7 @@ std::string header(const Scene& scene) {
 void write_ply(const Scene& scene, const TextSink& sink) {
     sink(header(scene));
     std::string bytes;
-    for (const Triangle& triangle : scene.triangles()) {
+    for (const Triangle triangle : scene.triangles()) {
         bytes.clear();
         for (const Vec3& corner : triangle) {
             const Vec3 p = scene.orientation().outward(corner);
@@ -49,7 +49,7 @@ void write_ply(const Scene& scene, const TextSink& sink) {
         sink(bytes);
     }
     for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
-        const Region& element = scene.regions()[scene.triangle_regions()[i].value];
+        const Region& element = scene.regions()[scene.region_of(i).value];
         bytes.clear();
         append(bytes, std::uint8_t{3});
         for (std::uint32_t corner = 0; corner < 3; ++corner) {

@@ -1,5 +1,7 @@
 #include <array>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,7 @@ struct GeometryKeys {
     std::map<std::string, std::string> materials;
     std::optional<std::int64_t> first_id;
     std::optional<Affine> transform;
+    std::vector<Affine> copies;  ///< where copies stand, after `transform`; none: once, as it is
 };
 
 std::map<std::string, std::string> read_material_map(TableReader& table) {
@@ -48,11 +51,15 @@ class MaterialFinder {
   public:
     MaterialFinder(
         const GeometryKeys& keys,
-        const MeshFile& mesh,
+        std::vector<MeshMaterial> of_library,
         TableReader& table,
         RunFileContext& context,
         SceneBuilder& builder)
-        : keys_(keys), mesh_(mesh), table_(table), context_(context), builder_(builder) {}
+        : keys_(keys),
+          of_library_(std::move(of_library)),
+          table_(table),
+          context_(context),
+          builder_(builder) {}
 
     /// The run's name of a file's material; a fault, once, if there is none.
     std::string find(const std::string& name) {
@@ -79,7 +86,7 @@ class MaterialFinder {
             }
             return *keys_.material;
         }
-        for (const MeshMaterial& material : mesh_.materials) {
+        for (const MeshMaterial& material : of_library_) {
             if (!name.empty() && material.name == name) {
                 return add_from_library(material);
             }
@@ -118,7 +125,7 @@ class MaterialFinder {
     }
 
     const GeometryKeys& keys_;
-    const MeshFile& mesh_;
+    std::vector<MeshMaterial> of_library_;
     TableReader& table_;
     RunFileContext& context_;
     SceneBuilder& builder_;
@@ -128,70 +135,107 @@ class MaterialFinder {
 /// Adds the organs of a file to the builder.
 class OrganAdder {
   public:
-    OrganAdder(
-        const GeometryKeys& keys,
-        std::string_view line_word,
-        MaterialFinder& materials,
-        SceneBuilder& builder)
-        : keys_(keys), line_word_(line_word), materials_(materials), builder_(builder) {}
+    OrganAdder(const GeometryKeys& keys, MaterialFinder& materials, SceneBuilder& builder)
+        : keys_(keys), materials_(materials), builder_(builder) {}
 
-    void add(std::vector<MeshGroup> groups) {
-        if (keys_.organs == "one") {
-            add_all_as_one(std::move(groups));
+    void add(MeshFile file) {
+        line_word_ = file.line_word;
+        if (keys_.organs == "each") {
+            add_each_triangle(file);
             return;
         }
-        for (MeshGroup& group : groups) {
-            if (keys_.organs == "each") {
-                add_each_triangle(group);
-            } else {
-                add_group(std::move(group));
-            }
+        std::vector<Mesh> meshes = file.take_meshes();
+        if (keys_.copies.empty()) {
+            add_organs(file.groups, [&](std::size_t part) {
+                return OrganPart{"", std::move(meshes[part]), {}, {}};
+            });
+            return;
+        }
+        std::vector<std::shared_ptr<const Mesh>> shared;
+        for (Mesh& mesh : meshes) {
+            shared.push_back(std::make_shared<const Mesh>(std::move(mesh)));
+        }
+        for (const Affine& copy : keys_.copies) {
+            ++copy_;
+            add_organs(file.groups, [&](std::size_t part) {
+                return OrganPart{"", {}, shared[part], copy};
+            });
         }
     }
 
   private:
-    void add_each_triangle(const MeshGroup& group) {
-        for (const MeshPart& part : group.parts) {
-            const std::string material = materials_.find(part.material);
-            for (std::size_t i = 0; i < part.triangles.size(); ++i) {
-                ++count_;
-                OrganSpec organ = make_organ(
-                    {}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
-                organ.place = place(part.lines[i]);
-                organ.parts.push_back({material, std::vector<Triangle>(1, part.triangles[i])});
-                builder_.add_organ(std::move(organ));
+    void add_each_triangle(const MeshFile& file) {
+        const std::vector<Affine> once(1);
+        for (const Affine& copy : keys_.copies.empty() ? once : keys_.copies) {
+            for (const MeshGroup& group : file.groups) {
+                for (const MeshPart& part : group.parts) {
+                    add_triangles(file, part, copy);
+                }
             }
         }
     }
 
-    void add_group(MeshGroup group) {
-        ++count_;
-        const std::string separator = keys_.name.empty() || group.name.empty() ? "" : " ";
-        std::string name = keys_.name + separator + group.name;
-        OrganSpec organ = make_organ(group.id, std::move(name));
-        organ.place = place(group.parts.front().lines.front());
-        for (MeshPart& part : group.parts) {
-            organ.parts.push_back({materials_.find(part.material), std::move(part.triangles)});
-        }
-        builder_.add_organ(std::move(organ));
-    }
-
-    void add_all_as_one(std::vector<MeshGroup> groups) {
-        ++count_;
-        OrganSpec organ = make_organ({}, keys_.name);
-        organ.place = keys_.file;
-        for (MeshGroup& group : groups) {
-            for (MeshPart& part : group.parts) {
-                organ.parts.push_back({materials_.find(part.material), std::move(part.triangles)});
+    void add_triangles(const MeshFile& file, const MeshPart& part, const Affine& copy) {
+        const std::string material = materials_.find(part.material);
+        for (std::size_t i = 0; i < part.faces.size(); ++i) {
+            ++count_;
+            OrganSpec organ =
+                make_organ({}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
+            organ.place = place(part.lines[i]);
+            std::vector<Triangle> triangle{file.triangle(part, i)};
+            if (!keys_.copies.empty()) {
+                move_triangles(copy, triangle);
             }
+            organ.parts.push_back({material, triangle});
+            builder_.add_organ(std::move(organ));
         }
-        builder_.add_organ(std::move(organ));
     }
 
-    /// An organ without parts; its id is the file's, unless the run file numbers them.
+    /// @param make_part  makes the part of that number, counted through all groups
+    template <typename MakePart>
+    void add_organs(const std::vector<MeshGroup>& groups, const MakePart& make_part) {
+        std::size_t number = 0;
+        const auto add_parts = [&](const MeshGroup& group, OrganSpec& organ) {
+            for (const MeshPart& part : group.parts) {
+                organ.parts.push_back(make_part(number++));
+                organ.parts.back().material = materials_.find(part.material);
+            }
+        };
+        if (keys_.organs == "one") {
+            ++count_;
+            OrganSpec organ = make_organ({}, name_of(""));
+            organ.place = keys_.file;
+            for (const MeshGroup& group : groups) {
+                add_parts(group, organ);
+            }
+            builder_.add_organ(std::move(organ));
+            return;
+        }
+        for (const MeshGroup& group : groups) {
+            ++count_;
+            OrganSpec organ = make_organ(group.id, name_of(group.name));
+            organ.place = place(group.parts.front().lines.front());
+            add_parts(group, organ);
+            builder_.add_organ(std::move(organ));
+        }
+    }
+
+    /// The stated name, the number of the copy if there are several, and the name in the file.
+    [[nodiscard]] std::string name_of(const std::string& group) const {
+        std::string name = keys_.name;
+        if (!keys_.copies.empty()) {
+            name = fmt::format("{} {}", name.empty() ? "copy" : name, copy_);
+        }
+        return name + (name.empty() || group.empty() ? "" : " ") + group;
+    }
+
+    /// An organ without parts; its id is the file's, unless the run file numbers them or there are
+    /// copies.
     [[nodiscard]] OrganSpec make_organ(std::optional<std::int64_t> id, std::string name) const {
         OrganSpec organ;
-        organ.id = keys_.first_id ? std::optional(*keys_.first_id + count_ - 1) : id;
+        organ.id = keys_.first_id         ? std::optional(*keys_.first_id + count_ - 1)
+                   : keys_.copies.empty() ? id
+                                          : std::nullopt;
         organ.name = std::move(name);
         organ.labels = keys_.labels;
         return organ;
@@ -206,7 +250,7 @@ class OrganAdder {
     std::string_view line_word_;
     MaterialFinder& materials_;
     SceneBuilder& builder_;
-    std::int64_t count_ = 0;
+    std::int64_t count_ = 0, copy_ = 0;
 };
 
 void read_one(const Node& node, RunFileContext& context, SceneBuilder& builder) {
@@ -219,6 +263,7 @@ void read_one(const Node& node, RunFileContext& context, SceneBuilder& builder) 
     keys.materials = read_material_map(table);
     keys.first_id = table.integer("first_id", kFirstId);
     keys.transform = read_transform(table);
+    keys.copies = read_copies(table, context.orientation).value_or(std::vector<Affine>());
     const std::optional<std::string> organs = table.choice("organs", kOrganWords);
     std::optional<NamedMesh> named = read_named_mesh(table, context);
     table.finish();
@@ -228,14 +273,10 @@ void read_one(const Node& node, RunFileContext& context, SceneBuilder& builder) 
     keys.file = named->file;
     keys.organs = organs.value_or(std::string(named->format->organs));
     if (keys.transform) {
-        for (MeshGroup& group : named->mesh.groups) {
-            for (MeshPart& part : group.parts) {
-                move_triangles(*keys.transform, part.triangles);
-            }
-        }
+        move_points(*keys.transform, named->mesh.vertices);
     }
-    MaterialFinder materials(keys, named->mesh, table, context, builder);
-    OrganAdder(keys, named->mesh.line_word, materials, builder).add(std::move(named->mesh.groups));
+    MaterialFinder materials(keys, std::move(named->mesh.materials), table, context, builder);
+    OrganAdder(keys, materials, builder).add(std::move(named->mesh));
 }
 
 }  // namespace

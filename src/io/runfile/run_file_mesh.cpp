@@ -28,7 +28,7 @@ std::size_t triangle_count(const MeshFile& mesh) {
     std::size_t count = 0;
     for (const MeshGroup& group : mesh.groups) {
         for (const MeshPart& part : group.parts) {
-            count += part.triangles.size();
+            count += part.faces.size();
         }
     }
     return count;

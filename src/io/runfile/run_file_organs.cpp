@@ -176,6 +176,12 @@ void move_triangles(const Affine& transform, std::vector<Triangle>& triangles) {
     }
 }
 
+void move_points(const Affine& transform, std::vector<Vec3>& points) {
+    for (Vec3& p : points) {
+        p = transform.point(p);
+    }
+}
+
 void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
     for (const Node* node : top.tables("organ")) {
         read_organ(*node, context, builder);
@@ -185,22 +191,20 @@ void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builde
 namespace {
 
 /// All triangles of the file that a table names; none after a fault.
-std::vector<Triangle> read_surface(TableReader& table, RunFileContext& context) {
-    std::vector<Triangle> triangles;
+Mesh read_surface(TableReader& table, RunFileContext& context) {
+    Mesh surface;
     const std::optional<Affine> transform = read_transform(table);
-    const std::optional<NamedMesh> named = read_named_mesh(table, context);
+    std::optional<NamedMesh> named = read_named_mesh(table, context);
     if (!named) {
-        return triangles;
+        return surface;
     }
-    for (const MeshGroup& group : named->mesh.groups) {
-        for (const MeshPart& part : group.parts) {
-            triangles.insert(triangles.end(), part.triangles.begin(), part.triangles.end());
-        }
+    for (Mesh& mesh : named->mesh.take_meshes()) {
+        surface.append(mesh);
     }
     if (transform) {
-        move_triangles(*transform, triangles);
+        move_points(*transform, surface.vertices);
     }
-    return triangles;
+    return surface;
 }
 
 }  // namespace

@@ -111,9 +111,15 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
 /// p -> translate + rotate (scale p), or nothing if there is no `transform`.
 [[nodiscard]] std::optional<Affine> read_transform(TableReader& table);
 void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
+void move_points(const Affine& transform, std::vector<Vec3>& points);
 
 // run_file_geometry.cpp
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
+// run_file_copies.cpp
+/// `at`: where copies of a geometry stand. Nothing if it is absent, or after a fault.
+[[nodiscard]] std::optional<std::vector<Affine>> read_copies(
+    TableReader& table, const Orientation& orientation);
 
 // run_file_mesh.cpp
 /// The geometry in the file that a table names.

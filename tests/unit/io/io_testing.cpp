@@ -64,7 +64,9 @@ std::vector<Triangle> triangles_of(const MeshFile& mesh) {
     std::vector<Triangle> triangles;
     for (const MeshGroup& group : mesh.groups) {
         for (const MeshPart& part : group.parts) {
-            triangles.insert(triangles.end(), part.triangles.begin(), part.triangles.end());
+            for (std::size_t i = 0; i < part.faces.size(); ++i) {
+                triangles.push_back(mesh.triangle(part, i));
+            }
         }
     }
     return triangles;

@@ -42,7 +42,7 @@ TEST(ReadObj, EachPairOfObjectAndGroupIsAnOrganWhereverItsFacesStand) {
     EXPECT_EQ(read.mesh.groups[0].name, "");
     EXPECT_EQ(read.mesh.groups[1].name, "tree");
     EXPECT_EQ(read.mesh.groups[2].name, "tree/leaf 1");
-    EXPECT_EQ(read.mesh.groups[2].parts[0].triangles.size(), 2U);
+    EXPECT_EQ(read.mesh.groups[2].parts[0].faces.size(), 2U);
     EXPECT_EQ(read.mesh.groups[3].name, "bush/leaf 1");
 }
 
@@ -53,7 +53,7 @@ TEST(ReadObj, PartsOfAnOrganHaveTheirOwnMaterials) {
     const std::vector<MeshPart>& parts = read.mesh.groups[0].parts;
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_EQ(parts[0].material, "a");
-    EXPECT_EQ(parts[0].triangles.size(), 2U);
+    EXPECT_EQ(parts[0].faces.size(), 2U);
     EXPECT_EQ(parts[1].material, "b");
 }
 

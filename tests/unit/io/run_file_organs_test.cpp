@@ -198,6 +198,46 @@ TEST(GeometryKeys, TheWholeFileMayBeOneOrgan) {
     EXPECT_DOUBLE_EQ(run.scene.organs()[0].area, 4);
 }
 
+TEST(GeometryKeys, CopiesStandWhereTheyAreToldTo) {
+    const RunFile run = read_text(
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\norgans = 'one'\nname = 'tree'\n"
+                      "at = [[5, 0, 0], [0, 5, 1, 90], [0, 0, 0, 180, 2]]\n")
+            .text(),
+        {{"a.tri", kTwoTriangles}});
+    ASSERT_EQ(run.scene.organs().size(), 3U);
+    EXPECT_EQ(run.scene.organs()[1].name, "tree 2");
+    EXPECT_DOUBLE_EQ(run.scene.organs()[2].area, 4);
+    const auto corner = [&](std::uint32_t organ) {
+        return run.scene.triangles()[run.scene.organs()[organ].first_triangle][1];
+    };
+    // The second corner of the file is (1, 0, 0); a heading counts clockwise, as azimuths do.
+    EXPECT_LT(length(corner(0) - Vec3{6, 0, 0}), 1e-15);
+    EXPECT_LT(length(corner(1) - Vec3{0, 4, 1}), 1e-15);
+    EXPECT_LT(length(corner(2) - Vec3{-2, 0, 0}), 1e-15);
+}
+
+TEST(GeometryKeys, CopiesTurnAboutTheAxisThatIsUp) {
+    RunText text =
+        with_geometry("file = 'a.tri'\nmaterial = 'leaf'\norgans = 'one'\nat = [[0, 0, 0, 90]]\n");
+    text.top += "up = 'y'\n";
+    const RunFile run = read_text(text.text(), {{"a.tri", kTwoTriangles}});
+    // North is x; clockwise from it, seen from above, is z.
+    const Vec3 corner = run.scene.orientation().outward(run.scene.triangles()[0][1]);
+    EXPECT_LT(length(corner - Vec3{0, 0, 1}), 1e-15)
+        << corner.x << " " << corner.y << " " << corner.z;
+}
+
+TEST(GeometryKeys, FaultyCopiesAreNamed) {
+    for (const char* const at :
+         {"[]", "5", "[5]", "[[1, 2]]", "[[1, 2, 3, 4, 0]]", "[[1, 2, 'x']]"}) {
+        const auto faults = faults_of(
+            with_geometry(std::string("file = 'a.tri'\nmaterial = 'leaf'\nat = ") + at + "\n")
+                .text(),
+            {{"a.tri", kTwoTriangles}});
+        EXPECT_EQ(faults.size(), 1U) << at << ::testing::PrintToString(faults);
+    }
+}
+
 TEST(GeometryKeys, FaultsOfTheBuilderNameTheLineOfTheFile) {
     const auto faults = faults_of(
         with_geometry("file = 'a.tri'\nmaterial = 'leaf'\n").text(),

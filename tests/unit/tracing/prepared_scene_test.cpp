@@ -39,7 +39,8 @@ struct Staged {
               scene,
               sources,
               CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(scene.triangles(), scene.cell(), Engine::embree)) {}
+              std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree)) {
+    }
     Staged(const Staged&) = delete;
     Staged& operator=(const Staged&) = delete;
 };

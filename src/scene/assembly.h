@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/scene_draft.h"
+
+namespace quasimc {
+
+/// Organs, elements and triangles of a scene.
+struct DraftAssembly {
+    std::vector<Organ> organs;
+    std::vector<Region> regions;
+    std::vector<RegionIndex> triangle_regions, instance_regions;
+    Mesh mesh;
+    std::vector<Instance> instances;
+};
+
+/// Puts the parts of organs together by material.
+/// @param draft      checked, its triangles z up
+/// @param materials  of each name of the draft
+[[nodiscard]] DraftAssembly assemble(SceneDraft draft, std::span<const MaterialId> materials);
+
+}  // namespace quasimc

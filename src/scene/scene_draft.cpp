@@ -1,0 +1,74 @@
+#include "scene/scene_draft.h"
+
+#include <utility>
+
+#include "base/checks.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_checks.h"
+
+namespace quasimc {
+namespace {
+
+/// The mesh with its vertices in order, as a scene wants them.
+std::shared_ptr<const Mesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
+    Mesh copy = *mesh;
+    order_vertices(copy);
+    return copy == *mesh ? mesh : std::make_shared<const Mesh>(std::move(copy));
+}
+
+}  // namespace
+
+void SceneDraft::add(OrganSpec spec) {
+    DraftOrgan& draft = stated.emplace_back();
+    places += spec.place;
+    draft.place_end = places.size();
+    draft.field_of_view_deg = spec.field_of_view_deg;
+    draft.first_part = static_cast<std::uint32_t>(parts.size());
+    draft.part_count = static_cast<std::uint32_t>(spec.parts.size());
+    draft.has_id = spec.id.has_value();
+    Organ& organ = organs.emplace_back();
+    organ.id = spec.id.value_or(0);
+    organ.name = std::move(spec.name);
+    organ.labels = std::move(spec.labels);
+    organ.measured = spec.measured;
+    organ.least_cosine = least_cosine(spec.field_of_view_deg);
+    for (OrganPart& given : spec.parts) {
+        DraftPart part;
+        part.material = number_of_material(std::move(given.material));
+        part.first_face = static_cast<std::uint32_t>(mesh.faces.size());
+        if (given.shared) {
+            EXPECT(given.triangles.empty());
+            SharedMesh& mesh_of_many = shared_[given.shared.get()];
+            if (!mesh_of_many.given) {
+                mesh_of_many = {given.shared, in_order(given.shared)};
+            }
+            part.copy = static_cast<std::uint32_t>(copies.size());
+            copies.push_back({mesh_of_many.ordered, given.transform});
+        } else if (mesh.empty()) {
+            mesh = std::move(given.triangles);  // a scene of one mesh is not copied
+        } else {
+            mesh.append(given.triangles);
+        }
+        part.face_count = static_cast<std::uint32_t>(mesh.faces.size()) - part.first_face;
+        parts.push_back(part);
+    }
+}
+
+std::size_t SceneDraft::triangle_count() const {
+    std::size_t count = mesh.faces.size();
+    for (const Instance& copy : copies) {
+        count += copy.mesh->size();
+    }
+    return count;
+}
+
+std::uint32_t SceneDraft::number_of_material(std::string name) {
+    const auto [known, is_new] =
+        material_numbers_.try_emplace(name, static_cast<std::uint32_t>(material_names.size()));
+    if (is_new) {
+        material_names.push_back(std::move(name));
+    }
+    return known->second;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/scene_geometry.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+struct OrganSpec;
+
+/// A part of an organ: faces of the draft's mesh, or one of its copies.
+struct DraftPart {
+    static constexpr std::uint32_t kNoCopy = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t material = 0;  ///< place among the names of the draft
+    std::uint32_t first_face = 0, face_count = 0;
+    std::uint32_t copy = kNoCopy;
+};
+
+/// What was stated of an organ beside what the scene keeps.
+struct DraftOrgan {
+    std::size_t place_end = 0;  ///< of its place, in SceneDraft::places
+    double field_of_view_deg = 90;
+    std::uint32_t first_part = 0, part_count = 0;
+    bool has_id = false;
+};
+
+/// The organs that a SceneBuilder was given, in few large arrays: an organ may be a single
+/// triangle.
+struct SceneDraft {
+    std::vector<Organ> organs;
+    std::vector<DraftOrgan> stated;  ///< of each organ
+    std::vector<DraftPart> parts;
+    Mesh mesh;                     ///< the faces of all parts
+    std::vector<Instance> copies;  ///< of meshes that parts share
+    std::vector<std::string> material_names;
+    std::string places;  ///< where each organ was stated, one after the other
+
+    void add(OrganSpec spec);
+    [[nodiscard]] std::span<const DraftPart> parts_of(std::size_t organ) const {
+        return std::span(parts).subspan(stated[organ].first_part, stated[organ].part_count);
+    }
+    [[nodiscard]] std::string_view place_of(std::size_t organ) const {
+        const std::size_t begin = organ == 0 ? 0 : stated[organ - 1].place_end;
+        return std::string_view(places).substr(begin, stated[organ].place_end - begin);
+    }
+    /// How many triangles a part has.
+    [[nodiscard]] std::size_t size_of(const DraftPart& part) const {
+        return part.copy == DraftPart::kNoCopy ? part.face_count : copies[part.copy].mesh->size();
+    }
+    [[nodiscard]] Triangle triangle(const DraftPart& part, std::size_t i) const {
+        return part.copy == DraftPart::kNoCopy ? mesh[part.first_face + i]
+                                               : copies[part.copy].triangle(i);
+    }
+    /// How many triangles there are in all.
+    [[nodiscard]] std::size_t triangle_count() const;
+
+  private:
+    [[nodiscard]] std::uint32_t number_of_material(std::string name);
+
+    std::unordered_map<std::string, std::uint32_t> material_numbers_;
+    /// A mesh that was given, and the same with its vertices in order.
+    struct SharedMesh {
+        std::shared_ptr<const Mesh> given, ordered;
+    };
+    std::unordered_map<const Mesh*, SharedMesh> shared_;
+};
+
+}  // namespace quasimc

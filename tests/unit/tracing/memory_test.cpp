@@ -1,0 +1,167 @@
+// Rationale: a scene may fill the memory of a machine. What a triangle costs at the peak, when the
+// ray engine is built, is kept within bounds that a further copy of the corners would break.
+//
+// Expected behaviour: the resident memory of a child process that makes a scene and traces a little
+// light grows at most by so many bytes a triangle.
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "run/run.h"
+#include "scene/scene_builder.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsMeasurable = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kIsMeasurable = false;
+#else
+constexpr bool kIsMeasurable = true;
+#endif
+#else
+constexpr bool kIsMeasurable = true;
+#endif
+
+constexpr std::size_t kTriangles = 200'000;
+
+/// A line of /proc/self/status in bytes.
+double status_bytes(const std::string& key) {
+    std::ifstream file("/proc/self/status");
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with(key + ":")) {
+            return 1024 * std::atof(line.c_str() + key.size() + 1);
+        }
+    }
+    return 0;
+}
+
+void trace_a_little(SceneBuilder builder) {
+    builder.add_material(matt("leaf", .1, .1));
+    const Scene scene = std::move(builder).build();
+    RunSpec spec;
+    spec.paths = 256;
+    spec.replicates = 2;
+    spec.threads = 1;
+    static_cast<void>(run(scene, {sun(0, {1})}, spec));
+}
+
+/// The peak of a child process that does `work`, above what it had before, in bytes a triangle.
+template <typename Work>
+double bytes_a_triangle(const Work& work) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) {
+        return NAN;
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        const double before = status_bytes("VmRSS");
+        work();
+        const double grown = status_bytes("VmHWM") - before;
+        const auto written = write(ends[1], &grown, sizeof grown);
+        std::_Exit(written == sizeof grown ? EXIT_SUCCESS : EXIT_FAILURE);
+    }
+    double grown = NAN;
+    close(ends[1]);
+    const auto got = read(ends[0], &grown, sizeof grown);
+    close(ends[0]);
+    int status = EXIT_FAILURE;
+    waitpid(child, &status, 0);
+    return got == sizeof grown && status == 0 ? grown / kTriangles : NAN;
+}
+
+/// A wavy sheet: half a vertex for each triangle.
+Mesh sheet() {
+    const auto n = static_cast<std::uint32_t>(std::sqrt(kTriangles / 2));
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t j = 0; j <= n; ++j) {
+            const double x = double(i) / n, y = double(j) / n;
+            mesh.vertices.push_back({x, y, .1 * std::sin(20 * x) * std::cos(30 * y)});
+        }
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = 0; j < n; ++j) {
+            const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+            mesh.faces.push_back({a, b, b + 1});
+            mesh.faces.push_back({a, b + 1, a + 1});
+        }
+    }
+    return mesh;
+}
+
+class Memory : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (!kIsMeasurable || status_bytes("VmHWM") == 0) {
+            GTEST_SKIP() << "memory is not measured here";
+        }
+    }
+};
+
+TEST_F(Memory, OfSharedVerticesIsLittle) {
+    const double bytes = bytes_a_triangle([] {
+        SceneBuilder builder = make_builder();
+        OrganSpec organ;
+        organ.parts.push_back({"leaf", sheet()});
+        builder.add_organ(std::move(organ));
+        trace_a_little(std::move(builder));
+    });
+    EXPECT_LT(bytes, 230);
+    EXPECT_GT(bytes, 60);  // it was measured at all
+}
+
+TEST_F(Memory, OfTrianglesApartIsThatOfTheirCorners) {
+    const double bytes = bytes_a_triangle([] {
+        SceneBuilder builder = make_builder();
+        builder.add_organ(organ("leaves", "leaf", random_leaves(kTriangles, .001, 1, 1)));
+        trace_a_little(std::move(builder));
+    });
+    EXPECT_LT(bytes, 320);
+    EXPECT_GT(bytes, 100);
+}
+
+TEST_F(Memory, OfAnOrganForEachTriangleIsBounded) {
+    const double bytes = bytes_a_triangle([] {
+        SceneBuilder builder = make_builder();
+        for (const Triangle& leaf : random_leaves(kTriangles, .001, 1, 1)) {
+            builder.add_organ({.parts = {{"leaf", {leaf}}}});
+        }
+        trace_a_little(std::move(builder));
+    });
+    EXPECT_LT(bytes, 560);
+    EXPECT_GT(bytes, 200);
+}
+
+TEST_F(Memory, OfCopiesIsThatOfOneMesh) {
+    const double bytes = bytes_a_triangle([] {
+        const auto plant = std::make_shared<const Mesh>(random_leaves(kTriangles / 1000, .1, 1, 1));
+        SceneBuilder builder = make_builder();
+        for (int i = 0; i < 1000; ++i) {
+            Affine place;
+            place.shift = {1.0 * (i % 32), 1.0 * (i / 32), 0};
+            OrganSpec organ;
+            organ.parts.push_back({"leaf", {}, plant, place});
+            builder.add_organ(std::move(organ));
+        }
+        trace_a_little(std::move(builder));
+    });
+    EXPECT_LT(bytes, 60);
+}
+
+}  // namespace
+}  // namespace quasimc::test
