@@ -16,6 +16,12 @@ struct Bounds {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
+    void add(const Bounds& other) {
+        if (!other.empty()) {
+            add(other.low);
+            add(other.high);
+        }
+    }
     [[nodiscard]] bool empty() const { return low.x > high.x; }
     [[nodiscard]] Vec3 center() const { return 0.5 * (low + high); }
     [[nodiscard]] Vec3 size() const { return high - low; }

@@ -11,21 +11,22 @@ namespace quasimc {
 namespace {
 
 constexpr std::uint32_t kBase = kFaureBase;  // p in the comments
-constexpr int kDigits = 9;
-constexpr int kFieldBits = 7;  // of a packed vector of digit sums, each at most kDigits * (p - 1)
+constexpr int kFaureDigits = 9;
+constexpr int kFieldBits =
+    7;  // of a packed vector of digit sums, each at most kFaureDigits * (p - 1)
 constexpr std::uint32_t kFieldSize = 1U << kFieldBits;
 
-static_assert(kDigits * (kBase - 1) < kFieldSize && kDigits * kFieldBits <= 64);
+static_assert(kFaureDigits * (kBase - 1) < kFieldSize && kFaureDigits * kFieldBits <= 64);
 
 /// Packed products of each column of a generator matrix and each digit: [column][digit].
-using Columns = std::array<std::array<std::uint64_t, kBase>, kDigits>;
+using Columns = std::array<std::array<std::uint64_t, kBase>, kFaureDigits>;
 
 /// Binomial coefficients mod p: [l][k].
-using Pascal = std::array<std::array<std::uint32_t, kDigits>, kDigits>;
+using Pascal = std::array<std::array<std::uint32_t, kFaureDigits>, kFaureDigits>;
 
 constexpr Pascal pascal_matrix() {
     Pascal binomial{};
-    for (int l = 0; l < kDigits; ++l) {
+    for (int l = 0; l < kFaureDigits; ++l) {
         binomial[l][0] = 1;
         for (int k = 1; k <= l; ++k) {
             binomial[l][k] = (binomial[l - 1][k - 1] + (k < l ? binomial[l - 1][k] : 0)) % kBase;
@@ -51,7 +52,7 @@ constexpr std::array<Columns, kFaureDimensions> make_columns() {
     const Pascal binomial = pascal_matrix();
     std::array<Columns, kFaureDimensions> columns{};
     for (std::uint32_t j = 0; j < kFaureDimensions; ++j) {
-        for (int l = 0; l < kDigits; ++l) {
+        for (int l = 0; l < kFaureDigits; ++l) {
             for (std::uint32_t digit = 0; digit < kBase; ++digit) {
                 columns[j][l][digit] = packed_product(binomial, j, l, digit);
             }
@@ -75,7 +76,7 @@ constexpr auto kRemainders = make_remainders();
 class Faure final : public Sampler {
   public:
     Faure() : scramble_(kBase) {
-        ENSURE(scramble_.digits() == kDigits && scramble_.period() == kFaurePeriod);
+        ENSURE(scramble_.digits() == kFaureDigits && scramble_.period() == kFaurePeriod);
     }
 
     double coordinate(
@@ -130,15 +131,16 @@ class Faure final : public Sampler {
     /// d of the index becomes a d + b mod p, with a and b drawn by a hash of all more significant
     /// digits.
     static std::uint32_t shuffled(std::uint32_t index, std::uint64_t key) {
-        std::array<std::uint32_t, kDigits> digits{};
+        std::array<std::uint32_t, kFaureDigits> digits{};
         for (std::uint32_t& digit : digits) {
             digit = index % kBase;
             index /= kBase;
         }
         std::uint32_t above = 0;
         std::uint32_t result = 0;
-        for (int k = kDigits - 1; k >= 0; --k) {
-            const std::uint64_t place = std::uint64_t{above} * kDigits + static_cast<unsigned>(k);
+        for (int k = kFaureDigits - 1; k >= 0; --k) {
+            const std::uint64_t place =
+                std::uint64_t{above} * kFaureDigits + static_cast<unsigned>(k);
             const std::uint64_t choice =
                 multiply_high(mix64(key + place), std::uint64_t{kBase} * (kBase - 1));
             const auto a = static_cast<std::uint32_t>(choice / kBase) + 1;
@@ -152,12 +154,12 @@ class Faure final : public Sampler {
     /// The matrix product: the digits of a coordinate as an integer, first digit least significant.
     static std::uint32_t product(const Columns& columns, std::uint32_t index) {
         std::uint64_t sums = 0;
-        for (int l = 0; l < kDigits; ++l) {
+        for (int l = 0; l < kFaureDigits; ++l) {
             sums += columns[l][index % kBase];
             index /= kBase;
         }
         std::uint32_t digits = 0;
-        for (int k = kDigits - 1; k >= 0; --k) {
+        for (int k = kFaureDigits - 1; k >= 0; --k) {
             digits = digits * kBase + kRemainders[sums >> (kFieldBits * k) & (kFieldSize - 1)];
         }
         return digits;

@@ -24,7 +24,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostTriangles = 3'000'000;
+constexpr std::size_t kMostToCompare = 3'000'000;
 constexpr int kLevels = 9;
 
 /// A triangle in a cube of the grids.
@@ -234,11 +234,11 @@ std::vector<Warning> words_for(const Scene& scene, const std::vector<Overlap>& o
 
 std::vector<Warning> lint_overlap(const Survey& survey) {
     const Scene& scene = survey.scene;
-    if (scene.triangles().size() > kMostTriangles) {
+    if (scene.triangles().size() > kMostToCompare) {
         return {
             {"scene",
              fmt::format(
-                 "has more than {} triangles: overlaps were not looked for", kMostTriangles)}};
+                 "has more than {} triangles: overlaps were not looked for", kMostToCompare)}};
     }
     OverlapSearch search(scene);
     std::vector<Warning> warnings = words_for(scene, search.run());

@@ -12,13 +12,6 @@
 namespace quasimc {
 namespace {
 
-void extend(Bounds& bounds, const Bounds& by) {
-    if (!by.empty()) {
-        bounds.add(by.low);
-        bounds.add(by.high);
-    }
-}
-
 /// Checks that concern all organs together.
 void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) {
     if (draft.organs.empty()) {
@@ -83,7 +76,7 @@ Scene SceneBuilder::build() && {
         draft_.add(std::move(ground));
         if (faults.size() == before) {
             const std::size_t last = draft_.organs.size() - 1;
-            extend(bounds, check_triangles(draft_, last, orientation_, organ_faults));
+            bounds.add(check_triangles(draft_, last, orientation_, organ_faults));
         }
     }
     if (faults.size() == before) {

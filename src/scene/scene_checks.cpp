@@ -122,13 +122,6 @@ void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
     }
 }
 
-void extend(Bounds& bounds, const Bounds& by) {
-    if (!by.empty()) {
-        bounds.add(by.low);
-        bounds.add(by.high);
-    }
-}
-
 /// Whether everything is finite and not too large: then organs need not be looked at one by one.
 bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
     const auto is_small = [](const Bounds& b) { return is_usable(b.low) && is_usable(b.high); };
@@ -297,7 +290,7 @@ Bounds check_triangles(
         }
         for (const DraftPart& part : parts) {
             if (part.copy != DraftPart::kNoCopy) {
-                extend(bounds, copies[part.copy]);
+                bounds.add(copies[part.copy]);
             }
             for (std::size_t k = 0; k < part.face_count; ++k) {
                 for (const Vec3& corner : draft.mesh[part.first_face + k]) {

@@ -81,9 +81,9 @@ void PreparedScene::set_elements() {
         triangle_regions_ = image_regions_;
     }
     std::vector<bool> is_used(scene.materials().size());
-    element_materials_.reserve(scene.regions().size());
+    region_materials_.reserve(scene.regions().size());
     for (const Region& region : scene.regions()) {
-        element_materials_.push_back(region.material);
+        region_materials_.push_back(region.material);
         is_used[region.material.value] = true;
         ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
     }

@@ -73,7 +73,7 @@ class PreparedScene {
     /// Region and material of a triangle of the caster's mesh.
     [[nodiscard]] PrimitiveInfo primitive(std::uint32_t mesh_triangle) const {
         const std::uint32_t e = region(mesh_triangle);
-        return {e, element_materials_[e].value};
+        return {e, region_materials_[e].value};
     }
     [[nodiscard]] std::uint32_t region(std::uint32_t mesh_triangle) const {
         if (mesh_triangle < triangle_regions_.size()) [[likely]] {
@@ -82,7 +82,7 @@ class PreparedScene {
         return scene_->region_of(caster_->source(mesh_triangle)).value;
     }
     [[nodiscard]] const Material& material(std::uint32_t region) const {
-        return scene_->materials()[element_materials_[region].value];
+        return scene_->materials()[region_materials_[region].value];
     }
     /// Whether an element counts light that comes at this cosine from its normal: all but sensors
     /// with a narrow field of view do.
@@ -118,7 +118,7 @@ class PreparedScene {
     // images of them.
     std::span<const RegionIndex> triangle_regions_;
     std::vector<RegionIndex> image_regions_;
-    std::vector<MaterialId> element_materials_;
+    std::vector<MaterialId> region_materials_;
     std::vector<BoundSource> lights_;
     std::vector<std::vector<double>> spectra_;
     std::vector<double> flux_;
