@@ -13,6 +13,7 @@
 class OptionFlags {
   public:
     OptionFlags();
+    ~OptionFlags() = default;
     OptionFlags(const OptionFlags&) = delete;
     OptionFlags& operator=(const OptionFlags&) = delete;
 

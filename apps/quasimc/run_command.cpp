@@ -77,9 +77,9 @@ std::string comparison(
 /// What a run writes while it is computed.
 class RunWriters {
   public:
-    /// @param is_repeated  whether the digest is asked for, even if no JSON is
-    RunWriters(const quasimc::RunFile& run, Outputs outputs, bool is_repeated)
-        : outputs_(std::move(outputs)), summary_(run) {
+    /// Opens the files, so that a wrong path is told before anything is computed.
+    RunWriters(const RunArguments& arguments, const quasimc::RunFile& run)
+        : run_(run), outputs_(open_outputs(arguments, run.output)), summary_(run) {
         if (outputs_.csv) {
             csv_.emplace(run, sink_of(*outputs_.csv));
         }
@@ -88,19 +88,19 @@ class RunWriters {
         }
         if (outputs_.json) {
             json_.emplace(run, sink_of(*outputs_.json));
-        } else if (is_repeated) {
-            json_.emplace(run);
+        } else if (!arguments.from.empty()) {
+            json_.emplace(run);  // for the digest
         }
     }
 
     /// What the run is to tell.
-    [[nodiscard]] quasimc::SeriesEvents events(bool has_days) {
+    [[nodiscard]] quasimc::SeriesEvents events() {
         quasimc::SeriesEvents events;
         events.on_progress = progress_line();
         events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
             add_moment(time_step, result, traced);
         };
-        events.wants_total = has_days && outputs_.json != nullptr;
+        events.wants_total = run_.series && outputs_.json;
         if (days_ || events.wants_total) {
             events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
         }
@@ -148,6 +148,7 @@ class RunWriters {
         }
     }
 
+    const quasimc::RunFile& run_;
     Outputs outputs_;
     quasimc::Summary summary_;
     std::optional<quasimc::CsvWriter> csv_;
@@ -171,9 +172,9 @@ Exit run(const RunArguments& arguments) {
         throw quasimc::InputError(
             {{"--days", "the run has no [time]", "sums over days need times", ""}});
     }
-    RunWriters writers(file, open_outputs(arguments, file.output), !arguments.from.empty());
-    const quasimc::SeriesSummary summary = quasimc::run_series(
-        file.scene, quasimc::moments_of(file), file.spec, writers.events(file.series.has_value()));
+    RunWriters writers(arguments, file);
+    const quasimc::SeriesSummary summary =
+        quasimc::run_series(file.scene, quasimc::moments_of(file), file.spec, writers.events());
     end_progress_line();
     const std::string digest = writers.finish(summary);
     print_audit(summary.audit_chance);

@@ -210,9 +210,9 @@ Case sensors() {
 /// Expected: in each way the same within the errors; some light is cut off.
 Case glossy_leaves() {
     SceneBuilder builder = make_builder(2);
-    const SideOptics waxy{.5, .2, "phong", 20, "blinn_phong", 5};
-    const SideOptics plate{.8, 0, "mirror", 0, "lambertian", 0};
-    const SideOptics dewy{.3, .4, "blinn_phong", 30, "mirror", 0};
+    const SideOptics waxy{.5, .2, "phong", {{"exponent", 20}}, "blinn_phong", {{"exponent", 5}}};
+    const SideOptics plate{.8, 0, "mirror", {}, "lambertian", {}};
+    const SideOptics dewy{.3, .4, "blinn_phong", {{"exponent", 30}}, "mirror", {}};
     const SideOptics dull{.2, .3};
     builder.add_material({"waxy", {waxy, dull}, {dull, dewy}});
     builder.add_material({"plate", {plate, plate}, {plate, dull}});

@@ -51,12 +51,11 @@ void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
     json.begin_list(kHeadLayout);
     for (const InputFile& input : inputs) {
         json.begin_object(kHeadLayout);
-        write_text(json, "path", input.path);
-        write_text(json, "resolved", input.resolved);
-        write_text(json, "sha256", input.sha256);
-        write_count(json, "bytes", input.bytes);
-        json.key("is_run_file");
-        json.boolean(input.is_run_file);
+        json.text("path", input.path);
+        json.text("resolved", input.resolved);
+        json.text("sha256", input.sha256);
+        json.count("bytes", input.bytes);
+        json.boolean("is_run_file", input.is_run_file);
         json.end_object();
     }
     json.end_list();
@@ -65,7 +64,7 @@ void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
 void write_axes(JsonStream& json, const Orientation& axes) {
     json.key("axes");
     json.begin_object(kHeadLayout);
-    write_text(json, "up", axes.up() == UpAxis::z ? "z" : "y");
+    json.text("up", axes.up() == UpAxis::z ? "z" : "y");
     json.key("north");
     json.begin_list(kHeadLayout);
     for (const double x : {axes.north().x, axes.north().y, axes.north().z}) {
@@ -78,9 +77,9 @@ void write_axes(JsonStream& json, const Orientation& axes) {
 void write_scene(JsonStream& json, const Scene& scene) {
     json.key("scene");
     json.begin_object(kHeadLayout);
-    write_count(json, "organs", scene.organs().size());
-    write_count(json, "triangles", scene.triangles().size());
-    write_text(json, "length_unit", scene.length_unit());
+    json.count("organs", scene.organs().size());
+    json.count("triangles", scene.triangles().size());
+    json.text("length_unit", scene.length_unit());
     write_axes(json, scene.orientation());
     json.end_object();
 }
@@ -99,12 +98,12 @@ void write_quantities(JsonStream& json, const Scene& scene) {
     json.begin_list(kHeadLayout);
     for (const QuantityEntry& entry : quantity_table()) {
         json.begin_object(kHeadLayout);
-        write_text(json, "name", entry.name);
-        write_text(json, "meaning", entry.summary);
+        json.text("name", entry.name);
+        json.text("meaning", entry.summary);
         json.key("unit");
         json.begin_object(kHeadLayout);
         for (const Band& band : scene.bands()) {
-            write_text(json, band.name, unit_of(entry, band, scene.length_unit()));
+            json.text(band.name, unit_of(entry, band, scene.length_unit()));
         }
         json.end_object();
         json.end_object();
@@ -115,12 +114,12 @@ void write_quantities(JsonStream& json, const Scene& scene) {
 }  // namespace
 
 void json_head(JsonStream& json, const RunFile& run) {
-    write_text(json, "format", "quasimc-result");
-    write_count(json, "format_version", kResultVersion);
-    write_text(json, "program_version", version());
-    write_text(json, "title", run.title);
-    write_text(json, "run_file", run.path);
-    write_text(json, "folder", run.folder);
+    json.text("format", "quasimc-result");
+    json.count("format_version", kResultVersion);
+    json.text("program_version", version());
+    json.text("title", run.title);
+    json.text("run_file", run.path);
+    json.text("folder", run.folder);
     write_inputs(json, run.inputs);
     json.key("run");
     write_node(json, run.document);
@@ -134,8 +133,8 @@ void json_warnings(JsonStream& json, const RunFile& run) {
     json.begin_list(kHeadLayout);
     for (const Warning& warning : run.warnings) {
         json.begin_object(kHeadLayout);
-        write_text(json, "place", warning.place);
-        write_text(json, "text", warning.text);
+        json.text("place", warning.place);
+        json.text("text", warning.text);
         json.end_object();
     }
     json.end_list();

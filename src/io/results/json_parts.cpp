@@ -9,10 +9,10 @@ namespace {
 void write_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
     json.key(key);
     json.begin_object(layout);
-    write_real(json, "mean", e.mean);
-    write_real(json, "standard_error", e.standard_error);
-    write_real(json, "low", e.low);
-    write_real(json, "high", e.high);
+    json.real("mean", e.mean);
+    json.real("standard_error", e.standard_error);
+    json.real("low", e.low);
+    json.real("high", e.high);
     json.end_object();
 }
 
@@ -32,27 +32,27 @@ std::string_view stop_name(StopReason stop) {
 void write_band_audit(
     JsonStream& json, const std::string& unit, const BandAudit& audit, JsonLayout layout) {
     json.begin_object(layout);
-    write_text(json, "unit", unit);
-    write_real(json, "reduced_chi_square", audit.reduced_chi_square);
-    write_real(json, "degrees_of_freedom", audit.freedom);
-    write_real(json, "chi_square_chance", audit.chi_chance);
-    write_real(json, "difference", audit.difference);
-    write_real(json, "standard_error", audit.standard_error);
-    write_real(json, "difference_chance", audit.difference_chance);
+    json.text("unit", unit);
+    json.real("reduced_chi_square", audit.reduced_chi_square);
+    json.real("degrees_of_freedom", audit.freedom);
+    json.real("chi_square_chance", audit.chi_chance);
+    json.real("difference", audit.difference);
+    json.real("standard_error", audit.standard_error);
+    json.real("difference_chance", audit.difference_chance);
     json.end_object();
 }
 
 void write_budget(
     JsonStream& json, const std::string& unit, const BandBudget& budget, JsonLayout layout) {
     json.begin_object(layout);
-    write_text(json, "unit", unit);
-    write_real(json, "emitted", budget.emitted);
+    json.text("unit", unit);
+    json.real("emitted", budget.emitted);
     write_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
     write_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
     write_estimate(json, "escaped", budget.escaped, layout);
     write_estimate(json, "cut_off", budget.cut_off, layout);
     write_estimate(json, "roulette", budget.roulette, layout);
-    write_real(json, "closure_error", budget.closure_error);
+    json.real("closure_error", budget.closure_error);
     json.end_object();
 }
 
@@ -61,20 +61,20 @@ void write_budget(
 void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
     json.key("method");
     json.begin_object(layout);
-    write_text(json, "used", method_name(result.chosen.method));
-    write_text(json, "asked", method_name(run.spec.method));
-    write_text(json, "reason", result.chosen.reason);
+    json.text("used", method_name(result.chosen.method));
+    json.text("asked", method_name(run.spec.method));
+    json.text("reason", result.chosen.reason);
     json.end_object();
 }
 
 void json_done(JsonStream& json, const Result& result, JsonLayout layout) {
     json.key("done");
     json.begin_object(layout);
-    write_count(json, "paths", result.paths);
-    write_count(json, "replicates", result.replicates);
-    write_count(json, "rays", result.rays);
-    write_text(json, "stop", stop_name(result.stop));
-    write_real(json, "fraction_at_target", result.fraction_at_target);
+    json.count("paths", result.paths);
+    json.count("replicates", result.replicates);
+    json.count("rays", result.rays);
+    json.text("stop", stop_name(result.stop));
+    json.real("fraction_at_target", result.fraction_at_target);
     json.end_object();
 }
 
@@ -87,12 +87,11 @@ void json_audit(JsonStream& json, const RunFile& run, const Result& result, Json
     const Audit& audit = *result.audit;
     const Scene& scene = run.scene;
     json.begin_object(layout);
-    write_count(json, "paths", audit.paths);
-    write_count(json, "replicates", audit.replicates);
-    write_real(json, "chance", audit.chance);
-    write_real(json, "level", kAuditLevel);
-    json.key("agrees");
-    json.boolean(audit.agrees());
+    json.count("paths", audit.paths);
+    json.count("replicates", audit.replicates);
+    json.real("chance", audit.chance);
+    json.real("level", kAuditLevel);
+    json.boolean("agrees", audit.agrees());
     json.key("bands");
     json.begin_object(layout);
     for (std::size_t b = 0; b < audit.bands.size(); ++b) {

@@ -44,6 +44,28 @@ class JsonStream {
     /// The same with a point or an exponent, so that a reader who tells integers from other numbers
     /// does not take it for an integer: "1.0".
     void real(double value);
+    // The same with a key.
+    void text(std::string_view name, std::string_view value) {
+        key(name);
+        text(value);
+    }
+    void boolean(std::string_view name, bool value) {
+        key(name);
+        boolean(value);
+    }
+    void count(std::string_view name, std::uint64_t value) {
+        key(name);
+        count(value);
+    }
+    void number(std::string_view name, double value) {
+        key(name);
+        number(value);
+    }
+    void real(std::string_view name, double value) {
+        key(name);
+        real(value);
+    }
+
     /// A value that is JSON already.
     void raw(std::string_view json);
     /// More of the text of that value.
@@ -75,23 +97,5 @@ class JsonStream {
     std::size_t indent_ = 0;  // of the values of the innermost pretty level
     bool has_key_ = false;    // the next value follows its key
 };
-
-// A key and its value.
-inline void write_text(JsonStream& json, std::string_view key, std::string_view text) {
-    json.key(key);
-    json.text(text);
-}
-inline void write_count(JsonStream& json, std::string_view key, std::uint64_t count) {
-    json.key(key);
-    json.count(count);
-}
-inline void write_number(JsonStream& json, std::string_view key, double value) {
-    json.key(key);
-    json.number(value);
-}
-inline void write_real(JsonStream& json, std::string_view key, double value) {
-    json.key(key);
-    json.real(value);
-}
 
 }  // namespace quasimc

@@ -18,8 +18,8 @@ void write_sum_units(JsonStream& json, const Scene& scene) {
     for (const Band& band : scene.bands()) {
         json.key(band.name);
         json.begin_object(kSpaced);
-        write_text(json, "density", summed_unit(band.unit).name);
-        write_text(json, "flux", summed_unit(flux_unit(band.unit, scene.length_unit())).name);
+        json.text("density", summed_unit(band.unit).name);
+        json.text("flux", summed_unit(flux_unit(band.unit, scene.length_unit())).name);
         json.end_object();
     }
     json.end_object();
@@ -43,36 +43,36 @@ void write_series_head(JsonStream& json, const RunFile& run) {
 void write_sun(JsonStream& json, const MomentNotes& notes) {
     json.key("sun");
     json.begin_object(kSpaced);
-    write_number(json, "azimuth_deg", notes.sun.azimuth_deg);
-    write_number(json, "elevation_deg", notes.sun.elevation_deg);
-    write_number(json, "true_elevation_deg", notes.sun.true_elevation_deg);
+    json.number("azimuth_deg", notes.sun.azimuth_deg);
+    json.number("elevation_deg", notes.sun.elevation_deg);
+    json.number("true_elevation_deg", notes.sun.true_elevation_deg);
     json.key("towards");
     json.begin_list(kSpaced);
     for (const double x : {notes.to_sun.x, notes.to_sun.y, notes.to_sun.z}) {
         json.number(x);
     }
     json.end_list();
-    write_count(json, "steps_with_beam", notes.suns);
+    json.count("steps_with_beam", notes.suns);
     json.end_object();
 }
 
 void write_collapsed(JsonStream& json, const MomentNotes& notes) {
     const MomentNotes::Collapsed& times = *notes.collapsed;
-    write_text(json, "until", times.until);
+    json.text("until", times.until);
     json.key("collapsed");
     json.begin_object(kSpaced);
-    write_count(json, "times", times.times);
-    write_count(json, "with_daylight", times.with_light);
-    write_count(json, "suns", notes.suns);
-    write_count(json, "skies", times.skies);
+    json.count("times", times.times);
+    json.count("with_daylight", times.with_light);
+    json.count("suns", notes.suns);
+    json.count("skies", times.skies);
     json.end_object();
 }
 
 void write_daylight(JsonStream& json, const Daylight& daylight) {
     json.key("daylight_W_m-2");
     json.begin_object(kSpaced);
-    write_number(json, "direct", daylight.direct);
-    write_number(json, "diffuse", daylight.diffuse);
+    json.number("direct", daylight.direct);
+    json.number("diffuse", daylight.diffuse);
     json.end_object();
 }
 
@@ -81,7 +81,7 @@ void write_sum(JsonStream& json, const RunFile& run, const SeriesSum& raw) {
     const SeriesSum sum = in_summed_units(run, raw);
     const JsonNames names = json_names(run);
     const std::vector<Organ>& organs = run.scene.organs();
-    write_number(json, "seconds", sum.seconds);
+    json.number("seconds", sum.seconds);
     json.key("organs");
     json.begin_list(kRows);
     for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -116,14 +116,12 @@ void JsonWriter::write_single_head(const Result& result) {
     for (const auto& [key, seconds] :
          {std::pair("build", result.build_seconds), std::pair("trace", result.trace_seconds),
           std::pair("trace_cpu", result.trace_cpu_seconds)}) {
-        json_.key(key);
-        json_.real(seconds);
+        json_.real(key, seconds);
     }
     json_.end_object();
     json_audit(json_, run_, result, kPretty);
     json_energy(json_, run_, result, kPretty);
-    json_.key("escaped_is_remainder");
-    json_.boolean(result.escaped_is_remainder);
+    json_.boolean("escaped_is_remainder", result.escaped_is_remainder);
     json_warnings(json_, run_);
 }
 
@@ -131,11 +129,11 @@ void JsonWriter::write_moment_head(
     std::size_t time_step, const Result& result, std::size_t traced) {
     constexpr JsonLayout kCompact = JsonLayout::compact;
     const MomentNotes& notes = run_.series->notes[time_step];
-    write_text(json_, "time", notes.time);
-    write_number(json_, "seconds", notes.seconds);
+    json_.text("time", notes.time);
+    json_.number("seconds", notes.seconds);
     notes.collapsed ? write_collapsed(json_, notes) : write_sun(json_, notes);
     write_daylight(json_, notes.daylight);
-    write_text(json_, "traced", run_.series->notes[traced].time);
+    json_.text("traced", run_.series->notes[traced].time);
     json_method(json_, run_, result, kCompact);
     json_done(json_, result, kCompact);
     json_audit(json_, run_, result, kCompact);
@@ -182,7 +180,7 @@ void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
         return;
     }
     days_.begin_object(kSpaced);
-    write_text(days_, "date", run_.series->days[day]);
+    days_.text("date", run_.series->days[day]);
     write_sum(days_, run_, sum);
     days_.end_object();
 }
@@ -200,13 +198,13 @@ void JsonWriter::write_series_end(const SeriesSummary& summary) {
     json_.end_object();
     json_.key("done");
     json_.begin_object(kSpaced);
-    write_count(json_, "moments", time_steps_);
-    write_count(json_, "traced", summary.traced);
-    write_count(json_, "rays", summary.rays);
-    write_count(json_, "audited", summary.audited);
-    write_number(json_, "audit_chance", summary.audit_chance);
+    json_.count("moments", time_steps_);
+    json_.count("traced", summary.traced);
+    json_.count("rays", summary.rays);
+    json_.count("audited", summary.audited);
+    json_.number("audit_chance", summary.audit_chance);
     json_.end_object();
-    write_number(json_, "seconds", summary.seconds);
+    json_.number("seconds", summary.seconds);
 }
 
 std::string JsonWriter::finish(const SeriesSummary& summary) {
@@ -215,7 +213,7 @@ std::string JsonWriter::finish(const SeriesSummary& summary) {
         if (run_.series) {
             write_series_end(summary);
         }
-        write_text(json_, "organs_sha256", digest);
+        json_.text("organs_sha256", digest);
         json_.end_object();
         json_.raw_continued("\n");
         json_.flush();

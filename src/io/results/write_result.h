@@ -55,6 +55,7 @@ class JsonWriter {
   public:
     /// @param sink  without one nothing is written, and finish() gives the digest
     explicit JsonWriter(const RunFile& run, TextSink sink = {});
+    ~JsonWriter() = default;
     JsonWriter(const JsonWriter&) = delete;
     JsonWriter& operator=(const JsonWriter&) = delete;
 
