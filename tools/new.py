@@ -220,8 +220,8 @@ def planned(root, kind, name):
     templates = root / TEMPLATES / kind
     stem = f"{family.prefix}{name}"
     made = {
-        f"{family.folder}/{stem}.cpp": "member.cpp",
-        f"{family.tests}/{stem}_test.cpp": "test.cpp",
+        f"{family.folder}/{stem}.cpp": "member.cpp.in",
+        f"{family.tests}/{stem}_test.cpp": "test.cpp.in",
         f"{family.pages}/{filled(family.page, family, name)}": "page.md",
     }
     texts = {}

@@ -261,7 +261,7 @@ TEST(ForwardAndBackward, AgreeOnPathsThatAreCutOff) {
         SCOPED_TRACE(depth);
         RunSpec spec = spec_of({}, 1 << 12);
         spec.max_depth = depth;
-        expect_agreement({optics_of("mirror", &SideOptics::reflection_model, "").leaf}, spec);
+        expect_agreement({optics_of(*find_bsdf("mirror"), kReflected).leaf}, spec);
     }
 }
 
