@@ -124,6 +124,7 @@ fi
 selected=("$@")
 if [[ $# -eq 0 ]]; then
     selected=("${all_steps[@]}")
+    [[ -z $full ]] || selected+=(members)
 fi
 for step in "${selected[@]}"; do
     if ! declare -F "step_$step" >/dev/null; then
