@@ -56,7 +56,7 @@ TEST(FTail, HasAClosedFormWithTwoDegreesAbove) {
     for (const double below : {1.0, 3.5, 40.0, 1e5}) {
         for (const double f : {.01, .9, 1.0, 4.0, 20.0}) {
             const double exact = std::pow(1 + 2 * f / below, -below / 2);
-            EXPECT_NEAR(f_tail(f, 2, below) / exact, 1, 1e-12) << below << ' ' << f;
+            EXPECT_NEAR(f_tail(f, 2, below) / exact, 1, 1e-10) << below << ' ' << f;
         }
     }
 }
