@@ -102,7 +102,7 @@ void scatter(benchmark::State& state, bool glossy) {
     const auto bands = static_cast<std::size_t>(state.range(0));
     const Material material = make_material(leaf(bands, glossy), bands);
     repeat(state, bands, [&](double u0, double u1, std::vector<double>& weights) {
-        return material.side(true).scatter(kNormal, kArriving, {u0, u1}, weights);
+        return material.side(SurfaceSide::upper).scatter(kNormal, kArriving, {u0, u1}, weights);
     });
 }
 
@@ -110,7 +110,7 @@ void gather(benchmark::State& state, bool glossy) {
     const auto bands = static_cast<std::size_t>(state.range(0));
     const Material material = make_material(leaf(bands, glossy), bands);
     repeat(state, bands, [&](double u0, double u1, std::vector<double>& weights) {
-        return material.gather(kNormal, true, -kArriving, {u0, u1}, weights);
+        return material.gather(kNormal, SurfaceSide::upper, -kArriving, {u0, u1}, weights);
     });
 }
 
@@ -120,7 +120,8 @@ void add_reflected(benchmark::State& state) {
     const std::vector<double> weights(bands, 1.0);
     std::vector<double> out(bands);
     for (auto _ : state) {
-        material.add_reflected(kNormal, true, -kArriving, kArriving, 1.0, weights, out);
+        material.add_reflected(
+            kNormal, SurfaceSide::upper, -kArriving, kArriving, 1.0, weights, out);
         benchmark::DoNotOptimize(out.data());
         benchmark::ClobberMemory();
     }

@@ -80,11 +80,11 @@ Material::Material(std::string name, Side upper, Side lower)
 
 std::optional<Material::Gathered> Material::gather(
     const Vec3& n,
-    bool is_upper,
+    SurfaceSide side,
     const Vec3& wo,
     const Draw& draw,
     std::span<double> weights) const {
-    const LobeTable& table = is_upper ? to_upper_ : to_lower_;
+    const LobeTable& table = side == SurfaceSide::upper ? to_upper_ : to_lower_;
     const LobeTable::Choice choice = table.choose(draw, weights);
     if (choice.row == nullptr) {
         return std::nullopt;
@@ -114,13 +114,13 @@ std::optional<Material::Gathered> Material::gather(
 // NOLINTNEXTLINE(readability-function-size): seven arguments, none of which belong together.
 void Material::add_reflected(
     const Vec3& n,
-    bool is_upper,
+    SurfaceSide side,
     const Vec3& wo,
     const Vec3& wi,
     double factor,
     std::span<const double> weights,
     std::span<double> out) const {
-    const LobeTable& table = is_upper ? to_upper_ : to_lower_;
+    const LobeTable& table = side == SurfaceSide::upper ? to_upper_ : to_lower_;
     const double cosine = dot(wi, n);
     const double sign = cosine < 0 ? 1 : -1;
     for (const LobeTable::Row& row : table.rows()) {

@@ -44,7 +44,6 @@ class Material {
     Material(std::string name, Side upper, Side lower);
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    [[nodiscard]] const Side& side(bool is_upper) const { return is_upper ? upper_ : lower_; }
     [[nodiscard]] const Side& side(SurfaceSide side) const {
         return side == SurfaceSide::upper ? upper_ : lower_;
     }
@@ -70,18 +69,18 @@ class Material {
     };
     [[nodiscard]] std::optional<Gathered> gather(
         const Vec3& n,
-        bool is_upper,
+        SurfaceSide side,
         const Vec3& wo,
         const Draw& draw,
         std::span<double> weights) const;
 
     /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, lobes of one direction left out: the radiance
-    /// along `wo` on the side with normal `n` (`is_upper` tells which) per irradiance on a plane
+    /// along `wo` on the side with normal `n` (`side` tells which) per irradiance on a plane
     /// facing light that travels along `wi`, from either side. Adds factor * that * weights[b] to
     /// out[b].
     void add_reflected(
         const Vec3& n,
-        bool is_upper,
+        SurfaceSide side,
         const Vec3& wo,
         const Vec3& wi,
         double factor,

@@ -69,7 +69,8 @@ bool is_black(const Material& material) {
     const auto all_zero = [](std::span<const double> albedo) {
         return std::all_of(albedo.begin(), albedo.end(), [](double a) { return a == 0; });
     };
-    return all_zero(material.side(true).albedo()) && all_zero(material.side(false).albedo());
+    return all_zero(material.side(SurfaceSide::upper).albedo()) &&
+           all_zero(material.side(SurfaceSide::lower).albedo());
 }
 
 std::vector<Warning> lint_unit(const Survey& survey) {

@@ -262,7 +262,7 @@ class FromOrgans final : public Solver {
             rays += next_event_.add_light(sight, surface, place, -away, scratch.path);
             dimension += next_event_.dimensions();
             const auto from = material.gather(
-                surface.normal, surface.side == SurfaceSide::upper, -away,
+                surface.normal, surface.side, -away,
                 {coordinate(stream, point.index, dimension),
                  coordinate(stream, point.index, dimension + 1), roulette_threshold_},
                 scratch.path.weights);

@@ -58,8 +58,8 @@ double mean_albedo(const Scene& scene) {
         if (material.is_transparent()) {
             continue;
         }
-        for (const bool upper : {true, false}) {
-            for (const double albedo : material.side(upper).albedo()) {
+        for (const SurfaceSide side : kSurfaceSides) {
+            for (const double albedo : material.side(side).albedo()) {
                 area += region.area;
                 scattered += region.area * albedo;
             }
@@ -131,8 +131,8 @@ double brightest_peak(const Scene& scene) {
     for (const Material& material : scene.materials()) {
         if (!material.is_transparent()) {
             brightest = std::max(
-                {brightest, brightest_peak(material.side(true)),
-                 brightest_peak(material.side(false))});
+                {brightest, brightest_peak(material.side(SurfaceSide::upper)),
+                 brightest_peak(material.side(SurfaceSide::lower))});
         }
     }
     return brightest;

@@ -23,8 +23,8 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared) {
     for (std::size_t band = 0; band < prepared.bands(); ++band) {
         double largest = 0;
         for (const Material& material : prepared.scene().materials()) {
-            for (const bool upper : {true, false}) {
-                const double albedo = material.side(upper).albedo()[band];
+            for (const SurfaceSide side : kSurfaceSides) {
+                const double albedo = material.side(side).albedo()[band];
                 largest = std::max(largest, material.is_transparent() ? 0 : albedo);
             }
         }

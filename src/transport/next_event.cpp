@@ -45,8 +45,8 @@ std::uint64_t NextEvent::add_light(
         path.products[b] = path.weights[b] * sight.light->start_weights[b];
     }
     material.add_reflected(
-        surface.normal, surface.side == SurfaceSide::upper, out, -sight.to_light, sight.factor,
-        path.products, path.gathered);
+        surface.normal, surface.side, out, -sight.to_light, sight.factor, path.products,
+        path.gathered);
     return 1;
 }
 

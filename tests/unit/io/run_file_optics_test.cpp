@@ -22,8 +22,8 @@ const Material& leaf_of(const RunFile& run) {
 TEST(MaterialKeys, OneNumberCountsForAllBands) {
     const RunFile run = read_text(
         two_bands("[[material]]\nname = 'leaf'\nreflectance = 0.1\ntransmittance = 0.2\n").text());
-    for (const bool upper : {true, false}) {
-        for (const double absorptance : leaf_of(run).side(upper).absorptance()) {
+    for (const SurfaceSide side : kSurfaceSides) {
+        for (const double absorptance : leaf_of(run).side(side).absorptance()) {
             EXPECT_DOUBLE_EQ(absorptance, 0.7);
         }
     }
@@ -34,8 +34,8 @@ TEST(MaterialKeys, AListOrATableGivesEachBandItsOwn) {
         const RunFile run = read_text(
             two_bands(std::string("[[material]]\nname = 'leaf'\nreflectance = ") + values + "\n")
                 .text());
-        EXPECT_DOUBLE_EQ(leaf_of(run).side(true).absorptance()[0], 0.9);
-        EXPECT_DOUBLE_EQ(leaf_of(run).side(true).absorptance()[1], 0.6);
+        EXPECT_DOUBLE_EQ(leaf_of(run).side(SurfaceSide::upper).absorptance()[0], 0.9);
+        EXPECT_DOUBLE_EQ(leaf_of(run).side(SurfaceSide::upper).absorptance()[1], 0.6);
     }
 }
 
@@ -44,8 +44,8 @@ TEST(MaterialKeys, ASideGoesBeforeTheCommonValues) {
         read_text(two_bands("[[material]]\nname = 'leaf'\nreflectance = 0.1\ntransmittance = 0.3\n"
                             "[material.lower]\nreflectance = 0.2\n")
                       .text());
-    EXPECT_DOUBLE_EQ(leaf_of(run).side(true).absorptance()[0], 0.6);
-    EXPECT_DOUBLE_EQ(leaf_of(run).side(false).absorptance()[0], 0.5);
+    EXPECT_DOUBLE_EQ(leaf_of(run).side(SurfaceSide::upper).absorptance()[0], 0.6);
+    EXPECT_DOUBLE_EQ(leaf_of(run).side(SurfaceSide::lower).absorptance()[0], 0.5);
 }
 
 TEST(MaterialKeys, AModelOfASideNeedsAnExponentOfItsOwn) {

@@ -277,13 +277,16 @@ TEST(GeometryKeys, AMaterialOfTheRunGoesBeforeTheLibrary) {
         "[[material]]\nname = 'green'\nreflectance = 0.05\n[[material]]\nname = "
         "'brown'\nreflectance = 0.5\n";
     const RunFile run = read_text(text.text(), {{"a.obj", kObj}, {"a.mtl", kMtl}});
-    EXPECT_DOUBLE_EQ(run.scene.material(run.scene.regions()[0]).side(true).absorptance()[0], 0.95);
+    EXPECT_DOUBLE_EQ(
+        run.scene.material(run.scene.regions()[0]).side(SurfaceSide::upper).absorptance()[0], 0.95);
 }
 
 TEST(GeometryKeys, TheLibraryIsTheLastResortAndWarns) {
     const RunFile run = read_text(
         with_geometry("file = 'sub/a.obj'\n").text(), {{"sub/a.obj", kObj}, {"sub/a.mtl", kMtl}});
-    EXPECT_NEAR(run.scene.material(run.scene.regions()[0]).side(true).absorptance()[0], 0.8, 1e-12);
+    EXPECT_NEAR(
+        run.scene.material(run.scene.regions()[0]).side(SurfaceSide::upper).absorptance()[0], 0.8,
+        1e-12);
     std::vector<std::string> warnings;
     for (const Warning& warning : run.warnings) {
         warnings.push_back(warning.text);

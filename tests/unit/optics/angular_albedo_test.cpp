@@ -100,7 +100,9 @@ class WaxyLeaf : public ::testing::TestWithParam<std::size_t> {
     std::vector<double> before_ = varied_weights(bands_);
 
     /// A lobe of the side, all of its sides being alike.
-    [[nodiscard]] std::span<const Lobe> lobes() const { return leaf_.side(true).lobes(); }
+    [[nodiscard]] std::span<const Lobe> lobes() const {
+        return leaf_.side(SurfaceSide::upper).lobes();
+    }
 
     template <typename Expected>
     void expect_mean(
@@ -114,7 +116,7 @@ class WaxyLeaf : public ::testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(WaxyLeaf, TellsItsAlbedoAtEveryAngle) {
-    const Side& side = leaf_.side(true);
+    const Side& side = leaf_.side(SurfaceSide::upper);
     EXPECT_FALSE(side.has_constant_albedo());
     EXPECT_FALSE(leaf_.has_constant_albedo());
     for (const double cosine : {1.0, 0.7, 0.2, 0.01}) {
@@ -136,7 +138,8 @@ TEST_P(WaxyLeaf, ScatteredLightIsTheAlbedoAtTheAngleInEveryBand) {
         for (int i = 0; i < 200000; ++i) {
             std::vector<double> weights = before_;
             const double u0 = random();
-            const auto scattered = leaf_.side(true).scatter(n, wi, {u0, random()}, weights);
+            const auto scattered =
+                leaf_.side(SurfaceSide::upper).scatter(n, wi, {u0, random()}, weights);
             for (std::size_t b = 0; b < bands_; ++b) {
                 all[b].add(scattered ? weights[b] : 0);
                 skew[b].add(scattered ? weights[b] * smooth(1, scattered->wo) : 0);
@@ -144,7 +147,8 @@ TEST_P(WaxyLeaf, ScatteredLightIsTheAlbedoAtTheAngleInEveryBand) {
         }
         const double cosine = -dot(wi, n);
         expect_mean(
-            all, [&](std::size_t b) { return leaf_.side(true).albedo(b, cosine); }, "all");
+            all, [&](std::size_t b) { return leaf_.side(SurfaceSide::upper).albedo(b, cosine); },
+            "all");
         expect_mean(
             skew,
             [&](std::size_t b) {
@@ -165,7 +169,7 @@ TEST_P(WaxyLeaf, ScatteredLightIsTheAlbedoAtTheAngleInEveryBand) {
 
 TEST_P(WaxyLeaf, InTwoStepsItScattersTheSame) {
     const auto [n, wi] = incidence_at(60);
-    const Side& side = leaf_.side(true);
+    const Side& side = leaf_.side(SurfaceSide::upper);
     Random random(6);
     for (int i = 0; i < 1000; ++i) {
         std::vector<double> weights = before_, in_steps = before_;
@@ -190,20 +194,19 @@ TEST_P(WaxyLeaf, GatherAndScatterGiveTheSameTransport) {
         return direction_at(normal, z, random());
     };
     for (int i = 0; i < 300000; ++i) {
-        const bool is_upper = random() < 0.5;
-        const Vec3 arrival_normal = is_upper ? n : -n;
+        const SurfaceSide at = random() < 0.5 ? SurfaceSide::upper : SurfaceSide::lower;
+        const Vec3 arrival_normal = at == SurfaceSide::upper ? n : -n;
         std::vector<double> weights(bands_, 2.0);
         const Vec3 wi = -draw(arrival_normal);
         double u0 = random();
-        const auto scattered =
-            leaf_.side(is_upper).scatter(arrival_normal, wi, {u0, random()}, weights);
+        const auto scattered = leaf_.side(at).scatter(arrival_normal, wi, {u0, random()}, weights);
         const bool counts = scattered && dot(scattered->wo, n) > 0;
         const double g = counts ? smooth(1, wi) * smooth(2, scattered->wo) : 0;
 
         std::vector<double> weights_back(bands_, 1.0);
         const Vec3 wo = draw(n);
         u0 = random();
-        const auto gathered = leaf_.gather(n, true, wo, {u0, random()}, weights_back);
+        const auto gathered = leaf_.gather(n, SurfaceSide::upper, wo, {u0, random()}, weights_back);
         const double g_back = gathered ? smooth(1, gathered->wi) * smooth(2, wo) : 0;
         for (std::size_t b = 0; b < bands_; ++b) {
             forwards[b].add(g * weights[b]);
@@ -226,7 +229,7 @@ TEST_P(WaxyLeaf, LookingUpEqualsTheDefinition) {
         const Vec3 wi = -direction_at(n, random(), 0.3);
         const double f = fresnel(kAtNormal, -dot(wi, n));
         std::vector<double> out(bands_, 0.0);
-        leaf_.add_reflected(n, true, wo, wi, 3.0, before_, out);
+        leaf_.add_reflected(n, SurfaceSide::upper, wo, wi, 3.0, before_, out);
         for (std::size_t b = 0; b < bands_; ++b) {
             const double matt = lobes()[1].albedo[b] / std::numbers::pi;
             const double sharp =
@@ -252,8 +255,12 @@ TEST(AngularAlbedo, ASideWithoutItHasOneAlbedo) {
     const Material leaf = make_material(varied_leaf(3, 3), 3);
     EXPECT_TRUE(leaf.has_constant_albedo());
     for (std::size_t b = 0; b < 3; ++b) {
-        EXPECT_EQ(leaf.side(true).albedo(b, 0.3), leaf.side(true).albedo()[b]);
-        EXPECT_EQ(leaf.side(true).absorptance(b, 0.3), leaf.side(true).absorptance()[b]);
+        EXPECT_EQ(
+            leaf.side(SurfaceSide::upper).albedo(b, 0.3),
+            leaf.side(SurfaceSide::upper).albedo()[b]);
+        EXPECT_EQ(
+            leaf.side(SurfaceSide::upper).absorptance(b, 0.3),
+            leaf.side(SurfaceSide::upper).absorptance()[b]);
     }
 }
 

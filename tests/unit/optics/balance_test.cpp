@@ -82,7 +82,7 @@ class ManyBands : public ::testing::TestWithParam<Spectrum> {
 };
 
 TEST_P(ManyBands, ScatterIsUnbiasedInEveryBand) {
-    const Side& side = leaf_.side(false);
+    const Side& side = leaf_.side(SurfaceSide::lower);
     auto expected = zeros();
     for (const Lobe& lobe : side.lobes()) {
         const auto pdf = [&](const Vec3& wo) { return lobe.shape->pdf(at_.n, at_.wi, wo); };
@@ -117,7 +117,7 @@ TEST_P(ManyBands, GatherIsUnbiasedInEveryBand) {
     }
     const auto draw = [&](double u0, double u1, std::span<double> w) {
         const auto gathered =
-            leaf_.gather(at_.n, false, wo, {u0, u1, GetParam().roulette_threshold}, w);
+            leaf_.gather(at_.n, SurfaceSide::lower, wo, {u0, u1, GetParam().roulette_threshold}, w);
         return gathered ? std::optional(gathered->wi) : std::nullopt;
     };
     expect_unbiased(draw, expected, 0.2);
@@ -127,20 +127,20 @@ TEST_P(ManyBands, LookingUpEqualsTheDefinition) {
     const Vec3 wo = -at_.wi;
     Random random(10);
     for (int i = 0; i < 200; ++i) {
-        const bool is_upper = random() < 0.5;
+        const SurfaceSide at = random() < 0.5 ? SurfaceSide::upper : SurfaceSide::lower;
         const bool is_through = random() < 0.5;
         const Vec3 arrival_normal = is_through ? -at_.n : at_.n;
         const double z = random();
         const Vec3 wi = -direction_at(arrival_normal, z, random());
         std::vector<double> expected(bands_, 7.0);
-        for (const Lobe& lobe : leaf_.side(is_upper != is_through).lobes()) {
+        for (const Lobe& lobe : leaf_.side(is_through ? opposite(at) : at).lobes()) {
             const double bsdf = lobe.shape->pdf(arrival_normal, wi, wo) / std::abs(dot(wo, at_.n));
             for (std::size_t b = 0; b < bands_; ++b) {
                 expected[b] += 3 * lobe.albedo[b] * bsdf * std::abs(dot(wi, at_.n)) * before_[b];
             }
         }
         std::vector<double> out(bands_, 7.0);
-        leaf_.add_reflected(at_.n, is_upper, wo, wi, 3.0, before_, out);
+        leaf_.add_reflected(at_.n, at, wo, wi, 3.0, before_, out);
         for (std::size_t b = 0; b < bands_; ++b) {
             ASSERT_NEAR(out[b], expected[b], 1e-9 * expected[b]);
         }
@@ -182,20 +182,19 @@ TEST(ManyBandsReversed, GatherAndScatterGiveTheSameTransport) {
     };
     for (unsigned i = 0; i < kPaths; ++i) {
         // Light leaves on the upper side; it arrives there or, as often, on the lower side.
-        const bool is_upper = random() < 0.5;
-        const Vec3 arrival_normal = is_upper ? n : -n;
+        const SurfaceSide at = random() < 0.5 ? SurfaceSide::upper : SurfaceSide::lower;
+        const Vec3 arrival_normal = at == SurfaceSide::upper ? n : -n;
         std::vector<double> weights(kBands, 2.0);
         const Vec3 wi = -random_direction(arrival_normal);
         double u0 = random();
-        const auto scattered =
-            leaf.side(is_upper).scatter(arrival_normal, wi, {u0, random()}, weights);
+        const auto scattered = leaf.side(at).scatter(arrival_normal, wi, {u0, random()}, weights);
         const bool counts = scattered && dot(scattered->wo, n) > 0;
         const double g = counts ? smooth(1, wi) * smooth(2, scattered->wo) : 0;
 
         std::vector<double> weights_back(kBands, 1.0);
         const Vec3 wo = random_direction(n);
         u0 = random();
-        const auto gathered = leaf.gather(n, true, wo, {u0, random()}, weights_back);
+        const auto gathered = leaf.gather(n, SurfaceSide::upper, wo, {u0, random()}, weights_back);
         const double g_back = gathered ? smooth(1, gathered->wi) * smooth(2, wo) : 0;
         for (std::size_t b = 0; b < kBands; ++b) {
             forwards[b].add(g * weights[b]);

@@ -142,20 +142,24 @@ TEST(MakeMaterial, MergesEqualLobesOfTheBandsAndDropsBlackOnes) {
     spec.upper[1].transmittance = 0;
     spec.upper[2].transmittance = 0;
     const Material m = make_material(spec, 5);
-    ASSERT_EQ(m.side(true).lobes().size(), 3U);
-    EXPECT_EQ(m.side(true).lobes()[0].albedo, (std::vector<double>{0.1, 0.1, 0.1, 0.1, 0.1}));
-    EXPECT_EQ(m.side(true).lobes()[1].albedo, (std::vector<double>{0.05, 0, 0, 0, 0.05}));
-    EXPECT_EQ(m.side(true).lobes()[2].albedo, (std::vector<double>{0, 0, 0, 0.05, 0}));
-    EXPECT_EQ(m.side(false).lobes().size(), 2U);
+    ASSERT_EQ(m.side(SurfaceSide::upper).lobes().size(), 3U);
+    EXPECT_EQ(
+        m.side(SurfaceSide::upper).lobes()[0].albedo,
+        (std::vector<double>{0.1, 0.1, 0.1, 0.1, 0.1}));
+    EXPECT_EQ(
+        m.side(SurfaceSide::upper).lobes()[1].albedo, (std::vector<double>{0.05, 0, 0, 0, 0.05}));
+    EXPECT_EQ(
+        m.side(SurfaceSide::upper).lobes()[2].albedo, (std::vector<double>{0, 0, 0, 0.05, 0}));
+    EXPECT_EQ(m.side(SurfaceSide::lower).lobes().size(), 2U);
     EXPECT_EQ(m.bands(), 5U);
     EXPECT_EQ(m.name(), "leaf");
 }
 
 TEST(MakeMaterial, KeepsReflectedAndTransmittedLobesApart) {
     const Material m = make_material(grey_leaf(1), 1);
-    ASSERT_EQ(m.side(true).lobes().size(), 2U);
-    EXPECT_EQ(m.side(true).lobes()[0].shape->hemisphere(), Hemisphere::reflected);
-    EXPECT_EQ(m.side(true).lobes()[1].shape->hemisphere(), Hemisphere::transmitted);
+    ASSERT_EQ(m.side(SurfaceSide::upper).lobes().size(), 2U);
+    EXPECT_EQ(m.side(SurfaceSide::upper).lobes()[0].shape->hemisphere(), Hemisphere::reflected);
+    EXPECT_EQ(m.side(SurfaceSide::upper).lobes()[1].shape->hemisphere(), Hemisphere::transmitted);
 }
 
 }  // namespace

@@ -36,28 +36,28 @@ TEST(Material, GathersThroughTheOtherSidesTransmittance) {
         leaf({.reflectance = 0.25, .transmittance = 0.5}, {.transmittance = 0.125}), 1);
     // To the upper side lead its own reflectance, 0.25, and the lower side's transmittance, 0.125.
     std::vector<double> weights{1.0};
-    const auto from_above = m.gather(kUp, true, kSlanted, {0.2, 0.5}, weights);
+    const auto from_above = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.2, 0.5}, weights);
     ASSERT_TRUE(from_above);
     EXPECT_LT(from_above->wi.z, 0);
-    const auto from_below = m.gather(kUp, true, kSlanted, {0.3, 0.5}, weights);
+    const auto from_below = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.3, 0.5}, weights);
     ASSERT_TRUE(from_below);
     EXPECT_GT(from_below->wi.z, 0);
-    EXPECT_FALSE(m.gather(kUp, true, kSlanted, {0.376, 0.5}, weights));
+    EXPECT_FALSE(m.gather(kUp, SurfaceSide::upper, kSlanted, {0.376, 0.5}, weights));
     EXPECT_DOUBLE_EQ(weights[0], 1);
     // To the lower side leads the upper side's transmittance alone.
-    const auto on_lower = m.gather(-kUp, false, -kSlanted, {0.49, 0.5}, weights);
+    const auto on_lower = m.gather(-kUp, SurfaceSide::lower, -kSlanted, {0.49, 0.5}, weights);
     ASSERT_TRUE(on_lower);
     EXPECT_LT(on_lower->wi.z, 0);
-    EXPECT_FALSE(m.gather(-kUp, false, -kSlanted, {0.51, 0.5}, weights));
+    EXPECT_FALSE(m.gather(-kUp, SurfaceSide::lower, -kSlanted, {0.51, 0.5}, weights));
 }
 
 TEST(Material, GathersWithGrowingWeightsWhereMoreThanAllLightLeadsToOneSide) {
     const Material m = make_material(leaf({.reflectance = 0.9}, {.transmittance = 0.6}), 1);
     std::vector<double> weights{1.0};
-    ASSERT_TRUE(m.gather(kUp, true, kSlanted, {0.59, 0.5}, weights));
+    ASSERT_TRUE(m.gather(kUp, SurfaceSide::upper, kSlanted, {0.59, 0.5}, weights));
     EXPECT_DOUBLE_EQ(weights[0], 1.5);
     weights = {1.0};
-    const auto through = m.gather(kUp, true, kSlanted, {1 - 0x1p-53, 0.5}, weights);
+    const auto through = m.gather(kUp, SurfaceSide::upper, kSlanted, {1 - 0x1p-53, 0.5}, weights);
     ASSERT_TRUE(through);
     EXPECT_GT(through->wi.z, 0);
     EXPECT_DOUBLE_EQ(weights[0], 1.5);
@@ -70,17 +70,17 @@ TEST(Material, GathersMoreThanAllLightOfSeveralBands) {
     const Material m = make_material({"leaf", {bright, dim}, {thin, thin}}, 2);
     // Powers 0.9 + 0.2 reflected and 0.7 + 0.7 from below, 2.5 in all, of weights 2.
     std::vector<double> weights{1.0, 1.0};
-    const auto reflected = m.gather(kUp, true, kSlanted, {0.43, 0.5}, weights);
+    const auto reflected = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.43, 0.5}, weights);
     ASSERT_TRUE(reflected);
     EXPECT_LT(reflected->wi.z, 0);
     EXPECT_DOUBLE_EQ(weights[0], 0.9 * 2.5 / 1.1);
     EXPECT_DOUBLE_EQ(weights[1], 0.2 * 2.5 / 1.1);
     weights = {1.0, 1.0};
-    const auto through = m.gather(kUp, true, kSlanted, {0.45, 0.5}, weights);
+    const auto through = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.45, 0.5}, weights);
     ASSERT_TRUE(through);
     EXPECT_GT(through->wi.z, 0);
     EXPECT_DOUBLE_EQ(weights[0], 0.7 * 2.5 / 1.4);
-    EXPECT_TRUE(m.gather(kUp, true, kSlanted, {1 - 0x1p-53, 0.5}, weights));
+    EXPECT_TRUE(m.gather(kUp, SurfaceSide::upper, kSlanted, {1 - 0x1p-53, 0.5}, weights));
 }
 
 TEST(Material, GathersAlongTheDirectionOfAMirror) {
@@ -90,16 +90,16 @@ TEST(Material, GathersAlongTheDirectionOfAMirror) {
             {.transmittance = 0.25, .transmission_model = "mirror"}),
         1);
     std::vector<double> weights{1.0};
-    const auto mirrored = m.gather(kUp, true, kSlanted, {0.4, 0.5}, weights);
+    const auto mirrored = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.4, 0.5}, weights);
     ASSERT_TRUE(mirrored);
     EXPECT_TRUE(mirrored->delta);
     EXPECT_EQ(mirrored->wi, (Vec3{0.6, 0, -0.8}));
-    const auto through = m.gather(kUp, true, kSlanted, {0.6, 0.5}, weights);
+    const auto through = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.6, 0.5}, weights);
     ASSERT_TRUE(through);
     EXPECT_EQ(through->wi, kSlanted);
     EXPECT_DOUBLE_EQ(weights[0], 1);
     std::vector<double> out{0.0};
-    m.add_reflected(kUp, true, kSlanted, {0.6, 0, -0.8}, 1, weights, out);
+    m.add_reflected(kUp, SurfaceSide::upper, kSlanted, {0.6, 0, -0.8}, 1, weights, out);
     EXPECT_EQ(out[0], 0) << "a mirror is followed, not looked up";
 }
 
@@ -111,14 +111,14 @@ TEST(Material, GathersNothingButNumbersAlongTheSurface) {
         for (int i = 0; i < 1000; ++i) {
             std::vector<double> weights(4, 1.0);
             const double u0 = random();
-            const auto gathered = m.gather(kUp, true, wo, {u0, random()}, weights);
+            const auto gathered = m.gather(kUp, SurfaceSide::upper, wo, {u0, random()}, weights);
             for (const double w : weights) {
                 ASSERT_TRUE(std::isfinite(w) && w >= 0) << z;
             }
             std::vector<double> out(4, 0.0);
             if (gathered) {
                 ASSERT_TRUE(is_finite(gathered->wi));
-                m.add_reflected(kUp, true, wo, gathered->wi, 1, weights, out);
+                m.add_reflected(kUp, SurfaceSide::upper, wo, gathered->wi, 1, weights, out);
             }
         }
     }
@@ -129,13 +129,13 @@ TEST(Material, LooksUpLambertianLightFromBothSides) {
         leaf({.reflectance = 0.5, .transmittance = 0.25}, {.transmittance = 0.125}), 1);
     const std::vector<double> weights{2.0};
     std::vector<double> out{1.0};
-    m.add_reflected(kUp, true, kSlanted, -kSlanted, 3, weights, out);
+    m.add_reflected(kUp, SurfaceSide::upper, kSlanted, -kSlanted, 3, weights, out);
     EXPECT_DOUBLE_EQ(out[0], 1 + 3 * 2 * 0.5 * 0.8 / std::numbers::pi);
     out = {1.0};
-    m.add_reflected(kUp, true, kUp, kSlanted, 3, weights, out);
+    m.add_reflected(kUp, SurfaceSide::upper, kUp, kSlanted, 3, weights, out);
     EXPECT_DOUBLE_EQ(out[0], 1 + 3 * 2 * 0.125 * 0.8 / std::numbers::pi);
     out = {1.0};
-    m.add_reflected(-kUp, false, -kUp, -kSlanted, 3, weights, out);
+    m.add_reflected(-kUp, SurfaceSide::lower, -kUp, -kSlanted, 3, weights, out);
     EXPECT_DOUBLE_EQ(out[0], 1 + 3 * 2 * 0.25 * 0.8 / std::numbers::pi);
 }
 

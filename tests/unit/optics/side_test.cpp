@@ -63,7 +63,8 @@ TEST(Side, EndsLightWithoutWeight) {
     const Material leaf = make_material(varied_leaf(3, 3), 3);
     for (const double u0 : {0.0, 0.5, kBelowOne}) {
         std::vector<double> weights(3, 0.0);
-        EXPECT_FALSE(leaf.side(true).scatter({0, 0, 1}, {0, 0, -1}, {u0, 0.5}, weights));
+        EXPECT_FALSE(
+            leaf.side(SurfaceSide::upper).scatter({0, 0, 1}, {0, 0, -1}, {u0, 0.5}, weights));
     }
     std::vector<double> none(1, 0.0);
     const Side white({lobe("lambertian", Hemisphere::reflected, 0, {1.0})}, 1);
@@ -162,7 +163,7 @@ class SideOfManyBands : public ::testing::TestWithParam<BandCount> {
   protected:
     std::size_t bands_ = GetParam().bands;
     Material leaf_ = make_material(varied_leaf(bands_, GetParam().exponents), bands_);
-    const Side& side_ = leaf_.side(true);
+    const Side& side_ = leaf_.side(SurfaceSide::upper);
     std::vector<double> before_ = varied_weights(bands_);
     Incidence at_ = incidence_at(50);
 };

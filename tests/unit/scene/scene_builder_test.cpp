@@ -140,7 +140,7 @@ TEST(SceneBuilder, TakesMaterialsBeforeAndAfterOrgans) {
     builder.add_material(lambertian("bark", 0.3, 0));
     const Scene scene = std::move(builder).build();
     EXPECT_EQ(scene.material(scene.regions()[0]).name(), "bark");
-    EXPECT_DOUBLE_EQ(scene.materials()[0].side(true).albedo()[0], 0.3);
+    EXPECT_DOUBLE_EQ(scene.materials()[0].side(SurfaceSide::upper).albedo()[0], 0.3);
 }
 
 TEST(SceneBuilder, TurnsYUpIntoZUp) {
