@@ -16,7 +16,7 @@ struct Bounds {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    void add(const Bounds& other) {
+    void include(const Bounds& other) {
         if (!other.empty()) {
             add(other.low);
             add(other.high);

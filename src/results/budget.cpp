@@ -40,8 +40,10 @@ class FlowReader {
         const bool is_ground = scene_.organs()[region.organ.value].is_ground;
         double& absorbed = is_ground ? flows.ground : flows.organs;
         const bool is_summed = layout_.absorbed_light == AbsorbedLight::summed;
-        const double own =
-            is_summed ? bins.value(layout_.absorbed(index) + band_) * unit(index) : 0;
+        const double own = is_summed ? (bins.value(layout_.absorbed_direct(index) + band_) +
+                                        bins.value(layout_.absorbed_scattered(index) + band_)) *
+                                           unit(index)
+                                     : 0;
         absorbed += own;
         flows.roulette += is_summed && !material.is_transparent() ? own : 0;
         for (const SurfaceSide which : kSurfaceSides) {

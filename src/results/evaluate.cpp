@@ -127,7 +127,11 @@ class OrganReader {
     [[nodiscard]] double absorbed(
         const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
         if (sums_.layout.absorbed_light == AbsorbedLight::summed) {
-            return bins.value(sums_.layout.absorbed(region) + band) * units_.flux(region, band);
+            const SumLayout& layout = sums_.layout;
+            const bool is_counted = spec_.direct_light == DirectLight::counted;
+            const double direct = bins.value(layout.absorbed_direct(region) + band);
+            const double scattered = bins.value(layout.absorbed_scattered(region) + band);
+            return ((is_counted ? direct : 0) + scattered) * units_.flux(region, band);
         }
         const Material& material = material_of(region);
         return (in.direct_upper + in.scattered_upper) *

@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <string>
 #include <utility>
 
 #include "base/executor.h"
 #include "base/parallel.h"
 #include "results/evaluate.h"
+#include "run/digest.h"
 #include "run/rounds.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
@@ -71,6 +73,22 @@ RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
     return audit;
 }
 
+void require_light(const PreparedScene& prepared) {
+    if (prepared.lights().empty()) {
+        throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
+    }
+}
+
+/// Whether paths from `first` on are a round that run() could trace.
+void check_first_path(const Sampler& sampler, const RunSpec& spec, std::uint64_t first) {
+    const bool is_whole = first % spec.paths == 0;
+    if (!is_whole || (sampler.needs_power_of_two() && first > spec.paths)) {
+        throw InputError(
+            {{"first", std::to_string(first), "rounds of " + spec.sampler + " must be whole",
+              "use 0 or " + std::to_string(spec.paths)}});
+    }
+}
+
 }  // namespace
 
 Result run(
@@ -102,16 +120,36 @@ Result Simulator::run(
     return result;
 }
 
+Sums Simulator::sums(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
+    Faults faults;
+    check_run(scene, sources, spec, faults);
+    faults.throw_if_any();
+    RunSpec planned = spec;
+    planned.method = plan_method(scene, sources, spec).method;
+    check_first_path(sampler_for(spec.sampler), spec, first);
+    const PreparedScene prepared = prepare(scene, sources, planned);
+    require_light(prepared);
+    Sums sums = empty_sums(prepared, planned);
+    sums.digest = digest_of(prepared, planned);
+    Executor executor(thread_count(planned.threads));
+    make_solver({prepared, sampler_for(planned.sampler), planned})
+        ->solve({first, planned.paths}, executor, sums);
+    return sums;
+}
+
+PreparedScene Simulator::prepare(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    return {scene, sources, spec.window, caster_for(scene, spec.engine)};
+}
+
 Result Simulator::trace(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
     const std::function<void(const Progress&)>& on_progress) {
     const Clock::time_point start = Clock::now();
-    const PreparedScene prepared(scene, sources, spec.window, caster_for(scene, spec.engine));
-    if (prepared.lights().empty()) {
-        throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
-    }
+    const PreparedScene prepared = prepare(scene, sources, spec);
+    require_light(prepared);
     const auto solver = make_solver({prepared, sampler_for(spec.sampler), spec});
     Sums sums = empty_sums(prepared, spec);
     const double build_seconds = seconds_since(start);

@@ -9,6 +9,8 @@
 #include "geometry/cast/ray_caster.h"
 #include "run/run.h"
 #include "samplers/sampler.h"
+#include "sums/sums.h"
+#include "transport/prepared_scene.h"
 
 namespace quasimc {
 
@@ -26,6 +28,15 @@ class Simulator {
         const RunSpec& spec,
         const std::function<void(const Progress&)>& on_progress = {});
 
+    /// The sums of one round of RunSpec::paths, as a value: they can be saved, added to those of
+    /// other rounds of the same run, and evaluated (results/evaluate.h). Their digest is set.
+    /// Targets and budgets of time or paths are left alone.
+    /// @param first  the round's first path: a multiple of the paths; of a point set whose rounds
+    ///        are powers of two 0, or as many as the paths
+    /// @throws InputError  as run() does
+    [[nodiscard]] Sums sums(
+        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first = 0);
+
     /// How often an acceleration structure had to be built.
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
@@ -36,6 +47,8 @@ class Simulator {
         const Sources& sources,
         const RunSpec& spec,
         const std::function<void(const Progress&)>& on_progress);
+    [[nodiscard]] PreparedScene prepare(
+        const Scene& scene, const Sources& sources, const RunSpec& spec);
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 

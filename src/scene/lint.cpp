@@ -23,8 +23,7 @@ Bounds bounds_of(const Scene& scene, const Organ& organ, const std::vector<Bound
     for (std::size_t i = organ.first_triangle; i < end;) {
         if (i >= triangles.mesh().size()) {
             const std::uint32_t k = triangles.ranges().find(static_cast<std::uint32_t>(i));
-            bounds.add(instances[k].low);
-            bounds.add(instances[k].high);
+            bounds.include(instances[k]);
             i += triangles.ranges().count(k);
             continue;
         }
@@ -44,8 +43,7 @@ Survey survey_of(const Scene& scene) {
         const Bounds bounds = bounds_of(scene, organ, instances);
         survey.organ_bounds.push_back(bounds);
         if (!organ.is_ground) {
-            survey.canopy.add(bounds.low);
-            survey.canopy.add(bounds.high);
+            survey.canopy.include(bounds);
         }
     }
     return survey;

@@ -76,7 +76,7 @@ Scene SceneBuilder::build() && {
         draft_.add(std::move(ground));
         if (faults.size() == before) {
             const std::size_t last = draft_.organs.size() - 1;
-            bounds.add(check_triangles(draft_, last, orientation_, organ_faults));
+            bounds.include(check_triangles(draft_, last, orientation_, organ_faults));
         }
     }
     if (faults.size() == before) {

@@ -290,7 +290,7 @@ Bounds check_triangles(
         }
         for (const DraftPart& part : parts) {
             if (part.copy != DraftPart::kNoCopy) {
-                bounds.add(copies[part.copy]);
+                bounds.include(copies[part.copy]);
             }
             for (std::size_t k = 0; k < part.face_count; ++k) {
                 for (const Vec3& corner : draft.mesh[part.first_face + k]) {

@@ -50,7 +50,9 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     sums.layout = {
         .regions = prepared.scene().regions().size(),
         .spectra = prepared.spectra().size(),
-        .bands = prepared.bands()};
+        .bands = prepared.bands(),
+        .absorbed_light =
+            prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed};
     sums.units = std::move(meaning.units);
     sums.spectra = prepared.spectra();
     sums.emitted_flux = prepared.flux();

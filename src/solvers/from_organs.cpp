@@ -19,6 +19,7 @@
 #include "base/distribution.h"
 #include "solvers/block_runner.h"
 #include "sources/hemisphere.h"
+#include "transport/absorbed_light.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
 #include "transport/particle.h"
@@ -105,7 +106,7 @@ class FromOrgans final : public Solver {
     [[nodiscard]] std::uint64_t blocks(const Round& round) const {
         const std::uint64_t each = points(round.count);
         return each >= kPointsPerBlock ? organs() * (each / kPointsPerBlock)
-                              : (organs() * each + kPointsPerBlock - 1) / kPointsPerBlock;
+                                       : (organs() * each + kPointsPerBlock - 1) / kPointsPerBlock;
     }
 
     void trace(
@@ -175,9 +176,14 @@ class FromOrgans final : public Solver {
             return 1;
         }
         const SumLayout& layout = tally.layout();
-        tally.add(
-            layout.direct(point.region, side_facing(-cosine), sight.light->spectrum),
-            to_fixed(sight.factor * std::abs(cosine)));
+        const SurfaceSide side = side_facing(-cosine);
+        const double amount = sight.factor * std::abs(cosine);
+        tally.add(layout.direct(point.region, side, sight.light->spectrum), to_fixed(amount));
+        score_absorbed(
+            prepared_,
+            {point.region, side, std::abs(cosine), LightPart::direct, amount,
+             sight.light->start_weights},
+            tally);
         if (sight.light->sun_share > 0) {
             tally.add(
                 layout.sunlit(point.region),
@@ -191,25 +197,28 @@ class FromOrgans final : public Solver {
     std::uint64_t score_scattered(
         const Stream& stream, const Point& point, Scratch& scratch, Tally& tally) const {
         const std::uint32_t dimension = 2 + next_event_.dimensions();
-        const double side = 2 * coordinate(stream, point.index, dimension);
-        const bool is_lower = side >= 1;
-        const Vec3 normal = is_lower ? -point.up : point.up;
+        const double pick = 2 * coordinate(stream, point.index, dimension);
+        const SurfaceSide side = pick < 1 ? SurfaceSide::upper : SurfaceSide::lower;
+        const Vec3 normal = side == SurfaceSide::upper ? point.up : -point.up;
         // Of the square of the sine; less than 1 for sensors with a narrow field of view.
         const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
         const Vec3 away = cosine_direction_about(
-            normal, part * (is_lower ? side - 1 : side),
+            normal, part * (side == SurfaceSide::upper ? pick : pick - 1),
             coordinate(stream, point.index, dimension + 1));
         std::fill(scratch.path.weights.begin(), scratch.path.weights.end(), 1.0);
         std::fill(scratch.path.gathered.begin(), scratch.path.gathered.end(), 0.0);
         const std::uint64_t rays = gather(stream, point, away, dimension + 2, scratch);
+        // pi for the cosine law, 2 for the choice of a side.
+        const double factor = 2 * std::numbers::pi * part;
         for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
-            // pi for the cosine law, 2 for the choice of a side.
-            scratch.fixed[b] = to_fixed(2 * std::numbers::pi * part * scratch.path.gathered[b]);
+            scratch.fixed[b] = to_fixed(factor * scratch.path.gathered[b]);
         }
-        tally.add(
-            tally.layout().scattered(
-                point.region, is_lower ? SurfaceSide::lower : SurfaceSide::upper),
-            scratch.fixed);
+        tally.add(tally.layout().scattered(point.region, side), scratch.fixed);
+        score_absorbed(
+            prepared_,
+            {point.region, side, dot(away, normal), LightPart::scattered, factor,
+             scratch.path.gathered},
+            tally);
         return rays;
     }
 

@@ -12,6 +12,7 @@
 
 #include "base/checks.h"
 #include "base/distribution.h"
+#include "transport/absorbed_light.h"
 
 namespace quasimc {
 namespace {
@@ -229,11 +230,15 @@ std::uint64_t LightTracer::shade(
             const PrimitiveInfo& primitive = prepared_.primitive(packet.triangle[lane]);
             const SurfaceSide side = side_facing(static_cast<double>(facing.along[lane]));
             const double lit = light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
-            if (prepared_.in_field_of_view(
-                    primitive.region, 1 / static_cast<double>(facing.inverse_cosine[lane]))) {
+            const double cosine = 1 / static_cast<double>(facing.inverse_cosine[lane]);
+            if (prepared_.in_field_of_view(primitive.region, cosine)) {
                 tally.add_two(
                     primitive.region, layout.direct(0, side, light.spectrum), to_fixed(1),
                     layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : lit));
+                score_absorbed(
+                    prepared_,
+                    {primitive.region, side, cosine, LightPart::direct, 1, light.start_weights},
+                    tally);
             }
             if (scratch.u2[group.points[lane]] >=
                 survival[2 * primitive.material + index_of(side)]) {

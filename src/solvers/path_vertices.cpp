@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "transport/absorbed_light.h"
 #include "transport/start_order.h"
 
 namespace quasimc {
@@ -80,6 +81,10 @@ void DirectLightScore::add(std::uint32_t triangle, double along, double amount) 
         tally_.add_two(
             region, layout.direct(0, side, beam_.light->spectrum), fixed, layout.sunlit(0),
             to_fixed(along == 0 ? 0 : amount * beam_.light->lit_area / std::abs(along)));
+        score_absorbed(
+            prepared_,
+            {region, side, std::abs(along), LightPart::direct, amount, beam_.light->start_weights},
+            tally_);
     }
     if (!prepared_.material(region).is_transparent()) {
         stopped_ += fixed;

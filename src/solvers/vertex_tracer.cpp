@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 namespace quasimc {
 namespace {
@@ -78,7 +79,9 @@ class VertexTracer {
                 up = normalized(mesh.across(vertex.triangle));
             }
             const Particle path = path_of(i);
-            at.side = side_facing(dot(up, path.direction));
+            const double along = dot(up, path.direction);
+            at.side = side_facing(along);
+            at.cosine = std::abs(along);
             at.normal = at.side == SurfaceSide::upper ? up : -up;
             const std::array<double, 2> numbers{scratch_.u0[i - first], scratch_.u1[i - first]};
             const auto direction =

@@ -38,9 +38,10 @@ enum class AbsorbedLight { inferred, summed };
 /// follow by multiplication. So a band costs memory and time only where light has been scattered.
 ///
 /// For each region (a part of an organ that is of one material) the bins stand together, because a
-/// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, absorbed[band]; then
-/// those of the run: emitted[spectrum], escaped_direct[spectrum], escaped_scattered[band],
-/// scattered_out[band], cut_off[band], rays; then those of detectors.
+/// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, and where absorbed
+/// light is summed absorbed_direct[band] and absorbed_scattered[band]; then those of the run:
+/// emitted[spectrum], escaped_direct[spectrum], escaped_scattered[band], scattered_out[band],
+/// cut_off[band], rays; then those of detectors.
 struct SumLayout {
     std::size_t regions = 0;
     std::size_t spectra = 1;
@@ -52,7 +53,7 @@ struct SumLayout {
         return absorbed_light == AbsorbedLight::summed ? bands : 0;
     }
     [[nodiscard]] std::size_t stride() const {
-        return 2 * spectra + 2 * bands + 1 + absorbed_bands();
+        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands();
     }
     [[nodiscard]] std::size_t direct(
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
@@ -64,7 +65,12 @@ struct SumLayout {
     [[nodiscard]] std::size_t sunlit(std::size_t region) const {
         return region * stride() + 2 * spectra + 2 * bands;
     }
-    [[nodiscard]] std::size_t absorbed(std::size_t region) const { return sunlit(region) + 1; }
+    [[nodiscard]] std::size_t absorbed_direct(std::size_t region) const {
+        return sunlit(region) + 1;
+    }
+    [[nodiscard]] std::size_t absorbed_scattered(std::size_t region) const {
+        return absorbed_direct(region) + absorbed_bands();
+    }
     [[nodiscard]] std::size_t emitted() const { return regions * stride(); }
     [[nodiscard]] std::size_t escaped_direct() const { return emitted() + spectra; }
     [[nodiscard]] std::size_t escaped_scattered() const { return escaped_direct() + spectra; }

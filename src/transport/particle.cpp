@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "transport/absorbed_light.h"
+
 namespace quasimc {
 namespace {
 
@@ -13,9 +15,9 @@ void set_start_weights(const Particle& path, std::span<double> weights) {
 }
 
 /// What a surface would have scattered is cut off.
-void tally_cut_off(const Side& side, std::span<const double> weights, Tally& tally) {
+void tally_cut_off(const Side& side, double cosine, std::span<const double> weights, Tally& tally) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
-        const std::int64_t fixed = to_fixed(weights[b] * side.albedo()[b]);
+        const std::int64_t fixed = to_fixed(weights[b] * side.albedo(b, cosine));
         tally.add(tally.layout().scattered_out() + b, fixed);
         tally.add(tally.layout().cut_off() + b, fixed);
     }
@@ -85,9 +87,14 @@ class ParticleTracer {
             return;
         }
         if (!direct_) {
-            const std::size_t cells = layout.scattered(surface.region, surface.side);
-            rules_.scales.empty() ? tally_.add(cells, fixed_)
-                                  : add_weights(cells, rules_.scales[surface.region]);
+            const std::size_t bins = layout.scattered(surface.region, surface.side);
+            const double scale = rules_.scales.empty() ? 1 : rules_.scales[surface.region];
+            rules_.scales.empty() ? tally_.add(bins, fixed_) : add_weights(bins, scale);
+            score_absorbed(
+                prepared_,
+                {surface.region, surface.side, surface.cosine, LightPart::scattered, scale,
+                 weights_},
+                tally_);
             return;
         }
         if (rules_.filter == PathFilter::delta_first) {
@@ -96,6 +103,11 @@ class ParticleTracer {
         tally_.add(
             layout.direct(surface.region, surface.side, path_.light->spectrum),
             to_fixed(path_.weight));
+        score_absorbed(
+            prepared_,
+            {surface.region, surface.side, surface.cosine, LightPart::direct, path_.weight,
+             path_.light->start_weights},
+            tally_);
         if (path_.light->lit_area > 0 && surface.cosine > 0) {
             tally_.add(
                 layout.sunlit(surface.region),
@@ -109,7 +121,7 @@ class ParticleTracer {
             set_start_weights(path_, weights_);
         }
         if (depth == rules_.max_depth) {
-            cut_off(side);
+            cut_off(side, surface.cosine);
             return false;
         }
         const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
@@ -120,7 +132,7 @@ class ParticleTracer {
         const Draw draw{
             rules_.sampler->coordinate(rules_.stream, path_.point, dimension), 0,
             rules_.roulette_threshold};
-        const LobeTable::Choice choice = side.choose(draw, weights_);
+        const LobeTable::Choice choice = side.choose(surface.normal, direction_, draw, weights_);
         if (choice.row == nullptr || (only_delta && !choice.row->delta)) {
             return false;
         }
@@ -142,9 +154,9 @@ class ParticleTracer {
     }
 
     /// Ends the path at the user's limit.
-    void cut_off(const Side& side) {
+    void cut_off(const Side& side, double cosine) {
         if (rules_.filter == PathFilter::all) {
-            tally_cut_off(side, weights_, tally_);
+            tally_cut_off(side, cosine, weights_, tally_);
         }
     }
 
@@ -202,7 +214,7 @@ std::optional<Vec3> scatter_first(
     const Side& side = rules.prepared->material(surface.region).side(surface.side);
     set_start_weights(path, weights);
     if (rules.max_depth == 1) {
-        tally_cut_off(side, weights, tally);
+        tally_cut_off(side, surface.cosine, weights, tally);
         return std::nullopt;
     }
     const auto scattered =

@@ -76,7 +76,7 @@ std::uint64_t trace_particle(
 
 /// Scatters the light of `path` at its first hit, which was scored and for which roulette was
 /// played: it is sure to be scattered, and weighted down.
-/// @param surface  where that is; its cosine does not matter
+/// @param surface  where that is
 /// @param numbers  that decide how: the first two of path.point
 /// @param weights  the light that goes on, or with max_depth 1 is cut off, per band
 /// @return its direction; none if it goes nowhere

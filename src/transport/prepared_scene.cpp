@@ -64,12 +64,12 @@ PreparedScene::PreparedScene(
     CrossSectionShape window,
     std::shared_ptr<const RayCaster> caster)
     : scene_(&scene), caster_(std::move(caster)), projection_(*caster_, window) {
-    set_elements();
+    set_regions();
     set_fields_of_view();
     set_lights(sources);
 }
 
-void PreparedScene::set_elements() {
+void PreparedScene::set_regions() {
     const Scene& scene = *scene_;
     triangle_regions_ = scene.triangle_regions();
     if (!caster_->has_own_numbers()) {
@@ -90,9 +90,10 @@ void PreparedScene::set_elements() {
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = scene.materials()[i];
         has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
-        has_delta_ =
-            has_delta_ ||
-            (is_used[i] && (material.side(true).has_delta() || material.side(false).has_delta()));
+        has_delta_ = has_delta_ || (is_used[i] && (material.side(SurfaceSide::upper).has_delta() ||
+                                                   material.side(SurfaceSide::lower).has_delta()));
+        has_constant_albedos_ =
+            has_constant_albedos_ && (!is_used[i] || material.has_constant_albedo());
     }
 }
 

@@ -37,7 +37,7 @@ struct PrimitiveInfo {
     std::uint32_t material = 0;
 };
 
-/// A scene with its lights, ready to trace: what all estimators and threads share. Const after
+/// A scene with its lights, ready to trace: what all solvers and threads share. Const after
 /// construction.
 class PreparedScene {
   public:
@@ -67,7 +67,7 @@ class PreparedScene {
     /// Flux of all sources into the scene, per band, irradiance unit x square scene unit.
     [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
 
-    /// Area of all directional lights' emitters together, square scene units.
+    /// Area of all suns' cross-sections together, square scene units.
     [[nodiscard]] double sun_area() const { return sun_area_; }
 
     /// Region and material of a triangle of the caster's mesh.
@@ -84,12 +84,12 @@ class PreparedScene {
     [[nodiscard]] const Material& material(std::uint32_t region) const {
         return scene_->materials()[region_materials_[region].value];
     }
-    /// Whether an element counts light that comes at this cosine from its normal: all but sensors
+    /// Whether a region counts light that comes at this cosine from its normal: all but sensors
     /// with a narrow field of view do.
     [[nodiscard]] bool in_field_of_view(std::uint32_t region, double cosine) const {
         return !has_narrow_ || cosine >= least_cosine_[region];
     }
-    /// Cosine of the largest angle at which an element counts light; 0 if it counts all.
+    /// Cosine of the largest angle at which a region counts light; 0 if it counts all.
     [[nodiscard]] double least_cosine(std::uint32_t region) const {
         return has_narrow_ ? least_cosine_[region] : 0;
     }
@@ -99,15 +99,17 @@ class PreparedScene {
     [[nodiscard]] bool reaches(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
-    /// Elements of the ground, which stand last.
+    /// Regions of the ground, which stand last.
     [[nodiscard]] std::size_t ground_regions() const { return ground_regions_; }
     /// Whether some material scatters in one direction.
     [[nodiscard]] bool has_delta() const { return has_delta_; }
+    /// Whether no albedo depends on the angle of the light.
+    [[nodiscard]] bool has_constant_albedos() const { return has_constant_albedos_; }
     /// Whether some material is a sensor that light passes.
     [[nodiscard]] bool has_transparent() const { return has_transparent_; }
 
   private:
-    void set_elements();
+    void set_regions();
     void set_fields_of_view();
     void set_lights(const Sources& sources);
 
@@ -124,8 +126,9 @@ class PreparedScene {
     std::vector<double> flux_;
     double sun_area_ = 0;
     std::size_t ground_regions_ = 0;
-    std::vector<double> least_cosine_;  // by element; empty if no sensor is narrow
+    std::vector<double> least_cosine_;  // by region; empty if no sensor is narrow
     bool has_delta_ = false, has_transparent_ = false, has_narrow_ = false;
+    bool has_constant_albedos_ = true;
 };
 
 }  // namespace quasimc

@@ -167,7 +167,7 @@ TEST(OutlinePoints, OfInstancesReachAsFarAsTheirCorners) {
 
 /// Rays from far and near, alone and in packets: how often two engines differ without being excused
 /// by rounding.
-struct Comparison {
+struct CopyComparison {
     int hits = 0, instance_hits = 0, differences = 0, close_calls = 0;
 
     void add(const LocalMesh& mesh, const Ray& ray, const Hit& hit, const Hit& expected) {
@@ -186,7 +186,7 @@ struct Comparison {
     }
 };
 
-Ray random_ray(Random& random) {
+Ray random_ray_at_copies(Random& random) {
     const Vec3 origin = test::rounded(random.point(-1.5, 1.5));
     return {origin, test::rounded(normalized(random.point(-0.7, 0.7) - origin))};
 }
@@ -197,9 +197,9 @@ TEST(Instances, EmbreeAgreesWithBruteForceOnSingleRays) {
     const auto embree = make_embree_intersector(mesh);
     const auto oracle = make_brute_force_intersector(mesh);
     constexpr int kRays = 20000;
-    Comparison comparison;
+    CopyComparison comparison;
     for (int i = 0; i < kRays; ++i) {
-        const Ray ray = random_ray(random);
+        const Ray ray = random_ray_at_copies(random);
         comparison.add(mesh, ray, embree->closest(ray), oracle->closest(ray));
     }
     EXPECT_EQ(comparison.differences, 0);
@@ -215,9 +215,9 @@ TEST(Instances, TheComparisonNoticesACopyThatIsElsewhere) {
     moved.instances[3].matrix[9] += 0.01F;
     const auto embree = make_embree_intersector(moved);
     const auto oracle = make_brute_force_intersector(mesh);
-    Comparison comparison;
+    CopyComparison comparison;
     for (int i = 0; i < 5000; ++i) {
-        const Ray ray = random_ray(random);
+        const Ray ray = random_ray_at_copies(random);
         comparison.add(mesh, ray, embree->closest(ray), oracle->closest(ray));
     }
     EXPECT_GT(comparison.differences, 5);
@@ -228,7 +228,7 @@ TEST(Instances, PacketsMeetWhatSingleRaysMeet) {
     const LocalMesh mesh = make_local_mesh(random_scene(20, random));
     const auto embree = make_embree_intersector(mesh);
     const auto oracle = make_brute_force_intersector(mesh);
-    Comparison comparison;
+    CopyComparison comparison;
     for (int k = 0; k < 300; ++k) {
         Packet packet{};
         const Vec3 d = test::rounded(random.direction());

@@ -38,7 +38,7 @@ TEST(VectorLoops, FillTheSameLatticeOnEveryVectorUnit) {
             expected.push_back(unit_number(kKey + i * (kKey | 3U)));
         }
         for_each_vector_unit([&] {
-            std::vector<double> coordinates(count);
+            std::vector<double> numbers(count);
             best_vector_loops().fill_lattice(kKey, kKey | 3U, numbers.data(), count);
             EXPECT_EQ(numbers, expected) << count;
         });

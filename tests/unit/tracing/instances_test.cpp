@@ -15,7 +15,7 @@ namespace {
 
 /// Twelve plants of 80 leaves each, turned, scaled and moved, over a ground.
 /// @param shared  whether they share one mesh
-Scene make_stand(bool shared, const Cell& cell) {
+Scene make_copied_stand(bool shared, const Cell& cell) {
     const auto plant = std::make_shared<const Mesh>(random_leaves(80, .3, 1, 5));
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .3, .3));
@@ -72,14 +72,14 @@ class SharedMeshes : public ::testing::TestWithParam<Method> {
 };
 
 TEST_P(SharedMeshes, TakeTheLightOfTheirTriangles) {
-    const Scene shared = make_stand(true, {});
+    const Scene shared = make_copied_stand(true, {});
     ASSERT_EQ(shared.triangles().instances().size(), 12U);
-    expect_same_light(shared, make_stand(false, {}), spec());
+    expect_same_light(shared, make_copied_stand(false, {}), spec());
 }
 
 TEST_P(SharedMeshes, TakeTheLightOfTheirTrianglesInAPeriodicScene) {
     const Cell cell{true, true, -.3, -.3, 4.4, 3.7};
-    expect_same_light(make_stand(true, cell), make_stand(false, cell), spec());
+    expect_same_light(make_copied_stand(true, cell), make_copied_stand(false, cell), spec());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,0 +1,126 @@
+#include "run/digest.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "samplers/hash.h"
+
+namespace quasimc {
+namespace {
+
+/// Mixes numbers into one, in order.
+class Mixer {
+  public:
+    void add(std::uint64_t x) { hash_ = mix64(hash_ ^ x) + 0x9E3779B97F4A7C15U; }
+    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    void add(const Vec3& v) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    void add(std::span<const double> values) {
+        add(std::uint64_t{values.size()});
+        for (const double x : values) {
+            add(x);
+        }
+    }
+    void add(std::string_view text) {
+        add(std::uint64_t{text.size()});
+        for (const char c : text) {
+            add(std::uint64_t{static_cast<unsigned char>(c)});
+        }
+    }
+    [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+  private:
+    std::uint64_t hash_ = 0x51A4C0DE;
+};
+
+/// Fixed points at which functions are asked.
+constexpr std::array<double, 4> kProbes{0.07, 0.31, 0.62, 0.93};
+
+void add_geometry(const PreparedScene& prepared, Mixer& mixer) {
+    const LocalMesh& mesh = prepared.caster().mesh();
+    mixer.add(mesh.origin);
+    mixer.add(mesh.scale);
+    const Cell& cell = prepared.scene().cell();
+    mixer.add(std::uint64_t{cell.along_x} * 2 + std::uint64_t{cell.along_y});
+    mixer.add(Vec3{cell.low_x, cell.low_y, 0});
+    mixer.add(Vec3{cell.size_x, cell.size_y, 0});
+    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        for (const int corner : {0, 1, 2}) {
+            mixer.add(mesh.vertex(i, corner));
+        }
+        mixer.add(std::uint64_t{prepared.region(i)});
+    }
+    for (const Organ& organ : prepared.scene().organs()) {
+        mixer.add(organ.area);
+        mixer.add(organ.least_cosine);
+        mixer.add(std::uint64_t{organ.is_ground} * 2 + std::uint64_t{organ.measured});
+    }
+}
+
+/// How a side scatters, asked at a few angles.
+void add_side(const Side& side, Mixer& mixer) {
+    const Vec3 n{0, 0, 1};
+    for (const Lobe& lobe : side.lobes()) {
+        mixer.add(lobe.albedo);
+        for (const double u : kProbes) {
+            const Vec3 wi{std::sqrt(1 - u * u), 0, -u};
+            mixer.add(lobe.shape->relative_albedo(u));
+            mixer.add(lobe.shape->sample(n, wi, u, 1 - u));
+        }
+    }
+}
+
+void add_optics(const PreparedScene& prepared, Mixer& mixer) {
+    for (const Region& region : prepared.scene().regions()) {
+        mixer.add(std::uint64_t{region.material.value});
+        mixer.add(std::uint64_t{region.organ.value});
+    }
+    for (const Material& material : prepared.scene().materials()) {
+        for (const SurfaceSide side : kSurfaceSides) {
+            add_side(material.side(side), mixer);
+        }
+    }
+}
+
+void add_sources(const PreparedScene& prepared, Mixer& mixer) {
+    for (const BoundSource& bound : prepared.lights()) {
+        mixer.add(bound.source->spectrum());
+        mixer.add(bound.probability);
+        mixer.add(bound.source_sampler->flux());
+        for (const double u : kProbes) {
+            const Emission emission = bound.source_sampler->emit({u, 1 - u, u * u, 1 - u * u});
+            mixer.add(emission.origin);
+            mixer.add(emission.direction);
+            mixer.add(emission.weight);
+        }
+    }
+}
+
+void add_spec(const RunSpec& spec, Mixer& mixer) {
+    mixer.add(std::string_view(spec.sampler));
+    mixer.add(static_cast<std::uint64_t>(spec.method));
+    mixer.add(spec.seed);
+    mixer.add(std::uint64_t{spec.max_depth});
+    mixer.add(spec.roulette_weight);
+    mixer.add(static_cast<std::uint64_t>(spec.window));
+    mixer.add(static_cast<std::uint64_t>(spec.engine));
+}
+
+}  // namespace
+
+std::uint64_t digest_of(const PreparedScene& prepared, const RunSpec& spec) {
+    Mixer mixer;
+    add_geometry(prepared, mixer);
+    add_optics(prepared, mixer);
+    add_sources(prepared, mixer);
+    add_spec(spec, mixer);
+    return mixer.value();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "sums/tally.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// Whether light came straight from a source.
+enum class LightPart { direct, scattered };
+
+/// Light that falls on a side of a region, per band `factor` times weights[b].
+struct Arrival {
+    std::uint32_t region = 0;
+    SurfaceSide side = SurfaceSide::upper;
+    double cosine = 1;  ///< of the angle between the light and the normal, >= 0
+    LightPart part = LightPart::direct;
+    double factor = 1;
+    std::span<const double> weights;
+};
+
+/// Adds what the surface absorbs of light that falls on it, where that is summed on its own
+/// (AbsorbedLight::summed); elsewhere it follows from what falls on surfaces.
+void score_absorbed(const PreparedScene& prepared, const Arrival& arrival, Tally& tally);
+
+}  // namespace quasimc
