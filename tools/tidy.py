@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over our sources, in parallel, skipping what passed before unchanged.
 
-A file is unchanged if its own text, our headers that it includes, its compile command, .clang-tidy
-and the version of clang-tidy are.  The marks of files that passed stand in BUILD/tidy.
+With --changed only over those that differ from the main branch, themselves or by a header, and
+without the checks of QUICK_LESS.  A file is unchanged if its own text, our headers that it includes,
+its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files that passed
+stand in BUILD/tidy.
 """
 
 import argparse
@@ -16,8 +18,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+import changes
+
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ("src", "apps", "python", "tests", "bench")
+# Three quarters of the time for what is seldom found; all files are checked for it by --full runs.
+QUICK_LESS = ("-clang-analyzer-*", "-performance-unnecessary-value-param")
+SAMPLE = 20  # files, where it can't be told which changed
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -66,21 +73,61 @@ def configuration_of(path):
     return [folder / ".clang-tidy" for folder in folders if (folder / ".clang-tidy").exists()]
 
 
-def fingerprint(path, command, version, build):
-    digest = hashlib.sha256(f"{version}\n{command}\n".encode())
+def includes_of(path, build):
+    """A file and all of our headers below it."""
     seen = set()
     our_includes(path, (ROOT / "src", ROOT / "tests", build / "generated"), seen)
-    for part in sorted(seen) + configuration_of(path):
+    return seen
+
+
+def fingerprint(path, command, version, build):
+    digest = hashlib.sha256(f"{version}\n{command}\n".encode())
+    for part in sorted(includes_of(path, build)) + configuration_of(path):
         digest.update(part.read_bytes())
     return digest.hexdigest()
 
 
-def check(path, clang_tidy, build):
+def rotated(paths, turn):
+    """The paths in an order that is another one at every turn."""
+    return sorted(paths, key=lambda path: hashlib.sha256(f"{turn} {path}".encode()).digest())
+
+
+def affected_by(changed, read_by, turn):
+    """The sources to check, the most telling first.
+
+    Those that changed; one for each changed header, its own if there is one; and all others that
+    read a changed file.
+    @param read_by  the files that each source reads, itself among them
+    """
+    sources = sorted(path for path in read_by if path in changed)
+    for header in sorted(changed):
+        readers = [path for path in rotated(read_by, turn) if header in read_by[path]]
+        own = [path for path in readers if path.stem == header.stem]
+        sources += [*own, *readers][:1]
+    others = [path for path in rotated(read_by, turn) if changed & read_by[path]]
+    return list(dict.fromkeys([*sources, *others]))
+
+
+def choose(paths, since, build, at_most):
+    """The files to check of those that are there, and why these, in words."""
+    turn = changes.git(ROOT, "rev-parse", "HEAD") or ""
+    found = changes.find_changes(ROOT, since)
+    if found.files is None:
+        return rotated(paths, turn)[:SAMPLE], f"a sample, for {found.why}"
+    read_by = {path: includes_of(path, build) | set(configuration_of(path)) for path in paths}
+    affected = affected_by(found.files, read_by, turn)
+    chosen = affected[:at_most]
+    left = len(affected) - len(chosen)
+    return chosen, found.why + (f"; {left} more are left for --full" if left else "")
+
+
+def check(path, clang_tidy, build, quick):
     """The complaints about one file, empty if it passes."""
     command = [
         *(["nice"] if shutil.which("nice") else []),
         clang_tidy,
         "--quiet",
+        *([f"--checks={','.join(QUICK_LESS)}"] if quick else []),
         f"-p={build / 'tidy'}",
         "--extra-arg=-Wno-unknown-warning-option",
         "--extra-arg=-Wno-ignored-optimization-argument",
@@ -93,12 +140,19 @@ def check(path, clang_tidy, build):
     return noise.sub("", done.stdout + done.stderr)
 
 
-def main():
+def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=Path, default=ROOT / "build/dev")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--changed", action="store_true", help="only what changed, and quickly")
+    parser.add_argument("--since", metavar="COMMIT", help="changed since then")
+    parser.add_argument("--at-most", type=int, default=40, help="files, with --changed")
     parser.add_argument("paths", nargs="*", type=Path, help="files or folders; default: all")
-    args = parser.parse_args()
+    return parser.parse_args()
+
+
+def main():
+    args = parse_arguments()
     build = args.build.resolve()
     wanted = [path.resolve() for path in args.paths]
     clang_tidy = find_clang_tidy()
@@ -106,19 +160,28 @@ def main():
         [clang_tidy, "--version"], capture_output=True, text=True, check=True
     ).stdout
 
+    commands = {
+        path: command
+        for path, command in read_commands(build).items()
+        if not wanted or any(path == want or path.is_relative_to(want) for want in wanted)
+    }
+    if not commands:
+        sys.exit(f"tidy: {build} compiles none of these files by itself (QUASIMC_UNITY=none)")
+    chosen, why = list(commands), "all"
+    if args.changed:
+        chosen, why = choose(list(commands), args.since, build, args.at_most)
     todo = {}
-    commands = read_commands(build)
-    for path, command in commands.items():
-        if wanted and not any(path == want or path.is_relative_to(want) for want in wanted):
-            continue
-        mark = build / "tidy" / fingerprint(path, command, version, build)
-        if not mark.exists():
-            todo[path] = mark
-    print(f"tidy: {len(todo)} of {len(commands)} files to check", flush=True)
+    for path in chosen:
+        mark = build / "tidy" / fingerprint(path, commands[path], version, build)
+        quick_mark = mark.with_suffix(".quick")
+        if not mark.exists() and not (args.changed and quick_mark.exists()):
+            todo[path] = quick_mark if args.changed else mark
+    print(f"tidy: {len(chosen)} of {len(commands)} files ({why}), "
+          f"{len(chosen) - len(todo)} of which passed before", flush=True)
 
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        running = {pool.submit(check, path, clang_tidy, build): path for path in todo}
+        running = {pool.submit(check, path, clang_tidy, build, args.changed): path for path in todo}
         for future in concurrent.futures.as_completed(running):
             complaints = future.result()
             if complaints:

@@ -39,12 +39,16 @@ double status_bytes(const std::string& key) {
 }
 
 void trace_a_little(const Scene& scene, const Sources& sources) {
+    const double read_peak = status_bytes("VmHWM"), resident = status_bytes("VmRSS");
     RunSpec spec;
     spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.replicates = 2;
     const Result result = run(scene, sources, spec);
-    std::cerr << fmt::format("built in {:.2f} s, ", result.build_seconds);
+    const auto triangles = static_cast<double>(scene.triangles().size());
+    std::cerr << fmt::format(
+        "scene {:.0f} (peak {:.0f}), engine built in {:.2f} s; ", resident / triangles,
+        read_peak / triangles, result.build_seconds);
 }
 
 /// A scene through the library's interface.
@@ -53,15 +57,15 @@ void run_api(const std::string& surface, std::size_t count, bool each) {
     const std::vector<SideOptics> side{{.reflectance = 0.1, .transmittance = 0.1}};
     builder.add_material({"leaf", side, side});
     {
-        std::vector<Triangle> triangles =
-            (surface == "soup" ? soup(count) : sheet(count)).triangles();
+        Surface made = surface == "soup" ? soup(count) : sheet(count);
+        Mesh mesh(std::move(made.vertices), std::move(made.faces));
         if (each) {
-            for (const Triangle& triangle : triangles) {
-                builder.add_organ({.parts = {{"leaf", std::vector<Triangle>{triangle}}}});
+            for (std::size_t i = 0; i < mesh.size(); ++i) {
+                builder.add_organ({.parts = {{"leaf", {mesh[i]}}}});
             }
         } else {
             std::vector<OrganPart> parts;
-            parts.push_back({"leaf", std::move(triangles)});
+            parts.push_back({"leaf", std::move(mesh)});
             builder.add_organ({.parts = std::move(parts)});
         }
     }

@@ -26,13 +26,15 @@ TITLES = {
     "Canopies": "Black and white canopies",
     "TurbidMedium": "Leaves that scatter, against the turbid medium",
 }
+# Suites whose claims stand in the table of another.
+PARTS_OF = {"Well": "FlatSurfaces", "UnderTheOtherSkies": "UnderSkies"}
 
 
 def claims(xml):
     """(suite, claim, one of DIRECTIONS, expected, mean, standard error, resolution) of every test."""
     for case in ElementTree.parse(xml).iter("testcase"):
         suite = case.get("classname").split("/")[-1]
-        suite = "FlatSurfaces" if suite == "Well" else suite
+        suite = PARTS_OF.get(suite, suite)
         # What has no direction in its name is traced from the organs.
         ending = case.get("name").rsplit("From", 1)[-1]
         direction = ending if ending in DIRECTIONS else "Organs"

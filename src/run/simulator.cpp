@@ -9,7 +9,8 @@ std::shared_ptr<const RayCaster> Simulator::caster_for(const Scene& scene, Engin
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
-        caster_.reset();  // its memory first
+        caster_.reset();  // their memory first
+        triangles_.reset();
         caster_ = std::make_shared<const RayCaster>(triangles, scene.cell(), engine);
         cell_ = scene.cell();
         engine_ = engine;

@@ -108,13 +108,38 @@ class OverlapSearch {
                 is_home[static_cast<std::size_t>(level_of[i])] = true;
             }
         }
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-            for (int level = 0; level <= level_of[i]; ++level) {
-                if (is_home[static_cast<std::size_t>(level)]) {
-                    enter(static_cast<std::uint32_t>(i), level, level == level_of[i]);
+        // What is entered is counted first: growing lists would take several times the memory.
+        std::size_t natives = 0, visitors = 0;
+        const auto for_each_entry = [&](const auto& visit) {
+            for (std::size_t i = 0; i < triangles_.size(); ++i) {
+                for (int level = 0; level <= level_of[i]; ++level) {
+                    if (is_home[static_cast<std::size_t>(level)]) {
+                        visit(static_cast<std::uint32_t>(i), level, level == level_of[i]);
+                    }
                 }
             }
-        }
+        };
+        for_each_entry([&](std::uint32_t i, int level, bool is_native) {
+            (is_native ? natives : visitors) += cubes_of(i, level);
+        });
+        natives_.reserve(natives);
+        visitors_.reserve(visitors);
+        for_each_entry(
+            [&](std::uint32_t i, int level, bool is_native) { enter(i, level, is_native); });
+    }
+
+    /// How many cubes of a level a triangle's bounds reach into.
+    [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
+        const Bounds bounds = bounds_of(triangles_[i]);
+        const double blur = thickness(size_of(bounds));
+        const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
+        const auto along = [&](double from, double to) {
+            return static_cast<std::uint64_t>((to + blur) * cubes) + 1 -
+                   static_cast<std::uint64_t>(std::max(0.0, (from - blur) * cubes));
+        };
+        const Vec3 low = bounds.low - low_;
+        const Vec3 high = bounds.high - low_;
+        return along(low.x, high.x) * along(low.y, high.y) * along(low.z, high.z);
     }
 
     void enter(std::uint32_t i, int level, bool is_native) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -131,12 +132,11 @@ bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
             copy.mesh->vertices.begin(), copy.mesh->vertices.end(),
             [](const Vec3& p) { return is_usable(p); });
     };
-    const Mesh* last = nullptr;
+    std::unordered_set<const Mesh*> known;
     for (const Instance& copy : draft.copies) {
-        if (copy.mesh.get() != last && !has_usable_mesh(copy)) {
+        if (known.insert(copy.mesh.get()).second && !has_usable_mesh(copy)) {
             return false;
         }
-        last = copy.mesh.get();
         if (!is_usable(copy.transform.shift) ||
             !std::all_of(
                 copy.transform.rows.begin(), copy.transform.rows.end(),

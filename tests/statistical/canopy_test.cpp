@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -92,14 +94,18 @@ struct Shares {
 /// Of PAR (.0735/.0566), NIR (.3912/.4146) and, if told, rho = tau = .5; standard errors up to
 /// 5e-4.
 struct Medium {
+    std::string name;
     std::string words;
     double leaf_area_index;
     bool sun;
     std::array<Shares, 3> bands;
 };
 
-class TurbidMedium : public BothWays {
+class TurbidMedium : public ::testing::TestWithParam<std::tuple<Medium, Method>> {
   protected:
+    [[nodiscard]] static Method from() { return std::get<1>(GetParam()); }
+    [[nodiscard]] static bool from_sources() { return from() != Method::from_organs; }
+
     static CanopySpec canopy(double leaf_area_index) {
         const std::vector<SideOptics> side{
             {.reflectance = .0735, .transmittance = .0566},
@@ -117,8 +123,7 @@ class TurbidMedium : public BothWays {
         const auto numbers = [&](std::uint64_t seed) {
             const Scene scene = make_canopy(canopy(medium.leaf_area_index), seed);
             const Result result = trace_once(
-                scene, sources, GetParam(), GetParam() == Method::light_tracing ? 1 << 13 : 1 << 14,
-                seed);
+                scene, sources, from(), from() == Method::light_tracing ? 1 << 13 : 1 << 14, seed);
             std::vector<double> shares;
             for (std::size_t b = 0; b < 3; ++b) {
                 shares.push_back(result.at(kCanopy, Quantity::absorbed_flux, b).mean / kCellArea);
@@ -158,33 +163,65 @@ class TurbidMedium : public BothWays {
     }
 };
 
-TEST_P(TurbidMedium, ScattersTheSunsLightAtLai1) {
-    check({"LAI 1, zenith 0", 1, true, {{{.36194, .01783, .62024}, {.11698, .14022, .74280}, {}}}});
+TEST_P(TurbidMedium, ScattersTheLight) {
+    check(std::get<0>(GetParam()));
 }
 
-TEST_P(TurbidMedium, ScattersTheSunsLightAtLai3) {
-    check(
-        {"LAI 3, zenith 0",
-         3,
-         true,
-         {{{.74086, .02430, .23484}, {.34658, .25024, .40318}, {0, .44102, .55898}}}});
+const Medium kSunLai1{
+    "SunLai1",
+    "LAI 1, zenith 0",
+    1,
+    true,
+    {{{.36194, .01783, .62024}, {.11698, .14022, .74280}, {}}}};
+const Medium kSunLai3{
+    "SunLai3",
+    "LAI 3, zenith 0",
+    3,
+    true,
+    {{{.74086, .02430, .23484}, {.34658, .25024, .40318}, {0, .44102, .55898}}}};
+const Medium kSkyLai1{
+    "SkyLai1",
+    "LAI 1, uniform sky",
+    1,
+    false,
+    {{{.51351, .02491, .46158}, {.16784, .20600, .62616}, {}}}};
+const Medium kSkyLai3{
+    "SkyLai3",
+    "LAI 3, uniform sky",
+    3,
+    false,
+    {{{.84518, .03031, .12450}, {.39390, .31526, .29084}, {0, .54274, .45726}}}};
+
+std::string name_of_medium(const ::testing::TestParamInfo<TurbidMedium::ParamType>& info) {
+    return std::get<0>(info.param).name + name_of({std::get<1>(info.param), info.index});
 }
 
-TEST_P(TurbidMedium, ScattersTheSkysLightAtLai1) {
-    check(
-        {"LAI 1, uniform sky",
-         1,
-         false,
-         {{{.51351, .02491, .46158}, {.16784, .20600, .62616}, {}}}});
-}
+using MediumAndWay = TurbidMedium::ParamType;
 
-TEST_P(TurbidMedium, ScattersTheSkysLightAtLai3) {
-    check(
-        {"LAI 3, uniform sky",
-         3,
-         false,
-         {{{.84518, .03031, .12450}, {.39390, .31526, .29084}, {0, .54274, .45726}}}});
-}
+INSTANTIATE_TEST_SUITE_P(
+    EveryMedium,
+    TurbidMedium,
+    ::testing::Values(
+        MediumAndWay{kSunLai3, Method::light_tracing},
+        MediumAndWay{kSkyLai1, Method::light_tracing},
+        MediumAndWay{kSkyLai3, Method::first_hits},
+        MediumAndWay{kSunLai1, Method::from_organs}),
+    name_of_medium);
+
+/// The other combinations.
+INSTANTIATE_TEST_SUITE_P(
+    Long,
+    TurbidMedium,
+    ::testing::Values(
+        MediumAndWay{kSunLai1, Method::light_tracing},
+        MediumAndWay{kSkyLai3, Method::light_tracing},
+        MediumAndWay{kSunLai1, Method::first_hits},
+        MediumAndWay{kSunLai3, Method::first_hits},
+        MediumAndWay{kSkyLai1, Method::first_hits},
+        MediumAndWay{kSunLai3, Method::from_organs},
+        MediumAndWay{kSkyLai1, Method::from_organs},
+        MediumAndWay{kSkyLai3, Method::from_organs}),
+    name_of_medium);
 
 /// rho + tau = 1 and a white soil: nothing is absorbed, all goes back.
 CanopySpec white_canopy() {
@@ -224,7 +261,6 @@ TEST_P(Canopies, AWhiteCanopyUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
 }
 
 QUASIMC_BOTH_WAYS(Canopies);
-QUASIMC_BOTH_WAYS(TurbidMedium);
 
 }  // namespace
 }  // namespace quasimc::test

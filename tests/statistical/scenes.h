@@ -88,10 +88,13 @@ class BothWays : public ::testing::TestWithParam<Method> {
 
 }  // namespace quasimc::test
 
-/// Runs the tests of a suite of BothWays in both directions.
-#define QUASIMC_BOTH_WAYS(suite)                                              \
+/// Runs the tests of a suite of BothWays in both directions; those of a suite that takes long, only
+/// in ./dev test --full.
+#define QUASIMC_BOTH_WAYS(suite) QUASIMC_INSTANTIATE_WAYS(BothWays, suite)
+#define QUASIMC_BOTH_WAYS_LONG(suite) QUASIMC_INSTANTIATE_WAYS(Long, suite)
+#define QUASIMC_INSTANTIATE_WAYS(prefix, suite)                               \
     INSTANTIATE_TEST_SUITE_P(                                                 \
-        BothWays, suite,                                                      \
+        prefix, suite,                                                        \
         ::testing::Values(                                                    \
             ::quasimc::Method::light_tracing, ::quasimc::Method::from_organs, \
             ::quasimc::Method::first_hits),                                   \

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -144,6 +145,9 @@ class OrganAdder {
             add_each_triangle(file);
             return;
         }
+        if (keys_.organs == "one" && !keys_.copies.empty()) {
+            file.groups = {merged(std::move(file.groups))};
+        }
         std::vector<Mesh> meshes = file.take_meshes();
         if (keys_.copies.empty()) {
             add_organs(file.groups, [&](std::size_t part) {
@@ -164,6 +168,26 @@ class OrganAdder {
     }
 
   private:
+    /// One group with one part for each material: few large meshes are better to copy than many
+    /// small ones.
+    static MeshGroup merged(std::vector<MeshGroup> groups) {
+        MeshGroup all;
+        for (MeshGroup& group : groups) {
+            for (MeshPart& part : group.parts) {
+                const auto known = std::find_if(
+                    all.parts.begin(), all.parts.end(),
+                    [&](const MeshPart& other) { return other.material == part.material; });
+                if (known == all.parts.end()) {
+                    all.parts.push_back(std::move(part));
+                    continue;
+                }
+                known->faces.insert(known->faces.end(), part.faces.begin(), part.faces.end());
+                known->lines.insert(known->lines.end(), part.lines.begin(), part.lines.end());
+            }
+        }
+        return all;
+    }
+
     void add_each_triangle(const MeshFile& file) {
         const std::vector<Affine> once(1);
         for (const Affine& copy : keys_.copies.empty() ? once : keys_.copies) {

@@ -14,15 +14,15 @@ namespace quasimc {
 namespace {
 
 void expect_frame(const Vec3& n) {
-    constexpr double kRounding = 1e-15;
+    constexpr double kFrameRounding = 1e-15;
     const Frame frame = frame_about(n);
     EXPECT_EQ(frame.n, n);
-    EXPECT_NEAR(length(frame.s), 1, kRounding);
-    EXPECT_NEAR(length(frame.t), 1, kRounding);
-    EXPECT_NEAR(dot(frame.s, frame.t), 0, kRounding);
-    EXPECT_NEAR(dot(frame.s, n), 0, kRounding);
-    EXPECT_NEAR(dot(frame.t, n), 0, kRounding);
-    EXPECT_NEAR(dot(cross(frame.s, frame.t), n), 1, 2 * kRounding);
+    EXPECT_NEAR(length(frame.s), 1, kFrameRounding);
+    EXPECT_NEAR(length(frame.t), 1, kFrameRounding);
+    EXPECT_NEAR(dot(frame.s, frame.t), 0, kFrameRounding);
+    EXPECT_NEAR(dot(frame.s, n), 0, kFrameRounding);
+    EXPECT_NEAR(dot(frame.t, n), 0, kFrameRounding);
+    EXPECT_NEAR(dot(cross(frame.s, frame.t), n), 1, 2 * kFrameRounding);
 }
 
 TEST(FrameAbout, IsOrthonormalAndRightHandedAlongTheAxes) {

@@ -29,7 +29,7 @@ std::string flat_patch() {
 }
 
 TEST(OrganKeys, EveryShapeHasItsArea) {
-    const double pi = std::numbers::pi;
+    const double half_turn = std::numbers::pi;
     const std::vector<GoodShape> table{
         {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n", 2, 1e-12},
         {"shape = 'parallelogram'\ncorner = [0, 0, 1]\nedge_a = [2, 0, 0]\nedge_b = [1, 3, 0]\n", 6,
@@ -40,13 +40,14 @@ TEST(OrganKeys, EveryShapeHasItsArea) {
          2.5, 1e-12},
         {"shape = 'bezier'\n" + flat_patch(), 9, 1e-9},
         {"shape = 'bezier'\nflatness = 0.01\n" + flat_patch(), 9, 1e-9},
-        {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 0.5\n", 2 * pi, 1e-9},
+        {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 0.5\n", 2 * half_turn,
+         1e-9},
         {"shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 0.5\nsides = "
          "500\ncapped = true\n",
-         2.5 * pi, 1e-3},
-        {"shape = 'disk'\ncenter = [0, 0, 1]\nnormal = [0, 0, 1]\nradius = 2\nsides = 5\n", 4 * pi,
-         1e-9},
-        {"shape = 'sphere'\ncenter = [0, 0, 1]\nradius = 0.5\nlevels = 2\n", pi, 1e-9},
+         2.5 * half_turn, 1e-3},
+        {"shape = 'disk'\ncenter = [0, 0, 1]\nnormal = [0, 0, 1]\nradius = 2\nsides = 5\n",
+         4 * half_turn, 1e-9},
+        {"shape = 'sphere'\ncenter = [0, 0, 1]\nradius = 0.5\nlevels = 2\n", half_turn, 1e-9},
         {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]\nfaces = [[0, 1, "
          "2, 3]]\n",
          4, 1e-12},

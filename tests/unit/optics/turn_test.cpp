@@ -11,13 +11,13 @@ namespace quasimc::test {
 namespace {
 
 TEST(SinCosTurn, IsRightToTheLastDigits) {
-    constexpr long double kTwoPi = 6.283185307179586476925286766559005768L;
+    constexpr long double kFullTurn = 6.283185307179586476925286766559005768L;
     Random random(1);
     for (int i = 0; i < 100000; ++i) {
         const double u = i < 1024 ? i / 1024.0 : random();
         const auto [sine, cosine] = sin_cos_turn(u);
-        EXPECT_NEAR(sine, static_cast<double>(std::sin(kTwoPi * u)), 2e-15);
-        EXPECT_NEAR(cosine, static_cast<double>(std::cos(kTwoPi * u)), 2e-15);
+        EXPECT_NEAR(sine, static_cast<double>(std::sin(kFullTurn * u)), 2e-15);
+        EXPECT_NEAR(cosine, static_cast<double>(std::cos(kFullTurn * u)), 2e-15);
     }
 }
 

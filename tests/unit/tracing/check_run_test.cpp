@@ -41,7 +41,7 @@ TEST(CheckRun, FindsNothingInAGoodSpecification) {
 }
 
 TEST(CheckRun, FindsEachFaultAndSaysWhere) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
     struct Case {
         std::string place;
         std::function<void(RunSpec&)> spoil;
@@ -67,10 +67,10 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
         {"replicates", [](RunSpec& s) { s.replicates = 10001; }},
         {"threads", [](RunSpec& s) { s.threads = 5000; }},
         {"roulette_weight", [](RunSpec& s) { s.roulette_weight = -.1; }},
-        {"roulette_weight", [](RunSpec& s) { s.roulette_weight = kNan; }},
+        {"roulette_weight", [](RunSpec& s) { s.roulette_weight = kNotANumber; }},
         {"target_error", [](RunSpec& s) { s.target_error = -1; }},
         {"target_error", [](RunSpec& s) { s.target_error = 1; }},
-        {"target_error", [](RunSpec& s) { s.target_error = kNan; }},
+        {"target_error", [](RunSpec& s) { s.target_error = kNotANumber; }},
         {"target_error",
          [](RunSpec& s) {
              s.target_error = .1;
@@ -79,7 +79,7 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
         {"target_fraction", [](RunSpec& s) { s.target_fraction = 0; }},
         {"target_fraction", [](RunSpec& s) { s.target_fraction = 1.01; }},
         {"max_seconds", [](RunSpec& s) { s.max_seconds = -1; }},
-        {"max_seconds", [](RunSpec& s) { s.max_seconds = kNan; }},
+        {"max_seconds", [](RunSpec& s) { s.max_seconds = kNotANumber; }},
         {"max_seconds", [](RunSpec& s) { s.max_seconds = INFINITY; }},
         {"max_paths", [](RunSpec& s) { s.max_paths = 100; }},
         {"tally_memory_mb", [](RunSpec& s) { s.tally_memory_mb = -1; }},

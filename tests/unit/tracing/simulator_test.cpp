@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "statistical/scenes.h"
+#include "support/random_leaves.h"
 
 namespace quasimc::test {
 namespace {
@@ -85,6 +86,24 @@ TEST_F(SimulatorTest, SurvivesASceneThatIsGone) {
             same_bits(result, quasimc::run(make_two_leaves(height), sources_, short_run())));
     }
     EXPECT_EQ(simulator_.builds(), 3U);
+}
+
+/// As a plant simulator asks for it, step after step.
+TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
+    Simulator of_one_thread;
+    for (const std::size_t leaves : {1U, 30U, 200U, 1000U}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .4, .2));
+        for (const Triangle& leaf : random_leaves(leaves, .2, 1, 3)) {
+            builder.add_organ(organ("", "leaf", {leaf}));
+        }
+        const Scene plant = std::move(builder).build();
+        RunSpec spec = short_run();
+        spec.threads = 1;
+        const Result by_one = of_one_thread.run(plant, sources_, spec);
+        spec.threads = 4;
+        EXPECT_TRUE(same_bits(run(plant, spec), by_one)) << leaves;
+    }
 }
 
 TEST_F(SimulatorTest, RefusesABadSpecificationAndGoesOn) {
