@@ -1,4 +1,4 @@
-#include "samplers/lattice_merit.h"
+#include "lattice_merit.h"
 
 #include <algorithm>
 #include <array>

@@ -21,9 +21,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "lattice_merit.h"
 #include "samplers/hash.h"
 #include "samplers/korobov_table.h"
-#include "samplers/lattice_merit.h"
 
 namespace quasimc {
 namespace {

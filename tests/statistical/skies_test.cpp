@@ -116,7 +116,7 @@ QUASIMC_BOTH_WAYS(UnderSkies);
 QUASIMC_BOTH_WAYS_LONG(UnderTheOtherSkies);
 
 /// Thirty glossy leaves, some of them mirrors on one side, above a ground.
-Scene make_stand(const Cell& cell) {
+Scene make_stand_under_skies(const Cell& cell) {
     SceneBuilder builder = make_builder(2);
     MaterialSpec leaf = matt("leaf", .3, .2, 2);
     leaf.upper[0].reflection_model = "phong";
@@ -140,7 +140,7 @@ class BothWaysUnderSkies : public ::testing::TestWithParam<bool> {};
 
 TEST_P(BothWaysUnderSkies, GiveTheSameLightOnEveryOrgan) {
     const Cell layer{.along_x = true, .along_y = true, .size_x = .8, .size_y = 1.1};
-    const Scene scene = make_stand(GetParam() ? layer : Cell{});
+    const Scene scene = make_stand_under_skies(GetParam() ? layer : Cell{});
     const auto skies = sample_of_skies({1, .7});
     Comparison comparison(static_cast<unsigned>(skies.size()));
     RunSpec spec = spec_of(Method::light_tracing, 1 << 12);

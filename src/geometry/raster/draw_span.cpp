@@ -13,33 +13,41 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// All lanes at once: spans are too short to be worth a branch for each pixel. A product and a sum,
-/// not MulAdd, which rounds otherwise on machines that have a fused one.
-void draw_span(
-    float* depths, std::int32_t* ids, std::int32_t count, float z, float step, std::int32_t id) {
+/// All lanes at once: spans are too short to be worth a branch for each pixel, and a call. A
+/// product and a sum, not MulAdd, which rounds otherwise on machines that have a fused one.
+void draw_spans(
+    float* depths,
+    std::int32_t* ids,
+    std::span<const PixelSpan> spans,
+    float step,
+    std::int32_t id) {
     const hn::CappedTag<float, kSpanLanes> floats;
     const hn::RebindToSigned<decltype(floats)> words;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(floats));
-    const auto start = hn::Set(floats, z);
     const auto slope = hn::Set(floats, step);
-    const auto end = hn::Set(words, count);
     const auto drawn = hn::Set(words, id);
-    auto pixel = hn::Iota(words, 0);
-    for (std::int32_t first = 0; first < count; first += lanes) {
-        const auto depth = hn::Add(start, hn::Mul(slope, hn::ConvertTo(floats, pixel)));
-        const auto seen = hn::LoadU(floats, depths + first);
-        const auto nearer =
-            hn::And(hn::RebindMask(floats, hn::Lt(pixel, end)), hn::Lt(depth, seen));
-        hn::StoreU(hn::IfThenElse(nearer, depth, seen), floats, depths + first);
-        const auto ids_seen = hn::LoadU(words, ids + first);
-        hn::StoreU(
-            hn::IfThenElse(hn::RebindMask(words, nearer), drawn, ids_seen), words, ids + first);
-        pixel = hn::Add(pixel, hn::Set(words, lanes));
+    for (const PixelSpan& span : spans) {
+        const auto start = hn::Set(floats, span.z);
+        const auto end = hn::Set(words, span.count);
+        auto pixel = hn::Iota(words, 0);
+        for (std::int32_t i = 0; i < span.count; i += lanes) {
+            float* const depths_here = depths + span.first + i;
+            std::int32_t* const ids_here = ids + span.first + i;
+            const auto depth = hn::Add(start, hn::Mul(slope, hn::ConvertTo(floats, pixel)));
+            const auto seen = hn::LoadU(floats, depths_here);
+            const auto nearer =
+                hn::And(hn::RebindMask(floats, hn::Lt(pixel, end)), hn::Lt(depth, seen));
+            hn::StoreU(hn::IfThenElse(nearer, depth, seen), floats, depths_here);
+            const auto ids_seen = hn::LoadU(words, ids_here);
+            hn::StoreU(
+                hn::IfThenElse(hn::RebindMask(words, nearer), drawn, ids_seen), words, ids_here);
+            pixel = hn::Add(pixel, hn::Set(words, lanes));
+        }
     }
 }
 
-DrawSpan* variant_of_draw_span() {
-    return &draw_span;
+DrawSpans* variant_of_draw_spans() {
+    return &draw_spans;
 }
 
 }  // namespace
@@ -50,10 +58,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace quasimc {
 
-HWY_EXPORT(variant_of_draw_span);
+HWY_EXPORT(variant_of_draw_spans);
 
-DrawSpan* best_draw_span() {
-    return HWY_DYNAMIC_DISPATCH(variant_of_draw_span)();
+DrawSpans* best_draw_spans() {
+    return HWY_DYNAMIC_DISPATCH(variant_of_draw_spans)();
 }
 
 }  // namespace quasimc

@@ -186,12 +186,14 @@ void ItemBuffer::rasterize(const ProjectedTriangle& c, const Span& span) const {
 void ItemBuffer::draw_opaque(std::uint32_t triangle) {
     for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
         const auto id = static_cast<std::int32_t>(images_.size());
-        bool touched = false;
-        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
-            touched = true;
-            draw_span_(&depths_[first], &ids_[first], count, z, step, id);
+        spans_.clear();
+        float step = 0;
+        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float z_step) {
+            spans_.push_back({first, count, z});
+            step = z_step;
         });
-        if (touched) {
+        if (!spans_.empty()) {
+            draw_spans_(depths_.data(), ids_.data(), spans_, step, id);
             images_.push_back(image);
         }
     });

@@ -74,7 +74,7 @@ class ItemBuffer {
     void list_items();
     void add_sensor(std::uint32_t triangle);
 
-    DrawSpan* draw_span_ = best_draw_span();
+    DrawSpans* draw_spans_ = best_draw_spans();
     ProjectedScene scene_;
     Vec3 direction_;
     BeamAxis x_, y_, z_;  // place on the grid, and depth
@@ -83,6 +83,7 @@ class ItemBuffer {
     bool repeats_x_ = false, repeats_y_ = false;
     std::vector<float> depths_;        // by pixel
     std::vector<std::int32_t> ids_;    // by pixel: in images_
+    std::vector<PixelSpan> spans_;     // scratch, of one triangle
     std::vector<std::uint32_t> ends_;  // scratch
     std::vector<Run> runs_;
     std::vector<Image> images_;  // the first stands for nothing

@@ -47,6 +47,11 @@ Row drawn_one_by_one(Row row, const Span& span) {
     return row;
 }
 
+void draw(Row& row, const Span& span) {
+    const PixelSpan pixels{0, span.count, span.z};
+    best_draw_spans()(row.depths.data(), row.ids.data(), {&pixels, 1}, span.step, 7);
+}
+
 TEST(DrawSpan, DrawsTheSameBitsOnEveryVectorUnit) {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> number(-.1F, 1);
@@ -56,7 +61,7 @@ TEST(DrawSpan, DrawsTheSameBitsOnEveryVectorUnit) {
         const Row expected = drawn_one_by_one(row, span);
         for_each_vector_unit([&] {
             Row drawn = row;
-            best_draw_span()(drawn.depths.data(), drawn.ids.data(), count, span.z, span.step, 7);
+            draw(drawn, span);
             EXPECT_EQ(drawn, expected) << count << " pixels";
         });
     }
@@ -65,10 +70,22 @@ TEST(DrawSpan, DrawsTheSameBitsOnEveryVectorUnit) {
 TEST(DrawSpan, LeavesWhatIsAsNear) {
     for_each_vector_unit([] {
         Row row{std::vector<float>(1 + kSpanLanes, .5F), std::vector<std::int32_t>(1 + kSpanLanes)};
-        best_draw_span()(row.depths.data(), row.ids.data(), 1, .5F, 0, 7);
+        draw(row, {1, .5F, 0});
         EXPECT_EQ(row.ids[0], 0);
-        best_draw_span()(row.depths.data(), row.ids.data(), 1, .25F, 0, 7);
+        draw(row, {1, .25F, 0});
         EXPECT_EQ(row.ids[0], 7);
+    });
+}
+
+TEST(DrawSpan, DrawsOneSpanAfterTheOther) {
+    for_each_vector_unit([] {
+        Row row{std::vector<float>(12 + kSpanLanes, 1), std::vector<std::int32_t>(12 + kSpanLanes)};
+        const std::vector<PixelSpan> spans{{1, 2, .5F}, {10, 1, .25F}};
+        best_draw_spans()(row.depths.data(), row.ids.data(), spans, .125F, 7);
+        row.depths.resize(12);
+        row.ids.resize(12);
+        EXPECT_EQ(row.depths, (std::vector<float>{1, .5F, .625F, 1, 1, 1, 1, 1, 1, 1, .25F, 1}));
+        EXPECT_EQ(row.ids, (std::vector<std::int32_t>{0, 7, 7, 0, 0, 0, 0, 0, 0, 0, 7, 0}));
     });
 }
 

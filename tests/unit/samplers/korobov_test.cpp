@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "lattice_merit.h"
 #include "sampler_testing.h"
 #include "samplers/korobov_table.h"
-#include "samplers/lattice_merit.h"
 
 namespace quasimc::test {
 namespace {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Fifty leaves of two bands above a ground; the first `measured` are.
-Scene make_stand(double reflectance = .2, std::size_t measured = 50) {
+Scene make_audited_stand(double reflectance = .2, std::size_t measured = 50) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(matt("leaf", reflectance, .2, 2));
     builder.add_material(matt("soil", .2, 0, 2));
@@ -106,7 +106,7 @@ TEST(Audit, OfDarknessAgrees) {
 }
 
 TEST(Audit, AgreesWithEveryWayOfTracing) {
-    const Scene scene = make_stand();
+    const Scene scene = make_audited_stand();
     for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
         RunSpec spec = audited_spec();
         spec.method = from;
@@ -125,7 +125,7 @@ TEST(Audit, AgreesWithEveryWayOfTracing) {
 }
 
 TEST(Audit, LeavesTheResultAsItWas) {
-    const Scene scene = make_stand();
+    const Scene scene = make_audited_stand();
     RunSpec spec = audited_spec();
     const Result audited = run(scene, make_sources(), spec);
     spec.audit = 0;
@@ -139,7 +139,7 @@ TEST(Audit, LeavesTheResultAsItWas) {
 TEST(Audit, KnowsTheOrgansThatAreMeasured) {
     RunSpec spec = audited_spec();
     spec.method = Method::from_organs;
-    const Result result = run(make_stand(.2, 5), make_sources(), spec);
+    const Result result = run(make_audited_stand(.2, 5), make_sources(), spec);
     EXPECT_TRUE(result.audit->agrees());
     EXPECT_TRUE(std::isnan(result.audit->bands[0].difference));
     EXPECT_LE(result.audit->bands[0].freedom, 12);
@@ -150,11 +150,11 @@ TEST(Audit, FindsAWrongAlbedo) {
     RunSpec spec = audited_spec();
     spec.audit = 0;
     spec.paths = 1 << 14;
-    const Result wrong = run(make_stand(.3), make_sources(), spec);
+    const Result wrong = run(make_audited_stand(.3), make_sources(), spec);
     spec.sampler = "monte_carlo";
     spec.seed = 5;
-    const Result right = run(make_stand(.2), make_sources(), spec);
-    const Audit audit = compare_results(make_stand(), wrong, right);
+    const Result right = run(make_audited_stand(.2), make_sources(), spec);
+    const Audit audit = compare_results(make_audited_stand(), wrong, right);
     EXPECT_FALSE(audit.agrees());
     EXPECT_LT(audit.bands[0].difference_chance, kAuditLevel);
 }
@@ -175,7 +175,7 @@ std::pair<std::ptrdiff_t, std::ptrdiff_t> least_and_most_lit(const Result& resul
 
 /// A control: the light of two organs exchanged, which no total shows.
 TEST(Audit, FindsLightOnTheWrongOrgan) {
-    const Scene scene = make_stand();
+    const Scene scene = make_audited_stand();
     RunSpec spec = audited_spec();
     spec.audit = 0;
     Result tampered = run(scene, make_sources(), spec);
@@ -194,7 +194,7 @@ TEST(Audit, FindsLightOnTheWrongOrgan) {
 }
 
 TEST(Audit, IsMadeOfEachTraceOfASeries) {
-    const Scene scene = make_stand();
+    const Scene scene = make_audited_stand();
     std::vector<TimeStep> time_steps;
     for (const double zenith : {20.0, 50.0}) {
         time_steps.push_back(
