@@ -4,6 +4,9 @@
 In README.md, CONTRIBUTING.md and docs/**/*.md, a block that opens with ```sh run is executed by
 sh -e in a temporary copy of the tree, where ./dev run and quasimc are the program under test, and
 a block that opens with ```toml run is given to "quasimc check".  Every examples/*/*.toml is run.
+
+missing_names() finds what pages speak of and the tree does not have: paths and names of files in
+`code`, targets of links, and pages that sources name.
 """
 
 import argparse
@@ -19,6 +22,17 @@ ROOT = Path(__file__).resolve().parent.parent
 FENCE = re.compile(r"^(?P<indent> *)```(?P<info>[^`\n]*)\n(?P<body>.*?)^ *```\s*$", re.M | re.S)
 TIME_LIMIT_S = 300
 
+# What a page may name: a path from the root, or the end of one, as "run.cpp" or "run/run.cpp".
+FOLDERS = "apps|bench|cmake|data|docs|examples|include|src|tests|tools"
+CODE = re.compile(r"`([^`\s]+)`")
+PATH = re.compile(rf"(?:{FOLDERS})/[^\s:]*$")
+FILE = re.compile(r"[\w/-]+\.(?:h|cpp|py|cmake|txt)$")
+PLACEHOLDER = re.compile(r"\w*(?:NAME|FAMILY)|<")  # stands for any part of a path: NAME.cpp
+LINK = re.compile(r"\]\(([^()\s]+)\)")
+HEADING = re.compile(r"^#+ +(.*?) *$", re.M)
+PAGE_IN_SOURCE = re.compile(r"\bdocs/[\w/.-]+\.md\b")
+SOURCE_SUFFIXES = {".h", ".cpp", ".py", ".cmake", ".txt", ".toml"}
+
 
 def runnable_blocks(path):
     """The blocks of a page that are marked to run, as (line, language, text)."""
@@ -29,6 +43,63 @@ def runnable_blocks(path):
             indent = len(match["indent"])
             body = "".join(line[indent:] for line in match["body"].splitlines(keepends=True))
             yield text.count("\n", 0, match.start()) + 1, words[0], body
+
+
+def without_blocks(text):
+    """The text of a page with its code blocks empty, lines counted as before."""
+    return FENCE.sub(lambda block: "\n" * block[0].count("\n"), text)
+
+
+def anchors(page):
+    """The names by which links find the headings of a page, as GitHub and Sphinx make them."""
+    for heading in HEADING.findall(without_blocks(page.read_text(encoding="utf-8"))):
+        plain = re.sub(r"[^\w\- ]", "", heading.lower())
+        yield plain.replace(" ", "-")
+
+
+def names_a_file(path, root, files):
+    """Whether a path stands in the tree; of one with a placeholder, the folder before that."""
+    parts = path.rstrip("/").split("/")
+    fixed = next((i for i, part in enumerate(parts) if PLACEHOLDER.match(part)), None)
+    if fixed is not None:
+        return (root / "/".join(parts[:fixed])).is_dir()
+    if PATH.match(path):
+        return (root / path).exists()
+    return any(file == path or file.endswith("/" + path) for file in files)
+
+
+def faults_of_page(page, root, files):
+    """What a page names and the tree does not have, as (line, name)."""
+    for number, line in enumerate(without_blocks(page.read_text(encoding="utf-8")).split("\n"), 1):
+        for name in CODE.findall(line):
+            is_path = PATH.match(name) or FILE.match(name)
+            if is_path and not names_a_file(name, root, files):
+                yield number, name
+        for target in LINK.findall(CODE.sub("", line)):
+            if re.match(r"\w+:", target):
+                continue
+            path, _, anchor = target.partition("#")
+            there = (page.parent / path).resolve() if path else page
+            if not there.exists() or (anchor and anchor not in anchors(there)):
+                yield number, target
+
+
+def missing_names(root=ROOT):
+    """What pages and sources name and the tree does not have, as "file:line: name"."""
+    listed = [p for f in FOLDERS.split("|") for p in sorted((root / f).glob("**/*"))]
+    files = [str(p.relative_to(root)) for p in listed if p.is_file()]
+    pages = [*sorted(root.glob("*.md")), *(root / f for f in files if f.endswith(".md"))]
+    pages = [page for page in pages if "templates" not in page.parts]
+    for page in pages:
+        for number, name in faults_of_page(page, root, files):
+            yield f"{page.relative_to(root)}:{number}: {name}"
+    for file in files:
+        if Path(file).suffix in SOURCE_SUFFIXES and not file.endswith("_test.py"):
+            text = (root / file).read_text(encoding="utf-8", errors="replace")
+            for number, line in enumerate(text.split("\n"), 1):
+                for page in PAGE_IN_SOURCE.findall(line):
+                    if Path(page).stem.lower() != "name" and not (root / page).exists():
+                        yield f"{file}:{number}: {page}"
 
 
 def copy_tree(target):
@@ -83,6 +154,9 @@ def main():
         sys.exit(f"docs: {program} is missing; build it first (./dev build)")
 
     count, failed = 0, 0
+    for missing in missing_names():
+        failed += 1
+        print(f"{missing}: there is no such thing", file=sys.stderr)
     with tempfile.TemporaryDirectory(prefix="quasimc-docs-") as folder:
         copy = Path(folder) / "quasimc"
         copy_tree(copy)

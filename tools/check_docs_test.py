@@ -1,4 +1,4 @@
-"""check_docs.py: which blocks it takes for runnable."""
+"""check_docs.py: which blocks it takes for runnable, and that pages name what there is."""
 
 import tempfile
 import unittest
@@ -24,6 +24,18 @@ second
    ```
 """
 
+NAMES = """# A page
+
+`src/run/run.cpp`, `src/run`, `src/run/gone.cpp`, not `src/gone and more`
+`run.cpp`, `run/run.cpp`, `gone.cpp`
+`src/run/NAME.cpp`, `src/gone/NAME.cpp`
+[here](#a-page), [page](page.md#a-page), [gone](gone.md), [gone](#no-such-heading)
+
+```sh
+cat `src/gone.cpp`
+```
+"""
+
 
 class CheckDocs(unittest.TestCase):
     def test_only_marked_blocks_are_run_and_indents_are_removed(self):
@@ -38,6 +50,28 @@ class CheckDocs(unittest.TestCase):
     def test_a_failing_command_is_reported_with_its_output(self):
         problem = check_docs.run(["sh", "-e", "-c", "echo why; false"], ".", None)
         self.assertEqual(problem, "exit status 1\nwhy\n")
+
+    def test_pages_and_sources_name_files_and_headings_that_exist(self):
+        self.assertEqual(list(check_docs.missing_names()), [])
+
+    def test_names_of_nothing_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            (root / "src/run").mkdir(parents=True)
+            (root / "docs").mkdir()
+            (root / "src/run/run.cpp").write_text("// docs/page.md, docs/gone.md\n")
+            (root / "docs/page.md").write_text(NAMES)
+            self.assertEqual(
+                list(check_docs.missing_names(root)),
+                [
+                    "docs/page.md:3: src/run/gone.cpp",
+                    "docs/page.md:4: gone.cpp",
+                    "docs/page.md:5: src/gone/NAME.cpp",
+                    "docs/page.md:6: gone.md",
+                    "docs/page.md:6: #no-such-heading",
+                    "src/run/run.cpp:1: docs/gone.md",
+                ],
+            )
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ def with_error(mean, error):
 
 def table(rows):
     """Lines of the table of one suite: {claim: {direction: numbers}}."""
-    yield "| Case | Expected | From the sources | From lit surfaces | From the organs | Resolution |\n"
+    yield "| Case | Expected | `light_tracing` | `first_hits` | `from_organs` | Resolution |\n"
     yield "|---|---|---|---|---|---|\n"
     for claim, found in rows.items():
         numbers = list(found.values())

@@ -1,5 +1,5 @@
-// The solvers. To add one: write its file (tools/new.py solver NAME starts it), add a value to
-// Method and a row here.
+// The solvers. To add one: write its file, its test and its page, add a value to Method and a row
+// here. (docs/develop/decisions/solver-owns-its-loop.md tells what a solver promises.)
 
 #include "solvers/catalogue.h"
 
