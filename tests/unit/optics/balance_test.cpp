@@ -102,7 +102,8 @@ TEST_P(ManyBands, GatherIsUnbiasedInEveryBand) {
     for (const bool is_through : {false, true}) {
         const auto hemisphere = is_through ? Hemisphere::transmitted : Hemisphere::reflected;
         const Vec3 arrival_normal = is_through ? -at_.n : at_.n;
-        for (const Lobe& lobe : leaf_.side(is_through).lobes()) {  // leaves on the lower side
+        for (const Lobe& lobe : leaf_.side(is_through ? SurfaceSide::upper : SurfaceSide::lower)
+                                    .lobes()) {  // leaves on the lower side
             if (lobe.shape->hemisphere() != hemisphere) {
                 continue;
             }
