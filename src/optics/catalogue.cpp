@@ -19,6 +19,7 @@ namespace quasimc {
 // `quasimc list models` follow from the row; tests/unit/optics/models_test.cpp tries every row over
 // a grid of its parameters.
 
+std::unique_ptr<Bsdf> make_coated_lambertian(Hemisphere hemisphere, std::span<const double> values);
 // (tools/new.py declares a model above this line)
 
 namespace {
@@ -30,6 +31,13 @@ constexpr std::array kExponent{BsdfParameter{
     .usual = std::nullopt,
     .summary = "the larger, the narrower the lobe",
     .suggestion = "for one direction use model 'mirror'"}};
+
+constexpr std::array kCoat{BsdfParameter{
+    .name = "coat",
+    .low = 0,
+    .high = 1,
+    .usual = 0.04,
+    .summary = "what the coat reflects of light along the normal"}};
 
 // (tools/new.py tells the parameters of a model above this line)
 
@@ -50,6 +58,9 @@ constexpr std::array kModels = {
         "one direction: mirrored if reflected, straight on if transmitted",
         {},
         [](Hemisphere side, std::span<const double>) { return make_mirror(side); }},
+    BsdfEntry{
+        "coated_lambertian", "the cosine law under a smooth coat: a waxy leaf", kCoat,
+        make_coated_lambertian},
     // (tools/new.py enters a model above this line)
 };
 

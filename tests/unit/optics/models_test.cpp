@@ -195,7 +195,8 @@ TEST_P(EveryModel, IsReciprocalWhereItSaysSoAndSymmetricOtherwise) {
             const double back = lobe.reversed_value(wo);
             largest_difference =
                 std::max(largest_difference, std::abs(forth - back) / (forth + back + 1e-300));
-            if (!lobe.bsdf.is_reciprocal()) {
+            // Of light under a coat only the way in is weakened: that can't be symmetric.
+            if (!lobe.bsdf.is_reciprocal() && lobe.bsdf.has_constant_albedo()) {
                 const double p = lobe.pdf(wo);
                 ASSERT_NEAR(p, lobe.reversed_pdf(wo), 1e-9 * p + 1e-290);
             }
