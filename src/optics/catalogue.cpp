@@ -35,7 +35,7 @@ constexpr std::array kExponent{BsdfParameter{
 constexpr std::array kCoat{BsdfParameter{
     .name = "coat",
     .low = 0,
-    .high = 1,
+    .high = 0.9,
     .usual = 0.04,
     .summary = "what the coat reflects of light along the normal"}};
 
