@@ -71,7 +71,7 @@ class LobeTable {
     };
 
     /// Draws a lobe with probability power(lobe) / total. The total is the sum of the weights, or
-    /// draw.enough if that is less, or the powers of all lobes if they are more. None if the
+    /// draw.roulette_threshold if that is less, or the powers of all lobes if they are more. None if the
     /// weights are all 0.
     /// The albedos are those stated, of which the power of a lobe at an angle is never more.
     [[nodiscard]] Choice choose(const Draw& draw, std::span<const double> weights) const;

@@ -140,8 +140,8 @@ class Assembler {
         }
     }
 
-    /// Adds an element for each material of the organ's parts that have triangles. Returns these
-    /// parts, those of one element together.
+    /// Adds a region for each material of the organ's parts that have triangles. Returns these
+    /// parts, those of one region together.
     std::vector<std::uint32_t> add_regions(std::size_t number) {
         const std::span<const DraftPart> given = draft_.parts_of(number);
         const auto region = [&](std::uint32_t i) -> std::uint32_t& {

@@ -7,7 +7,7 @@
 
 namespace quasimc {
 
-/// Organs, elements and triangles of a scene.
+/// Organs, regions and triangles of a scene.
 struct DraftAssembly {
     std::vector<Organ> organs;
     std::vector<Region> regions;

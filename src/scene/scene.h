@@ -70,21 +70,21 @@ class Scene {
     [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
     [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
     [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
-    /// The triangles of an organ stand together, those of its first element first. Organs that
+    /// The triangles of an organ stand together, those of its first region first. Organs that
     /// are made of instances come after all others.
     [[nodiscard]] const SceneGeometry& triangles() const { return *geometry_; }
     /// The same, for who keeps them longer than the scene. Copies of a scene share them.
     [[nodiscard]] std::shared_ptr<const SceneGeometry> shared_triangles() const {
         return geometry_;
     }
-    /// The element of each triangle that belongs to no instance, and of each instance.
+    /// The region of each triangle that belongs to no instance, and of each instance.
     [[nodiscard]] const std::vector<RegionIndex>& triangle_regions() const {
         return triangle_regions_;
     }
     [[nodiscard]] const std::vector<RegionIndex>& instance_regions() const {
         return instance_regions_;
     }
-    /// The element of a triangle.
+    /// The region of a triangle.
     [[nodiscard]] RegionIndex region_of(std::uint32_t triangle) const {
         return triangle < triangle_regions_.size()
                    ? triangle_regions_[triangle]

@@ -20,7 +20,7 @@ namespace {
 struct Thresholds {
     double dark, bright;  ///< where leaves absorb most light, or scatter most
 };
-// THE THRESHOLDS. Lit surfaces have direct light almost without noise: the more of the light is
+// THE THRESHOLDS. First hits have direct light almost without noise: the more of the light is
 // direct, the more organs must gain elsewhere.
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};

@@ -38,7 +38,7 @@ struct LampSpec {
 /// scene it repeats with the cell (and is then traced from the sources only).
 ///
 /// Light tracing sends paths either by the lamp's pattern or into the cone that the scene's
-/// bounding sphere fills, whichever wastes less; flux() of its emitter is the light that goes
+/// bounding sphere fills, whichever wastes less; flux() of its sampler is the light that goes
 /// there.
 [[nodiscard]] std::shared_ptr<const Source> make_lamp(LampSpec spec);
 

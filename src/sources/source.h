@@ -17,7 +17,7 @@ namespace quasimc {
 struct Emission {
     Vec3 origin;
     Vec3 direction;     ///< unit, in which the light travels
-    double weight = 1;  ///< relative to the emitter's mean weight; its mean over the unit cube is 1
+    double weight = 1;  ///< relative to the source's mean weight; its mean over the unit cube is 1
 };
 
 /// A direction and the density with which it was drawn.
@@ -72,7 +72,7 @@ struct Illumination {
     double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
 };
 
-/// What kind of light a source gives, by which estimators decide how to follow it.
+/// What kind of light a source gives, by which solvers decide how to follow it.
 struct SourceTraits {
     /// All light comes from one direction, a point of the sky. No ray finds it by chance, and
     /// radiance() is 0.
@@ -133,7 +133,7 @@ class Source {
     /// !traits().at_infinity
     [[nodiscard]] bool is_lamp() const { return !traits_.at_infinity; }
 
-    /// Null when no light of this source enters the aperture.
+    /// Null when no light of this source meets the scene.
     [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const = 0;
     /// Draws a direction from which light reaches `point` (world coordinates).

@@ -26,10 +26,11 @@ void tally_cut_off(const Side& side, double cosine, std::span<const double> weig
 /// A light path under way: the physics of light tracing.
 ///
 /// At every hit the light that falls on the side is scored, in all bands; what the organ absorbs
-/// follows from it (TallyLayout). Then one number decides between the lobes of the material and the
-/// end of the path, so that a path lives on with the surface's albedo and carries on with its
-/// weight (Side::scatter). Fixed-point copies of the weights are made once for each flight, so that
-/// what leaves one surface is, to the last bit, what arrives at the next or escapes.
+/// follows from it, or is summed (AbsorbedLight). Then one number decides between the lobes of the
+/// material and the end of the path, so that a path lives on with the surface's albedo and carries
+/// on with its weight (Side::scatter). Fixed-point copies of the weights are made once for each
+/// flight, so that what leaves one surface is, to the last bit, what arrives at the next or
+/// escapes.
 class ParticleTracer {
   public:
     ParticleTracer(
@@ -42,7 +43,7 @@ class ParticleTracer {
           fixed_(scratch.fixed),
           tally_(tally) {}
 
-    std::uint64_t trace_from(const CastHit& first_hit, FirstHit first) {
+    std::uint64_t trace_all(const CastHit& first_hit, FirstHit first) {
         return trace(first_hit, 0, first == FirstHit::to_score);
     }
 
@@ -201,7 +202,7 @@ std::uint64_t trace_particle(
     FirstHit first,
     ParticleScratch& scratch,
     Tally& tally) {
-    return ParticleTracer(rules, path, scratch, tally).trace_from(at, first);
+    return ParticleTracer(rules, path, scratch, tally).trace_all(at, first);
 }
 
 std::optional<Vec3> scatter_first(

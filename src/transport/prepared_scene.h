@@ -12,9 +12,9 @@
 
 namespace quasimc {
 
-/// A source on the stage. Weights are relative: in each band the flux of all sources is 1, shared
-/// out so that a path that picks a source with `probability` brings start_weights[b] to band b, on
-/// average 1.
+/// A source bound to the scene. Weights are relative: in each band the flux of all sources is 1,
+/// shared out so that a path that picks a source with `probability` brings start_weights[b] to band
+/// b, on average 1.
 struct BoundSource {
     const Source* source = nullptr;
     std::unique_ptr<SourceSampler> source_sampler;

@@ -18,7 +18,7 @@ namespace quasimc {
     std::uint32_t count,
     const std::array<double, 2>& shift);
 
-/// Directions that serve all skies of a stage at once: each sky draws some, in proportion to its
+/// Directions that serve all skies of a scene at once: each sky draws some, in proportion to its
 /// light, and whichever drew a direction, all skies send their light along it, weighted by the
 /// density of all together (the balance heuristic of Veach and Guibas 1995).
 class SkyDirections {
