@@ -1,9 +1,10 @@
 # quasimc_module(NAME <module> SOURCES a.cpp ... PUBLIC <lib>... PRIVATE <lib>...)
 #
 # Makes the static library quasimc_<module> (alias quasimc::<module>) of the current folder and
-# adds it to the installed package.  A library is the name of a lower module or of a third party
-# in the list below.  PUBLIC if a header includes it, PRIVATE if only sources do.  A module without
-# SOURCES is made of headers alone.
+# adds it to the installed package, without its headers: those of users are in include/quasimc/
+# (tools/check_layers.py knows which module each belongs to).  A library is the name of a lower
+# module or of a third party in the list below.  PUBLIC if a header includes it, PRIVATE if only
+# sources do.  A module without SOURCES is made of headers alone.
 
 set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
 set(QUASIMC_THIRD_PARTY_threads Threads::Threads)
@@ -11,7 +12,7 @@ set(QUASIMC_THIRD_PARTY_embree QuasimcEmbree::embree)
 set(QUASIMC_THIRD_PARTY_boost_headers $<BUILD_INTERFACE:Boost::headers>)
 set(QUASIMC_THIRD_PARTY_highway hwy::hwy)
 set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
-set(QUASIMC_THIRD_PARTY_nlohmann_json nlohmann_json::nlohmann_json)
+set(QUASIMC_THIRD_PARTY_nlohmann_json $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 set(QUASIMC_THIRD_PARTY_cli11 CLI11::CLI11)
 set(QUASIMC_THIRD_PARTY_png PNG::PNG)
 
@@ -82,7 +83,6 @@ function(quasimc_module)
     target_include_directories(
         ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
-        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>)
     set_property(GLOBAL APPEND PROPERTY QUASIMC_LIBRARIES ${target})
 endfunction()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the shape of the source: layers, fences around libraries, silence of the engine, sizes.
+"""Checks the shape of the source: layers, fences, the public headers, silence of the engine, sizes.
 
 The layers stand in src/layers.txt.  Every fault is printed as "file:line: problem", and
 the exit status is 1 if there was one.  File sizes are hints and never fail.
@@ -26,6 +26,26 @@ FENCES = {
     ],
     "tbb/": ["src/geometry/cast/embree.cpp"],
 }
+
+# The public headers, include/quasimc/, and the module that each belongs to: its layer is that of the
+# header.  The one of all of them is for users alone.
+PUBLIC_HEADERS = {
+    "error.h": "base",
+    "vec3.h": "base",
+    "version.h": "base",
+    "mesh.h": "geometry",
+    "material.h": "optics",
+    "sums.h": "sums",
+    "source.h": "sources",
+    "sun.h": "sources",
+    "scene.h": "scene",
+    "run_spec.h": "solvers",
+    "result.h": "results",
+    "run.h": "run",
+    "series.h": "run",
+    "file.h": "io",
+}
+ALL_PUBLIC_HEADERS = "quasimc.h"
 
 # Headers so slow to compile that they stay out of ours.
 SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/", "hwy/", "boost/")
@@ -81,12 +101,14 @@ def reachable(module, every, public):
 
 
 def module_of(path, layers):
-    """The module a file belongs to; None for tests, benchmarks and the public header."""
+    """The module a file belongs to; None for tests, benchmarks and the header of all."""
     parts = path.parts
     if parts[0] in ("apps", "python"):
         return parts[0]
     if parts[0] == "src" and len(parts) > 2 and parts[1] in layers:
         return parts[1]
+    if parts[0] == "include":
+        return PUBLIC_HEADERS.get(path.name)
     return None
 
 
@@ -106,16 +128,30 @@ class Checker:
         if path.parts[0] in ("tests", "bench") and (self.root / path.parts[0] / target).exists():
             return
         if parts[0] == "quasimc":
-            if module is not None and self.layers[module] < self.layers["apps"]:
-                self.fault(path, line, f'"{target}" is for users; include the module\'s header')
+            self.check_public_include(path, line, module, parts[-1])
+            return
+        if path.parts[0] == "include":
+            self.fault(path, line, f'"{target}" is private: users do not have it')
             return
         if len(parts) < 2:
             if path.parts[0] == "src":
                 self.fault(path, line, f'include "{target}" from src/, as "<module>/..."')
             return
-        if module is None:
-            return
-        other = parts[0]
+        if module is not None:
+            self.check_module_include(path, line, module, target, parts[0])
+
+    def check_public_include(self, path, line, module, name):
+        if name == ALL_PUBLIC_HEADERS:
+            if path.parts[0] == "src":
+                self.fault(path, line, f'"quasimc/{name}" is for users; include what is needed of it')
+        elif name not in PUBLIC_HEADERS:
+            self.fault(path, line, f'"quasimc/{name}": no such header in PUBLIC_HEADERS')
+        elif module is not None:
+            self.check_module_include(
+                path, line, module, f"quasimc/{name}", PUBLIC_HEADERS[name]
+            )
+
+    def check_module_include(self, path, line, module, target, other):
         if other == module:
             return
         if other not in self.layers:
@@ -145,6 +181,8 @@ class Checker:
         text = (self.root / path).read_text(encoding="utf-8")
         lines = text.splitlines()
         module = module_of(path, self.layers)
+        if path.parts[0] == "include" and module is None and path.name != ALL_PUBLIC_HEADERS:
+            self.fault(path, 1, "not in PUBLIC_HEADERS")
         engine = (
             module is not None
             and self.layers[module] < self.layers["io"]

@@ -66,6 +66,26 @@ class CheckLayers(unittest.TestCase):
     def test_printing_in_a_comment_is_left_alone(self):
         self.assertEqual(faults_with("src/geometry/a.cpp", "// std::cout\n"), [])
 
+    def test_public_headers_have_the_layer_of_their_module(self):
+        self.assertEqual(faults_with("src/geometry/a.cpp", '#include "quasimc/vec3.h"\n'), [])
+        text = '#include "quasimc/mesh.h"\n'
+        self.assert_one_fault("src/base/b.h", "#pragma once\n" + text, "only lower layers")
+        text = '#pragma once\n#include "quasimc/file.h"\n'
+        self.assert_one_fault("include/quasimc/mesh.h", text, "only lower layers")
+
+    def test_a_private_include_in_a_public_header_is_refused(self):
+        text = '#pragma once\n#include "base/vec3.h"\n'
+        self.assert_one_fault("include/quasimc/mesh.h", text, "is private")
+
+    def test_a_public_header_that_is_not_in_the_table_is_refused(self):
+        self.assert_one_fault("include/quasimc/more.h", "#pragma once\n", "not in PUBLIC_HEADERS")
+        text = '#include "quasimc/more.h"\n'
+        self.assert_one_fault("src/geometry/a.cpp", text, "no such header")
+
+    def test_the_header_of_all_is_for_users(self):
+        text = '#include "quasimc/quasimc.h"\n'
+        self.assert_one_fault("src/geometry/a.cpp", text, "is for users")
+
     def test_a_relative_include_is_refused(self):
         self.assert_one_fault("src/geometry/a.cpp", '#include "a.h"\n', "from src/")
 

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "base/version.h"
 #include "coupling/environment.h"
+#include "quasimc/version.h"
 
 namespace {
 

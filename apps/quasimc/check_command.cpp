@@ -35,8 +35,8 @@ Exit check(const CheckArguments& arguments) {
     print_warnings(run.warnings);
     const std::string text = fmt::format(
         "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {} sources\n",
-        run.path, run.warnings.size(), run.scene.organs().size(), run.scene.triangles().size(),
-        run.scene.materials().size(), run.scene.bands().size(), run.sources.size());
+        run.path, run.warnings.size(), run.scene.organs().size(), run.scene.triangle_count(),
+        run.scene.material_names().size(), run.scene.bands().size(), run.sources.size());
     std::fputs(text.c_str(), stdout);
     if (run.series) {
         std::fputs(times_of(*run.series).c_str(), stdout);

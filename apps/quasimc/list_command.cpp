@@ -5,6 +5,8 @@
 
 #include "commands.h"
 #include "io/meshes/formats.h"
+#include "io/runfile/options.h"
+#include "optics/catalogue.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -15,8 +17,8 @@ std::string list_row(std::string_view name, std::string_view summary) {
 
 std::string list_samplers() {
     std::string text;
-    for (const quasimc::SamplerEntry& entry : quasimc::sampler_catalogue()) {
-        text += list_row(entry.name, entry.summary);
+    for (const quasimc::SamplerModel& sampler : quasimc::sampler_models()) {
+        text += list_row(sampler.name, sampler.summary);
     }
     return text;
 }

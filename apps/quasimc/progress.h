@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 
 /// A line on stderr that tells how far the run is; nothing when stderr is no terminal.
 [[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line();

@@ -13,10 +13,10 @@
 #include "io/numbers.h"
 #include "io/runfile/civil_time_text.h"
 #include "quasimc/quasimc.h"
+#include "quasimc/sun.h"
 #include "sources/clear_sky.h"
 #include "sources/daylight.h"
-#include "sources/sky.h"
-#include "sources/sun_position.h"
+#include "sources/source.h"
 #include "view/sky_plot.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "parts.h"
-#include "results/audit.h"
+#include "quasimc/result.h"
 #include "stands.h"
 #include "sums/statistics.h"
 #include "ways.h"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "parts.h"
+#include "quasimc/source.h"
 #include "scenes.h"
-#include "sources/sky.h"
 
 namespace quasimc::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "parts.h"
-#include "run/series.h"
+#include "quasimc/series.h"
 #include "scenes.h"
 #include "sources/hour_light.h"
 #include "sources/period_light.h"

@@ -14,8 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include "base/parallel.h"
-#include "base/version.h"
 #include "parts.h"
+#include "quasimc/version.h"
 
 int main(int argc, char** argv) {
     using namespace quasimc::bench;

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "parts.h"
+#include "quasimc/source.h"
 #include "scene/scene_builder.h"
 #include "scenes.h"
-#include "sources/lamp.h"
 
 namespace quasimc::bench {
 namespace {

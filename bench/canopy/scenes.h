@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "scene/scene.h"
 
 namespace quasimc::bench {

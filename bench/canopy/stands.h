@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "scene/scene.h"
 
 namespace quasimc::bench {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "solvers/run_spec.h"
+#include "quasimc/run_spec.h"
 
 namespace quasimc::bench {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/cast/intersector.h"
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc::bench {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc::bench {
 

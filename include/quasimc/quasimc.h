@@ -1,36 +1,22 @@
 #pragma once
 
-// The public API of QuasiMC in one include. README.md and docs/guide show how to use it; the
+// The public interface of QuasiMC in one include; docs/guide/library.md shows how to use it. The
 // shortest program is
 //
 //   const quasimc::RunFile file = quasimc::read_run_file("leaves.toml");
 //   const quasimc::Result result = quasimc::run(file.scene, file.sources, file.spec);
 
-#include "base/input_error.h"
-#include "base/orientation.h"
-#include "base/vec3.h"
-#include "base/version.h"
-#include "geometry/mesh/triangle.h"
-#include "geometry/shapes/shapes.h"
-#include "io/results/read_result.h"
-#include "io/results/write_result.h"
-#include "io/runfile/options.h"
-#include "io/runfile/run_file.h"
-#include "optics/catalogue.h"
-#include "optics/material.h"
-#include "results/result.h"
-#include "run/run.h"
-#include "run/series.h"
-#include "run/simulator.h"
-#include "samplers/catalogue.h"
-#include "scene/scene.h"
-#include "scene/scene_builder.h"
-#include "solvers/planner.h"
-#include "solvers/run_spec.h"
-#include "sources/civil_time.h"
-#include "sources/lamp.h"
-#include "sources/sky.h"
-#include "sources/sky_table.h"
-#include "sources/source.h"
-#include "sources/sun_position.h"
-#include "sums/statistics.h"
+#include "quasimc/error.h"
+#include "quasimc/file.h"
+#include "quasimc/material.h"
+#include "quasimc/mesh.h"
+#include "quasimc/result.h"
+#include "quasimc/run.h"
+#include "quasimc/run_spec.h"
+#include "quasimc/scene.h"
+#include "quasimc/series.h"
+#include "quasimc/source.h"
+#include "quasimc/sums.h"
+#include "quasimc/sun.h"
+#include "quasimc/vec3.h"
+#include "quasimc/version.h"

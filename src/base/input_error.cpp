@@ -1,8 +1,7 @@
-#include "base/input_error.h"
-
 #include <algorithm>
 
 #include "base/checks.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/input_error.h"
 #include "coupling/notices.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

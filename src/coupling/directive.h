@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/input_error.h"
 #include "base/range.h"
 #include "coupling/notices.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

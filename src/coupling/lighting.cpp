@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "base/angles.h"
+#include "quasimc/sun.h"
 #include "sources/clear_sky.h"
-#include "sources/sun_position.h"
 
 namespace quasimc {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupling/specification.h"
-#include "run/run.h"
+#include "quasimc/run.h"
 
 namespace quasimc {
 

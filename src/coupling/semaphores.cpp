@@ -14,8 +14,8 @@
 #include <sys/sem.h>
 #include <sys/syscall.h>
 
-#include "base/input_error.h"
 #include "coupling/byte_stream.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

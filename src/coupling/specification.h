@@ -15,9 +15,9 @@
 #include "geometry/shapes/shapes.h"
 #include "io/input_files.h"
 #include "optics/material.h"
-#include "results/result.h"
+#include "quasimc/result.h"
+#include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "solvers/run_spec.h"
 #include "sources/sky_table.h"
 
 namespace quasimc {

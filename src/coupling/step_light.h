@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "results/result.h"
+#include "quasimc/result.h"
 #include "scene/scene.h"
 
 namespace quasimc {

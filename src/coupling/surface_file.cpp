@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "base/bounds.h"
-#include "base/input_error.h"
 #include "base/text.h"
 #include "geometry/shapes/shapes.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
+#include "quasimc/error.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

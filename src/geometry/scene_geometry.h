@@ -6,11 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "base/affine.h"
-#include "base/bounds.h"
 #include "geometry/mesh/mesh.h"
-#include "geometry/mesh/triangle.h"
 #include "geometry/range_index.h"
+#include "quasimc/mesh.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

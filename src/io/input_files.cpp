@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "base/input_error.h"
 #include "io/sha256.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

@@ -7,16 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace quasimc {
+#include "quasimc/file.h"
 
-/// A file that a run was made from.
-struct InputFile {
-    std::string path;      ///< as stated
-    std::string resolved;  ///< absolute
-    std::string sha256;    ///< of its bytes, 64 hexadecimal digits
-    std::uint64_t bytes = 0;
-    bool is_run_file = false;
-};
+namespace quasimc {
 
 /// The whole of a file; "-" is standard input. @throws InputError  if it can't be read
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);

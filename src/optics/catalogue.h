@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,24 +9,13 @@
 #include <vector>
 
 #include "optics/bsdf.h"
+#include "quasimc/material.h"
 
 namespace quasimc {
 
 /// The largest exponent that glossy models take: the lobe is then 0.1 degrees wide, less than the
 /// sun. A sharper lobe is a mirror.
 inline constexpr double kMaxExponent = 1e6;
-
-/// Numbers that a person states for a model, by the names of its parameters.
-using BsdfParameters = std::map<std::string, double, std::less<>>;
-
-/// A number that a lobe model takes.
-struct BsdfParameter {
-    std::string_view name;          ///< as in `reflection_<name>`, `transmission_<name>`
-    double low, high;               ///< its domain, ends included
-    std::optional<double> usual;    ///< its value where none is stated; none: it must be stated
-    std::string_view summary;       ///< a few words for the manual
-    std::string_view suggestion{};  ///< to whoever states a value outside the domain
-};
 
 /// One row of the table of lobe models.
 struct BsdfEntry {

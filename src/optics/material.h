@@ -6,36 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "base/input_error.h"
-#include "base/surface_side.h"
 #include "base/vec3.h"
-#include "optics/catalogue.h"
 #include "optics/side.h"
+#include "quasimc/material.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
-
-/// What a person says of one side of a surface in one waveband: light that arrives on this side.
-/// Models are those of the catalogue, with their parameters by name; one that a model does not take
-/// is passed over.
-struct SideOptics {
-    double reflectance = 0;  ///< rho, 0..1; fraction that leaves on the side it came from
-    double transmittance =
-        0;  ///< tau, 0..1; fraction that leaves on the other side; rho + tau <= 1
-    std::string reflection_model = "lambertian";
-    BsdfParameters reflection_parameters = {};
-    std::string transmission_model = "lambertian";
-    BsdfParameters transmission_parameters = {};
-
-    friend bool operator==(const SideOptics&, const SideOptics&) = default;
-};
-
-/// A material as a person states it; one SideOptics per band.
-struct MaterialSpec {
-    std::string name;
-    std::vector<SideOptics> upper, lower;
-
-    friend bool operator==(const MaterialSpec&, const MaterialSpec&) = default;
-};
 
 /// A two-sided surface, immutable.
 class Material {
@@ -93,13 +69,6 @@ class Material {
     LobeTable to_upper_, to_lower_;  ///< the lobes that lead to a side
     bool transparent_ = false;
 };
-
-/// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
-/// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
-/// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.
-/// @param place  where the material stands; empty for "material 'name'"
-void check_material(
-    const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults);
 
 /// The material of a specification that has no fault. Equal lobes of several bands are merged.
 [[nodiscard]] Material make_material(const MaterialSpec& spec, std::size_t bands);

@@ -1,11 +1,10 @@
-#include "results/audit.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/checks.h"
-#include "results/result.h"
+#include "quasimc/result.h"
 #include "scene/scene.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

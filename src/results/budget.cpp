@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "results/evaluate.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

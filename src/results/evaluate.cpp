@@ -6,6 +6,7 @@
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

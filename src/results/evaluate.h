@@ -1,28 +1,12 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "results/result.h"
+#include "quasimc/result.h"
+#include "quasimc/sums.h"
 #include "scene/scene.h"
-#include "solvers/run_spec.h"
-#include "sums/sums.h"
 
 namespace quasimc {
-
-/// What is to be made of sums.
-struct EvaluationSpec {
-    std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
-    DirectLight direct_light = DirectLight::counted;
-    unsigned threads = 1;  ///< never changes a number
-};
-
-/// What the sums of a run say of each organ, ratio and band, with errors from the replicates: a
-/// pure function. Fills everything of the result but how it was found (Result::chosen, stop,
-/// times).
-/// @param sums  of at least one path
-/// @param scene  that they were computed for
-[[nodiscard]] Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
 /// The energy budget of each band, as part of the above.
 [[nodiscard]] std::vector<BandBudget> evaluate_budget(const Sums& sums, const Scene& scene);

@@ -6,7 +6,7 @@
 
 #include "base/checks.h"
 #include "base/text.h"
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "samplers/catalogue.h"
 #include "solvers/run_limits.h"
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "results/result.h"
+#include "quasimc/result.h"
+#include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "solvers/run_spec.h"
 #include "solvers/solver.h"
 
 namespace quasimc {

@@ -1,4 +1,4 @@
-#include "run/run.h"
+#include "quasimc/run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -99,7 +99,12 @@ Result run(
     return Simulator().run(scene, sources, spec, on_progress);
 }
 
-Result Simulator::run(
+Result evaluate_run(const Sums& sums, const Scene& scene, const RunSpec& spec) {
+    return evaluate(
+        sums, scene, {ratio_bands(scene, spec), spec.direct_light, thread_count(spec.threads)});
+}
+
+Result Simulator::State::run(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
@@ -120,7 +125,7 @@ Result Simulator::run(
     return result;
 }
 
-Sums Simulator::sums(
+Sums Simulator::State::sums(
     const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
     Faults faults;
     check_run(scene, sources, spec, faults);
@@ -138,11 +143,12 @@ Sums Simulator::sums(
     return sums;
 }
 
-PreparedScene Simulator::prepare(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+PreparedScene Simulator::State::prepare(
+    const Scene& scene, const Sources& sources, const RunSpec& spec) {
     return {scene, sources, spec.window, caster_for(scene, spec.engine)};
 }
 
-Result Simulator::trace(
+Result Simulator::State::trace(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,

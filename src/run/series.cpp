@@ -4,7 +4,7 @@
 // moment needs it and the sums it counts for are done, so that a season takes no more memory than a
 // day.
 
-#include "run/series.h"
+#include "quasimc/series.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sums/statistics.h"
+
 namespace quasimc {
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "results/result.h"
-#include "run/series.h"
+#include "quasimc/result.h"
+#include "quasimc/series.h"
 
 namespace quasimc {
 

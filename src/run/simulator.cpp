@@ -4,7 +4,29 @@
 
 namespace quasimc {
 
-std::shared_ptr<const RayCaster> Simulator::caster_for(const Scene& scene, Engine engine) {
+Simulator::Simulator() : state_(std::make_unique<State>()) {}
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&& other) noexcept = default;
+Simulator& Simulator::operator=(Simulator&& other) noexcept = default;
+
+Result Simulator::run(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress) {
+    return state_->run(scene, sources, spec, on_progress);
+}
+
+Sums Simulator::sums(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
+    return state_->sums(scene, sources, spec, first);
+}
+
+std::size_t Simulator::builds() const {
+    return state_->builds();
+}
+
+std::shared_ptr<const RayCaster> Simulator::State::caster_for(const Scene& scene, Engine engine) {
     const auto triangles = scene.shared_triangles();
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
@@ -20,7 +42,7 @@ std::shared_ptr<const RayCaster> Simulator::caster_for(const Scene& scene, Engin
     return caster_;
 }
 
-const Sampler& Simulator::sampler_for(const std::string& name) {
+const Sampler& Simulator::State::sampler_for(const std::string& name) {
     std::unique_ptr<Sampler>& sampler = samplers_[name];
     if (!sampler) {
         sampler = make_sampler(name);

@@ -1,43 +1,30 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "geometry/cast/ray_caster.h"
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "samplers/sampler.h"
-#include "sums/sums.h"
+#include "scene/scene.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
 
-/// Runs one after the other, as growth or the hours of a day ask for: keeps what the next run can
-/// use again. The acceleration structure serves as long as triangles, cell and engine stay the same
-/// (whatever happens to optics, sources or the specification), the samplers' tables always. A
-/// result is bit for bit that of quasimc::run.
-class Simulator {
+/// What a Simulator keeps from run to run, and what it does with it.
+class Simulator::State {
   public:
-    /// As quasimc::run. Not for several threads at a time.
-    /// @throws InputError  for a specification that can't be run: every fault at once
     [[nodiscard]] Result run(
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        const std::function<void(const Progress&)>& on_progress = {});
-
-    /// The sums of one round of RunSpec::paths, as a value: they can be saved, added to those of
-    /// other rounds of the same run, and evaluated (results/evaluate.h). Their digest is set.
-    /// Targets and budgets of time or paths are left alone.
-    /// @param first  the round's first path: a multiple of the paths; of a point set whose rounds
-    ///        are powers of two 0, or as many as the paths
-    /// @throws InputError  as run() does
+        const std::function<void(const Progress&)>& on_progress);
     [[nodiscard]] Sums sums(
-        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first = 0);
-
-    /// How often an acceleration structure had to be built.
+        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first);
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:

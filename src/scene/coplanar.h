@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/bounds.h"
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/bounds.h"
-#include "base/input_error.h"
+#include "quasimc/error.h"
+#include "quasimc/vec3.h"
 #include "scene/scene_builder.h"
 
 namespace quasimc {

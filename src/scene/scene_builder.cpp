@@ -8,6 +8,7 @@
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
 #include "scene/scene_checks.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 namespace {
@@ -32,7 +33,24 @@ void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) 
 }  // namespace
 
 SceneBuilder::SceneBuilder(std::vector<Band> bands, Orientation orientation)
-    : bands_(std::move(bands)), orientation_(orientation) {}
+    : bands_(std::move(bands)), orientation_(orientation), draft_(std::make_unique<SceneDraft>()) {}
+
+SceneBuilder::SceneBuilder(const SceneBuilder& other)
+    : bands_(other.bands_),
+      orientation_(other.orientation_),
+      length_unit_(other.length_unit_),
+      materials_(other.materials_),
+      draft_(std::make_unique<SceneDraft>(*other.draft_)),
+      ground_(other.ground_),
+      cell_(other.cell_) {}
+
+SceneBuilder& SceneBuilder::operator=(const SceneBuilder& other) {
+    return *this = SceneBuilder(other);
+}
+
+SceneBuilder::SceneBuilder(SceneBuilder&& other) noexcept = default;
+SceneBuilder& SceneBuilder::operator=(SceneBuilder&& other) noexcept = default;
+SceneBuilder::~SceneBuilder() = default;
 
 void SceneBuilder::set_length_unit(std::string unit) {
     length_unit_ = std::move(unit);
@@ -43,7 +61,7 @@ void SceneBuilder::add_material(MaterialSpec material, std::string place) {
 }
 
 void SceneBuilder::add_organ(OrganSpec organ) {
-    draft_.add(std::move(organ));
+    draft_->add(std::move(organ));
 }
 
 void SceneBuilder::set_ground(GroundSpec ground) {
@@ -55,14 +73,15 @@ void SceneBuilder::set_cell(const Cell& cell) {
 }
 
 Scene SceneBuilder::build() && {
+    SceneDraft& draft = *draft_;
     Faults faults;
     OrganFaults organ_faults(faults);
     check_bands(bands_, faults);
     check_north(orientation_, faults);
 
-    const std::int64_t free_id = number_organs(draft_, organ_faults);
-    turn_inward(draft_, orientation_);
-    Bounds bounds = check_triangles(draft_, 0, orientation_, organ_faults);
+    const std::int64_t free_id = number_organs(draft, organ_faults);
+    turn_inward(draft, orientation_);
+    Bounds bounds = check_triangles(draft, 0, orientation_, organ_faults);
     const std::size_t before = faults.size();
     check_cell(cell_, bounds, faults);
     if (ground_) {
@@ -73,27 +92,27 @@ Scene SceneBuilder::build() && {
         }
         OrganSpec ground = make_ground_organ(std::move(*ground_), cell_, bounds, faults);
         ground.id = free_id;
-        draft_.add(std::move(ground));
+        draft.add(std::move(ground));
         if (faults.size() == before) {
-            const std::size_t last = draft_.organs.size() - 1;
-            bounds.include(check_triangles(draft_, last, orientation_, organ_faults));
+            const std::size_t last = draft.organs.size() - 1;
+            bounds.include(check_triangles(draft, last, orientation_, organ_faults));
         }
     }
     if (faults.size() == before) {
-        check_images(cell_, draft_, faults);
+        check_images(cell_, draft, faults);
     }
-    check_fields_of_view(draft_, materials_, organ_faults);
+    check_fields_of_view(draft, materials_, organ_faults);
     organ_faults.finish();
-    check_whole(draft_, bounds, faults);
+    check_whole(draft, bounds, faults);
     const std::vector<MaterialId> materials =
-        resolve_materials(materials_, draft_, bands_.size(), faults);
+        resolve_materials(materials_, draft, bands_.size(), faults);
     faults.throw_if_any();
 
     Scene scene;
     for (const auto& [material, place] : materials_) {
         scene.materials_.push_back(make_material(material, bands_.size()));
     }
-    DraftAssembly assembly = assemble(std::move(draft_), materials);
+    DraftAssembly assembly = assemble(std::move(draft), materials);
     scene.organs_ = std::move(assembly.organs);
     scene.regions_ = std::move(assembly.regions);
     scene.triangle_regions_ = std::move(assembly.triangle_regions);

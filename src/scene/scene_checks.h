@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
-#include "base/ids.h"
-#include "base/input_error.h"
+#include "quasimc/error.h"
+#include "quasimc/scene.h"
+#include "quasimc/vec3.h"
 #include "scene/scene_builder.h"
 
 namespace quasimc {

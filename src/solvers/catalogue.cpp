@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/checks.h"
+#include "samplers/catalogue.h"
 #include "solvers/first_hits.h"
 #include "solvers/from_organs.h"
 #include "solvers/light_tracing.h"
@@ -38,6 +39,14 @@ std::span<const SolverEntry> solver_catalogue() {
             make_from_organs, from_organs_meaning},
     };
     return kSolvers;
+}
+
+std::vector<SamplerModel> sampler_models() {
+    std::vector<SamplerModel> models;
+    for (const SamplerEntry& entry : sampler_catalogue()) {
+        models.push_back({entry.name, entry.summary});
+    }
+    return models;
 }
 
 std::unique_ptr<Solver> make_solver(const SolverInput& input) {

@@ -1,16 +1,10 @@
 #pragma once
 
+#include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "solvers/run_spec.h"
 #include "sources/source.h"
 
 namespace quasimc {
-
-/// How to trace: as the specification says or, if that is `automatic`, by the rules of
-/// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given
-/// time. A method that can't be run is never chosen. A pure function of its arguments.
-[[nodiscard]] ChosenMethod plan_method(
-    const Scene& scene, const Sources& sources, const RunSpec& spec);
 
 /// How much the errors of the measured organs would gain if every one of them got as many paths,
 /// instead of each as many as light finds it by: area of all organs over (number of measured organs

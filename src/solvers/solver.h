@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "base/executor.h"
+#include "quasimc/run_spec.h"
+#include "quasimc/sums.h"
 #include "samplers/sampler.h"
-#include "solvers/run_spec.h"
-#include "sums/sums.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/checks.h"
-#include "sources/sky.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

@@ -1,11 +1,10 @@
-#include "sources/civil_time.h"
-
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "quasimc/sun.h"
 
 namespace quasimc {
 namespace {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "quasimc/source.h"
 #include "sources/spectrum.h"
 
 namespace quasimc {
@@ -16,13 +17,6 @@ enum class LightUnit {
     lux             ///< lx
 };
 [[nodiscard]] SpectralSpan span_of(LightUnit unit);
-
-/// Daylight on the horizontal, full spectrum, W m-2.
-struct Daylight {
-    double direct = 0;   ///< straight from the sun
-    double diffuse = 0;  ///< from the sky
-    [[nodiscard]] double global() const { return direct + diffuse; }
-};
 
 /// Turns daylight into irradiances of bands, and amounts of any unit into daylight.
 ///

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "sources/civil_time.h"
+#include "quasimc/sun.h"
 #include "sources/sun_ephemeris.h"
 
 namespace quasimc {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "base/orientation.h"
+#include "quasimc/source.h"
+#include "quasimc/sun.h"
+#include "quasimc/vec3.h"
 #include "sources/clear_sky.h"
 #include "sources/daylight.h"
 #include "sources/diffuse_fraction.h"
-#include "sources/sky.h"
-#include "sources/sun_position.h"
 
 namespace quasimc {
 

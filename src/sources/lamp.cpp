@@ -7,8 +7,6 @@
 // only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on
 // to where it enters it: the ray engine works in single precision about the scene.
 
-#include "sources/lamp.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +16,7 @@
 
 #include "base/checks.h"
 #include "sources/lamp_body.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "base/distribution.h"
 
 namespace quasimc {
 namespace {
@@ -45,48 +46,66 @@ double versine(double theta) {
 
 }  // namespace
 
+/// A pattern and the table that directions are drawn from.
+struct Pattern::Cells {
+    Intensity intensity;
+    std::vector<double> rows;  // (1 - cos theta) / 2 at the borders of the rows of cells
+    std::vector<double> phis;
+    std::vector<double> mass;  // [row][column] share of the light in the cell
+    PiecewiseConstant2D table;
+    double low = 0, high = 0;  // theta at the ends
+
+    [[nodiscard]] std::size_t columns() const { return phis.size() - 1; }
+};
+
 Pattern::Pattern(
-    Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis)
-    : intensity_(std::move(intensity)), phis_(phis), low_(thetas.front()), high_(thetas.back()) {
+    Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis) {
     EXPECT(thetas.size() >= 2 && phis.size() >= 2);
+    Cells cells{std::move(intensity), {}, phis, {}, {}, thetas.front(), thetas.back()};
     for (const double theta : thetas) {
-        rows_.push_back(versine(theta));
+        cells.rows.push_back(versine(theta));
     }
     for (std::size_t i = 0; i + 1 < thetas.size(); ++i) {
         for (std::size_t j = 0; j + 1 < phis.size(); ++j) {
-            mass_.push_back(
-                integral_over(intensity_, thetas[i], thetas[i + 1], phis[j], phis[j + 1]));
+            cells.mass.push_back(
+                integral_over(cells.intensity, thetas[i], thetas[i + 1], phis[j], phis[j + 1]));
         }
     }
-    cells_ = PiecewiseConstant2D(mass_, columns());
-    EXPECT(total() > 0);
-    for (double& share : mass_) {
-        share /= total();
+    cells.table = PiecewiseConstant2D(cells.mass, cells.columns());
+    EXPECT(cells.table.total() > 0);
+    for (double& share : cells.mass) {
+        share /= cells.table.total();
     }
+    cells_ = std::make_shared<const Cells>(std::move(cells));
+}
+
+double Pattern::total() const {
+    return cells_->table.total();
 }
 
 double Pattern::intensity(const Vec3& direction) const {
     const double theta = std::atan2(std::hypot(direction.x, direction.y), direction.z);
-    if (theta < low_ || theta > high_) {
+    if (theta < cells_->low || theta > cells_->high) {
         return 0;
     }
     const double phi = std::atan2(direction.y, direction.x);
-    return intensity_(theta, phi < 0 ? phi + 2 * pi : phi) / total();
+    return cells_->intensity(theta, phi < 0 ? phi + 2 * pi : phi) / total();
 }
 
 Pattern::Drawn Pattern::draw(double u0, double u1) const {
-    const auto [row, column] = cells_.pick(u0, u1);
-    const double height = rows_[row.index + 1] - rows_[row.index];
-    const double width = phis_[column.index + 1] - phis_[column.index];
-    const double t = rows_[row.index] + row.part * height;
-    const double phi = phis_[column.index] + column.part * width;
+    const Cells& cells = *cells_;
+    const auto [row, column] = cells.table.pick(u0, u1);
+    const double height = cells.rows[row.index + 1] - cells.rows[row.index];
+    const double width = cells.phis[column.index + 1] - cells.phis[column.index];
+    const double t = cells.rows[row.index] + row.part * height;
+    const double phi = cells.phis[column.index] + column.part * width;
     const double sine = 2 * std::sqrt(std::max(0.0, t * (1 - t)));
     const double theta = 2 * std::asin(std::sqrt(std::min(1.0, t)));
     const double solid_angle = 2 * height * width;
     return {
         {sine * std::cos(phi), sine * std::sin(phi), 1 - 2 * t},
-        intensity_(theta, phi) / total() * solid_angle /
-            mass_[row.index * columns() + column.index]};
+        cells.intensity(theta, phi) / total() * solid_angle /
+            cells.mass[row.index * cells.columns() + column.index]};
 }
 
 std::vector<double> refined(const std::vector<double>& borders, double longest, int least) {

@@ -11,7 +11,7 @@
 
 #include "base/text.h"
 #include "sources/perez_formula.h"
-#include "sources/sky.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

@@ -1,11 +1,10 @@
-#include "sources/photometry.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "base/distribution.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/checks.h"
 #include "sources/perez_formula.h"
-#include "sources/sky.h"
+#include "sources/source.h"
 
 namespace quasimc {
 

@@ -1,8 +1,7 @@
-#include "sources/scaled_source.h"
-
 #include <utility>
 
 #include "base/checks.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sources/sun_position.h"
+#include "quasimc/sun.h"
 
 namespace quasimc {
 

@@ -8,8 +8,6 @@
 // never how much light they bring, so that their shares may be rough. The flux is exact: A is a sum
 // of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.
 
-#include "sources/sky.h"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -18,6 +16,7 @@
 #include "sources/entry.h"
 #include "sources/hemisphere.h"
 #include "sources/sky_integral.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

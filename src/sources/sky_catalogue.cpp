@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sources/sky.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

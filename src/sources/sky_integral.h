@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/vec3.h"
-#include "sources/sky.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

@@ -5,11 +5,9 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "base/vec3.h"
 #include "geometry/raster/scene_projection.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 
@@ -71,94 +69,5 @@ struct Illumination {
                         ///< density of the draw
     double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
 };
-
-/// What kind of light a source gives, by which solvers decide how to follow it.
-struct SourceTraits {
-    /// All light comes from one direction, a point of the sky. No ray finds it by chance, and
-    /// radiance() is 0.
-    bool delta = false;
-    /// Far away: it looks the same from everywhere, and rays that leave the scene may reach it. A
-    /// source that is not, a lamp, stands at a place, which those rays pass by.
-    bool at_infinity = true;
-    /// So wide that rays which leave the scene find it by chance, as they do a sky. What is at
-    /// infinity and not as wide is a sun: what it lights straight counts as sunlit, and its
-    /// illuminate() draws with equal weights.
-    bool extended = true;
-
-    /// Whether what the source lights straight counts as sunlit.
-    [[nodiscard]] constexpr bool is_sun() const { return at_infinity && !extended; }
-    friend bool operator==(const SourceTraits&, const SourceTraits&) = default;
-};
-
-/// The sun as a point, or parallel light from elsewhere.
-inline constexpr SourceTraits kBeamTraits{.delta = true, .at_infinity = true, .extended = false};
-/// The sun as a disk.
-inline constexpr SourceTraits kSunDiskTraits{
-    .delta = false, .at_infinity = true, .extended = false};
-inline constexpr SourceTraits kSkyTraits{.delta = false, .at_infinity = true, .extended = true};
-inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, .extended = false};
-
-/// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
-/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
-/// immutable.
-class Source {
-  public:
-    virtual ~Source() = default;
-    /// @param horizontal_irradiance  see horizontal_irradiance()
-    Source(
-        std::string name,
-        std::vector<double> spectrum,
-        SourceTraits traits,
-        double horizontal_irradiance)
-        : name_(std::move(name)),
-          spectrum_(std::move(spectrum)),
-          traits_(traits),
-          horizontal_irradiance_(horizontal_irradiance) {}
-    Source(const Source&) = delete;
-    Source& operator=(const Source&) = delete;
-
-    [[nodiscard]] const std::string& name() const { return name_; }
-    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
-    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
-    [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
-    [[nodiscard]] const SourceTraits& traits() const { return traits_; }
-    /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
-    /// irradiance varies from place to place.
-    [[nodiscard]] double horizontal_irradiance() const { return horizontal_irradiance_; }
-
-    /// traits().delta
-    [[nodiscard]] bool is_directional() const { return traits_.delta; }
-    /// traits().is_sun()
-    [[nodiscard]] bool is_sun() const { return traits_.is_sun(); }
-    /// !traits().at_infinity
-    [[nodiscard]] bool is_lamp() const { return !traits_.at_infinity; }
-
-    /// Null when no light of this source meets the scene.
-    [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
-        const SceneProjection& projection) const = 0;
-    /// Draws a direction from which light reaches `point` (world coordinates).
-    [[nodiscard]] virtual Illumination illuminate(
-        const Vec3& point, double u0, double u1) const = 0;
-    /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
-    [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
-
-  private:
-    std::string name_;
-    std::vector<double> spectrum_;
-    SourceTraits traits_;
-    double horizontal_irradiance_;
-};
-
-using Sources = std::vector<std::shared_ptr<const Source>>;
-
-/// Parallel light. @param travel  the unit direction in which it travels, z up
-/// @param facing_irradiance  per band, on a plane facing the light
-[[nodiscard]] std::shared_ptr<const Source> make_directional_source(
-    std::string name, const Vec3& travel, std::vector<double> facing_irradiance);
-
-/// The upper half of the sphere at infinity, of the same radiance everywhere.
-/// @param horizontal_irradiance  per band, on the horizontal
-[[nodiscard]] std::shared_ptr<const Source> make_uniform_sky(
-    std::string name, std::vector<double> horizontal_irradiance);
 
 }  // namespace quasimc

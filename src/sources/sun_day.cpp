@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/angles.h"
+#include "quasimc/sun.h"
 #include "sources/sun_ephemeris.h"
-#include "sources/sun_position.h"
 
 namespace quasimc {
 namespace {

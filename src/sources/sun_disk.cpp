@@ -10,7 +10,7 @@
 
 #include "base/checks.h"
 #include "sources/entry.h"
-#include "sources/sky.h"
+#include "sources/source.h"
 
 namespace quasimc {
 namespace {

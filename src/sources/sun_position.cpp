@@ -1,9 +1,8 @@
-#include "sources/sun_position.h"
-
 #include <cmath>
 
 #include "base/angles.h"
 #include "base/checks.h"
+#include "quasimc/sun.h"
 #include "sources/sun_ephemeris.h"
 
 namespace quasimc {

@@ -1,9 +1,9 @@
-#include "sums/exact_bins.h"
-
 #include <atomic>
 #include <stdexcept>
 
 #include "base/checks.h"
+#include "quasimc/sums.h"
+#include "sums/fixed_point.h"
 
 namespace quasimc {
 namespace {

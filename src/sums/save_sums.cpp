@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "sums/sums.h"
+#include "quasimc/sums.h"
 
 namespace quasimc {
 namespace {

@@ -2,21 +2,9 @@
 
 #include <span>
 
+#include "quasimc/sums.h"
+
 namespace quasimc {
-
-/// A number estimated from independent randomizations.
-struct Estimate {
-    double mean = 0;
-    double standard_error =
-        0;           ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
-    double low = 0;  ///< 95 % confidence interval
-    double high = 0;
-};
-
-/// The estimate of a number times `factor` >= 0.
-[[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
-    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
-}
 
 /// Mean, standard error and 95 % Student t-interval of the mean of `values`, one per replicate (at
 /// least one; with one replicate error and interval are NaN).

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-#include "sums/sums.h"
+#include "quasimc/sums.h"
 #include "sums/tally.h"
 
 namespace quasimc {

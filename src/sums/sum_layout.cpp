@@ -1,4 +1,4 @@
-#include "sums/sum_layout.h"
+#include "quasimc/sums.h"
 
 namespace quasimc {
 

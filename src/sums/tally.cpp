@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "base/checks.h"
-#include "base/input_error.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "sums/exact_bins.h"
-#include "sums/sum_layout.h"
+#include "quasimc/sums.h"
+#include "sums/fixed_point.h"
 
 namespace quasimc {
 

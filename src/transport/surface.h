@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/surface_side.h"
+#include "quasimc/vec3.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {

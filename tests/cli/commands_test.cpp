@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/version.h"
 #include "program.h"
+#include "quasimc/version.h"
 #include "view/picture.h"
 
 namespace quasimc::test {

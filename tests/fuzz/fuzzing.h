@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "base/input_error.h"
 #include "io/input_files.h"
 #include "io/meshes/formats.h"
+#include "quasimc/error.h"
 
 namespace quasimc::fuzz {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "scene/scene_builder.h"
 #include "statistical/scenes.h"
 

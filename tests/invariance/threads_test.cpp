@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "invariance/plot.h"
+#include "sources/source.h"
 
 namespace quasimc::test {
 namespace {

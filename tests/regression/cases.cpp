@@ -7,9 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "sources/lamp.h"
-#include "sources/photometry.h"
-#include "sources/sky.h"
+#include "quasimc/source.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 #include "support/skies.h"

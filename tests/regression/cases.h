@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "scene/scene_builder.h"
 
 // The scenes whose results are held bit by bit. Only cases.cpp knows how scenes are made.

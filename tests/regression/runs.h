@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "quasimc/result.h"
 #include "regression/cases.h"
-#include "results/result.h"
 
 // What a run gives, in one word and in a few numbers. Only runs.cpp knows what a result holds.
 

@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "optics/catalogue.h"
+#include "quasimc/source.h"
 #include "samplers/catalogue.h"
-#include "sources/lamp.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"

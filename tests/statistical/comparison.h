@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results/result.h"
+#include "quasimc/result.h"
 
 namespace quasimc::test {
 

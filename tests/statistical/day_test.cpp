@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "run/series.h"
+#include "quasimc/series.h"
 #include "sources/hour_light.h"
 #include "sources/period_light.h"
 #include "statistical/scenes.h"

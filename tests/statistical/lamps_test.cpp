@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "geometry/shapes/shapes.h"
-#include "sources/lamp.h"
+#include "quasimc/source.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

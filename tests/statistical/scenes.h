@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/mesh/triangle.h"
 #include "optics/material.h"
-#include "run/run.h"
+#include "quasimc/mesh.h"
+#include "quasimc/run.h"
 #include "scene/scene_builder.h"
 #include "support/statistics.h"
 

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <random>
 
+#include "base/vec3.h"
+
 namespace quasimc::test {
 
 std::vector<Triangle> random_leaves(

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc::test {
 

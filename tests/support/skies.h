@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sources/sky.h"
+#include "quasimc/source.h"
 #include "sources/sky_table.h"
 
 namespace quasimc::test {

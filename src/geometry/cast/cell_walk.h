@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "base/bounds.h"
 #include "base/vec3.h"
 #include "geometry/cast/intersector.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/mesh/cell.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

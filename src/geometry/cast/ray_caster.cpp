@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/checks.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/raster/outline.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

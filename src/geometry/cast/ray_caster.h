@@ -12,8 +12,6 @@
 
 namespace quasimc {
 
-enum class Engine { embree, brute_force };
-
 /// Where a ray went: to a hit, out of the scene, or, in a periodic scene, past `kMostCells` cells
 /// (a ray so nearly horizontal in an empty layer that it would never end).
 enum class RayEnd { hit, escaped, lost };

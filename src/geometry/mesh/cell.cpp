@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/checks.h"
-#include "base/input_error.h"
+#include "quasimc/error.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

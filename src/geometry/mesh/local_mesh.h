@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "base/bounds.h"
 #include "base/vec3.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/mesh.h"
-#include "geometry/mesh/triangle.h"
 #include "geometry/range_index.h"
 #include "geometry/scene_geometry.h"
+#include "quasimc/mesh.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

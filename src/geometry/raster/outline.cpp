@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/bounds.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "base/bounds.h"
 #include "base/vec3.h"
 #include "geometry/cast/ray_caster.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/local_mesh.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 
@@ -26,11 +26,6 @@ class BeamCrossSection {
     /// place() of several points, faster.
     virtual void places(
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places) const = 0;
-};
-
-enum class CrossSectionShape {
-    silhouette,  ///< the convex hull of the scene seen along the beam: the fewest rays that miss
-    sphere,      ///< the disc across the bounding sphere, as in Cieslak et al. (2008)
 };
 
 /// The faces of the box around the scene that light from far away enters through. Of a periodic

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/checks.h"
 #include "geometry/shapes/shapes.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

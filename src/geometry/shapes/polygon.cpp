@@ -3,9 +3,10 @@
 #include <string>
 
 #include "base/checks.h"
-#include "base/input_error.h"
+#include "base/vec3.h"
 #include "geometry/mesh/point2.h"
 #include "geometry/shapes/shapes.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

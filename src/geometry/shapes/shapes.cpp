@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "base/vec3.h"
 
 namespace quasimc {
 

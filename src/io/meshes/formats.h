@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "geometry/mesh/mesh.h"
-#include "geometry/mesh/triangle.h"
 #include "io/input_files.h"
 #include "io/runfile/table_reader.h"
-#include "io/text_sink.h"
+#include "quasimc/file.h"
+#include "quasimc/mesh.h"
 #include "scene/scene.h"
 
 namespace quasimc {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/runfile/run_file.h"
-#include "results/result.h"
-#include "run/series.h"
+#include "quasimc/result.h"
+#include "quasimc/series.h"
 
 namespace quasimc {
 

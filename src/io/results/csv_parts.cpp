@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "base/version.h"
 #include "io/line_scanner.h"
 #include "io/runfile/options.h"
+#include "quasimc/version.h"
 
 namespace quasimc {
 namespace {

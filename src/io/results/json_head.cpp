@@ -1,6 +1,6 @@
-#include "base/version.h"
 #include "io/results/json_parts.h"
 #include "io/runfile/units.h"
+#include "quasimc/version.h"
 
 namespace quasimc {
 namespace {
@@ -122,7 +122,7 @@ void json_head(JsonStream& json, const RunFile& run) {
     json.text("folder", run.folder);
     write_inputs(json, run.inputs);
     json.key("run");
-    write_node(json, run.document);
+    write_node(json, *run.document);
     write_scene(json, run.scene);
     write_sources(json, run.source_notes);
     write_quantities(json, run.scene);

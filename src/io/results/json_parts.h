@@ -8,8 +8,8 @@
 
 #include "io/results/json_stream.h"
 #include "io/runfile/run_file.h"
-#include "results/result.h"
-#include "run/series.h"
+#include "quasimc/result.h"
+#include "quasimc/series.h"
 
 namespace quasimc {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/text_sink.h"
+#include "quasimc/file.h"
 
 namespace quasimc {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/runfile/run_file.h"
-#include "run/series.h"
+#include "quasimc/series.h"
 
 namespace quasimc {
 

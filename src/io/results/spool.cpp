@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "io/text_sink.h"
+#include "quasimc/file.h"
 
 namespace quasimc {
 

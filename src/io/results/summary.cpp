@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "base/version.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
-#include "io/results/write_result.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
+#include "quasimc/file.h"
+#include "quasimc/version.h"
 
 namespace quasimc {
 namespace {

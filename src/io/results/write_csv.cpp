@@ -7,9 +7,9 @@
 #include "io/results/audit_words.h"
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
-#include "io/results/write_result.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
+#include "quasimc/file.h"
 
 namespace quasimc {
 namespace {

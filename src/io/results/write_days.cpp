@@ -5,8 +5,8 @@
 #include "base/text.h"
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
-#include "io/results/write_result.h"
 #include "io/runfile/units.h"
+#include "quasimc/file.h"
 
 namespace quasimc {
 namespace {

@@ -1,9 +1,12 @@
 #include <utility>
 
 #include "io/results/json_parts.h"
+#include "io/results/json_stream.h"
 #include "io/results/series_words.h"
-#include "io/results/write_result.h"
+#include "io/results/spool.h"
+#include "io/runfile/run_file.h"
 #include "io/runfile/units.h"
+#include "io/sha256.h"
 
 namespace quasimc {
 namespace {
@@ -92,7 +95,31 @@ void write_sum(JsonStream& json, const RunFile& run, const SeriesSum& raw) {
 
 }  // namespace
 
-JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
+/// What a JsonWriter writes, and where it stands.
+class JsonWriter::State {
+  public:
+    State(const RunFile& run, TextSink sink);
+
+    void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
+    void add_day(std::size_t day, const SeriesSum& sum);
+    std::string finish(const SeriesSummary& summary);
+
+  private:
+    void write_single_head(const Result& result);
+    void write_moment_head(std::size_t time_step, const Result& result, std::size_t traced);
+    void write_organs(const Result& result);
+    void write_series_end(const SeriesSummary& summary);
+
+    const RunFile& run_;
+    bool writes_;
+    JsonStream json_;
+    Spool days_text_;
+    JsonStream days_;
+    Sha256 digest_;
+    std::size_t time_steps_ = 0;
+};
+
+JsonWriter::State::State(const RunFile& run, TextSink sink)
     : run_(run),
       writes_(static_cast<bool>(sink)),
       json_(std::move(sink)),
@@ -107,7 +134,7 @@ JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
     }
 }
 
-void JsonWriter::write_single_head(const Result& result) {
+void JsonWriter::State::write_single_head(const Result& result) {
     constexpr JsonLayout kPretty = JsonLayout::pretty;
     json_method(json_, run_, result, kPretty);
     json_done(json_, result, kPretty);
@@ -125,7 +152,7 @@ void JsonWriter::write_single_head(const Result& result) {
     json_warnings(json_, run_);
 }
 
-void JsonWriter::write_moment_head(
+void JsonWriter::State::write_moment_head(
     std::size_t time_step, const Result& result, std::size_t traced) {
     constexpr JsonLayout kCompact = JsonLayout::compact;
     const MomentNotes& notes = run_.series->notes[time_step];
@@ -141,7 +168,7 @@ void JsonWriter::write_moment_head(
 }
 
 /// The digest is of the lines as they stand in the file.
-void JsonWriter::write_organs(const Result& result) {
+void JsonWriter::State::write_organs(const Result& result) {
     const JsonNames names = json_names(run_);
     const std::vector<Organ>& organs = run_.scene.organs();
     for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -154,7 +181,8 @@ void JsonWriter::write_organs(const Result& result) {
     }
 }
 
-void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::size_t traced) {
+void JsonWriter::State::add_moment(
+    std::size_t time_step, const Result& result, std::size_t traced) {
     ++time_steps_;
     if (!writes_) {
         write_organs(result);
@@ -175,7 +203,7 @@ void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::si
     }
 }
 
-void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
+void JsonWriter::State::add_day(std::size_t day, const SeriesSum& sum) {
     if (!writes_) {
         return;
     }
@@ -185,7 +213,7 @@ void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
     days_.end_object();
 }
 
-void JsonWriter::write_series_end(const SeriesSummary& summary) {
+void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     json_.end_list();
     days_.end_list();
     days_.flush();
@@ -207,7 +235,7 @@ void JsonWriter::write_series_end(const SeriesSummary& summary) {
     json_.number("seconds", summary.seconds);
 }
 
-std::string JsonWriter::finish(const SeriesSummary& summary) {
+std::string JsonWriter::State::finish(const SeriesSummary& summary) {
     std::string digest = digest_.hex();
     if (writes_) {
         if (run_.series) {
@@ -219,6 +247,22 @@ std::string JsonWriter::finish(const SeriesSummary& summary) {
         json_.flush();
     }
     return digest;
+}
+
+JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
+    : state_(std::make_unique<State>(run, std::move(sink))) {}
+JsonWriter::~JsonWriter() = default;
+
+void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::size_t traced) {
+    state_->add_moment(time_step, result, traced);
+}
+
+void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
+    state_->add_day(day, sum);
+}
+
+std::string JsonWriter::finish(const SeriesSummary& summary) {
+    return state_->finish(summary);
 }
 
 std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {

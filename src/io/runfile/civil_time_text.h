@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/input_error.h"
-#include "sources/civil_time.h"
+#include "quasimc/error.h"
+#include "quasimc/sun.h"
 
 namespace quasimc {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/runfile/time_series.h"
+#include "quasimc/file.h"
 #include "sources/hour_light.h"
 #include "sources/period_light.h"
 

@@ -99,7 +99,7 @@ Option words_option(Words words, std::vector<std::string> RunSpec::*field, Words
 
 // THE TABLE.
 //
-// To add an option of a run: add a field with its default to RunSpec (solvers/run_spec.h) and a row
+// To add an option of a run: add a field with its default to RunSpec (quasimc/run_spec.h) and a row
 // here. The key in [run], the flag of the program, the range check with its message,
 // --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
 // -markdown`; a test compares) and the echo in the JSON result follow from the row.

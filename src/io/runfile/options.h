@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "base/input_error.h"
-#include "solvers/run_spec.h"
+#include "quasimc/error.h"
+#include "quasimc/run_spec.h"
 
 namespace quasimc {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include "base/input_error.h"
 #include "io/runfile/document.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

@@ -212,7 +212,7 @@ RunFile read_run_document(
         files.folder().string(),
         std::move(sections.sources.notes),
         std::move(reporter.warnings),
-        completed(std::move(document), sections.options.spec)};
+        std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
 }
 
 RunFile read_run_text(

@@ -11,7 +11,7 @@
 #include "io/runfile/run_file_source_kinds.h"
 #include "io/runfile/units.h"
 #include "io/weather/read_ies.h"
-#include "sources/lamp.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

@@ -11,17 +11,16 @@
 #include <string_view>
 #include <vector>
 
-#include "base/affine.h"
-#include "base/orientation.h"
 #include "io/input_files.h"
 #include "io/meshes/formats.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/table_reader.h"
-#include "io/runfile/time_series.h"
 #include "io/weather/daily_hours.h"
+#include "quasimc/file.h"
+#include "quasimc/sun.h"
+#include "quasimc/vec3.h"
 #include "scene/scene_builder.h"
-#include "sources/civil_time.h"
 
 namespace quasimc {
 

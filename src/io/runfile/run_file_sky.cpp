@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "io/runfile/run_file_source_kinds.h"
-#include "sources/sky.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

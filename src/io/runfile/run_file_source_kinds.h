@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/runfile/run_file_sections.h"
+#include "quasimc/source.h"
 #include "sources/catalogue.h"
-#include "sources/sky.h"
 
 namespace quasimc {
 

@@ -3,8 +3,8 @@
 #include "base/text.h"
 #include "io/runfile/civil_time_text.h"
 #include "io/runfile/run_file_source_kinds.h"
-#include "sources/sky.h"
-#include "sources/sun_position.h"
+#include "quasimc/source.h"
+#include "quasimc/sun.h"
 
 namespace quasimc {
 namespace {

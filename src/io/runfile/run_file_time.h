@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "io/runfile/run_file_sections.h"
-#include "io/runfile/time_series.h"
 #include "io/weather/weather.h"
+#include "quasimc/file.h"
 
 namespace quasimc {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/runfile/civil_time_text.h"
-#include "sources/scaled_source.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/input_error.h"
 #include "base/range.h"
 #include "base/vec3.h"
 #include "io/runfile/document.h"
+#include "quasimc/error.h"
 #include "scene/scene.h"
 
 namespace quasimc {

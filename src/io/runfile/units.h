@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "results/result.h"
+#include "quasimc/result.h"
 #include "scene/scene.h"
 
 namespace quasimc {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sources/civil_time.h"
+#include "quasimc/sun.h"
 
 namespace quasimc {
 

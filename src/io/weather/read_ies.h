@@ -4,8 +4,7 @@
 #include <string_view>
 
 #include "io/runfile/table_reader.h"
-#include "sources/lamp.h"
-#include "sources/photometry.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 #include "sources/sky_table.h"
 
 namespace quasimc {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/runfile/table_reader.h"
-#include "sources/civil_time.h"
+#include "quasimc/sun.h"
 #include "sources/hour_light.h"
 
 namespace quasimc {

@@ -1,6 +1,6 @@
-#include "base/input_error.h"
-
 #include <gtest/gtest.h>
+
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

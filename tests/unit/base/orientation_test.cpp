@@ -1,9 +1,9 @@
-#include "base/orientation.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 namespace {

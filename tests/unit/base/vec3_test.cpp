@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/affine.h"
-#include "base/bounds.h"
-#include "base/ids.h"
+#include "quasimc/scene.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 namespace {
@@ -78,15 +77,15 @@ TEST(Affine, TurnsThenShifts) {
 TEST(Bounds, AreEmptyUntilAPointIsAdded) {
     Bounds bounds;
     EXPECT_TRUE(bounds.empty());
-    bounds.add({1, 2, 3});
+    bounds.add(Vec3{1, 2, 3});
     EXPECT_FALSE(bounds.empty());
     EXPECT_EQ(bounds.size(), (Vec3{}));
 }
 
 TEST(Bounds, HoldAllPoints) {
     Bounds bounds;
-    bounds.add({1, -2, 3});
-    bounds.add({-1, 2, 4});
+    bounds.add(Vec3{1, -2, 3});
+    bounds.add(Vec3{-1, 2, 4});
     EXPECT_EQ(bounds.low, (Vec3{-1, -2, 3}));
     EXPECT_EQ(bounds.high, (Vec3{1, 2, 4}));
     EXPECT_EQ(bounds.center(), (Vec3{0, 0, 3.5}));

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/bounds.h"
 #include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
+#include "quasimc/vec3.h"
 
 namespace quasimc {
 

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/input_error.h"
 #include "geometry_testing.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -9,7 +9,7 @@
 #include "geometry/cast/intersector.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/local_mesh.h"
-#include "geometry/mesh/triangle.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc::test {
 

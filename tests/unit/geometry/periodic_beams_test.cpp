@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-#include "base/bounds.h"
 #include "geometry/cast/ray_caster.h"
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
 #include "geometry/raster/scene_projection.h"
+#include "quasimc/vec3.h"
 #include "support/random_leaves.h"
 
 namespace quasimc {

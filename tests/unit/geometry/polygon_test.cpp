@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/input_error.h"
 #include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

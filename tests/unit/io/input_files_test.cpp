@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/input_error.h"
 #include "io/sha256.h"
+#include "quasimc/error.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

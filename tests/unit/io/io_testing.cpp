@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 
 namespace quasimc::test {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "base/input_error.h"
-#include "io/results/write_result.h"
 #include "io/runfile/options.h"
 #include "io_testing.h"
-#include "run/run.h"
+#include "quasimc/error.h"
+#include "quasimc/file.h"
+#include "quasimc/run.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/results/write_result.h"
-#include "run/series.h"
+#include "quasimc/file.h"
+#include "quasimc/series.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

@@ -7,7 +7,8 @@
 
 #include "base/length_units.h"
 #include "io/weather/read_ies.h"
-#include "run/run.h"
+#include "quasimc/run.h"
+#include "sources/source.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

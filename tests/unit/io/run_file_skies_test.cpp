@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io/weather/read_sky_table.h"
-#include "sources/sun_position.h"
+#include "quasimc/sun.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

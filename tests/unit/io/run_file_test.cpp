@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "base/input_error.h"
 #include "io/runfile/options.h"
 #include "io_testing.h"
+#include "quasimc/error.h"
 
 namespace quasimc::test {
 namespace {
@@ -155,7 +155,7 @@ TEST(RunFile, IsKeptWithEveryOptionInIt) {
     RunText text;
     text.run = "[run]\npaths = 1024\n";
     const RunFile run = read_text(text.text(), {}, {{"seed", "7", "--seed"}});
-    const Node* options = run.document.find("run");
+    const Node* options = run.document->find("run");
     ASSERT_NE(options, nullptr);
     EXPECT_EQ(options->as<Node::Table>()->size(), option_table().size());
     EXPECT_EQ(*options->find("paths")->as<std::int64_t>(), 1024);

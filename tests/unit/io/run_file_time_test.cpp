@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "run/series.h"
+#include "quasimc/series.h"
 #include "unit/io/io_testing.h"
 
 namespace quasimc::test {

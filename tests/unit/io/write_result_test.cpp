@@ -1,5 +1,3 @@
-#include "io/results/write_result.h"
-
 #include <cmath>
 #include <limits>
 
@@ -10,6 +8,7 @@
 #include "io/results/audit_words.h"
 #include "io/runfile/units.h"
 #include "io_testing.h"
+#include "quasimc/file.h"
 
 namespace quasimc::test {
 namespace {

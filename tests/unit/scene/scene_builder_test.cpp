@@ -58,6 +58,15 @@ TEST(SceneBuilder, KeepsLabels) {
     EXPECT_EQ(std::move(builder).build().organs()[0].labels, labels);
 }
 
+TEST(SceneBuilder, MayBeCopied) {
+    SceneBuilder builder = one_band_builder();
+    builder.add_organ(one_triangle("first", flat_triangle({0, 0, 1})));
+    SceneBuilder copy = builder;
+    copy.add_organ(one_triangle("second", flat_triangle({0, 0, 2})));
+    EXPECT_EQ(std::move(builder).build().organs().size(), 1U);
+    EXPECT_EQ(std::move(copy).build().organs().size(), 2U);
+}
+
 TEST(SceneBuilder, MergesPartsOfOneMaterialAndKeepsTheirTrianglesTogether) {
     const auto z = [](double height) { return flat_triangle({0, 0, height}); };
     SceneBuilder builder = one_band_builder();
@@ -76,8 +85,14 @@ TEST(SceneBuilder, MergesPartsOfOneMaterialAndKeepsTheirTrianglesTogether) {
     EXPECT_DOUBLE_EQ(organ.area, 2.5);
     EXPECT_EQ(scene.material(scene.regions()[1]).name(), "soil");
     EXPECT_EQ(scene.material(scene.regions()[2]).name(), "leaf");
+    EXPECT_EQ(scene.material_name(scene.regions()[2]), "leaf");
+    EXPECT_EQ(scene.triangle_count(), 6U);
+    for (const Region& region : scene.regions()) {
+        EXPECT_EQ(scene.material_names().at(region.material.value), scene.material_name(region));
+    }
     EXPECT_DOUBLE_EQ(scene.regions()[1].area, 1);
     EXPECT_DOUBLE_EQ(scene.regions()[2].area, 1.5);
+    EXPECT_EQ(scene.triangles_of(organ), (std::vector<Triangle>{z(1), z(4), z(2), z(3), z(5)}));
     const std::vector<Triangle> expected{z(9), z(1), z(4), z(2), z(3), z(5)};
     EXPECT_EQ(scene.triangles(), expected);
     const std::vector<RegionIndex> regions{{0}, {1}, {1}, {2}, {2}, {2}};

@@ -1,5 +1,3 @@
-#include "sources/lamp.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "sources/source.h"
 
 namespace quasimc::test {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sources/source.h"
+
 namespace quasimc::test {
 namespace {
 

@@ -1,9 +1,7 @@
-#include "sources/scaled_source.h"
-
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
-#include "sources/lamp.h"
+#include "sources/source.h"
 
 namespace quasimc::test {
 namespace {

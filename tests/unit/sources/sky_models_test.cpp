@@ -10,6 +10,7 @@
 
 #include "sources/entry.h"
 #include "sources/period_light.h"
+#include "sources/source.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"

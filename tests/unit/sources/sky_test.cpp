@@ -1,7 +1,5 @@
 // Every sky that there is: normalization, sampling, what enters a scene.
 
-#include "sources/sky.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "sources/source.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"

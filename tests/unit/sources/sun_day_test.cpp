@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/sun_position.h"
+#include "quasimc/sun.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,10 +1,10 @@
-#include "sources/sun_position.h"
-
 #include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include "quasimc/sun.h"
 
 namespace quasimc::test {
 namespace {

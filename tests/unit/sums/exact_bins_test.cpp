@@ -1,8 +1,8 @@
-#include "sums/exact_bins.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "sums/fixed_point.h"
 
 namespace quasimc {
 namespace {

@@ -1,4 +1,4 @@
-#include "sums/sums.h"
+#include "quasimc/sums.h"
 
 #include <stdexcept>
 

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/input_error.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results/audit.h"
+#include "quasimc/result.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -1,5 +1,3 @@
-#include "results/audit.h"
-
 #include <cmath>
 #include <limits>
 #include <string>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "run/series.h"
+#include "quasimc/result.h"
+#include "quasimc/series.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
-#include "run/run.h"
+#include "quasimc/run.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 #include "support/statistics.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/lamp.h"
+#include "quasimc/source.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

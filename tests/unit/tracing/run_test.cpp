@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "sources/source.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -1,4 +1,4 @@
-#include "run/series.h"
+#include "quasimc/series.h"
 
 #include <cmath>
 #include <limits>

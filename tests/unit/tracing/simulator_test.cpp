@@ -106,6 +106,21 @@ TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
     }
 }
 
+TEST_F(SimulatorTest, GivesSumsThatSayTheSameOnceSavedAndLoaded) {
+    const Scene scene = make_two_leaves(.5);
+    RunSpec spec = short_run();
+    const Result direct = quasimc::run(scene, sources_, spec);
+    const Sums sums = load_sums(save_sums(simulator_.sums(scene, sources_, spec)));
+    const Result result = evaluate_run(sums, scene, spec);
+    EXPECT_TRUE(same_bits(result, direct));
+    EXPECT_EQ(result.paths, direct.paths);
+    EXPECT_EQ(result.rays, direct.rays);
+
+    ++spec.seed;
+    const Sums others = simulator_.sums(scene, sources_, spec);
+    EXPECT_FALSE(same_bits(evaluate_run(others, scene, spec), direct));
+}
+
 TEST_F(SimulatorTest, RefusesABadSpecificationAndGoesOn) {
     const Scene scene = make_two_leaves(.5);
     RunSpec bad = short_run();

@@ -70,8 +70,7 @@ TEST_P(RunSums, OfAnotherRunAreRefused) {
     RunSpec other_seed = spec;
     other_seed.seed = 99;
     EXPECT_THROW(
-        sums += simulator.sums(scene, two_lights(), other_seed, spec.paths),
-        std::invalid_argument);
+        sums += simulator.sums(scene, two_lights(), other_seed, spec.paths), std::invalid_argument);
     EXPECT_THROW(
         sums += simulator.sums(few_leaves(.31), two_lights(), spec, spec.paths),
         std::invalid_argument);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/sky.h"
+#include "quasimc/source.h"
 #include "support/skies.h"
 
 namespace quasimc::test {

@@ -1,5 +1,8 @@
 #pragma once
 
+// What is wrong with an input, and the exception that says so.
+
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>

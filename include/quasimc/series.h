@@ -1,5 +1,7 @@
 #pragma once
 
+// Computing the light of many moments, and its sums over days.
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -7,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "run/run.h"
+#include "quasimc/run.h"
 
 namespace quasimc {
 

@@ -1,13 +1,19 @@
 #pragma once
 
+// How a run is done.
+
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "geometry/cast/ray_caster.h"
-#include "geometry/raster/scene_projection.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
+
+class Scene;
+class Source;
 
 /// Where paths start.
 enum class Method {
@@ -31,10 +37,18 @@ enum class DirectLight {
     ignored,  ///< it is scattered as always, but is no part of any organ's numbers
 };
 
-/// How a run is done: everything but scene and sources. The table of options in
-/// io/runfile/option_table.cpp gives each field its key, flag, range and words.
+/// A point set that paths are made from.
+struct SamplerModel {
+    std::string_view name;     ///< as in RunSpec::sampler
+    std::string_view summary;  ///< one line
+};
+
+/// All samplers, in the order of the manual.
+[[nodiscard]] std::vector<SamplerModel> sampler_models();
+
+/// How a run is done: everything but scene and sources. Ranges and units: docs/guide/options.md.
 struct RunSpec {
-    std::string sampler = "sobol";
+    std::string sampler = "sobol";  ///< a name of sampler_models()
     Method method = Method::light_tracing;
     std::uint64_t paths = 65536;   ///< per replicate; for organs: shared out equally among them
     std::uint32_t replicates = 8;  ///< independent randomizations
@@ -64,5 +78,13 @@ struct RunSpec {
     /// Pairs of band names, "R:FR": ratio of the light that falls on an organ (both sides).
     std::vector<std::string> ratios;
 };
+
+/// How to trace: as the specification says or, if that is `automatic`, by the rules of
+/// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given
+/// time. A method that can't be run is never chosen. A pure function of its arguments.
+[[nodiscard]] ChosenMethod plan_method(
+    const Scene& scene,
+    const std::vector<std::shared_ptr<const Source>>& sources,
+    const RunSpec& spec);
 
 }  // namespace quasimc

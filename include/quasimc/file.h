@@ -1,0 +1,202 @@
+#pragma once
+
+// Run files, and the files that results are written to and read from.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/run.h"
+#include "quasimc/scene.h"
+#include "quasimc/series.h"
+#include "quasimc/source.h"
+#include "quasimc/sun.h"
+
+namespace quasimc {
+
+struct Node;  // a value of a run file; private
+
+/// What a moment of a series was made from, for headers.
+struct MomentNotes {
+    std::string time;  ///< its beginning, "2024-06-21T12:00+02:00"
+    double seconds = 0;
+    SunPosition sun;    ///< in the middle of the time that it is up
+    Vec3 to_sun;        ///< unit, the file's axes
+    Daylight daylight;  ///< on the horizontal, full spectrum, W m-2: the mean
+    std::size_t suns = 0;
+    /// Of times that were collapsed into one moment (sun and to_sun then say nothing):
+    struct Collapsed {
+        std::string until;           ///< end of the last
+        std::size_t times = 0;       ///< how many
+        std::size_t with_light = 0;  ///< of them, those with daylight
+        std::size_t skies = 0;       ///< that the moment has
+    };
+    std::optional<Collapsed> collapsed = {};
+};
+
+/// Which times of a series become one moment: their skies one sky, with all of their suns.
+enum class Collapse { none, days, period };
+
+/// The times of a run file, with the sources of each.
+struct TimeSeries {
+    std::vector<TimeStep> time_steps;
+    std::vector<MomentNotes> notes;  ///< per moment
+    std::vector<std::string> days;   ///< dates, by TimeStep::day; of a collapsed period its first
+                                     ///< and last: "2024-04-01/2024-09-30"
+    std::vector<std::string> words;  ///< place, models and units, for headers
+    Collapse collapse = Collapse::none;
+};
+
+/// A file that a run was made from.
+struct InputFile {
+    std::string path;      ///< as stated
+    std::string resolved;  ///< absolute
+    std::string sha256;    ///< of its bytes, 64 hexadecimal digits
+    std::uint64_t bytes = 0;
+    bool is_run_file = false;
+};
+
+/// Where results go; "-" is standard output.
+struct OutputSpec {
+    std::optional<std::string> csv, json;
+    std::optional<std::string> days;  ///< sums over days, of a run with [time]
+};
+
+/// An option stated outside the run file.
+struct Override {
+    std::string key;    ///< of the table of options
+    std::string text;   ///< its value
+    std::string place;  ///< where it was stated, for messages: "--paths"
+};
+
+/// A run as a file states it, read and checked.
+struct RunFile {
+    std::string path;  ///< of the file, as given
+    std::string title;
+    Scene scene;
+    Sources sources;  ///< with [time]: those that shine at all times
+    RunSpec spec;
+    std::optional<TimeSeries> series;  ///< of a run with [time]
+    OutputSpec output;                 ///< paths from the folder of the run file resolved
+    std::vector<InputFile> inputs;     ///< the run file first
+    std::string folder;                ///< that the paths in the run file are relative to
+    std::vector<std::string>
+        source_notes;               ///< per source: name, kind, direction, irradiance in words
+    std::vector<Warning> warnings;  ///< of the readers and of lint()
+    std::shared_ptr<const Node> document;  ///< the run file, its [run] complete; for the writers
+};
+
+/// The times to compute: those of [time] or else a single one, an instant, with the sources of the
+/// run.
+[[nodiscard]] std::vector<TimeStep> moments_of(const RunFile& run);
+
+/// Reads a run file ("-": standard input).
+/// @throws InputError  with all its faults at once
+[[nodiscard]] RunFile read_run_file(
+    const std::string& path, const std::vector<Override>& overrides = {});
+
+/// A run file with every option and its default, with comments, that can be run as it stands.
+[[nodiscard]] std::string default_run_file();
+
+/// A run that was done before, read back from its JSON result.
+struct StoredRun {
+    RunFile run;  ///< its [output] is left out: a result is not overwritten by accident
+    std::string organs_sha256;  ///< as write_json returned it
+};
+
+/// Reads a JSON result, and the files that its run was made from: those beside the result, or else
+/// those at the places where they were.
+/// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
+[[nodiscard]] StoredRun read_result_file(
+    const std::string& path, const std::vector<Override>& overrides = {});
+
+// What a run writes, while it goes on: each writer is told of every time that is computed, of every
+// day, and of the end. A run without [time] is a series of one time.
+
+/// Takes text in pieces.
+using TextSink = std::function<void(std::string_view)>;
+
+/// The table of organs, or of organs and times (docs/formats/csv.md): comment lines that begin with
+/// '#', one header line, one row per organ and time. The run must outlive it.
+class CsvWriter {
+  public:
+    CsvWriter(const RunFile& run, TextSink sink);
+
+    /// @param moment  which of moments_of(run) the result is of
+    void add_moment(std::size_t time_step, const Result& result);
+
+  private:
+    void write_head(const Result& result);
+
+    const RunFile& run_;
+    TextSink sink_;
+    std::vector<std::string> labels_;
+    bool has_head_ = false;
+};
+
+/// The table of sums over days, of a run with [time]. The run must outlive it.
+class DaysWriter {
+  public:
+    /// Writes what precedes the rows.
+    DaysWriter(const RunFile& run, TextSink sink);
+
+    void add_day(std::size_t day, const SeriesSum& sum);
+
+  private:
+    const RunFile& run_;
+    TextSink sink_;
+    std::vector<std::string> labels_;
+};
+
+/// Everything that is known of a run and its results (docs/formats/json.md). Days are kept in a
+/// temporary file until all moments are written. The run must outlive it.
+class JsonWriter {
+  public:
+    /// @param sink  without one nothing is written, and finish() gives the digest
+    explicit JsonWriter(const RunFile& run, TextSink sink = {});
+    ~JsonWriter();
+    JsonWriter(JsonWriter&&) = delete;
+
+    /// @param traced  the moment whose trace the result was scaled from, or itself
+    void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
+    void add_day(std::size_t day, const SeriesSum& sum);
+    /// Ends the file. @returns the SHA-256 of the organs' parts of all moments, by which two
+    /// results are compared
+    std::string finish(const SeriesSummary& summary = {});
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+/// What a person wants to know at once of a run: ten lines or so. The run must outlive it.
+class Summary {
+  public:
+    explicit Summary(const RunFile& run) : run_(run) {}
+
+    void add_moment(const Result& result);
+    /// @param written  the files that were written
+    [[nodiscard]] std::string text(
+        const SeriesSummary& summary, const std::vector<std::string>& written) const;
+
+  private:
+    const RunFile& run_;
+    std::string result_lines_;  // of a run without [time]
+};
+
+// The same of the result of a run without [time].
+
+void write_csv(const RunFile& run, const Result& result, const TextSink& sink);
+/// @returns as JsonWriter::finish
+std::string write_json(const RunFile& run, const Result& result, const TextSink& sink);
+[[nodiscard]] std::string digest_of_organs(const RunFile& run, const Result& result);
+[[nodiscard]] std::string summary(
+    const RunFile& run, const Result& result, const std::vector<std::string>& written);
+
+}  // namespace quasimc

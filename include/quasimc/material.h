@@ -1,0 +1,70 @@
+#pragma once
+
+// What surfaces do with the light that falls on them.
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/error.h"
+
+namespace quasimc {
+
+/// Numbers that a person states for a model, by the names of its parameters.
+using BsdfParameters = std::map<std::string, double, std::less<>>;
+
+/// A number that a lobe model takes.
+struct BsdfParameter {
+    std::string_view name;          ///< as in `reflection_<name>`, `transmission_<name>`
+    double low, high;               ///< its domain, ends included
+    std::optional<double> usual;    ///< its value where none is stated; none: it must be stated
+    std::string_view summary;       ///< a few words for the manual
+    std::string_view suggestion{};  ///< to whoever states a value outside the domain
+};
+
+/// A way in which a surface spreads the light that it scatters.
+struct ScatteringModel {
+    std::string_view name;     ///< as in SideOptics::reflection_model
+    std::string_view summary;  ///< one line
+    std::span<const BsdfParameter> parameters;
+};
+
+/// All models, in the order of the manual: lambertian, phong, blinn_phong, mirror.
+[[nodiscard]] std::vector<ScatteringModel> scattering_models();
+
+/// What a person says of one side of a surface in one waveband: light that arrives on this side.
+/// Models are those of the catalogue, with their parameters by name; one that a model does not take
+/// is passed over.
+struct SideOptics {
+    double reflectance = 0;  ///< rho, 0..1; fraction that leaves on the side it came from
+    double transmittance =
+        0;  ///< tau, 0..1; fraction that leaves on the other side; rho + tau <= 1
+    std::string reflection_model = "lambertian";
+    BsdfParameters reflection_parameters = {};
+    std::string transmission_model = "lambertian";
+    BsdfParameters transmission_parameters = {};
+
+    friend bool operator==(const SideOptics&, const SideOptics&) = default;
+};
+
+/// A material as a person states it; one SideOptics per band.
+struct MaterialSpec {
+    std::string name;
+    std::vector<SideOptics> upper, lower;
+
+    friend bool operator==(const MaterialSpec&, const MaterialSpec&) = default;
+};
+
+/// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
+/// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
+/// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.
+/// @param place  where the material stands; empty for "material 'name'"
+void check_material(
+    const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults);
+
+}  // namespace quasimc

@@ -1,0 +1,84 @@
+#pragma once
+
+// Computing the light on every organ of a scene.
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/run_spec.h"
+#include "quasimc/scene.h"
+#include "quasimc/source.h"
+#include "quasimc/sums.h"
+
+namespace quasimc {
+
+/// How far a run is; called now and then from the thread that called run().
+struct Progress {
+    double fraction = 0;            ///< of the current plan, 0..1
+    double seconds = 0;             ///< so far
+    double expected_seconds = 0;    ///< in all; grows when a target needs more rounds
+    double fraction_at_target = 0;  ///< of the organs, after the last round; 0 without a target
+};
+
+/// Computes the light on every organ.
+///
+/// The same binary, scene, sources and specification give the same bits on any number of threads
+/// (but for the times in the result, and unless max_seconds ends the run).
+/// @throws InputError  for a specification that can't be run: every fault at once
+[[nodiscard]] Result run(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<void(const Progress&)>& on_progress = {});
+
+/// What sums say of each organ, as run() would have reported it: everything but how it was found
+/// (Result::chosen, audit, stop, times).
+/// @param sums  of Simulator::sums() for this scene
+[[nodiscard]] Result evaluate_run(const Sums& sums, const Scene& scene, const RunSpec& spec);
+
+/// Adds the faults of a specification (unknown sampler, paths that are no power of two, unknown
+/// bands in ratios, ...).
+void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults);
+
+/// Runs one after the other, as growth or the hours of a day ask for: keeps what the next run can
+/// use again. The acceleration structure serves as long as triangles, cell and engine stay the same
+/// (whatever happens to optics, sources or the specification), the samplers' tables always. A
+/// result is bit for bit that of quasimc::run.
+class Simulator {
+  public:
+    Simulator();
+    ~Simulator();
+    Simulator(Simulator&& other) noexcept;
+    Simulator& operator=(Simulator&& other) noexcept;
+
+    /// As quasimc::run. Not for several threads at a time.
+    /// @throws InputError  for a specification that can't be run: every fault at once
+    [[nodiscard]] Result run(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::function<void(const Progress&)>& on_progress = {});
+
+    /// The sums of one round of RunSpec::paths, as a value: they can be saved (save_sums), added to
+    /// those of other rounds of the same run, and evaluated (evaluate_run). Their digest is set.
+    /// Targets and budgets of time or paths are left alone.
+    /// @param first  the round's first path: a multiple of the paths; of a point set whose rounds
+    ///        are powers of two 0, or as many as the paths
+    /// @throws InputError  as run() does
+    [[nodiscard]] Sums sums(
+        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first = 0);
+
+    /// How often an acceleration structure had to be built.
+    [[nodiscard]] std::size_t builds() const;
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace quasimc

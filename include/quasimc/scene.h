@@ -1,0 +1,233 @@
+#pragma once
+
+// Scenes: organs made of triangles and materials, and the builder that checks them.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quasimc/error.h"
+#include "quasimc/material.h"
+#include "quasimc/mesh.h"
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// An index that can't be taken for another kind of index. `value` counts from 0.
+template <typename Tag>
+struct Id {
+    std::uint32_t value = 0;
+    friend constexpr bool operator==(Id, Id) = default;
+    friend constexpr auto operator<=>(Id, Id) = default;
+};
+
+using MaterialId = Id<struct MaterialTag>;
+using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an organ's id is the user's
+using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
+
+class Material;
+class OrganAreas;
+class SceneGeometry;
+struct SceneDraft;
+template <typename T>
+class Lazy;
+
+/// A waveband. Amounts of different bands never mix, so each may have its own unit.
+struct Band {
+    std::string name;
+    std::string unit = "W m-2";     ///< of irradiance
+    double from_nm = 0, to_nm = 0;  ///< wavelengths; 0: those that the name stands for, if any
+    friend bool operator==(const Band&, const Band&) = default;
+};
+
+/// What a person wants to find again in the results: plant=3, kind=leaf, any key.
+using Labels = std::vector<std::pair<std::string, std::string>>;
+
+/// What light is reported for: a leaf, an internode, the ground.
+struct Organ {
+    std::int64_t id = 0;  ///< the user's, unique in the scene
+    std::string name;
+    Labels labels;
+    bool is_ground = false;
+    /// Whether its light is asked for. Tracing from organs computes the others' as NaN; tracing
+    /// from sources gets them for nothing.
+    bool measured = true;
+    /// Of a sensor: cosine of the largest angle from the normal at which light is counted.
+    double least_cosine = 0;
+    /// One-sided, square scene units. 0 is allowed: nothing falls on the organ, its flux and
+    /// densities are 0.
+    double area = 0;
+    std::uint32_t first_region = 0, region_count = 0;
+    std::uint32_t first_triangle = 0, triangle_count = 0;
+};
+
+/// The part of an organ that is of one material; its triangles stand together.
+struct Region {
+    OrganIndex organ;
+    MaterialId material;
+    double area = 0;
+};
+
+/// Something that is allowed but probably not meant.
+struct Warning {
+    std::string place, text;
+};
+
+/// A scene that has passed every check. Coordinates are in the scene's unit with z up (see
+/// orientation). Organs stand in the order they were added, the ground, if any, last.
+class Scene {
+  public:
+    Scene(const Scene& other);
+    Scene(Scene&& other) noexcept;
+    Scene& operator=(const Scene& other);
+    Scene& operator=(Scene&& other) noexcept;
+    ~Scene();
+
+    [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
+    [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
+    [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
+    [[nodiscard]] const Cell& cell() const { return cell_; }
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
+    [[nodiscard]] const Orientation& orientation() const { return orientation_; }
+    /// The unit of length, as a name for headers ("m").
+    [[nodiscard]] const std::string& length_unit() const { return length_unit_; }
+    [[nodiscard]] std::size_t triangle_count() const;
+    /// In the order in which they were added; MaterialId counts them.
+    [[nodiscard]] std::vector<std::string> material_names() const;
+    /// The name of a region's material.
+    [[nodiscard]] const std::string& material_name(const Region& region) const;
+    /// The triangles of an organ, z up.
+    [[nodiscard]] std::vector<Triangle> triangles_of(const Organ& organ) const;
+
+    // For the engine; what these give is private.
+
+    [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
+    [[nodiscard]] const Material& material(const Region& region) const;
+    /// The triangles of an organ stand together, those of its first region first. Organs that
+    /// are made of instances come after all others.
+    [[nodiscard]] const SceneGeometry& triangles() const { return *geometry_; }
+    /// The same, for who keeps them longer than the scene. Copies of a scene share them.
+    [[nodiscard]] std::shared_ptr<const SceneGeometry> shared_triangles() const {
+        return geometry_;
+    }
+    /// The region of each triangle that belongs to no instance, and of each instance.
+    [[nodiscard]] const std::vector<RegionIndex>& triangle_regions() const {
+        return triangle_regions_;
+    }
+    [[nodiscard]] const std::vector<RegionIndex>& instance_regions() const {
+        return instance_regions_;
+    }
+    /// The region of a triangle.
+    [[nodiscard]] RegionIndex region_of(std::uint32_t triangle) const;
+    /// The areas of the triangles of each organ, made when they are first asked for. Copies of a
+    /// scene share them.
+    [[nodiscard]] const OrganAreas& organ_areas() const;
+
+  private:
+    friend class SceneBuilder;
+    Scene();
+
+    std::vector<Band> bands_;
+    std::vector<Organ> organs_;
+    std::vector<Region> regions_;
+    std::vector<Material> materials_;
+    std::shared_ptr<const SceneGeometry> geometry_;
+    std::shared_ptr<const Lazy<OrganAreas>> areas_;
+    std::vector<RegionIndex> triangle_regions_, instance_regions_;
+    Cell cell_;
+    Bounds bounds_;
+    Orientation orientation_;
+    std::string length_unit_ = "m";
+};
+
+/// Triangles of one material. The material is named; it may be added before or after.
+struct OrganPart {
+    std::string material;
+    /// The file's axes: up and north as its Orientation says.
+    Mesh triangles = {};
+    /// Instead of triangles: a mesh that other parts have too, and where this copy of it stands.
+    /// Many copies of one mesh cost little more memory than one.
+    std::shared_ptr<const Mesh> shared = {};
+    Affine transform = {};
+};
+
+/// An organ as it is given to the builder.
+struct OrganSpec {
+    std::optional<std::int64_t> id = {};  ///< default: one more than the largest id so far, from 1
+    std::string name = {};                ///< default: "organ <id>"
+    Labels labels = {};
+    std::vector<OrganPart> parts = {};
+    /// Whether its light is asked for (Organ::measured).
+    bool measured = true;
+    /// Half angle, degrees from the normal of either side, within which light is counted; 0 to 90.
+    /// Less than 90 is for sensors: organs of transparent materials only.
+    double field_of_view_deg = 90;
+    /// Where it was stated, for messages ("leaves.toml:12"); default: its name.
+    std::string place = {};
+};
+
+/// The ground. Without triangles it is a horizontal rectangle: the cell's along a periodic axis,
+/// else that of `extent`, else (none given) the one under the organs. It takes the first id after
+/// those of the organs.
+struct GroundSpec {
+    std::string material;
+    double height = 0;  ///< of a horizontal ground
+    /// Low x, low y, high x, high y: horizontal axes, z up. Along a periodic axis it must be the
+    /// cell's.
+    std::optional<std::array<double, 4>> extent = {};
+    Mesh triangles = {};  ///< a given surface instead, the file's axes
+    std::string name = "ground";
+    std::string place = "ground";
+};
+
+/// Collects a scene and checks it whole. Nothing is repaired silently; every fault is reported at
+/// once.
+class SceneBuilder {
+  public:
+    /// @param bands  at least one; names unique and not empty
+    explicit SceneBuilder(std::vector<Band> bands, Orientation orientation = {});
+    SceneBuilder(const SceneBuilder& other);
+    SceneBuilder(SceneBuilder&& other) noexcept;
+    SceneBuilder& operator=(const SceneBuilder& other);
+    SceneBuilder& operator=(SceneBuilder&& other) noexcept;
+    ~SceneBuilder();
+
+    void set_length_unit(std::string unit);
+    /// Several materials of one name are a fault. @param place  for messages; default: the name
+    void add_material(MaterialSpec material, std::string place = {});
+    void add_organ(OrganSpec organ);
+    void set_ground(GroundSpec ground);
+    /// Periods along the two horizontal axes, z up.
+    void set_cell(const Cell& cell);
+
+    /// The scene, or an InputError with every fault: neither organ nor ground; bands, materials or
+    /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates
+    /// that are not finite or beyond 1e30; a scene of no size; a ground that does not fit; a
+    /// periodic cell that is not positive, or so small that organs repeat without measure; a north
+    /// that is not horizontal. Triangles and organs of no area are allowed: nothing falls on them
+    /// (see lint). May be called once; takes time and memory in proportion to the triangles.
+    [[nodiscard]] Scene build() &&;
+
+  private:
+    std::vector<Band> bands_;
+    Orientation orientation_;
+    std::string length_unit_ = "m";
+    std::vector<std::pair<MaterialSpec, std::string>> materials_;
+    std::unique_ptr<SceneDraft> draft_;
+    std::optional<GroundSpec> ground_;
+    Cell cell_;
+};
+
+/// What silently spoils results: duplicate triangles, coplanar triangles that overlap, triangles of
+/// no area, organs (partly) below the ground, materials that are black in every band without having
+/// been stated so, sizes that smell of wrong units, ground smaller than the canopy. At most a few
+/// warnings of each kind, the rest counted.
+[[nodiscard]] std::vector<Warning> lint(const Scene& scene);
+
+}  // namespace quasimc

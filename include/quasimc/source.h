@@ -1,0 +1,324 @@
+#pragma once
+
+// Where light comes from: parallel light, the sun, skies and lamps.
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "quasimc/error.h"
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+class SceneProjection;
+class SourceSampler;
+struct Illumination;
+
+/// What kind of light a source gives, by which solvers decide how to follow it.
+struct SourceTraits {
+    /// All light comes from one direction, a point of the sky. No ray finds it by chance, and
+    /// radiance() is 0.
+    bool delta = false;
+    /// Far away: it looks the same from everywhere, and rays that leave the scene may reach it. A
+    /// source that is not, a lamp, stands at a place, which those rays pass by.
+    bool at_infinity = true;
+    /// So wide that rays which leave the scene find it by chance, as they do a sky. What is at
+    /// infinity and not as wide is a sun: what it lights straight counts as sunlit, and its
+    /// illuminate() draws with equal weights.
+    bool extended = true;
+
+    /// Whether what the source lights straight counts as sunlit.
+    [[nodiscard]] constexpr bool is_sun() const { return at_infinity && !extended; }
+    friend bool operator==(const SourceTraits&, const SourceTraits&) = default;
+};
+
+/// The sun as a point, or parallel light from elsewhere.
+inline constexpr SourceTraits kBeamTraits{.delta = true, .at_infinity = true, .extended = false};
+/// The sun as a disk.
+inline constexpr SourceTraits kSunDiskTraits{
+    .delta = false, .at_infinity = true, .extended = false};
+inline constexpr SourceTraits kSkyTraits{.delta = false, .at_infinity = true, .extended = true};
+inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, .extended = false};
+
+/// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
+/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
+/// immutable.
+class Source {
+  public:
+    virtual ~Source() = default;
+    /// @param horizontal_irradiance  see horizontal_irradiance()
+    Source(
+        std::string name,
+        std::vector<double> spectrum,
+        SourceTraits traits,
+        double horizontal_irradiance)
+        : name_(std::move(name)),
+          spectrum_(std::move(spectrum)),
+          traits_(traits),
+          horizontal_irradiance_(horizontal_irradiance) {}
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
+    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
+    [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
+    [[nodiscard]] const SourceTraits& traits() const { return traits_; }
+    /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
+    /// irradiance varies from place to place.
+    [[nodiscard]] double horizontal_irradiance() const { return horizontal_irradiance_; }
+
+    /// traits().delta
+    [[nodiscard]] bool is_directional() const { return traits_.delta; }
+    /// traits().is_sun()
+    [[nodiscard]] bool is_sun() const { return traits_.is_sun(); }
+    /// !traits().at_infinity
+    [[nodiscard]] bool is_lamp() const { return !traits_.at_infinity; }
+
+    // For the engine; what these take and give is private.
+
+    /// Null when no light of this source meets the scene.
+    [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
+        const SceneProjection& projection) const = 0;
+    /// Draws a direction from which light reaches `point` (world coordinates).
+    [[nodiscard]] virtual Illumination illuminate(
+        const Vec3& point, double u0, double u1) const = 0;
+    /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
+    [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
+
+  private:
+    std::string name_;
+    std::vector<double> spectrum_;
+    SourceTraits traits_;
+    double horizontal_irradiance_;
+};
+
+using Sources = std::vector<std::shared_ptr<const Source>>;
+
+/// Parallel light. @param travel  the unit direction in which it travels, z up
+/// @param facing_irradiance  per band, on a plane facing the light
+[[nodiscard]] std::shared_ptr<const Source> make_directional_source(
+    std::string name, const Vec3& travel, std::vector<double> facing_irradiance);
+
+/// The upper half of the sphere at infinity, of the same radiance everywhere.
+/// @param horizontal_irradiance  per band, on the horizontal
+[[nodiscard]] std::shared_ptr<const Source> make_uniform_sky(
+    std::string name, std::vector<double> horizontal_irradiance);
+
+/// A source with its light times a factor, 0 or more; the source itself for 1.
+[[nodiscard]] std::shared_ptr<const Source> make_dimmed(
+    std::shared_ptr<const Source> source, double factor);
+
+/// Relative radiance of a sky towards `to_light` (unit, z up, z > 0): finite and not negative.
+using Radiance = std::function<double(const Vec3& to_light)>;
+
+/// How a radiance runs inside the cells that the borders of a shape make.
+enum class InsideCells { smooth, constant };
+
+/// How the radiance of a sky is spread over the upper hemisphere, without its amount. Immutable.
+struct SkyShape {
+    Radiance radiance;
+    /// Borders of cells inside which the radiance is smooth; none if it is smooth everywhere above
+    /// the horizon. Azimuths from the x axis towards y, radians; sines of elevation, 0 to 1.
+    std::vector<double> azimuths, sines;
+    InsideCells inside = InsideCells::smooth;
+};
+
+/// The state of a sky, as far as models ask for it.
+struct SkyState {
+    Vec3 to_sun{0, 0, 1};             ///< unit, z up
+    int cie_type = 12;                ///< 1 to 15, of CIE S 011 (ISO 15469)
+    double turbidity = 3;             ///< 1.7 to 10: 2 very clear, 3 clear, 6 hazy
+    double direct_normal = 0;         ///< irradiance, all wavelengths, W m-2
+    double diffuse_horizontal = 100;  ///< irradiance, all wavelengths, W m-2
+    double distance_au = 1;           ///< of the sun
+};
+
+/// What a model asks for of a SkyState.
+enum class SkyNeeds { nothing, sun, sun_and_type, sun_and_turbidity, sun_and_weather };
+
+/// One row of the table of models.
+struct SkyEntry {
+    std::string_view name;
+    std::string_view summary;  ///< one line
+    SkyNeeds needs;
+    /// @param state  fields within their ranges
+    SkyShape (*make)(const SkyState& state);
+};
+/// uniform, cie_overcast, cie_clear, cie_general, perez, preetham.
+[[nodiscard]] std::span<const SkyEntry> sky_catalogue();
+[[nodiscard]] const SkyEntry* find_sky(std::string_view name);
+
+[[nodiscard]] SkyShape uniform_sky_shape();
+/// (1 + 2 sin elevation) / 3: CIE 110 (1994); Moon and Spencer 1942.
+[[nodiscard]] SkyShape cie_overcast_shape();
+/// CIE 110 (1994), clear sky; Kittler 1967.
+[[nodiscard]] SkyShape cie_clear_shape(const Vec3& to_sun);
+/// The general skies of CIE S 011 / ISO 15469. @param type  1 to 15
+[[nodiscard]] SkyShape cie_general_shape(int type, const Vec3& to_sun);
+/// The all-weather sky of Perez, Seals and Michalsky 1993.
+/// @throws InputError  if the sun is below the horizon or the irradiances are not possible
+[[nodiscard]] SkyShape perez_shape(const SkyState& state);
+/// What the all-weather sky goes by.
+struct PerezWeather {
+    double clearness = 1;   ///< epsilon: 1 overcast, over 6.2 clear
+    double brightness = 0;  ///< Delta: diffuse light through the sun's air mass, over that of space
+};
+/// @throws InputError  as perez_shape
+[[nodiscard]] PerezWeather perez_weather(const SkyState& state);
+/// Luminance of Preetham, Shirley and Smits 1999.
+[[nodiscard]] SkyShape preetham_shape(double turbidity, const Vec3& to_sun);
+/// Below the lowest the fit gives a zenith of negative luminance.
+inline constexpr double kLowestTurbidity = 1.7;
+inline constexpr double kHighestTurbidity = 10;
+
+/// A sky of such a shape at infinity. It is integrated when its light is first asked for, which
+/// takes about half a millisecond: a sky that is never traced costs nothing.
+/// @param horizontal_irradiance  per band, on the horizontal: exact, whatever the shape
+/// @throws InputError  if the shape is dark everywhere
+[[nodiscard]] std::shared_ptr<const Source> make_sky(
+    std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance);
+
+/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-7.
+[[nodiscard]] double horizontal_irradiance(const SkyShape& shape);
+
+/// The sun as a disk of uniform radiance, of which `angular_radius_deg` is seen (solar_radius_deg).
+/// @param to_sun  unit, to its centre, z up
+/// @param facing_irradiance  per band, on a plane that faces its centre
+[[nodiscard]] std::shared_ptr<const Source> make_sun_disk(
+    std::string name,
+    const Vec3& to_sun,
+    double angular_radius_deg,
+    std::vector<double> facing_irradiance);
+/// Seen radius of the sun at a distance: 959.63 seconds of arc at 1 au (Auwers 1891).
+[[nodiscard]] double solar_radius_deg(double distance_au);
+
+/// Radiance of the upper hemisphere in cells of azimuth and elevation, the same all over a cell.
+struct SkyTable {
+    std::size_t azimuths = 0, elevations = 0;
+    /// [elevation * azimuths + azimuth]. Elevations in equal steps of angle, from the horizon up.
+    /// Azimuths in equal steps; the first cell begins at `first_azimuth`.
+    std::vector<double> radiance;
+    double first_azimuth = 0;  ///< radians, from the x axis towards y
+    double turn = 1;  ///< +1: azimuths run from x towards y; -1: the other way, as a compass
+
+    [[nodiscard]] double at(std::size_t azimuth, std::size_t elevation) const {
+        return radiance[elevation * azimuths + azimuth];
+    }
+    /// The radiance of the cell that a direction (unit, z up) points to.
+    [[nodiscard]] double towards(const Vec3& to_light) const;
+};
+
+[[nodiscard]] SkyShape table_shape(SkyTable table);
+
+/// Daylight on the horizontal, full spectrum, W m-2.
+struct Daylight {
+    double direct = 0;   ///< straight from the sun
+    double diffuse = 0;  ///< from the sky
+    [[nodiscard]] double global() const { return direct + diffuse; }
+};
+
+/// How a lamp spreads its light over the directions: radiant intensity for a flux of 1 [1/sr]. Its
+/// integral over all directions is 1. Directions are unit vectors in the lamp's own frame: z is
+/// where the lamp aims, x its zero azimuth.
+///
+/// Directions are drawn from a table of cells that are uniform in solid angle, in proportion to the
+/// light in each, and weighted by what the intensity there differs from the cell's mean:
+/// continuous, without a bias of the table.
+class Pattern {
+  public:
+    /// Intensity, in any unit, at angle `theta` from the axis (0 to pi) and azimuth `phi` (0 to
+    /// 2 pi).
+    using Intensity = std::function<double(double theta, double phi)>;
+
+    /// @param thetas  ascending, within 0 to pi, between which the intensity is smooth; outside
+    /// them
+    ///                it is 0
+    /// @param phis    ascending, from 0 to 2 pi; {0, 2 pi} if the azimuth doesn't matter
+    Pattern(
+        Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis);
+
+    /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
+    [[nodiscard]] double total() const;
+    [[nodiscard]] double intensity(const Vec3& direction) const;
+
+    struct Drawn {
+        Vec3 direction;
+        double weight = 1;  ///< intensity / density; its mean is 1
+    };
+    [[nodiscard]] Drawn draw(double u0, double u1) const;
+
+  private:
+    struct Cells;
+    std::shared_ptr<const Cells> cells_;  // shared by copies
+};
+
+/// The same intensity in all directions.
+[[nodiscard]] Pattern isotropic_pattern();
+/// A flat Lambertian surface: cos theta / pi, nothing behind it.
+[[nodiscard]] Pattern cosine_pattern();
+/// (n + 1) / (2 pi) cos^n theta, n >= 0, nothing behind it. n = 1: cosine_pattern.
+[[nodiscard]] Pattern power_cosine_pattern(double exponent);
+/// The same intensity up to `inner` radians from the axis, falling to 0 at `outer` by the smooth
+/// step 3 x^2 - 2 x^3 of the angle; 0 <= inner <= outer <= pi, outer > 0.
+[[nodiscard]] Pattern spot_pattern(double inner, double outer);
+/// A thin tube along z with a Lambertian surface: sin theta / pi^2.
+[[nodiscard]] Pattern tube_pattern();
+
+/// Intensities measured on a grid of angles, as photometric files of type C give them.
+struct PhotometricWeb {
+    std::vector<double> vertical_deg;    ///< from the aim (0) to behind (180), ascending
+    std::vector<double> horizontal_deg;  ///< from the lamp's x axis, ascending from 0; to 0, 90,
+                                         ///< 180 or 360, which tells the symmetry
+    std::vector<double> candela;         ///< [horizontal][vertical]
+};
+
+/// The pattern of a web: bilinear in the two angles, mirrored as its symmetry says, 0 beyond its
+/// vertical angles. total() is its flux in lumens.
+/// @param web  of vertical and horizontal angles as said above, with some light
+[[nodiscard]] Pattern web_pattern(PhotometricWeb web);
+
+/// The surface that a lamp's light comes from. Lengths in the scene's unit.
+struct Opening {
+    enum class Kind {
+        point,
+        line,       ///< along the lamp's z axis
+        rectangle,  ///< across the z axis; `length` along x, `width` along y
+        disk,       ///< across the z axis
+        sphere      ///< the pattern is about the normal of each place of its surface
+    };
+    Kind kind = Kind::point;
+    double length = 0, width = 0;  ///< of a line (length), or a rectangle
+    double radius = 0;             ///< of a disk or a sphere
+};
+
+/// Where a lamp stands and how it shines. World coordinates, z up.
+struct LampSpec {
+    std::string name;
+    Vec3 position;                                  ///< of the opening's center
+    Frame axes{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};  ///< x, y, z of the lamp; it aims along z
+    Opening opening;
+    Pattern pattern = isotropic_pattern();  ///< every place of the opening shines alike
+    std::vector<double> flux;               ///< per band, irradiance unit x square scene unit
+};
+
+/// A lamp. It is light and no body: it casts no shadow, and light passes through it. In a periodic
+/// scene it repeats with the cell (and is then traced from the sources only).
+///
+/// Light tracing sends paths either by the lamp's pattern or into the cone that the scene's
+/// bounding sphere fills, whichever wastes less; flux() of its sampler is the light that goes
+/// there.
+[[nodiscard]] std::shared_ptr<const Source> make_lamp(LampSpec spec);
+
+/// The right-handed frame that aims along `aim` (not zero) with its x axis towards `along`, as far
+/// as that is across `aim`; any if `along` is parallel to it.
+[[nodiscard]] Frame lamp_axes(const Vec3& aim, const Vec3& along);
+
+}  // namespace quasimc

@@ -1,0 +1,232 @@
+#pragma once
+
+// Estimates, and the sums of a run that they are made of.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// A number estimated from independent randomizations.
+struct Estimate {
+    double mean = 0;
+    double standard_error =
+        0;           ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
+    double low = 0;  ///< 95 % confidence interval
+    double high = 0;
+};
+
+/// The estimate of a number times `factor` >= 0.
+[[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
+    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+}
+
+/// Where the bins of one kind of sum stand: a table of rows and columns.
+struct SumBlock {
+    std::string name;       ///< "direct", "scattered", ...
+    std::size_t first = 0;  ///< bin of row 0, column 0
+    std::size_t rows = 1, columns = 1;
+    std::size_t stride = 1;  ///< bins from one row to the next
+
+    [[nodiscard]] std::size_t bin(std::size_t row, std::size_t column) const {
+        return first + row * stride + column;
+    }
+    friend bool operator==(const SumBlock&, const SumBlock&) = default;
+};
+
+/// Bins that a detector asks for, beside those of the surfaces.
+struct DetectorBins {
+    std::string name;
+    std::size_t bins = 0;
+    friend bool operator==(const DetectorBins&, const DetectorBins&) = default;
+};
+
+/// Whether what surfaces absorb is summed on its own, in every band. It follows from the light that
+/// falls on them, and need not be, where no albedo depends on the angle.
+enum class AbsorbedLight { inferred, summed };
+
+/// What is summed, and in which bin.
+///
+/// Light that arrives straight from a source is summed per spectrum, not per band: all bands of it
+/// follow by multiplication. So a band costs memory and time only where light has been scattered.
+///
+/// For each region (a part of an organ that is of one material) the bins stand together, because a
+/// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, and where absorbed
+/// light is summed absorbed_direct[band] and absorbed_scattered[band]; then those of the run:
+/// emitted[spectrum], escaped_direct[spectrum], escaped_scattered[band], scattered_out[band],
+/// cut_off[band], rays; then those of detectors.
+struct SumLayout {
+    std::size_t regions = 0;
+    std::size_t spectra = 1;
+    std::size_t bands = 1;
+    AbsorbedLight absorbed_light = AbsorbedLight::inferred;
+    std::vector<DetectorBins> detectors = {};
+
+    [[nodiscard]] std::size_t absorbed_bands() const {
+        return absorbed_light == AbsorbedLight::summed ? bands : 0;
+    }
+    [[nodiscard]] std::size_t stride() const {
+        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands();
+    }
+    [[nodiscard]] std::size_t direct(
+        std::size_t region, SurfaceSide side, std::size_t spectrum) const {
+        return region * stride() + index_of(side) * spectra + spectrum;
+    }
+    [[nodiscard]] std::size_t scattered(std::size_t region, SurfaceSide side) const {
+        return region * stride() + 2 * spectra + index_of(side) * bands;
+    }
+    [[nodiscard]] std::size_t sunlit(std::size_t region) const {
+        return region * stride() + 2 * spectra + 2 * bands;
+    }
+    [[nodiscard]] std::size_t absorbed_direct(std::size_t region) const {
+        return sunlit(region) + 1;
+    }
+    [[nodiscard]] std::size_t absorbed_scattered(std::size_t region) const {
+        return absorbed_direct(region) + absorbed_bands();
+    }
+    [[nodiscard]] std::size_t emitted() const { return regions * stride(); }
+    [[nodiscard]] std::size_t escaped_direct() const { return emitted() + spectra; }
+    [[nodiscard]] std::size_t escaped_scattered() const { return escaped_direct() + spectra; }
+    [[nodiscard]] std::size_t scattered_out() const { return escaped_scattered() + bands; }
+    [[nodiscard]] std::size_t cut_off() const { return scattered_out() + bands; }
+    [[nodiscard]] std::size_t rays() const { return cut_off() + bands; }
+    /// The first bin of a detector.
+    [[nodiscard]] std::size_t detector(std::size_t index) const;
+    [[nodiscard]] std::size_t bins() const { return detector(detectors.size()); }
+
+    /// All of it by name: every bin belongs to one block.
+    [[nodiscard]] std::vector<SumBlock> blocks() const;
+
+    friend bool operator==(const SumLayout&, const SumLayout&) = default;
+};
+
+/// Exact sums of any size: one 64-bit number for each bin, and a second one, which counts carries,
+/// for all of them once the first of them needs it.
+///
+/// Between calls every bin's lower number lies within (-kCarry, kCarry), but for those that others
+/// add to through shared().
+class ExactBins {
+  public:
+    /// Steps that a carry stands for.
+    static constexpr std::int64_t kCarry = std::int64_t{1} << 62U;
+
+    /// Steps of a unit.
+    static constexpr double kStepsPerUnit = 268435456.0;
+
+    ExactBins() = default;
+    explicit ExactBins(std::size_t bins) : low_(bins) {}
+
+    [[nodiscard]] std::size_t size() const { return low_.size(); }
+    /// The sum in units.
+    [[nodiscard]] double value(std::size_t bin) const {
+        return carries_.empty() ? static_cast<double>(low_[bin]) / kStepsPerUnit
+                                : value_with_carries(bin);
+    }
+    /// The sum as steps: carries * kCarry + low, both of one sign. One sum is one pair, in whatever
+    /// order it was added up.
+    struct Steps {
+        std::int64_t carries = 0, low = 0;
+        friend bool operator==(const Steps&, const Steps&) = default;
+    };
+    [[nodiscard]] Steps steps(std::size_t bin) const {
+        return carries_.empty() ? Steps{0, low_[bin]} : steps_with_carries(bin);
+    }
+
+    /// Adds any number of steps to a bin.
+    void add(std::size_t bin, std::int64_t steps) {
+        std::int64_t sum = 0;
+        const bool is_out = __builtin_add_overflow(low_[bin], steps, &sum);
+        if (is_out || sum >= kCarry || sum <= -kCarry) [[unlikely]] {
+            add_with_carry(bin, steps);
+        } else {
+            low_[bin] = sum;
+        }
+    }
+    void add(std::size_t bin, Steps steps);
+    /// Adds the sums of another, of the same size.
+    ExactBins& operator+=(const ExactBins& other);
+
+    /// The lower numbers, to which workers may add atomically. settle() carries what has grown too
+    /// large; each may grow by kCarry in between.
+    [[nodiscard]] std::span<std::int64_t> shared() { return low_; }
+    void settle();
+
+    friend bool operator==(const ExactBins& a, const ExactBins& b);
+
+  private:
+    [[nodiscard]] Steps steps_with_carries(std::size_t bin) const;
+    [[nodiscard]] double value_with_carries(std::size_t bin) const;
+    void add_with_carry(std::size_t bin, std::int64_t steps);
+    void carry(std::size_t bin, std::int64_t carries);
+
+    std::vector<std::int64_t> low_;
+    std::vector<std::int64_t> carries_;  // empty: 0
+};
+
+/// What a bin's unit stands for, made once for a run. After n samples (Sums::samples) a sum x of
+/// region r stands for the flux x * flux[band] * region_scale[r] / n; of direct light, which is
+/// summed per spectrum, times the spectrum's weight in the band.
+struct SumUnits {
+    std::vector<double> flux;  ///< per band, irradiance unit x square scene unit
+    /// The same for what a single sample would have brought to a region, had it found light: the
+    /// upper bound for a region that received nothing is made of it.
+    std::vector<double> flux_per_find;
+    double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
+    double sunlit_area_per_find = 0;
+    std::vector<double> region_scale = {};  ///< per region; empty: 1
+
+    [[nodiscard]] double scale(std::size_t region) const {
+        return region_scale.empty() ? 1 : region_scale[region];
+    }
+    friend bool operator==(const SumUnits&, const SumUnits&) = default;
+};
+
+/// Whose light is summed.
+enum class MeasuredOrgans {
+    all,
+    asked_for,  ///< those with Organ::measured alone
+};
+/// What is known of light that leaves the scene.
+enum class EscapedLight {
+    summed,
+    remainder,  ///< what was emitted and not absorbed
+};
+
+/// The sums of a run, and all that is needed to tell what they mean: a value that can be added to,
+/// kept and sent. evaluate() turns it into a Result.
+struct Sums {
+    SumLayout layout;
+    SumUnits units;
+    std::vector<std::vector<double>> spectra;  ///< [spectrum][band], relative
+    std::vector<double> emitted_flux;          ///< per band, of all sources into the scene
+    MeasuredOrgans measured = MeasuredOrgans::all;
+    EscapedLight escaped = EscapedLight::summed;
+    std::vector<ExactBins> replicates;
+    std::uint64_t paths = 0;    ///< done, per replicate
+    std::uint64_t samples = 0;  ///< the same as the units count them: points of an organ, or paths
+    std::uint64_t digest = 0;   ///< of what was asked: scene, sources, specification; 0: not known
+
+    /// Adds the sums of other paths of the same run.
+    /// @throws std::invalid_argument  if the two are not of one run: layout, units, number of
+    ///         replicates or digest differ
+    Sums& operator+=(const Sums& other);
+
+    friend bool operator==(const Sums&, const Sums&) = default;
+};
+
+/// Sums as bytes, for files and other machines: the same on every machine of one byte order.
+[[nodiscard]] std::string save_sums(const Sums& sums);
+/// @throws std::invalid_argument  if these are not the bytes of sums: cut off, changed, of another
+///         version or byte order
+[[nodiscard]] Sums load_sums(std::string_view bytes);
+
+/// Rays cast in all replicates.
+[[nodiscard]] std::uint64_t count_rays(const Sums& sums);
+
+}  // namespace quasimc

@@ -1,0 +1,51 @@
+#include "scene/scene.h"
+
+#include "base/lazy.h"
+#include "scene/organ_areas.h"
+
+namespace quasimc {
+
+Scene::Scene() = default;
+Scene::Scene(const Scene& other) = default;
+Scene::Scene(Scene&& other) noexcept = default;
+Scene& Scene::operator=(const Scene& other) = default;
+Scene& Scene::operator=(Scene&& other) noexcept = default;
+Scene::~Scene() = default;
+
+std::size_t Scene::triangle_count() const {
+    return geometry_->size();
+}
+
+std::vector<std::string> Scene::material_names() const {
+    std::vector<std::string> names;
+    names.reserve(materials_.size());
+    for (const Material& material : materials_) {
+        names.push_back(material.name());
+    }
+    return names;
+}
+
+const Material& Scene::material(const Region& region) const {
+    return materials_[region.material.value];
+}
+
+const std::string& Scene::material_name(const Region& region) const {
+    return material(region).name();
+}
+
+std::vector<Triangle> Scene::triangles_of(const Organ& organ) const {
+    std::vector<Triangle> triangles;
+    triangles.reserve(organ.triangle_count);
+    for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
+        triangles.push_back((*geometry_)[organ.first_triangle + i]);
+    }
+    return triangles;
+}
+
+RegionIndex Scene::region_of(std::uint32_t triangle) const {
+    return triangle < triangle_regions_.size()
+               ? triangle_regions_[triangle]
+               : instance_regions_[geometry_->ranges().find(triangle)];
+}
+
+}  // namespace quasimc
