@@ -11,8 +11,9 @@ install(
     EXPORT quasimcTargets
     NAMESPACE quasimc::
     DESTINATION "${quasimc_package_dir}")
+# The public headers, and no others: users link the modules and never see inside them.
 install(
-    DIRECTORY "${PROJECT_SOURCE_DIR}/src/" "${PROJECT_BINARY_DIR}/generated/quasimc"
+    DIRECTORY "${PROJECT_SOURCE_DIR}/include/quasimc" "${PROJECT_BINARY_DIR}/generated/quasimc"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     FILES_MATCHING
     PATTERN "*.h")
