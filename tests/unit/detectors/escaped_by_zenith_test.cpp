@@ -37,7 +37,7 @@ TEST(EscapedByZenith, CountsRingsFromTheZenith) {
     EXPECT_EQ(ring_of({0, 0, 1}, 9), 0U);
     EXPECT_EQ(ring_of({0, 0, -1}, 9), 8U);
     EXPECT_EQ(ring_of({1, 0, 0}, 9), 4U);
-    EXPECT_EQ(ring_of({0, -1, 0}, 2), 1U);  // a bound belongs to the ring below it
+    EXPECT_EQ(ring_of({0, -1, 0}, 2), 1U);  // a bound belongs to the ring of larger angles
     for (std::size_t i = 0; i < 180; ++i) {
         const double theta = (static_cast<double>(i) + .5) * kRadians;
         EXPECT_EQ(ring_of({0, std::sin(theta), std::cos(theta)}, 180), i);
