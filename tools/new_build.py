@@ -17,7 +17,10 @@ from pathlib import Path
 import new
 
 NAME = "trial_{}"  # of each family; names of pages must differ between families
-PARTS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "src", "tests", "tools", "docs", "examples")
+PARTS = (
+    "CMakeLists.txt", "CMakePresets.json", "cmake", "data", "include",
+    "src", "tests", "tools", "docs", "examples",
+)
 
 # The tests that try every row of a catalogue, with what they need, and which of their cases.
 EVERY_ROW = {

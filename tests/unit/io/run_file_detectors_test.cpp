@@ -70,18 +70,21 @@ TEST(RunFileDetectors, FaultsStandAtTheirLines) {
     EXPECT_TRUE(mentions(faults, "run.toml:"));
 }
 
-nlohmann::json json_of(const std::string& tables) {
+struct TracedRun {
+    Result result;
+    nlohmann::json json;
+};
+TracedRun traced(const std::string& tables) {
     RunFile run = read_text(with_detectors(tables));
     run.spec.paths = 256;
+    const Result result = quasimc::run(run.scene, run.sources, run.spec);
     std::string json;
-    static_cast<void>(write_json(
-        run, quasimc::run(run.scene, run.sources, run.spec),
-        [&](std::string_view piece) { json += piece; }));
-    return nlohmann::json::parse(json);
+    static_cast<void>(write_json(run, result, [&](std::string_view piece) { json += piece; }));
+    return {result, nlohmann::json::parse(json)};
 }
 
 TEST(RunFileDetectors, AreReadAndTheirLightIsWritten) {
-    const auto json = json_of(
+    const auto [result, json] = traced(
         detector_of("escaped_by_zenith", "name = 'up'\nrings = 2\n") +
         detector_of("escaped_by_zenith", ""));
     ASSERT_EQ(json["detectors"].size(), 2U);
@@ -92,16 +95,24 @@ TEST(RunFileDetectors, AreReadAndTheirLightIsWritten) {
     EXPECT_EQ(up["unit"]["N"], "W");
     ASSERT_EQ(up["bins"].size(), 2U);
     EXPECT_EQ(up["bins"][0]["bin"], "0 to 90");
-    // A leaf of area 1/2 that reflects half of the light, upwards.
-    EXPECT_NEAR(up["bins"][0]["flux"]["N"]["mean"], .25, 1e-4);
-    EXPECT_GE(up["bins"][0]["flux"]["N"]["standard_error"], 0.);
-    EXPECT_EQ(up["bins"][1]["flux"]["R"]["mean"], 0.);
+    ASSERT_EQ(result.detectors.size(), 2U);
+    const Estimate& expected = result.detectors[0].at(0, 1);
+    const auto& written = up["bins"][0]["flux"]["N"];
+    EXPECT_EQ(written["mean"], expected.mean);
+    EXPECT_EQ(written["standard_error"], expected.standard_error);
+    EXPECT_EQ(written["low"], expected.low);
+    EXPECT_EQ(written["high"], expected.high);
+    EXPECT_GT(expected.mean, .2);
+    // The leaf passes nothing on below.
+    EXPECT_EQ(up["bins"][1]["flux"]["N"]["mean"], 0.);
+    EXPECT_TRUE(up["bins"][1]["flux"]["N"]["standard_error"].is_null());
+    EXPECT_EQ(up["bins"][1]["flux"]["N"]["high"], result.detectors[0].at(1, 1).high);
     EXPECT_EQ(json["detectors"][1]["name"], "escaped_by_zenith");
     EXPECT_EQ(json["detectors"][1]["bins"].size(), 9U);
 }
 
 TEST(RunFileDetectors, ResultsWithoutThemDoNotMentionThem) {
-    EXPECT_FALSE(json_of("").contains("detectors"));
+    EXPECT_FALSE(traced("").json.contains("detectors"));
 }
 
 }  // namespace
