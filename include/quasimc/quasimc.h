@@ -10,6 +10,7 @@
 #include "base/orientation.h"
 #include "base/vec3.h"
 #include "base/version.h"
+#include "detectors/catalogue.h"
 #include "geometry/mesh/triangle.h"
 #include "geometry/shapes/shapes.h"
 #include "io/results/read_result.h"

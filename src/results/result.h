@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/audit.h"
+#include "results/detector_result.h"
 #include "solvers/run_spec.h"
 #include "sums/statistics.h"
 
@@ -61,6 +62,7 @@ struct Result {
     std::vector<Estimate> ratio_values;
     std::vector<BandBudget> budget;  ///< per band
     bool escaped_is_remainder = false;
+    std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
 
     ChosenMethod chosen;
     std::optional<Audit> audit;  ///< if RunSpec::audit asked for one

@@ -10,6 +10,7 @@
 #include "base/bounds.h"
 #include "base/ids.h"
 #include "base/orientation.h"
+#include "detectors/detector_spec.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/triangle.h"
 #include "geometry/scene_geometry.h"
@@ -96,6 +97,8 @@ class Scene {
     /// The areas of the triangles of each organ, made when they are first asked for. Copies of a
     /// scene share them.
     [[nodiscard]] const OrganAreas& organ_areas() const;
+    /// What light is sorted by beside the organs. Every specification has a name and no fault.
+    [[nodiscard]] const std::vector<DetectorSpec>& detectors() const { return detectors_; }
     [[nodiscard]] const Cell& cell() const { return cell_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
     [[nodiscard]] const Orientation& orientation() const { return orientation_; }
@@ -113,6 +116,7 @@ class Scene {
     std::shared_ptr<const SceneGeometry> geometry_ = std::make_shared<const SceneGeometry>();
     std::shared_ptr<const Lazy<OrganAreas>> areas_;
     std::vector<RegionIndex> triangle_regions_, instance_regions_;
+    std::vector<DetectorSpec> detectors_;
     Cell cell_;
     Bounds bounds_;
     Orientation orientation_;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/lazy.h"
+#include "detectors/catalogue.h"
 #include "scene/assembly.h"
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
@@ -50,6 +51,10 @@ void SceneBuilder::set_ground(GroundSpec ground) {
     ground_ = std::move(ground);
 }
 
+void SceneBuilder::add_detector(DetectorSpec detector) {
+    detectors_.push_back(std::move(detector));
+}
+
 void SceneBuilder::set_cell(const Cell& cell) {
     cell_ = cell;
 }
@@ -87,6 +92,7 @@ Scene SceneBuilder::build() && {
     check_whole(draft_, bounds, faults);
     const std::vector<MaterialId> materials =
         resolve_materials(materials_, draft_, bands_.size(), faults);
+    detectors_ = check_detectors(std::move(detectors_), faults);
     faults.throw_if_any();
 
     Scene scene;
@@ -103,6 +109,7 @@ Scene SceneBuilder::build() && {
     scene.areas_ = std::make_shared<const Lazy<OrganAreas>>();
     scene.organs_.back().is_ground = ground_.has_value();
     scene.bands_ = std::move(bands_);
+    scene.detectors_ = std::move(detectors_);
     scene.cell_ = cell_;
     scene.bounds_ = bounds;
     scene.orientation_ = orientation_;

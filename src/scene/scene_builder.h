@@ -75,6 +75,7 @@ class SceneBuilder {
     void add_material(MaterialSpec material, std::string place = {});
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);
+    void add_detector(DetectorSpec detector);
     /// Periods along the two horizontal axes, z up.
     void set_cell(const Cell& cell);
 
@@ -82,8 +83,9 @@ class SceneBuilder {
     /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates
     /// that are not finite or beyond 1e30; a scene of no size; a ground that does not fit; a
     /// periodic cell that is not positive, or so small that organs repeat without measure; a north
-    /// that is not horizontal. Triangles and organs of no area are allowed: nothing falls on them
-    /// (see lint). May be called once; takes time and memory in proportion to the triangles.
+    /// that is not horizontal; detectors as check_detectors() says. Triangles and organs of no area
+    /// are allowed: nothing falls on them (see lint). May be called once; takes time and memory in
+    /// proportion to the triangles.
     [[nodiscard]] Scene build() &&;
 
   private:
@@ -93,6 +95,7 @@ class SceneBuilder {
     std::vector<std::pair<MaterialSpec, std::string>> materials_;
     SceneDraft draft_;
     std::optional<GroundSpec> ground_;
+    std::vector<DetectorSpec> detectors_;
     Cell cell_;
 };
 
