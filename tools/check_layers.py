@@ -36,6 +36,7 @@ PUBLIC_HEADERS = {
     "mesh.h": "geometry",
     "material.h": "optics",
     "sums.h": "sums",
+    "detector.h": "detectors",
     "source.h": "sources",
     "sun.h": "sources",
     "scene.h": "scene",

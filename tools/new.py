@@ -137,8 +137,23 @@ FAMILIES = {
         pages="docs/theory",
         catalogue="src/solvers/catalogue.cpp",
         entries=(
-            ("declares a solver", "std::unique_ptr<Solver> make_@name@();"),
-            ("enters a solver", '    SolverEntry{"@name@", "@words@", make_@name@},'),
+            (
+                "declares a solver",
+                "std::unique_ptr<Solver> make_@name@(const SolverInput& input);",
+            ),
+            (
+                "enters a solver",
+                """        SolverEntry{
+            Method::@name@, "@name@", "@words@", make_@name@, light_tracing_meaning},""",
+            ),
+        ),
+        others=(
+            (
+                "include/quasimc/run_spec.h",
+                r"( *// \(tools/new\.py enters a method above this line\))",
+                r"    @name@,  ///< @words@\n\1",
+            ),
+            ("docs/guide/options.md", r"(\| `method` .*? one of [^|]*?), auto \|", r"\1, @name@, auto |"),
         ),
     ),
     "detector": Family(
@@ -147,8 +162,30 @@ FAMILIES = {
         pages="docs/theory",
         catalogue="src/detectors/catalogue.cpp",
         entries=(
-            ("declares a detector", "std::unique_ptr<Detector> make_@name@();"),
-            ("enters a detector", '    DetectorEntry{"@name@", "@words@", make_@name@},'),
+            (
+                "declares a detector",
+                "std::unique_ptr<Detector> make_@name@(std::span<const double> values);",
+            ),
+            (
+                "tells the parameters of a detector",
+                """constexpr std::array k@Name@{DetectorParameter{
+    .name = "sectors",
+    .summary = "of the azimuth",
+    .kind = NumberKind::whole,
+    .low = 1,
+    .high = 360,
+    .usual = 8}};
+""",
+            ),
+            (
+                "enters a detector",
+                """    DetectorEntry{
+        .name = "@name@",
+        .summary = "@words@",
+        .light = DetectedLight::escaped,
+        .parameters = k@Name@,
+        .make = make_@name@},""",
+            ),
         ),
     ),
 }

@@ -17,7 +17,10 @@ from pathlib import Path
 import new
 
 NAME = "trial_{}"  # of each family; names of pages must differ between families
-PARTS = ("CMakeLists.txt", "CMakePresets.json", "cmake", "src", "tests", "tools", "docs", "examples")
+PARTS = (
+    "CMakeLists.txt", "CMakePresets.json", "cmake", "data", "include",
+    "src", "tests", "tools", "docs", "examples",
+)
 
 # The tests that try every row of a catalogue, with what they need, and which of their cases.
 EVERY_ROW = {
@@ -25,6 +28,8 @@ EVERY_ROW = {
     "source": (),
     "format": ("formats_test.cpp", "io_testing.cpp", "catalogues_test.cpp"),
     "sampler": ("every_sampler_test.cpp", "sampler_testing.cpp"),
+    "solver": ("every_solver_test.cpp", "../../statistical/scenes.cpp"),
+    "detector": ("every_detector_test.cpp",),
 }
 FILTER = "*Trial*:*trial*:Catalogue*:Formats.*:Catalogues.*"
 
@@ -93,7 +98,7 @@ def test(copy, folder, families):
         for suite, case in re.findall(r"^TEST\((\w+), (\w+)\)", text, re.M):
             if f"{suite}.{case}" not in passed:
                 sys.exit(f"{said}\nnew_build: {kind}: {suite}.{case} did not pass")
-    rows = [name for name in passed if re.search("/trial_(bsdf|sampler)", name)]
+    rows = [name for name in passed if re.search("/trial_(bsdf|sampler|solver|detector)", name)]
     if not rows:
         sys.exit("new_build: no test over the rows of a catalogue took a new row up")
     replay = f"Fuzz.Replays.{NAME.format('format')}"

@@ -34,6 +34,17 @@ std::string list_models() {
     return text;
 }
 
+std::string list_detectors() {
+    std::string text;
+    for (const quasimc::DetectorEntry& entry : quasimc::detector_catalogue()) {
+        const std::string parameters = quasimc::parameter_words(entry);
+        text += list_row(
+            entry.name, parameters.empty() ? std::string(entry.summary)
+                                           : fmt::format("{} ({})", entry.summary, parameters));
+    }
+    return text;
+}
+
 std::string list_formats() {
     std::string text;
     for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
@@ -77,13 +88,10 @@ struct ListEntry {
 
 const std::vector<ListEntry>& lists() {
     static const std::vector<ListEntry> all{
-        {"options", list_options},
-        {"samplers", list_samplers},
-        {"models", list_models},
-        {"formats", list_formats},
-        {"skies", list_skies},
-        {"quantities", list_quantities},
-        {"options-markdown", quasimc::options_markdown}};
+        {"options", list_options},       {"samplers", list_samplers},
+        {"models", list_models},         {"detectors", list_detectors},
+        {"formats", list_formats},       {"skies", list_skies},
+        {"quantities", list_quantities}, {"options-markdown", quasimc::options_markdown}};
     return all;
 }
 
@@ -106,7 +114,7 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, formats, skies, quantities",
+        "print what there is: options, samplers, models, detectors, formats, skies, quantities",
         {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
         [name] { return print_list(*name); }};
 }

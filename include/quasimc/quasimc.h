@@ -6,6 +6,7 @@
 //   const quasimc::RunFile file = quasimc::read_run_file("leaves.toml");
 //   const quasimc::Result result = quasimc::run(file.scene, file.sources, file.spec);
 
+#include "quasimc/detector.h"
 #include "quasimc/error.h"
 #include "quasimc/file.h"
 #include "quasimc/material.h"

@@ -79,6 +79,18 @@ struct BandBudget {
     double closure_error = 0;
 };
 
+/// What a detector saw, flux: irradiance unit x area unit.
+struct DetectorResult {
+    std::string name, type;
+    std::string quantity;           ///< by which light is sorted, with its unit
+    std::vector<std::string> bins;  ///< their names
+    std::vector<Estimate> values;   ///< [bin * bands + band]; see at()
+
+    [[nodiscard]] const Estimate& at(std::size_t bin, std::size_t band) const {
+        return values[bin * (values.size() / bins.size()) + band];
+    }
+};
+
 /// Why no further round was traced. time_is_up and path_limit: the target, if one was set, was
 /// missed.
 enum class StopReason { paths_done, target_reached, time_is_up, path_limit };
@@ -96,6 +108,7 @@ struct Result {
     std::vector<Estimate> ratio_values;
     std::vector<BandBudget> budget;  ///< per band
     bool escaped_is_remainder = false;
+    std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
 
     ChosenMethod chosen;
     std::optional<Audit> audit;  ///< if RunSpec::audit asked for one

@@ -22,7 +22,8 @@ enum class Method {
                     ///< sky
     first_hits,     ///< where suns and skies fall first, found by scan lines and item buffers:
                     ///< direct light almost without noise; lamps as `sources`
-    automatic,      ///< whichever of the others has the smallest errors for its time: plan_method()
+    // (tools/new.py enters a method above this line)
+    automatic,  ///< whichever of the others has the smallest errors for its time: plan_method()
 };
 
 /// How a result was computed, and why so.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "quasimc/detector.h"
 #include "quasimc/error.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
@@ -100,6 +101,8 @@ class Scene {
     [[nodiscard]] std::size_t triangle_count() const;
     /// In the order in which they were added; MaterialId counts them.
     [[nodiscard]] std::vector<std::string> material_names() const;
+    /// What light is sorted by beside the organs. Every specification has a name and no fault.
+    [[nodiscard]] const std::vector<DetectorSpec>& detectors() const { return detectors_; }
     /// The name of a region's material.
     [[nodiscard]] const std::string& material_name(const Region& region) const;
     /// The triangles of an organ, z up.
@@ -140,6 +143,7 @@ class Scene {
     std::shared_ptr<const SceneGeometry> geometry_;
     std::shared_ptr<const Lazy<OrganAreas>> areas_;
     std::vector<RegionIndex> triangle_regions_, instance_regions_;
+    std::vector<DetectorSpec> detectors_;
     Cell cell_;
     Bounds bounds_;
     Orientation orientation_;
@@ -203,6 +207,7 @@ class SceneBuilder {
     void add_material(MaterialSpec material, std::string place = {});
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);
+    void add_detector(DetectorSpec detector);
     /// Periods along the two horizontal axes, z up.
     void set_cell(const Cell& cell);
 
@@ -210,8 +215,9 @@ class SceneBuilder {
     /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates
     /// that are not finite or beyond 1e30; a scene of no size; a ground that does not fit; a
     /// periodic cell that is not positive, or so small that organs repeat without measure; a north
-    /// that is not horizontal. Triangles and organs of no area are allowed: nothing falls on them
-    /// (see lint). May be called once; takes time and memory in proportion to the triangles.
+    /// that is not horizontal; detectors of unknown types, or with parameters that they do not
+    /// take. Triangles and organs of no area are allowed: nothing falls on them (see lint). May be
+    /// called once; takes time and memory in proportion to the triangles.
     [[nodiscard]] Scene build() &&;
 
   private:
@@ -221,6 +227,7 @@ class SceneBuilder {
     std::vector<std::pair<MaterialSpec, std::string>> materials_;
     std::unique_ptr<SceneDraft> draft_;
     std::optional<GroundSpec> ground_;
+    std::vector<DetectorSpec> detectors_;
     Cell cell_;
 };
 

@@ -148,16 +148,6 @@ class OrganReader {
     const Organ& organ_;
 };
 
-/// The estimate of a number per replicate; if nothing was seen in any, the bound made of
-/// `per_find`.
-Estimate seen_or_bound(std::span<const double> values, double per_find) {
-    const auto is_zero = [](double x) { return x == 0; };
-    if (per_find > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
-        return estimate_unseen(static_cast<double>(values.size()), per_find);
-    }
-    return estimate_mean(values);
-}
-
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
   public:
@@ -226,7 +216,7 @@ class OrganEvaluator {
                 find * (entry.is_flux ? 1 : per_area) * (is_absorbed ? absorbed : 1);
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
-                seen_or_bound(samples_[q], bound);
+                estimate_seen_or_bound(samples_[q], bound);
         }
     }
 
@@ -247,7 +237,7 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        return seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
+        return estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
     }
 
     const Sums& sums_;
@@ -278,7 +268,7 @@ bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
             absorbed[r] = reader.incident(r, b).absorbed;
         }
         const double find = reader.flux_per_find(b) * reader.largest_absorptance(b);
-        const Estimate estimate = seen_or_bound(absorbed, find);
+        const Estimate estimate = estimate_seen_or_bound(absorbed, find);
         if (!(estimate.standard_error <= target * estimate.mean)) {
             return false;
         }
@@ -321,6 +311,7 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
         }
     });
     result.budget = evaluate_budget(sums, scene);
+    result.detectors = evaluate_detectors(sums, scene);
     result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
     result.paths = sums.paths;
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());

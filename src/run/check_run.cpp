@@ -6,8 +6,10 @@
 
 #include "base/checks.h"
 #include "base/text.h"
+#include "detectors/catalogue.h"
 #include "quasimc/run.h"
 #include "samplers/catalogue.h"
+#include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {
@@ -149,6 +151,17 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
     }
 }
 
+/// A method that does not follow light that escapes, which some detector waits for.
+void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const SolverEntry* solver = find_solver(spec.method);
+    if (solver != nullptr && solver->escaped == EscapedLight::remainder &&
+        need_escaped_light(scene.detectors())) {
+        faults.add(
+            {"method", fmt::format("{} does not follow light that escapes", solver->name),
+             "a detector waits for that light", "use method = \"light_tracing\""});
+    }
+}
+
 }  // namespace
 
 void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
@@ -158,6 +171,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
     check_organs(scene, spec, faults);
+    check_detected_light(scene, spec, faults);
 }
 
 }  // namespace quasimc

@@ -102,6 +102,17 @@ void add_sources(const PreparedScene& prepared, Mixer& mixer) {
     }
 }
 
+void add_detectors(const Scene& scene, Mixer& mixer) {
+    for (const DetectorSpec& detector : scene.detectors()) {
+        mixer.add(std::string_view(detector.type));
+        mixer.add(std::string_view(detector.name));
+        for (const auto& [name, value] : detector.parameters) {
+            mixer.add(std::string_view(name));
+            mixer.add(value);
+        }
+    }
+}
+
 void add_spec(const RunSpec& spec, Mixer& mixer) {
     mixer.add(std::string_view(spec.sampler));
     mixer.add(static_cast<std::uint64_t>(spec.method));
@@ -119,6 +130,7 @@ std::uint64_t digest_of(const PreparedScene& prepared, const RunSpec& spec) {
     add_geometry(prepared, mixer);
     add_optics(prepared, mixer);
     add_sources(prepared, mixer);
+    add_detectors(prepared.scene(), mixer);
     add_spec(spec, mixer);
     return mixer.value();
 }

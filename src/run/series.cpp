@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "results/evaluate.h"
 #include "run/series_sum.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
@@ -247,6 +248,11 @@ Result scaled(const Result& result, double factor) {
             band.*part = scaled(band.*part, factor);
         }
     }
+    for (DetectorResult& detector : copy.detectors) {
+        for (Estimate& estimate : detector.values) {
+            estimate = scaled(estimate, factor);
+        }
+    }
     if (copy.audit) {
         for (BandAudit& band : copy.audit->bands) {
             band.difference *= factor;
@@ -264,6 +270,7 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
     dark.budget.resize(dark.bands);
+    dark.detectors = dark_detectors(scene);
     dark.replicates = spec.replicates;
     dark.chosen.reason = "it is dark, nothing was traced";
     return dark;

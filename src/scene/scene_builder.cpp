@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/lazy.h"
+#include "detectors/catalogue.h"
 #include "scene/assembly.h"
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
@@ -42,6 +43,7 @@ SceneBuilder::SceneBuilder(const SceneBuilder& other)
       materials_(other.materials_),
       draft_(std::make_unique<SceneDraft>(*other.draft_)),
       ground_(other.ground_),
+      detectors_(other.detectors_),
       cell_(other.cell_) {}
 
 SceneBuilder& SceneBuilder::operator=(const SceneBuilder& other) {
@@ -66,6 +68,10 @@ void SceneBuilder::add_organ(OrganSpec organ) {
 
 void SceneBuilder::set_ground(GroundSpec ground) {
     ground_ = std::move(ground);
+}
+
+void SceneBuilder::add_detector(DetectorSpec detector) {
+    detectors_.push_back(std::move(detector));
 }
 
 void SceneBuilder::set_cell(const Cell& cell) {
@@ -106,6 +112,7 @@ Scene SceneBuilder::build() && {
     check_whole(draft, bounds, faults);
     const std::vector<MaterialId> materials =
         resolve_materials(materials_, draft, bands_.size(), faults);
+    detectors_ = check_detectors(std::move(detectors_), faults);
     faults.throw_if_any();
 
     Scene scene;
@@ -122,6 +129,7 @@ Scene SceneBuilder::build() && {
     scene.areas_ = std::make_shared<const Lazy<OrganAreas>>();
     scene.organs_.back().is_ground = ground_.has_value();
     scene.bands_ = std::move(bands_);
+    scene.detectors_ = std::move(detectors_);
     scene.cell_ = cell_;
     scene.bounds_ = bounds;
     scene.orientation_ = orientation_;

@@ -1,5 +1,7 @@
-// The solvers. To add one: write its file, its test and its page, add a value to Method and a row
-// here. (docs/develop/decisions/solver-owns-its-loop.md tells what a solver promises.)
+// To add a solver, tools/new.py solver NAME makes name.cpp (a class derived from Solver),
+// name_test.cpp and docs/theory/name.md, and enters it here and in Method (quasimc/run_spec.h).
+// `method = "name"`, its flag and `quasimc list options` follow from the row;
+// tests/unit/solvers/every_solver_test.cpp tries every row.
 
 #include "solvers/catalogue.h"
 
@@ -13,17 +15,8 @@
 #include "solvers/light_tracing.h"
 
 namespace quasimc {
-namespace {
 
-const SolverEntry& entry_of(Method method) {
-    const auto all = solver_catalogue();
-    const auto entry = std::find_if(
-        all.begin(), all.end(), [&](const SolverEntry& e) { return e.method == method; });
-    EXPECT(entry != all.end());
-    return *entry;
-}
-
-}  // namespace
+// (tools/new.py declares a solver above this line)
 
 std::span<const SolverEntry> solver_catalogue() {
     static constexpr std::array kSolvers{
@@ -36,7 +29,8 @@ std::span<const SolverEntry> solver_catalogue() {
             light_tracing_meaning},
         SolverEntry{
             Method::from_organs, "from_organs", "points on every organ look for light",
-            make_from_organs, from_organs_meaning},
+            make_from_organs, from_organs_meaning, EscapedLight::remainder},
+        // (tools/new.py enters a solver above this line)
     };
     return kSolvers;
 }
@@ -49,24 +43,41 @@ std::vector<SamplerModel> sampler_models() {
     return models;
 }
 
+const SolverEntry* find_solver(Method method) {
+    const auto all = solver_catalogue();
+    const auto entry = std::find_if(
+        all.begin(), all.end(), [&](const SolverEntry& e) { return e.method == method; });
+    return entry == all.end() ? nullptr : &*entry;
+}
+
 std::unique_ptr<Solver> make_solver(const SolverInput& input) {
-    return entry_of(input.spec.method).make(input);
+    const SolverEntry* entry = find_solver(input.spec.method);
+    EXPECT(entry != nullptr);
+    return entry->make(input);
 }
 
 Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
-    SumMeaning meaning = entry_of(spec.method).meaning(prepared, spec);
+    const SolverEntry* entry = find_solver(spec.method);
+    EXPECT(entry != nullptr);
+    SumMeaning meaning = entry->meaning(prepared, spec);
+    std::vector<DetectorBins> detectors;
+    for (std::size_t i = 0; i < prepared.detectors().size(); ++i) {
+        const std::size_t bins = prepared.detectors()[i]->axis().bins.size();
+        detectors.push_back({prepared.scene().detectors()[i].name, bins * prepared.bands()});
+    }
     Sums sums;
     sums.layout = {
         .regions = prepared.scene().regions().size(),
         .spectra = prepared.spectra().size(),
         .bands = prepared.bands(),
         .absorbed_light =
-            prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed};
+            prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed,
+        .detectors = std::move(detectors)};
     sums.units = std::move(meaning.units);
     sums.spectra = prepared.spectra();
     sums.emitted_flux = prepared.flux();
     sums.measured = meaning.measured;
-    sums.escaped = meaning.escaped;
+    sums.escaped = entry->escaped;
     for (std::uint32_t r = 0; r < spec.replicates; ++r) {
         sums.replicates.emplace_back(sums.layout.bins());
     }

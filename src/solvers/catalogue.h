@@ -12,7 +12,6 @@ namespace quasimc {
 struct SumMeaning {
     SumUnits units;
     MeasuredOrgans measured = MeasuredOrgans::all;
-    EscapedLight escaped = EscapedLight::summed;
 };
 
 /// One row of the catalogue: a way of computing.
@@ -22,10 +21,14 @@ struct SolverEntry {
     std::string_view summary;  ///< one line for the manual
     std::unique_ptr<Solver> (*make)(const SolverInput& input);
     SumMeaning (*meaning)(const PreparedScene& prepared, const RunSpec& spec);
+    EscapedLight escaped = EscapedLight::summed;  ///< what it knows of light that leaves the scene
 };
 
 /// All solvers. Method::automatic is none of them.
 [[nodiscard]] std::span<const SolverEntry> solver_catalogue();
+
+/// The row of a method; null for Method::automatic.
+[[nodiscard]] const SolverEntry* find_solver(Method method);
 
 /// The solver of RunSpec::method, which must not be automatic.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const SolverInput& input);

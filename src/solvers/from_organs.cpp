@@ -330,8 +330,7 @@ std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const double reference_area = measured_area(scene).area;
-    SumMeaning meaning{
-        .units = {}, .measured = MeasuredOrgans::asked_for, .escaped = EscapedLight::remainder};
+    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
     SumUnits& units = meaning.units;
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
         units.flux.push_back(prepared.flux()[b] / reference_area);

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "detectors/catalogue.h"
+
 namespace quasimc {
 namespace {
 
@@ -147,9 +149,11 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     }
     const Lighting lighting = lighting_of(sources);
     const double gain = gain_of_equal_shares(scene);
-    // Lamps repeat with the scene; organs would have to pick one of infinitely many.
-    const bool can_start_from_organs =
-        std::isfinite(gain) && !(lighting.lamp && scene.cell().periodic());
+    // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
+    // escapes is not followed from organs.
+    const bool can_start_from_organs = std::isfinite(gain) &&
+                                       !(lighting.lamp && scene.cell().periodic()) &&
+                                       !need_escaped_light(scene.detectors());
     if (can_start_from_organs && gain >= gain_asked(scene, lighting)) {
         return {
             Method::from_organs,

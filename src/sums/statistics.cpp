@@ -1,5 +1,6 @@
 #include "sums/statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -28,6 +29,14 @@ double mean_of(std::span<const double> values) {
 }
 
 }  // namespace
+
+Estimate estimate_seen_or_bound(std::span<const double> values, double per_find) {
+    const auto is_zero = [](double x) { return x == 0; };
+    if (per_find > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
+        return estimate_unseen(static_cast<double>(values.size()), per_find);
+    }
+    return estimate_mean(values);
+}
 
 double student_t_quantile(double p, unsigned df) {
     EXPECT(p > 0 && p < 1 && df >= 1);

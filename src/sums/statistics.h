@@ -20,6 +20,10 @@ namespace quasimc {
 /// Lippman-Hand 1983).
 [[nodiscard]] Estimate estimate_unseen(double events, double most);
 
+/// The mean of the numbers of independent replicates; where all of them are 0 and a single find
+/// would have brought `per_find` > 0 to one of them, the bound of estimate_unseen().
+[[nodiscard]] Estimate estimate_seen_or_bound(std::span<const double> values, double per_find);
+
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
 

@@ -168,12 +168,25 @@ class ParticleTracer {
             return;
         }
         if (!direct_) {
-            tally_.add(end == RayEnd::lost ? layout.cut_off() : layout.escaped_scattered(), fixed_);
+            if (end == RayEnd::lost) {
+                tally_.add(layout.cut_off(), fixed_);
+                return;
+            }
+            tally_.add(layout.escaped_scattered(), fixed_);
+            tell_detectors();
         } else if (end == RayEnd::escaped) {
             tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
         } else {
             set_start_weights(path_, weights_);
             add_weights(layout.cut_off(), 1);
+        }
+    }
+
+    /// Scattered light has escaped.
+    void tell_detectors() {
+        const auto& detectors = prepared_.detectors();
+        for (std::size_t i = 0; i < detectors.size(); ++i) {
+            detectors[i]->on_escape(direction_, fixed_, tally_.layout().detector(i), tally_);
         }
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "detectors/catalogue.h"
+
 namespace quasimc {
 namespace {
 
@@ -67,6 +69,9 @@ PreparedScene::PreparedScene(
     set_regions();
     set_fields_of_view();
     set_lights(sources);
+    for (const DetectorSpec& detector : scene.detectors()) {
+        detectors_.push_back(make_detector(detector));
+    }
 }
 
 void PreparedScene::set_regions() {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "detectors/detector.h"
 #include "geometry/cast/ray_caster.h"
 #include "geometry/raster/scene_projection.h"
 #include "scene/scene.h"
@@ -101,6 +102,10 @@ class PreparedScene {
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
     /// Regions of the ground, which stand last.
     [[nodiscard]] std::size_t ground_regions() const { return ground_regions_; }
+    /// Of Scene::detectors(), in their order.
+    [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
+        return detectors_;
+    }
     /// Whether some material scatters in one direction.
     [[nodiscard]] bool has_delta() const { return has_delta_; }
     /// Whether no albedo depends on the angle of the light.
@@ -121,6 +126,7 @@ class PreparedScene {
     std::span<const RegionIndex> triangle_regions_;
     std::vector<RegionIndex> image_regions_;
     std::vector<MaterialId> region_materials_;
+    std::vector<std::unique_ptr<const Detector>> detectors_;
     std::vector<BoundSource> lights_;
     std::vector<std::vector<double>> spectra_;
     std::vector<double> flux_;

@@ -242,6 +242,7 @@ TEST_F(ProgramTest, AFullDiskIsAnInputError) {
 TEST_F(ProgramTest, ListsNameWhatThereIs) {
     EXPECT_NE(run({"list", "samplers"}).out.find("sobol"), std::string::npos);
     EXPECT_NE(run({"list", "models"}).out.find("phong"), std::string::npos);
+    EXPECT_NE(run({"list", "detectors"}).out.find("rings 1 ... 180"), std::string::npos);
     EXPECT_NE(run({"list", "formats"}).out.find("ply"), std::string::npos);
     EXPECT_NE(run({"list", "options"}).out.find("target_error"), std::string::npos);
     EXPECT_NE(run({"list", "quantities"}).out.find("absorbed_flux"), std::string::npos);

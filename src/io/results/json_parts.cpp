@@ -6,16 +6,6 @@
 namespace quasimc {
 namespace {
 
-void write_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
-    json.key(key);
-    json.begin_object(layout);
-    json.real("mean", e.mean);
-    json.real("standard_error", e.standard_error);
-    json.real("low", e.low);
-    json.real("high", e.high);
-    json.end_object();
-}
-
 std::string_view stop_name(StopReason stop) {
     switch (stop) {
         case StopReason::target_reached:
@@ -47,16 +37,26 @@ void write_budget(
     json.begin_object(layout);
     json.text("unit", unit);
     json.real("emitted", budget.emitted);
-    write_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
-    write_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
-    write_estimate(json, "escaped", budget.escaped, layout);
-    write_estimate(json, "cut_off", budget.cut_off, layout);
-    write_estimate(json, "roulette", budget.roulette, layout);
+    json_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
+    json_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
+    json_estimate(json, "escaped", budget.escaped, layout);
+    json_estimate(json, "cut_off", budget.cut_off, layout);
+    json_estimate(json, "roulette", budget.roulette, layout);
     json.real("closure_error", budget.closure_error);
     json.end_object();
 }
 
 }  // namespace
+
+void json_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
+    json.key(key);
+    json.begin_object(layout);
+    json.real("mean", e.mean);
+    json.real("standard_error", e.standard_error);
+    json.real("low", e.low);
+    json.real("high", e.high);
+    json.end_object();
+}
 
 void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
     json.key("method");

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/results/json_stream.h"
@@ -27,6 +28,12 @@ void json_done(JsonStream& json, const Result& result, JsonLayout layout);
 /// null without one.
 void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
 void json_energy(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
+
+/// "key": {"mean": ..., ...}.
+void json_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout);
+
+// json_detectors.cpp: a member on one result; none if there are no detectors.
+void json_detectors(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
 
 // json_organs.cpp
 /// The names of quantities, bands and ratios, quoted.

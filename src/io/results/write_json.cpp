@@ -148,6 +148,7 @@ void JsonWriter::State::write_single_head(const Result& result) {
     json_.end_object();
     json_audit(json_, run_, result, kPretty);
     json_energy(json_, run_, result, kPretty);
+    json_detectors(json_, run_, result, kPretty);
     json_.boolean("escaped_is_remainder", result.escaped_is_remainder);
     json_warnings(json_, run_);
 }
@@ -165,6 +166,7 @@ void JsonWriter::State::write_moment_head(
     json_done(json_, result, kCompact);
     json_audit(json_, run_, result, kCompact);
     json_energy(json_, run_, result, kCompact);
+    json_detectors(json_, run_, result, kCompact);
 }
 
 /// The digest is of the lines as they stand in the file.

@@ -6,6 +6,7 @@
 
 #include "io/runfile/options.h"
 #include "samplers/catalogue.h"
+#include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {
@@ -69,6 +70,16 @@ Option choice_option(Words words, Enum RunSpec::*field, const Named<Enum>& value
         }};
 }
 
+/// Those of the catalogue of solvers, and "auto".
+Named<Method> names_of_methods() {
+    Named<Method> names;
+    for (const SolverEntry& solver : solver_catalogue()) {
+        names.emplace_back(solver.name, solver.method);
+    }
+    names.emplace_back("auto", Method::automatic);
+    return names;
+}
+
 Option sampler_option(Words words) {
     ChoiceDomain domain;
     for (const SamplerEntry& entry : sampler_catalogue()) {
@@ -112,11 +123,7 @@ std::vector<Option> rows_of_paths() {
              "how light is followed: first_hits (sun, sky), light_tracing (lamps), from_organs "
              "(few "
              "or small ones measured); auto: the best of them, and why"},
-            &RunSpec::method,
-            {{"light_tracing", Method::light_tracing},
-             {"first_hits", Method::first_hits},
-             {"from_organs", Method::from_organs},
-             {"auto", Method::automatic}}),
+            &RunSpec::method, names_of_methods()),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
             {1, kMostPaths}),

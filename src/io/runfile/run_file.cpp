@@ -129,6 +129,7 @@ Sections read_sections(
     read_geometry(top, context, builder);
     read_ground(top, context, builder);
     read_cell(top, context, builder);
+    read_detectors(top, builder);
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {
