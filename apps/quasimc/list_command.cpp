@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "detectors/catalogue.h"
 #include "io/meshes/formats.h"
 #include "io/runfile/options.h"
 #include "optics/catalogue.h"

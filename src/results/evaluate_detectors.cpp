@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "detectors/catalogue.h"
+#include "sums/statistics.h"
 #include "results/evaluate.h"
 
 namespace quasimc {

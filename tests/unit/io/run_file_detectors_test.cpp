@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "detectors/catalogue.h"
-#include "io/results/write_result.h"
+#include "quasimc/file.h"
 #include "io_testing.h"
 #include "quasimc/run.h"
 
