@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "detectors/catalogue.h"
-#include "sums/statistics.h"
 #include "results/evaluate.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

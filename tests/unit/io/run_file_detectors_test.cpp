@@ -4,8 +4,8 @@
 
 #include "base/text.h"
 #include "detectors/catalogue.h"
-#include "quasimc/file.h"
 #include "io_testing.h"
+#include "quasimc/file.h"
 #include "quasimc/run.h"
 
 namespace quasimc::test {
