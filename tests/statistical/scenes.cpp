@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "geometry/shapes/shapes.h"
+#include "solvers/catalogue.h"
 
 namespace quasimc::test {
 namespace {
@@ -105,8 +106,9 @@ std::string name_of(const ::testing::TestParamInfo<Method>& info) {
             return "FromOrgans";
         case Method::first_hits:
             break;
-        case Method::automatic:
-            return "Automatic";
+        default:
+            return find_solver(info.param) == nullptr ? "Automatic"
+                                                      : std::string(find_solver(info.param)->name);
     }
     return "FromLitSurfaces";
 }

@@ -60,7 +60,7 @@ constexpr Cell kField{.along_x = true, .along_y = true};
 
 TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
     for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
-        const ChosenMethod choice = plan_method(make_stand({}), {sun(0, {1})}, spec_of(from, 1));
+        const ChosenMethod choice = plan_method(make_stand(StandSpec{}), {sun(0, {1})}, spec_of(from, 1));
         EXPECT_EQ(choice.method, from);
         EXPECT_EQ(choice.reason, "asked for");
     }
@@ -115,7 +115,7 @@ TEST(Planner, NeverTracesRepeatedLampsFromTheOrgans) {
 }
 
 TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
-    EXPECT_NEAR(gain_of_equal_shares(make_stand({})), 1, 1e-12);
+    EXPECT_NEAR(gain_of_equal_shares(make_stand(StandSpec{})), 1, 1e-12);
     EXPECT_NEAR(gain_of_equal_shares(make_stand({.measured = 4})), 25, 1e-10);
     EXPECT_EQ(
         gain_of_equal_shares(make_stand({.measured = 0})), std::numeric_limits<double>::infinity());
@@ -130,7 +130,7 @@ TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
 
 TEST(Planner, MeasuresLobesByTheirPeaks) {
     // The leaf reflects and transmits a tenth each.
-    EXPECT_DOUBLE_EQ(brightest_peak(make_stand({})), .1);
+    EXPECT_DOUBLE_EQ(brightest_peak(make_stand(StandSpec{})), .1);
     EXPECT_DOUBLE_EQ(brightest_peak(make_stand({.leaf = glossy("phong", 99)})), 5);
     EXPECT_EQ(
         brightest_peak(make_stand({.leaf = glossy("mirror", 0)})),
