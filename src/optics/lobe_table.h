@@ -71,9 +71,9 @@ class LobeTable {
     };
 
     /// Draws a lobe with probability power(lobe) / total. The total is the sum of the weights, or
-    /// draw.roulette_threshold if that is less, or the powers of all lobes if they are more. None if the
-    /// weights are all 0.
-    /// The albedos are those stated, of which the power of a lobe at an angle is never more.
+    /// draw.roulette_threshold if that is less, or the powers of all lobes if they are more. None
+    /// if the weights are all 0. The albedos are those stated, of which the power of a lobe at an
+    /// angle is never more.
     [[nodiscard]] Choice choose(const Draw& draw, std::span<const double> weights) const;
 
     /// The same for light that arrives along `wi` at a surface with normal `n`: the power of each

@@ -60,7 +60,8 @@ constexpr Cell kField{.along_x = true, .along_y = true};
 
 TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
     for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
-        const ChosenMethod choice = plan_method(make_stand(StandSpec{}), {sun(0, {1})}, spec_of(from, 1));
+        const ChosenMethod choice =
+            plan_method(make_stand(StandSpec{}), {sun(0, {1})}, spec_of(from, 1));
         EXPECT_EQ(choice.method, from);
         EXPECT_EQ(choice.reason, "asked for");
     }
