@@ -13,7 +13,7 @@
 namespace {
 
 std::string list_row(std::string_view name, std::string_view summary) {
-    return fmt::format("{:<24}{}\n", name, summary);
+    return fmt::format("{:<23} {}\n", name, summary);
 }
 
 std::string list_samplers() {

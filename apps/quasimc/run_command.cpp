@@ -69,8 +69,12 @@ std::string comparison(
     if (arguments.from.empty()) {
         return "";
     }
-    const bool same = organs_sha256 == stored.organs_sha256;
-    const std::string_view verdict = same ? "the same numbers as in" : "OTHER numbers than in";
+    const bool is_same = organs_sha256 == stored.organs_sha256;
+    const bool can_tell = stored.is_comparable && !stored.organs_sha256.empty();
+    const std::string_view verdict =
+        is_same    ? "the same numbers as in"
+        : can_tell ? "OTHER numbers than in"
+                   : "whether the numbers are the same can't be told (another version wrote it):";
     return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
 }
 

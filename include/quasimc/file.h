@@ -108,6 +108,9 @@ struct RunFile {
 struct StoredRun {
     RunFile run;  ///< its [output] is left out: a result is not overwritten by accident
     std::string organs_sha256;  ///< as write_json returned it
+    /// Whether this version of the program gives the same digits: not those of format_version 1,
+    /// whose intervals differ in their last ones.
+    bool is_comparable = true;
 };
 
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else

@@ -64,6 +64,8 @@ const std::vector<BadInput> kBadDocuments{
      "run.toml:4: paths: 1000 is not a power of two"},
     {"UnknownSampler", kPaths, "sampler = \"sobel\"",
      "run.toml:4: [run]: sampler is 'sobel' (no such choice); did you mean 'sobol'?"},
+    {"FormerNameOfAMethod", kPaths, "method = \"lit_surfaces\"",
+     "run.toml:4: [run]: method is 'lit_surfaces' (no such choice); it is now \"first_hits\""},
     {"UnknownOption", kPaths, "path = 256",
      "run.toml:4: [run]: unknown key 'path'; did you mean 'paths'?"},
     {"TargetNan", kPaths, "target_error = nan", "run.toml:4: [run]: target_error is nan"},

@@ -167,7 +167,7 @@ StoredRun read_result_text(
     InputFiles files(folder, checking_reader(inputs, names, reader));
     StoredRun stored{
         read_run_document(std::move(document), name, files, overrides),
-        text_of(head, "organs_sha256")};
+        text_of(head, "organs_sha256"), head.at("format_version") == kResultVersion};
     const auto own = std::find_if(
         inputs.begin(), inputs.end(), [](const InputFile& input) { return input.is_run_file; });
     if (own != inputs.end()) {

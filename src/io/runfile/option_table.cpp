@@ -181,7 +181,9 @@ std::vector<Option> rows_of_ends() {
             &RunSpec::max_seconds, {0, kLongestRun}),
         integer_option(
             {"max_paths", "",
-             "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
+             "most paths of each replicate in all rounds; 0: 2^30 with a target or max_seconds, "
+             "else "
+             "just paths"},
             &RunSpec::max_paths, {0, kMostPaths}),
         real_option(
             {"audit", "",

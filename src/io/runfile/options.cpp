@@ -127,6 +127,13 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         fault.why = "no such choice";
         fault.suggestion = did_you_mean(std::get<std::string>(value), choice->names);
+        for (const Option& former : former_option_table()) {
+            if (former.replaced_by == option.key && in_domain(former.domain, value)) {
+                RunSpec spec;
+                former.set(spec, value);
+                fault.suggestion = "it is now " + option_toml(option.get(spec));
+            }
+        }
     }
     return fault;
 }
