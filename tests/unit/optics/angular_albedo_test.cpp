@@ -132,7 +132,8 @@ TEST_P(WaxyLeaf, TellsItsAlbedoAtEveryAngle) {
 
 TEST_P(WaxyLeaf, ScatteredLightIsTheAlbedoAtTheAngleInEveryBand) {
     for (const double theta_deg : {0.0, 50.0, 80.0}) {
-        const auto [n, wi] = incidence_at(theta_deg);
+        const Vec3 n = incidence_at(theta_deg).n;
+        const Vec3 wi = incidence_at(theta_deg).wi;
         std::vector<RunningMean> all(bands_), skew(bands_);
         Random random(5);
         for (int i = 0; i < 200000; ++i) {
