@@ -29,7 +29,7 @@ class Tally {
 
     void add(std::size_t bin, std::int64_t amount) {
         if (bin >= shared_bins_) {
-            written_ |= own_[bin - shared_bins_] += amount;
+            written_ |= add_to(own_[bin - shared_bins_], amount);
         } else {
             add_shared(bin, amount);
         }
@@ -45,8 +45,8 @@ class Tally {
         const std::size_t row = region * stride_;
         if (row >= shared_bins_) {
             std::int64_t* bins = &own_[row - shared_bins_];
-            written_ |= bins[place_a] += a;
-            written_ |= bins[place_b] += b;
+            written_ |= add_to(bins[place_a], a);
+            written_ |= add_to(bins[place_b], b);
         } else {
             add_shared(row + place_a, a);
             add_shared(row + place_b, b);
@@ -59,7 +59,7 @@ class Tally {
             std::int64_t* bins = &own_[first - shared_bins_];
             std::int64_t written = 0;
             for (std::size_t i = 0; i < amounts.size(); ++i) {
-                written |= bins[i] += amounts[i];
+                written |= add_to(bins[i], amounts[i]);
             }
             written_ |= written;
         } else {
@@ -82,9 +82,15 @@ class Tally {
     void share(std::span<std::int64_t> shared) { shared_ = shared; }
 
   private:
+    /// Adds and returns the sum, which may wrap around (as signed numbers must not).
+    static std::int64_t add_to(std::int64_t& sum, std::int64_t amount) {
+        return sum = static_cast<std::int64_t>(
+                   static_cast<std::uint64_t>(sum) + static_cast<std::uint64_t>(amount));
+    }
     void add_shared(std::size_t bin, std::int64_t amount) {
-        written_ |=
-            std::atomic_ref(shared_[bin]).fetch_add(amount, std::memory_order_relaxed) + amount;
+        std::int64_t sum =
+            std::atomic_ref(shared_[bin]).fetch_add(amount, std::memory_order_relaxed);
+        written_ |= add_to(sum, amount);
     }
 
     SumLayout layout_;

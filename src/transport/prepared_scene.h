@@ -48,6 +48,7 @@ class PreparedScene {
         const Sources& sources,
         CrossSectionShape window,
         std::shared_ptr<const RayCaster> caster);
+    ~PreparedScene() = default;
     PreparedScene(const PreparedScene&) = delete;
     PreparedScene& operator=(const PreparedScene&) = delete;
 
