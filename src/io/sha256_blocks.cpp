@@ -110,8 +110,8 @@ __attribute__((target("sha,sse4.1"))) void take_by_instructions(
 /// Leaf 7 of cpuid, bit 29 of EBX: __builtin_cpu_supports does not know it in older compilers.
 bool has_instructions() {
     unsigned a = 0, b = 0, c = 0, d = 0;
-    return __builtin_cpu_supports("sse4.1") != 0 && __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 &&
-           (b >> 29U & 1U) != 0;
+    const bool has_sse = static_cast<int>(__builtin_cpu_supports("sse4.1")) != 0;
+    return has_sse && __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 && (b >> 29U & 1U) != 0;
 }
 
 #endif
