@@ -47,7 +47,7 @@ void add_geometry(const PreparedScene& prepared, Mixer& mixer) {
     mixer.add(mesh.origin);
     mixer.add(mesh.scale);
     const Cell& cell = prepared.scene().cell();
-    mixer.add(std::uint64_t{cell.along_x} * 2 + std::uint64_t{cell.along_y});
+    mixer.add(std::uint64_t{cell.along_x ? 2U : 0U} + (cell.along_y ? 1U : 0U));
     mixer.add(Vec3{cell.low_x, cell.low_y, 0});
     mixer.add(Vec3{cell.size_x, cell.size_y, 0});
     for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -59,7 +59,7 @@ void add_geometry(const PreparedScene& prepared, Mixer& mixer) {
     for (const Organ& organ : prepared.scene().organs()) {
         mixer.add(organ.area);
         mixer.add(organ.least_cosine);
-        mixer.add(std::uint64_t{organ.is_ground} * 2 + std::uint64_t{organ.measured});
+        mixer.add(std::uint64_t{organ.is_ground ? 2U : 0U} + (organ.measured ? 1U : 0U));
     }
 }
 
