@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/vec3.h"
 #include "geometry/mesh/point2.h"
 
 namespace quasimc {

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "scene/scene_checks.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 namespace {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 namespace {

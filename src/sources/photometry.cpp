@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/distribution.h"
+#include "sources/pattern.h"
 #include "sources/source.h"
 
 namespace quasimc {
