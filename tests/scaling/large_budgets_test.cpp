@@ -37,11 +37,8 @@ TEST_P(LargeBudgets, SumWhatFallsOnALeaf) {
     EXPECT_LT(result.budget[0].closure_error, 1e-9);
 }
 
-std::string name_of(const ::testing::TestParamInfo<Budget>& info) {
-    const Method method = info.param.method;
-    return method == Method::light_tracing ? "LightTracing"
-           : method == Method::first_hits  ? "FirstHits"
-                                           : "FromOrgans";
+std::string name_of_budget(const ::testing::TestParamInfo<Budget>& info) {
+    return name_of({info.param.method, info.index});
 }
 
 // From the organs a bin of 63 bits would be full after 2^23 points of one organ.
@@ -52,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         Budget{Method::light_tracing, 1 << 24},
         Budget{Method::first_hits, 1 << 24},
         Budget{Method::from_organs, 1 << 24}),
-    name_of);
+    name_of_budget);
 
 INSTANTIATE_TEST_SUITE_P(
     Long,
@@ -61,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Budget{Method::light_tracing, 1 << 30},
         Budget{Method::first_hits, 1 << 30},
         Budget{Method::from_organs, 1 << 30}),
-    name_of);
+    name_of_budget);
 
 }  // namespace
 }  // namespace quasimc::test

@@ -89,11 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of,
     Growth,
     ::testing::Values(Method::light_tracing, Method::first_hits, Method::from_organs),
-    [](const auto& info) {
-        return info.param == Method::light_tracing ? "LightTracing"
-               : info.param == Method::first_hits  ? "FirstHits"
-                                                   : "FromOrgans";
-    });
+    name_of);
 
 TEST(Growth, IsSeenWhereItIsOfTheSecondPower) {
     const auto quadratic = [](std::size_t n) {

@@ -99,18 +99,8 @@ RunSpec spec_of(Method from, std::uint64_t paths) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Method>& info) {
-    switch (info.param) {
-        case Method::light_tracing:
-            return "FromSources";
-        case Method::from_organs:
-            return "FromOrgans";
-        case Method::first_hits:
-            break;
-        default:
-            return find_solver(info.param) == nullptr ? "Automatic"
-                                                      : std::string(find_solver(info.param)->name);
-    }
-    return "FromLitSurfaces";
+    const SolverEntry* solver = find_solver(info.param);
+    return solver == nullptr ? "auto" : std::string(solver->name);
 }
 
 }  // namespace quasimc::test

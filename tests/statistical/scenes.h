@@ -83,7 +83,7 @@ class BothWays : public ::testing::TestWithParam<Method> {
     }
 };
 
-/// "FromSources", "FromOrgans" or "FromLitSurfaces".
+/// The name of a method in run files, for tests that are run with several.
 [[nodiscard]] std::string name_of(const ::testing::TestParamInfo<Method>& info);
 
 }  // namespace quasimc::test

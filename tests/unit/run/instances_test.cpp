@@ -85,7 +85,8 @@ TEST_P(SharedMeshes, TakeTheLightOfTheirTrianglesInAPeriodicScene) {
 INSTANTIATE_TEST_SUITE_P(
     Ways,
     SharedMeshes,
-    ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits));
+    ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits),
+    name_of);
 
 }  // namespace
 }  // namespace quasimc::test

@@ -77,12 +77,7 @@ TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    BothWays,
-    Sensors,
-    ::testing::Values(Method::light_tracing, Method::from_organs),
-    [](const auto& each) {
-        return each.param == Method::light_tracing ? "FromSources" : "FromOrgans";
-    });
+    BothWays, Sensors, ::testing::Values(Method::light_tracing, Method::from_organs), name_of);
 
 TEST(SensorFaults, FieldsOfViewAreAnglesAndForSensors) {
     SceneBuilder builder = make_builder();

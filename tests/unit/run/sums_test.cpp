@@ -92,11 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of,
     RunSums,
     ::testing::Values(Method::light_tracing, Method::first_hits, Method::from_organs),
-    [](const auto& info) {
-        return info.param == Method::light_tracing ? "LightTracing"
-               : info.param == Method::first_hits  ? "FirstHits"
-                                                   : "FromOrgans";
-    });
+    name_of);
 
 }  // namespace
 }  // namespace quasimc::test
