@@ -4,11 +4,13 @@
 // (geometry/raster/scan_lines.h): the direct light of every organ, with an error that falls with
 // the third power of the number of lines. A sky is a sum of beams from well-spread directions, and
 // each is seen pixel by pixel (geometry/raster/item_buffer.h). Paths start on segments and pixels
-// (solvers/path_vertices.h) and are traced from there (solvers/vertex_tracer.h). Lamps are traced
+// (solvers/path_vertices.h) and are traced from there (solvers/vertex_tracer.h). Light of lamps,
+// and of suns so low above an endless stand that lines would cost more than they bring, is traced
 // from the sources.
 
 #include "solvers/first_hits.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
@@ -24,6 +26,32 @@
 namespace quasimc {
 namespace {
 
+/// By triangle; empty if all are opaque.
+std::vector<VisibilityRole> visibility_roles(const PreparedScene& prepared) {
+    const RayCaster& caster = prepared.caster();
+    const std::uint32_t triangles = caster.mesh().triangle_count();
+    const bool repeats = prepared.scene().cell().periodic();
+    std::vector<VisibilityRole> roles;
+    for (std::uint32_t i = 0; (prepared.has_transparent() || repeats) && i < triangles; ++i) {
+        const bool image = repeats && i > 0 && caster.source(i) == caster.source(i - 1);
+        const bool sensor = prepared.material(prepared.region(i)).is_transparent();
+        roles.push_back(
+            image ? VisibilityRole::left_out
+                  : (sensor ? VisibilityRole::sensor : VisibilityRole::opaque));
+    }
+    return roles;
+}
+
+/// Lamps, and suns that are not cut into lines.
+TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& budget) {
+    TracedLights traced;
+    for (std::size_t i = 0; i < prepared.lights().size(); ++i) {
+        const Source& source = *prepared.lights()[i].source;
+        traced.push_back(source.is_lamp() || (source.is_sun() && !budget.has_lines(i)));
+    }
+    return traced;
+}
+
 class FirstHits final : public Solver {
   public:
     explicit FirstHits(const SolverInput& input)
@@ -34,22 +62,23 @@ class FirstHits final : public Solver {
               input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
           shares_(input.prepared),
           skies_(input.prepared),
-          budget_(input.prepared, skies_),
+          roles_(visibility_roles(input.prepared)),
+          scene_{
+              &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
+              prepared_.projection().outline()},
+          budget_(input.prepared, skies_, scene_, input.spec.paths),
           runner_(input),
-          lamps_(input, TracedSources::lamps),
-          lamp_runner_(input) {
-        for (const BoundSource& light : prepared_.lights()) {
-            has_lamps_ = has_lamps_ || light.source->is_lamp();
-        }
-        set_scene();
-    }
+          traced_(traced_lights(input.prepared, budget_)),
+          tracer_(input, traced_),
+          trace_runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::vector<VisibilityTask> tasks = budget_.tasks(round);
         const std::uint64_t blocks =
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
-        const std::uint64_t lamp_blocks = has_lamps_ ? LightTracer::blocks(round) : 0;
-        executor.announce((blocks + lamp_blocks) * sums.replicates.size());
+        const bool is_traced = std::find(traced_.begin(), traced_.end(), true) != traced_.end();
+        const std::uint64_t traced_blocks = is_traced ? LightTracer::blocks(round) : 0;
+        executor.announce((blocks + traced_blocks) * sums.replicates.size());
         runner_.run(
             blocks, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
@@ -58,10 +87,10 @@ class FirstHits final : public Solver {
                 tasks[i].is_sky ? trace_skies(work, scratch, tally)
                                 : trace_lines(work, scratch, tally);
             });
-        lamp_runner_.run(
-            lamp_blocks, executor, sums,
+        trace_runner_.run(
+            traced_blocks, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
-                Tally& tally) { lamps_.trace(round, replicate, block, scratch, tally); });
+                Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums.paths += round.count;
         sums.samples += round.count;
     }
@@ -90,22 +119,6 @@ class FirstHits final : public Solver {
         std::vector<PathVertex> vertices;
         VertexScratch tracing;
     };
-
-    void set_scene() {
-        const RayCaster& caster = prepared_.caster();
-        const std::uint32_t triangles = caster.mesh().triangle_count();
-        const bool repeats = prepared_.scene().cell().periodic();
-        for (std::uint32_t i = 0; (prepared_.has_transparent() || repeats) && i < triangles; ++i) {
-            const bool image = repeats && i > 0 && caster.source(i) == caster.source(i - 1);
-            const bool sensor = prepared_.material(prepared_.region(i)).is_transparent();
-            roles_.push_back(
-                image ? VisibilityRole::left_out
-                      : (sensor ? VisibilityRole::sensor : VisibilityRole::opaque));
-        }
-        scene_ = {
-            &caster.mesh(), prepared_.projection().cell(), roles_,
-            prepared_.projection().outline()};
-    }
 
     /// How many paths' light a light brings.
     static double paths_of(const BoundSource& light, const Round& round) {
@@ -302,15 +315,15 @@ class FirstHits final : public Solver {
     const Sampler& sampler_;
     const RunSpec& spec_;
     double roulette_threshold_;
-    bool has_lamps_ = false;
     ScatteredShares shares_;
     SkyDirections skies_;
-    SamplingBudget budget_;
-    std::vector<VisibilityRole> roles_;  // by triangle; empty: all opaque
+    std::vector<VisibilityRole> roles_;
     ProjectedScene scene_;
+    SamplingBudget budget_;
     BlockRunner<Scratch> runner_;
-    LightTracer lamps_;
-    BlockRunner<LightTracer::Scratch> lamp_runner_;
+    TracedLights traced_;
+    LightTracer tracer_;
+    BlockRunner<LightTracer::Scratch> trace_runner_;
 };
 
 }  // namespace

@@ -50,11 +50,11 @@ Hit hit_of(const Packet& p, std::size_t lane) {
 
 }  // namespace
 
-LightTracer::LightTracer(const SolverInput& input, TracedSources traced)
+LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       spec_(input.spec),
-      traced_(traced),
+      traced_(std::move(traced)),
       roulette_threshold_(
           input.spec.roulette_weight * static_cast<double>(input.prepared.bands())) {
     for (const BoundSource& source : prepared_.lights()) {
@@ -95,8 +95,7 @@ void LightTracer::trace(
     for (std::size_t i = 0; i < points.count;) {
         const Group group = next_group(scratch, i);
         i += group.points.size();
-        if (traced_ == TracedSources::lamps &&
-            !prepared_.lights()[group.source].source->is_lamp()) {
+        if (!traced_.empty() && !traced_[group.source]) {
             continue;
         }
         rays += beams_[group.source] ? trace_packet(points, group, scratch, tally)

@@ -13,13 +13,13 @@
 
 namespace quasimc {
 
-/// Whose light is traced.
-enum class TracedSources { all, lamps };
+/// Whose light is traced, by light of the prepared scene; empty: everybody's.
+using TracedLights = std::vector<bool>;
 
 /// Traces light from the sources: blocks of consecutive points, each an independent piece of work.
 class LightTracer {
   public:
-    LightTracer(const SolverInput& input, TracedSources traced);
+    LightTracer(const SolverInput& input, TracedLights traced);
 
     /// Number of blocks a round of one replicate is cut into.
     [[nodiscard]] static std::uint64_t blocks(const Round& round);
@@ -72,7 +72,7 @@ class LightTracer {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
-    TracedSources traced_;
+    TracedLights traced_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam
     bool only_beams_ = true;

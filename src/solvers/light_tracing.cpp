@@ -8,8 +8,7 @@ namespace {
 
 class LightTracing final : public Solver {
   public:
-    explicit LightTracing(const SolverInput& input)
-        : tracer_(input, TracedSources::all), runner_(input) {}
+    explicit LightTracing(const SolverInput& input) : tracer_(input, {}), runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t blocks = LightTracer::blocks(round);

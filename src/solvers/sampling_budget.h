@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solvers/line_cost.h"
 #include "solvers/solver.h"
 #include "transport/sky_directions.h"
 
@@ -26,13 +27,28 @@ struct VisibilityTask {
 /// (docs/theory/first-hits.md).
 class SamplingBudget {
   public:
-    SamplingBudget(const PreparedScene& prepared, const SkyDirections& skies);
+    /// @param seen  the scene as beams see it
+    /// @param paths  of the first round: what is cheap in it is in all
+    SamplingBudget(
+        const PreparedScene& prepared,
+        const SkyDirections& skies,
+        const ProjectedScene& seen,
+        std::uint64_t paths);
+
+    /// Whether the direct light of a sun is found along lines. Not where a line would cut so many
+    /// images of the scene that paths from the sun do better for the time, as at dawn in an endless
+    /// stand; nor for lights that are no suns.
+    [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
     /// one. Takes time in proportion to the suns.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round) const;
 
   private:
+    [[nodiscard]] bool are_lines_cheap(
+        const BoundSource& light, const LineCost& cost, std::uint64_t paths) const;
+    /// Beams of a sun, and lines of each.
+    [[nodiscard]] VisibilityTask lines_of(const BoundSource& light, double paths) const;
     void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
     void add_skies(double paths, std::vector<VisibilityTask>& tasks) const;
     [[nodiscard]] double pixels_for(double paths) const;
@@ -40,7 +56,8 @@ class SamplingBudget {
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
     double paths_per_line_, pixels_per_path_;
-    std::uint32_t fewest_lines_;  // of a beam
+    std::uint32_t fewest_lines_;   // of a beam
+    std::vector<bool> has_lines_;  // by light
 };
 
 /// The task that a block belongs to: its place in the list. @param block  less than the end of the

@@ -1,0 +1,137 @@
+#include "solvers/line_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "solvers/sampling_budget.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr std::uint64_t kPaths = 4096;
+
+/// Leaves in a cell of 1 x 1 that goes on without end, or in the open.
+Scene stand(bool repeats) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    const std::vector<Triangle> leaves = random_leaves(60, .2, 1, 5);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        builder.add_organ(organ("leaf " + std::to_string(i), "leaf", {leaves[i]}));
+    }
+    if (repeats) {
+        builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    }
+    return std::move(builder).build();
+}
+
+/// A stand that is ready to be seen by beams.
+struct SeenStand {
+    Scene scene;
+    Sources sources;
+    PreparedScene prepared;
+    ProjectedScene seen;
+
+    SeenStand(bool repeats, Sources under)
+        : scene(stand(repeats)),
+          sources(std::move(under)),
+          prepared(
+              scene,
+              sources,
+              CrossSectionShape::silhouette,
+              std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree)),
+          seen{
+              &prepared.caster().mesh(),
+              prepared.projection().cell(),
+              {},
+              prepared.projection().outline()} {}
+    SeenStand(const SeenStand&) = delete;
+    SeenStand& operator=(const SeenStand&) = delete;
+};
+
+/// Periods of s that a triangle reaches into where the line t = `at` cuts it.
+double periods_cut(const ProjectedTriangle& triangle, double at, const ProjectionPlane& plane) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if ((triangle.y[i] < at) != (triangle.y[j] < at)) {
+            const double f = (at - triangle.y[i]) / (triangle.y[j] - triangle.y[i]);
+            const double s = triangle.x[i] + f * (triangle.x[j] - triangle.x[i]);
+            low = std::min(low, s);
+            high = std::max(high, s);
+        }
+    }
+    const auto period = [&](double s) { return std::floor((s - plane.low_s) / plane.size_s); };
+    return low <= high ? 1 + period(high) - period(low) : 0;
+}
+
+/// The mean number of images that a line cuts, by looking at many.
+double count_cuts(const ProjectedScene& scene, const Vec3& direction) {
+    constexpr int kLines = 50;
+    const ProjectionPlane plane(scene, direction, 0, AlongPeriods::slanted);
+    double cuts = 0;
+    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
+        const ProjectedTriangle triangle =
+            scene.seen(i, {plane.s, 0}, {plane.t, 0}, {plane.depth, 0});
+        const auto [from, to] = std::minmax({triangle.y[0], triangle.y[1], triangle.y[2]});
+        const double pitch = plane.size_t / kLines;
+        for (double at = pitch * (std::floor(from / pitch) + .5); at < to; at += pitch) {
+            cuts += periods_cut(triangle, at, plane) / kLines;
+        }
+    }
+    return cuts;
+}
+
+TEST(LineCost, BoundsTheImagesThatLinesCut) {
+    const SeenStand stand(true, {sun(30, {1})});
+    const LineCost cost(stand.seen);
+    for (const double elevation_deg : {80., 30., 5., 1., .1}) {
+        const double angle = elevation_deg * 3.14159265358979 / 180;
+        const Vec3 down{.6 * std::cos(angle), .8 * std::cos(angle), -std::sin(angle)};
+        const double counted = count_cuts(stand.seen, down);
+        EXPECT_GT(cost.cuts_per_line(down), counted) << elevation_deg;
+        EXPECT_LT(cost.cuts_per_line(down), 4 * counted) << elevation_deg;
+    }
+}
+
+TEST(LineCost, IsNotAskedForInAnOpenScene) {
+    const SeenStand stand(false, {sun(30, {1})});
+    EXPECT_EQ(LineCost(stand.seen).cuts_per_line({0, 0, -1}), 0);
+}
+
+TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
+    const Sources suns{sun(0, {1}), sun(60, {1}), sun(89.95, {1}), sky({1})};
+    const SeenStand endless(true, suns);
+    const SamplingBudget budget(
+        endless.prepared, SkyDirections(endless.prepared), endless.seen, kPaths);
+    ASSERT_EQ(endless.prepared.lights().size(), suns.size());
+    EXPECT_TRUE(budget.has_lines(0));
+    EXPECT_TRUE(budget.has_lines(1));
+    EXPECT_FALSE(budget.has_lines(2));
+    EXPECT_FALSE(budget.has_lines(3)) << "a sky is seen by pixels";
+
+    const SeenStand open(false, suns);
+    EXPECT_TRUE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)
+                    .has_lines(2));
+}
+
+TEST(FirstHits, TraceAGrazingSunFromItself) {
+    const Scene scene = stand(true);
+    const Sources grazing{sun(89.95, {1})};
+    const Result first = run(scene, grazing, spec_of(Method::first_hits, 128));
+    const Result light = run(scene, grazing, spec_of(Method::light_tracing, 128));
+    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
+        EXPECT_EQ(
+            first.at(i, Quantity::absorbed_flux, 0).mean,
+            light.at(i, Quantity::absorbed_flux, 0).mean);
+        EXPECT_EQ(first.sunlit_fraction[i].mean, light.sunlit_fraction[i].mean);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test
