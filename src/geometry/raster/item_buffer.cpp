@@ -131,13 +131,13 @@ void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const 
         draw(Image{triangle, 0, 0}, corners);
         return;
     }
-    const auto periods = [](const double(&at)[3], bool repeats, std::uint32_t rays) {
-        return periods_of(
-            std::min({at[0], at[1], at[2]}), std::max({at[0], at[1], at[2]}), rays, repeats);
-    };
-    const Periods x = periods(corners.x, repeats_x_, columns_);
-    const Periods y = periods(corners.y, repeats_y_, rows_);
+    const auto [low, high] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
+    const Periods y = periods_of(low, high, rows_, repeats_y_);
+    const auto [left, right] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
+    const Periods all_along_x = periods_of(left, right, columns_, repeats_x_);
     for (std::int32_t py = y.first; py <= y.last; ++py) {
+        const Periods x =
+            repeats_y_ ? periods_in_row(corners, py, rows_, columns_, repeats_x_) : all_along_x;
         for (std::int32_t px = x.first; px <= x.last; ++px) {
             const Image image{triangle, px, py};
             draw(image, moved(corners, image));

@@ -141,6 +141,28 @@ void ProjectionPlane::set_row(
     repeats_t = true;
 }
 
+std::optional<std::pair<double, double>> extent_within(
+    const double (&x)[3], const double (&y)[3], double low, double high) {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = -least;
+    const auto add = [&](double at) {
+        least = std::min(least, at);
+        largest = std::max(largest, at);
+    };
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if (y[i] >= low && y[i] <= high) {
+            add(x[i]);
+        }
+        for (const double end : {low, high}) {
+            if ((y[i] < end) != (y[j] < end)) {
+                add(x[i] + (x[j] - x[i]) * ((end - y[i]) / (y[j] - y[i])));
+            }
+        }
+    }
+    return least <= largest ? std::optional(std::pair{least, largest}) : std::nullopt;
+}
+
 Periods periods_of(double low, double high, double period, bool repeats) {
     if (!repeats) {
         return {};
@@ -150,6 +172,22 @@ Periods periods_of(double low, double high, double period, bool repeats) {
         return static_cast<std::int32_t>(std::floor(std::clamp(place / period, -kMost, kMost)));
     };
     return {at(low), at(high)};
+}
+
+Periods periods_in_row(
+    const ProjectedTriangle& seen,
+    std::int32_t period_y,
+    double size_y,
+    double size_x,
+    bool repeats_x) {
+    constexpr double kRounding = 1e-9;
+    const auto x = extent_within(
+        seen.x, seen.y, (period_y - kRounding) * size_y, (period_y + 1 + kRounding) * size_y);
+    if (!x) {
+        return {0, -1};
+    }
+    const double margin = kRounding * size_x;
+    return periods_of(x->first - margin, x->second + margin, size_x, repeats_x);
 }
 
 }  // namespace quasimc

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -102,6 +103,11 @@ struct ProjectionPlane {
         const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
 };
 
+/// The least and the largest x of the part of a triangle where y lies from `low` to `high`; none if
+/// there is none.
+[[nodiscard]] std::optional<std::pair<double, double>> extent_within(
+    const double (&x)[3], const double (&y)[3], double low, double high);
+
 /// The periods that a stretch reaches into, counted from where the first begins.
 struct Periods {
     std::int32_t first = 0, last = 0;
@@ -110,5 +116,15 @@ struct Periods {
 /// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
 ///        many is lost (RayCaster::kMostCells)
 [[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
+
+/// The periods of x that a triangle reaches into within one period of y; the last before the first
+/// if none. Where light comes in low, a triangle is seen long and slanted: of all periods about it
+/// most lie beside it.
+[[nodiscard]] Periods periods_in_row(
+    const ProjectedTriangle& seen,
+    std::int32_t period_y,
+    double size_y,
+    double size_x,
+    bool repeats_x);
 
 }  // namespace quasimc

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/checks.h"
 
@@ -11,30 +10,6 @@ namespace {
 
 bool begins_before(const LinePiece& a, const LinePiece& b) {
     return a.low < b.low;
-}
-
-/// The least and the largest x of the part of a triangle where y lies from `low` to `high`; none if
-/// there is none.
-std::optional<std::pair<double, double>> extent_within(
-    const double (&x)[3], const double (&y)[3], double low, double high) {
-    double least = std::numeric_limits<double>::infinity();
-    double largest = -least;
-    const auto add = [&](double at) {
-        least = std::min(least, at);
-        largest = std::max(largest, at);
-    };
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        if (y[i] >= low && y[i] <= high) {
-            add(x[i]);
-        }
-        for (const double end : {low, high}) {
-            if ((y[i] < end) != (y[j] < end)) {
-                add(x[i] + (x[j] - x[i]) * ((end - y[i]) / (y[j] - y[i])));
-            }
-        }
-    }
-    return least <= largest ? std::optional(std::pair{least, largest}) : std::nullopt;
 }
 
 /// Sorts what is nearly sorted.

@@ -186,6 +186,24 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
     EXPECT_GE(free, looks - looks / 200);
 }
 
+/// Of the 300 x 800 periods about a triangle that is seen slanted few are looked at, and none that
+/// it touches is left out.
+TEST(PeriodsInRow, AreThoseThatASlantedTriangleTouches) {
+    const ProjectedTriangle seen{{.5, 300.2, 299.9}, {.3, 800.1, 800.4}, {0, 0, 0}};
+    std::int32_t looked_at = 0;
+    for (std::int32_t row = 0; row <= 800; ++row) {
+        const Periods x = periods_in_row(seen, row, 1, 1, true);
+        ASSERT_LE(x.first, x.last) << row;
+        looked_at += x.last - x.first + 1;
+        // The first side runs through the middle of the row here.
+        const double along = (std::clamp(row + .5, .3, 800.1) - .3) / (800.1 - .3);
+        const auto touched = static_cast<std::int32_t>(std::floor(.5 + 299.7 * along));
+        EXPECT_LE(x.first, touched) << row;
+        EXPECT_GE(x.last, touched) << row;
+    }
+    EXPECT_LT(looked_at, 2 * (300 + 800));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Cells, PeriodicBeams, ::testing::Values(kLayer, kRowX, kRowY), [](const auto& cell) {
         const bool layer = cell.param.along_x && cell.param.along_y;
