@@ -5,11 +5,14 @@ In README.md, CONTRIBUTING.md and docs/**/*.md, a block that opens with ```sh ru
 sh -e in a temporary copy of the tree, where ./dev run and quasimc are the program under test, and
 a block that opens with ```toml run is given to "quasimc check".  Every examples/*/*.toml is run.
 
+The table of results in README.md is compared with that of the first example: wrong_numbers().
+
 missing_names() finds what pages speak of and the tree does not have: paths and names of files in
 `code`, targets of links, and pages that sources name.
 """
 
 import argparse
+import csv
 import os
 import re
 import shutil
@@ -102,6 +105,34 @@ def missing_names(root=ROOT):
                         yield f"{file}:{number}: {page}"
 
 
+def rounds_to(value, shown):
+    """Whether a number of a table, as it is shown, is the rounded value."""
+    return format(float(value), f".{len(shown.partition('.')[2])}f") == shown
+
+
+def wrong_numbers(page, table):
+    """Numbers of a table of results in a page, in a block whose head begins with "id, name",
+    that differ from those of a CSV table, as (row, column).  "..._se" is the error of the column
+    before; "0 (below 0.5)" a value of 0 with its upper end."""
+    with table.open(encoding="utf-8") as file:
+        rows = {row["id"]: row for row in csv.DictReader(l for l in file if not l.startswith("#"))}
+    blocks = [m["body"] for m in FENCE.finditer(page.read_text(encoding="utf-8"))]
+    shown = next(body for body in blocks if body.startswith("id, name")).splitlines()
+    columns = [name.strip() for name in shown[0].split(",")]
+    for i, name in enumerate(columns):
+        columns[i] = name.replace("...", columns[i - 1])
+    for line in shown[1:]:
+        cells = [cell.strip() for cell in line.split(",")]
+        row = rows[cells[0]]
+        for column, cell in list(zip(columns, cells))[2:]:
+            value, _, end = cell.partition(" (below ")
+            right = rounds_to(row[column], value)
+            if end:
+                right = right and rounds_to(row[column + "_high"], end.rstrip(")"))
+            if not right:
+                yield cells[1], column
+
+
 def copy_tree(target):
     """A copy of what the repository holds, without what was built."""
     skip = shutil.ignore_patterns(".git", "build", "__pycache__", "node_modules", ".cache")
@@ -170,6 +201,10 @@ def main():
             if problem:
                 failed += 1
                 print(f"{place}: {problem}", file=sys.stderr)
+        readme, table = copy / "README.md", copy / "examples/01-leaves/leaves.csv"
+        for name, column in wrong_numbers(readme, table):
+            failed += 1
+            print(f"README.md: {name}: {column} is not what the run gives", file=sys.stderr)
     print(f"docs: {count} blocks and examples run, {failed} failed")
     return 1 if failed else 0
 

@@ -47,6 +47,19 @@ class CheckDocs(unittest.TestCase):
                 [(7, "sh", "first\nsecond\n"), (14, "toml", "a = 1\n")],
             )
 
+    def test_numbers_of_a_page_are_compared_with_those_of_a_table(self):
+        head = "# head\nid,name,light,light_se,light_high\n"
+        page_head = "```\nid, name, light, ..._se\n"
+        with tempfile.TemporaryDirectory() as folder:
+            page, table = Path(folder) / "page.md", Path(folder) / "table.csv"
+            table.write_text(head + "1,a,0.26,0.004,0.3\n2,b,0,,0.0249\n")
+            page.write_text(page_head + "1, a, 0.3, 0.004\n2, b, 0 (below 0.02)\n```\n")
+            self.assertEqual(list(check_docs.wrong_numbers(page, table)), [])
+            page.write_text(page_head + "1, a, 0.26, 0.005\n2, b, 0 (below 0.03)\n```\n")
+            self.assertEqual(
+                list(check_docs.wrong_numbers(page, table)), [("a", "light_se"), ("b", "light")]
+            )
+
     def test_a_failing_command_is_reported_with_its_output(self):
         problem = check_docs.run(["sh", "-e", "-c", "echo why; false"], ".", None)
         self.assertEqual(problem, "exit status 1\nwhy\n")
