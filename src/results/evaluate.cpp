@@ -6,6 +6,8 @@
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "results/flows.h"
+#include "results/groups.h"
 #include "results/organ_reader.h"
 #include "sums/statistics.h"
 
@@ -176,7 +178,10 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
             evaluator.evaluate(i, result);
         }
     });
-    result.budget = evaluate_budget(sums, scene);
+    result.groups = evaluate_groups(sums, scene, spec);
+    const BandFlows flows = read_flows(sums, scene);
+    result.budget = evaluate_budget(flows);
+    result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
     result.paths = sums.paths;
