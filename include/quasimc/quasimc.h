@@ -9,6 +9,7 @@
 #include "quasimc/detector.h"
 #include "quasimc/error.h"
 #include "quasimc/file.h"
+#include "quasimc/groups.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
 #include "quasimc/result.h"

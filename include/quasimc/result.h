@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "quasimc/groups.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/sums.h"
 
@@ -79,6 +80,38 @@ struct BandBudget {
     double closure_error = 0;
 };
 
+/// The light of groups of organs. Errors are those of the sums, replicate by replicate: organs that
+/// shade one another have errors in common (docs/theory/groups.md).
+struct GroupResults {
+    std::vector<OrganGroup> groups;
+    std::size_t bands = 0, ratios = 0;
+    /// [(group * kQuantities + quantity) * bands + band]: fluxes are sums, densities are per
+    /// OrganGroup::area; see at().
+    std::vector<Estimate> values;
+    /// Per group, as Result::sunlit_fraction, and times the area; empty without directional
+    /// sources.
+    std::vector<Estimate> sunlit_fraction, sunlit_area;
+    std::vector<Estimate> ratio_values;  ///< [group * ratios + i], as Result::ratio_values
+
+    [[nodiscard]] const Estimate& at(std::size_t group, Quantity q, std::size_t band) const {
+        return values[(group * kQuantities + static_cast<std::size_t>(q)) * bands + band];
+    }
+    [[nodiscard]] const Estimate& ratio(std::size_t group, std::size_t i) const {
+        return ratio_values[group * ratios + i];
+    }
+};
+
+/// Where the light of one band went over a ground or in a canopy without end, as fractions of what
+/// falls on the horizontal (docs/theory/canopy-fractions.md). NaN what can't be told.
+struct CanopyFractions {
+    /// Flux that falls on the horizontal area of the cell or the ground: the denominator.
+    double incident = 0;
+    Estimate reflectance;    ///< that leaves the scene upwards: the albedo of canopy and ground
+    Estimate transmittance;  ///< that falls on the ground
+    Estimate absorptance;    ///< that the organs absorb
+    Estimate ground_absorptance;  ///< that the ground absorbs
+};
+
 /// What a detector saw, flux: irradiance unit x area unit.
 struct DetectorResult {
     std::string name, type;
@@ -106,7 +139,9 @@ struct Result {
     std::vector<Estimate> sunlit_fraction;
     /// [organ * ratios + i], i as in RunSpec::ratios.
     std::vector<Estimate> ratio_values;
-    std::vector<BandBudget> budget;  ///< per band
+    GroupResults groups;                  ///< all organs first
+    std::vector<BandBudget> budget;       ///< per band
+    std::vector<CanopyFractions> canopy;  ///< per band; empty without ground or periodic cell
     bool escaped_is_remainder = false;
     std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
 
@@ -134,6 +169,9 @@ struct Result {
 struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
     DirectLight direct_light = DirectLight::counted;
+    GroupSpec groups = {};
+    /// On the horizontal, per band, of all sources; empty where it is not known (lamps).
+    std::vector<double> horizontal_irradiance = {};
     unsigned threads = 1;  ///< never changes a number
 };
 

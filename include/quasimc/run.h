@@ -39,7 +39,10 @@ struct Progress {
 /// What sums say of each organ, as run() would have reported it: everything but how it was found
 /// (Result::chosen, audit, stop, times).
 /// @param sums  of Simulator::sums() for this scene
-[[nodiscard]] Result evaluate_run(const Sums& sums, const Scene& scene, const RunSpec& spec);
+/// @param sources  of the run; without them Result::canopy of a scene that is not periodic along
+///        both axes is left out
+[[nodiscard]] Result evaluate_run(
+    const Sums& sums, const Scene& scene, const RunSpec& spec, const Sources& sources = {});
 
 /// Adds the faults of a specification (unknown sampler, paths that are no power of two, unknown
 /// bands in ratios, ...).

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "quasimc/groups.h"
 #include "quasimc/mesh.h"
 
 namespace quasimc {
@@ -78,7 +79,17 @@ struct RunSpec {
 
     /// Pairs of band names, "R:FR": ratio of the light that falls on an organ (both sides).
     std::vector<std::string> ratios;
+
+    // Organs taken together (GroupSpec): of each value of these labels, and in these layers.
+    std::vector<std::string> groups = {};
+    std::uint32_t layers = 0;
+    std::vector<double> layer_heights = {};
 };
+
+/// The groups that a run is asked for.
+[[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
+    return {spec.groups, spec.layers, spec.layer_heights};
+}
 
 /// How to trace: as the specification says or, if that is `automatic`, by the rules of
 /// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given

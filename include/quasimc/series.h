@@ -30,6 +30,8 @@ struct SeriesSum {
     double seconds = 0;  ///< of the moments summed
     /// As in Result. The errors of moments are independent, but for those that share one trace.
     std::vector<Estimate> values;
+    /// The same of groups of organs, without what is sunlit and without ratios.
+    GroupResults groups = {};
 
     [[nodiscard]] const Estimate& at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];

@@ -8,10 +8,7 @@
 
 namespace quasimc {
 
-/// The energy budget of each band, as part of the above.
-[[nodiscard]] std::vector<BandBudget> evaluate_budget(const Sums& sums, const Scene& scene);
-
-/// What each of the scene's detectors saw, as part of the above.
+/// What each of the scene's detectors saw, as part of evaluate().
 [[nodiscard]] std::vector<DetectorResult> evaluate_detectors(const Sums& sums, const Scene& scene);
 /// The same of a scene without light: zeros.
 [[nodiscard]] std::vector<DetectorResult> dark_detectors(const Scene& scene);

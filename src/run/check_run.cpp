@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "detectors/catalogue.h"
 #include "quasimc/run.h"
+#include "results/groups.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
@@ -170,6 +171,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_sampler(spec, faults);
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
+    check_groups(scene, group_spec(spec), faults);
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
 }

@@ -70,6 +70,9 @@ RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
     audit.max_paths = 0;
     audit.roulette_weight = 1;
     audit.ratios.clear();
+    audit.groups.clear();
+    audit.layer_heights.clear();
+    audit.layers = 0;
     return audit;
 }
 
@@ -77,6 +80,31 @@ void require_light(const PreparedScene& prepared) {
     if (prepared.lights().empty()) {
         throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
     }
+}
+
+/// Irradiance on the horizontal, per band, of all sources; empty where it is not known.
+std::vector<double> horizontal_irradiance_of(const Scene& scene, const Sources& sources) {
+    std::vector<double> sums(sources.empty() ? 0 : scene.bands().size());
+    for (const auto& source : sources) {
+        if (std::isnan(source->horizontal_irradiance())) {
+            return {};
+        }
+        for (std::size_t b = 0; b < sums.size(); ++b) {
+            sums[b] += source->spectrum()[b] * source->horizontal_irradiance();
+        }
+    }
+    return sums;
+}
+
+/// What is to be made of the sums of a run.
+EvaluationSpec evaluation_of(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, unsigned threads) {
+    return {
+        .ratios = ratio_bands(scene, spec),
+        .direct_light = spec.direct_light,
+        .groups = group_spec(spec),
+        .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
+        .threads = threads};
 }
 
 /// Whether paths from `first` on are a round that run() could trace.
@@ -99,9 +127,9 @@ Result run(
     return Simulator().run(scene, sources, spec, on_progress);
 }
 
-Result evaluate_run(const Sums& sums, const Scene& scene, const RunSpec& spec) {
-    return evaluate(
-        sums, scene, {ratio_bands(scene, spec), spec.direct_light, thread_count(spec.threads)});
+Result evaluate_run(
+    const Sums& sums, const Scene& scene, const RunSpec& spec, const Sources& sources) {
+    return evaluate(sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
 }
 
 Result Simulator::State::run(
@@ -165,7 +193,7 @@ Result Simulator::State::trace(
     Executor executor(
         thread_count(spec.threads),
         on_progress ? [&](double part) { reporter.report(part); } : std::function<void(double)>());
-    const EvaluationSpec asked{ratio_bands(scene, spec), spec.direct_light, executor.workers()};
+    const EvaluationSpec asked = evaluation_of(scene, sources, spec, executor.workers());
     Rounds rounds(spec);
     while (const auto round = rounds.next()) {
         reporter.begin_round(rounds);

@@ -17,6 +17,8 @@
 
 #include "base/checks.h"
 #include "results/evaluate.h"
+#include "results/flows.h"
+#include "results/groups.h"
 #include "run/series_sum.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
@@ -72,6 +74,9 @@ class SeriesRun {
         const RunSpec& spec,
         const SeriesEvents& events)
         : scene_(scene), time_steps_(time_steps), spec_(spec), events_(events) {
+        groups_.groups = make_groups(scene, group_spec(spec));
+        groups_.bands = scene.bands().size();
+        groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         plans_ = plan_series(time_steps);
         for (std::size_t i = 0; i < time_steps.size(); ++i) {
             if (plans_[i].factor > 0) {
@@ -171,7 +176,7 @@ class SeriesRun {
 
     [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
         const std::size_t bands = scene_.bands().size();
-        return adder.sum(bands, scene_.organs().size() * kQuantities * bands);
+        return adder.sum(bands, scene_.organs().size() * kQuantities * bands, groups_);
     }
 
     void finish_day(std::size_t last) {
@@ -205,6 +210,7 @@ class SeriesRun {
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
+    GroupResults groups_;         // of darkness
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
     SeriesSummary summary_;
@@ -240,6 +246,12 @@ Result scaled(const Result& result, double factor) {
     for (Estimate& estimate : copy.values) {
         estimate = scaled(estimate, factor);
     }
+    for (Estimate& estimate : copy.groups.values) {
+        estimate = scaled(estimate, factor);
+    }
+    for (CanopyFractions& band : copy.canopy) {
+        band.incident *= factor;
+    }
     for (BandBudget& band : copy.budget) {
         band.emitted *= factor;
         for (Estimate BandBudget::*part :
@@ -269,7 +281,9 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
     dark.ratios = spec.ratios.size();
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
+    dark.groups = dark_groups(scene, group_spec(spec), dark.ratios);
     dark.budget.resize(dark.bands);
+    dark.canopy = dark_canopy(scene);
     dark.detectors = dark_detectors(scene);
     dark.replicates = spec.replicates;
     dark.chosen.reason = "it is dark, nothing was traced";

@@ -17,7 +17,9 @@ class SeriesAdder {
     /// The sum. Its interval is Student's t with the degrees of freedom of Welch (1947) and
     /// Satterthwaite (1946); where nothing was seen, the bounds are added to its upper end.
     /// @param values  of the result, in case nothing was added
-    [[nodiscard]] SeriesSum sum(std::size_t bands, std::size_t values) const;
+    /// @param groups  whose values are to be filled in
+    [[nodiscard]] SeriesSum sum(
+        std::size_t bands, std::size_t values, const GroupResults& groups = {}) const;
 
   private:
     /// Of one value.
@@ -27,7 +29,13 @@ class SeriesAdder {
         double unseen = 0;        ///< upper bounds of what was not seen
         bool is_unknown = false;  ///< some part has no error that could be told
     };
-    std::vector<Cell> cells_;
+    using Cells = std::vector<Cell>;
+
+    static void add_all(
+        const std::vector<Estimate>& values, double weight, double freedom, Cells& cells);
+    [[nodiscard]] static Estimate estimate_of(const Cell& cell);
+
+    Cells cells_, group_cells_;  // of organs, of groups
     double seconds_ = 0;
 };
 

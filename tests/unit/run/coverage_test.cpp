@@ -128,6 +128,62 @@ INSTANTIATE_TEST_SUITE_P(
         Trial{Method::from_organs, "sobol", kManySeeds}),
     name_of_trial);
 
+/// Two leaves, one in the shade of the other: the sum of both, whose errors have opposite signs.
+Scene make_pair() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .05));
+    builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("", "leaf", floor_of(.2, .7, .1, .9, .5)));
+    return std::move(builder).build();
+}
+
+/// An interval of the sum of two estimates as if their errors were independent.
+Estimate added(const Estimate& a, const Estimate& b) {
+    const double mean = a.mean + b.mean;
+    const double half = std::hypot(a.high - a.mean, b.high - b.mean);
+    return {mean, half, mean - half, mean + half};
+}
+
+TEST(GroupCoverage, IsThatOfTheIntervalsAndNotThatOfErrorsAdded) {
+    const Scene scene = make_pair();
+    const Sources sources{sun(20, {1}), sky({.3})};
+    for (const Method method : {Method::light_tracing, Method::first_hits, Method::from_organs}) {
+        RunSpec spec = spec_of(method, 1 << 17);
+        spec.seed = 12345;
+        const double truth =
+            run(scene, sources, spec).groups.at(0, Quantity::absorbed_flux, 0).mean;
+        RunSpec trial;
+        trial.method = method;
+        trial.sampler = "monte_carlo";
+        trial.threads = 1;
+        trial.paths = 256;
+        int right = 0;
+        int right_if_added = 0;
+        for (int seed = 1; seed <= kFewSeeds; ++seed) {
+            trial.seed = static_cast<std::uint64_t>(seed);
+            const Result result = run(scene, sources, trial);
+            right += holds_truth(result.groups.at(0, Quantity::absorbed_flux, 0), truth) ? 1 : 0;
+            right_if_added += holds_truth(
+                                  added(
+                                      result.at(0, Quantity::absorbed_flux, 0),
+                                      result.at(1, Quantity::absorbed_flux, 0)),
+                                  truth)
+                                  ? 1
+                                  : 0;
+        }
+        EXPECT_TRUE(
+            agrees(measured_fraction(right, kFewSeeds, .95), .95, resolution_of(kFewSeeds)));
+        if (method == Method::light_tracing) {
+            EXPECT_FALSE(agrees(
+                measured_fraction(right_if_added, kFewSeeds, .95), .95, resolution_of(kFewSeeds)))
+                << "a control";
+        }
+        RecordProperty(
+            "groups" + std::to_string(static_cast<int>(method)),
+            std::to_string(right / static_cast<double>(kFewSeeds)));
+    }
+}
+
 /// A control: intervals of two standard errors, as if there were many replicates, are too short.
 TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
     const Scene scene = make_stand();

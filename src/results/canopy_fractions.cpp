@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <limits>
+
+#include "results/flows.h"
+#include "results/groups.h"
+#include "results/organ_reader.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr Estimate kNoFraction{kNotKnown, kNotKnown, kNotKnown, kNotKnown};
+
+const Organ* find_ground(const Scene& scene) {
+    const auto found = std::find_if(
+        scene.organs().begin(), scene.organs().end(),
+        [](const Organ& organ) { return organ.is_ground; });
+    return found == scene.organs().end() ? nullptr : &*found;
+}
+
+bool is_endless(const Scene& scene) {
+    return scene.cell().along_x && scene.cell().along_y;
+}
+
+/// What a single find would have brought to the ground: flux, on it and absorbed.
+struct GroundFind {
+    double on_ground = 0, absorbed = 0;
+};
+
+GroundFind find_on_ground(
+    const Sums& sums,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    const Organ& ground,
+    std::size_t band) {
+    const OrganReader reader(sums, scene, spec, ground);
+    const double find = reader.flux_per_find(band);
+    return {find, find * reader.largest_absorptance(band)};
+}
+
+/// Makes fractions of the flows of one band.
+class FractionMaker {
+  public:
+    /// @param incident  per replicate
+    FractionMaker(const std::vector<Flows>& flows, std::vector<double> incident)
+        : flows_(flows), incident_(std::move(incident)) {}
+
+    /// @param per_find  flux that a single find would have brought; 0: zeros are certain
+    [[nodiscard]] Estimate fraction(double Flows::*part, double per_find = 0) const {
+        std::vector<double> amounts;
+        for (const Flows& flows : flows_) {
+            amounts.push_back(flows.*part);
+        }
+        const bool is_unseen =
+            per_find > 0 &&
+            std::all_of(amounts.begin(), amounts.end(), [](double x) { return x == 0; });
+        return is_unseen
+                   ? estimate_unseen(static_cast<double>(amounts.size()), per_find / incident())
+                   : estimate_ratio(amounts, incident_);
+    }
+
+    [[nodiscard]] double incident() const { return estimate_mean(incident_).mean; }
+
+  private:
+    const std::vector<Flows>& flows_;
+    std::vector<double> incident_;
+};
+
+}  // namespace
+
+std::vector<CanopyFractions> evaluate_canopy(
+    const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    const Organ* ground = find_ground(scene);
+    const bool endless = is_endless(scene);
+    const bool is_told = endless || (ground != nullptr && !spec.horizontal_irradiance.empty());
+    std::vector<CanopyFractions> fractions(is_told ? flows.size() : 0);
+    for (std::size_t b = 0; b < fractions.size(); ++b) {
+        std::vector<double> incident;
+        for (const Flows& one : flows[b]) {
+            incident.push_back(
+                endless ? one.emitted : spec.horizontal_irradiance[b] * horizontal_area(scene));
+        }
+        const FractionMaker maker(flows[b], std::move(incident));
+        CanopyFractions& own = fractions[b];
+        own = {
+            maker.incident(), kNoFraction, kNoFraction, maker.fraction(&Flows::organs),
+            kNoFraction};
+        if (ground != nullptr) {
+            const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);
+            own.reflectance = maker.fraction(endless ? &Flows::escaped : &Flows::escaped_scattered);
+            own.transmittance = maker.fraction(&Flows::on_ground, find.on_ground);
+            own.ground_absorptance = maker.fraction(&Flows::ground, find.absorbed);
+        }
+    }
+    return fractions;
+}
+
+std::vector<CanopyFractions> dark_canopy(const Scene& scene) {
+    const bool is_told = is_endless(scene) || find_ground(scene) != nullptr;
+    return std::vector<CanopyFractions>(
+        is_told ? scene.bands().size() : 0,
+        {0, kNoFraction, kNoFraction, kNoFraction, kNoFraction});
+}
+
+}  // namespace quasimc

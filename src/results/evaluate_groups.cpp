@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/parallel.h"
+#include "results/groups.h"
+#include "results/organ_reader.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kGroupsPerBatch = 4096;
+
+/// What each replicate says of the organs of a group together.
+struct GroupSums {
+    std::vector<Incident> light;  ///< [band * replicates + replicate], flux
+    std::vector<double> sunlit;   ///< [replicate], area
+};
+
+void add_incident(Incident& sum, const Incident& part) {
+    sum.direct_upper += part.direct_upper;
+    sum.direct_lower += part.direct_lower;
+    sum.scattered_upper += part.scattered_upper;
+    sum.scattered_lower += part.scattered_lower;
+    sum.absorbed += part.absorbed;
+}
+
+/// What one more find would have brought to a group: to that of its organs to which it brings most.
+struct GroupFind {
+    double incident = 0, absorbed = 0, sunlit_area = 0;
+};
+
+/// Turns the sums of groups into estimates.
+class GroupEvaluator {
+  public:
+    GroupEvaluator(
+        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, GroupResults& results)
+        : sums_(sums), scene_(scene), spec_(spec), results_(results) {}
+
+    [[nodiscard]] GroupSums empty() const {
+        const std::size_t replicates = sums_.replicates.size();
+        return {
+            std::vector<Incident>(replicates * results_.bands), std::vector<double>(replicates)};
+    }
+
+    /// Adds up the organs of a group in their order, as one replicate saw them.
+    void sum_up(std::size_t group, std::uint32_t replicate, GroupSums& sums) const {
+        const std::size_t replicates = sums_.replicates.size();
+        for (const std::uint32_t index : results_.groups[group].organs) {
+            const OrganReader reader = reader_of(index);
+            for (std::size_t b = 0; b < results_.bands; ++b) {
+                add_incident(sums.light[b * replicates + replicate], reader.incident(replicate, b));
+            }
+            sums.sunlit[replicate] += has_sun() ? reader.sunlit_area(replicate) : 0;
+        }
+    }
+
+    void evaluate(std::size_t group, const GroupSums& sums) const {
+        std::vector<std::vector<double>> incident;  // of both sides, per band and replicate
+        for (std::size_t b = 0; b < results_.bands; ++b) {
+            incident.push_back(evaluate_band(group, b, sums));
+        }
+        for (std::size_t i = 0; i < results_.ratios; ++i) {
+            results_.ratio_values[group * results_.ratios + i] =
+                estimate_ratio(incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]);
+        }
+        if (has_sun()) {
+            const double area = results_.groups[group].area;
+            const Estimate sunlit =
+                estimate_seen_or_bound(sums.sunlit, find_of(group, 0).sunlit_area);
+            results_.sunlit_area[group] = sunlit;
+            results_.sunlit_fraction[group] = scaled(sunlit, area > 0 ? 1 / area : 0);
+        }
+    }
+
+  private:
+    [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
+
+    [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
+        return {sums_, scene_, spec_, scene_.organs()[organ]};
+    }
+
+    [[nodiscard]] GroupFind find_of(std::size_t group, std::size_t band) const {
+        GroupFind most;
+        for (const std::uint32_t index : results_.groups[group].organs) {
+            const OrganReader reader = reader_of(index);
+            const double find = reader.flux_per_find(band);
+            most.incident = std::max(most.incident, find);
+            most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
+            most.sunlit_area = std::max(most.sunlit_area, reader.sunlit_area_per_find());
+        }
+        return most;
+    }
+
+    /// @returns the light that falls on both sides, per replicate
+    std::vector<double> evaluate_band(
+        std::size_t group, std::size_t band, const GroupSums& sums) const {
+        const double area = results_.groups[group].area;
+        const double per_area = area > 0 ? 1 / area : 0;
+        const GroupFind find = find_of(group, band);
+        const std::size_t replicates = sums_.replicates.size();
+        std::array<std::vector<double>, kQuantities> samples;
+        std::vector<double> incident;
+        for (std::size_t r = 0; r < replicates; ++r) {
+            const Incident& in = sums.light[band * replicates + r];
+            const auto put = [&](Quantity q, double value) {
+                samples[static_cast<std::size_t>(q)].push_back(value);
+            };
+            put(Quantity::absorbed_flux, in.absorbed);
+            put(Quantity::absorbed_flux_density, in.absorbed * per_area);
+            put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
+            put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
+            put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
+            put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
+            incident.push_back(
+                in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower);
+        }
+        for (const QuantityEntry& entry : quantity_table()) {
+            const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
+                                     entry.quantity == Quantity::absorbed_flux_density;
+            const double most =
+                (is_absorbed ? find.absorbed : find.incident) * (entry.is_flux ? 1 : per_area);
+            const auto q = static_cast<std::size_t>(entry.quantity);
+            results_.values[(group * kQuantities + q) * results_.bands + band] =
+                estimate_seen_or_bound(samples[q], most);
+        }
+        return incident;
+    }
+
+    const Sums& sums_;
+    const Scene& scene_;
+    const EvaluationSpec& spec_;
+    GroupResults& results_;
+};
+
+/// Groups with room for all that is told of them.
+GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
+    GroupResults results;
+    results.groups = make_groups(scene, spec);
+    results.bands = scene.bands().size();
+    results.ratios = ratios;
+    const std::size_t count = results.groups.size();
+    results.values.resize(count * kQuantities * results.bands);
+    results.ratio_values.resize(count * ratios);
+    return results;
+}
+
+}  // namespace
+
+GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    GroupResults results = empty_groups(scene, spec.groups, spec.ratios.size());
+    const std::size_t count = results.groups.size();
+    if (sums.units.sunlit_area > 0) {
+        results.sunlit_fraction.resize(count);
+        results.sunlit_area.resize(count);
+    }
+    const GroupEvaluator evaluator(sums, scene, spec, results);
+    const std::size_t replicates = sums.replicates.size();
+    for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
+        const std::size_t batch = std::min(kGroupsPerBatch, count - first);
+        std::vector<GroupSums> of_groups(batch, evaluator.empty());
+        parallel_blocks(batch * replicates, spec.threads, [&](std::uint64_t block, unsigned) {
+            const std::size_t i = block / replicates;
+            evaluator.sum_up(
+                first + i, static_cast<std::uint32_t>(block % replicates), of_groups[i]);
+        });
+        parallel_blocks(batch, spec.threads, [&](std::uint64_t i, unsigned) {
+            evaluator.evaluate(first + i, of_groups[i]);
+        });
+    }
+    return results;
+}
+
+GroupResults dark_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    GroupResults dark = empty_groups(scene, spec, ratios);
+    std::fill(
+        dark.ratio_values.begin(), dark.ratio_values.end(),
+        Estimate{kUnknown, kUnknown, kUnknown, kUnknown});
+    return dark;
+}
+
+}  // namespace quasimc

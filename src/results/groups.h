@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "quasimc/error.h"
+#include "quasimc/groups.h"
+#include "quasimc/result.h"
+#include "quasimc/sums.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// Adds a fault for each key that no organ's labels have, heights that do not ascend, and layers of
+/// a scene without height.
+void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
+
+/// The light of the groups that EvaluationSpec::groups asks for, as part of evaluate().
+[[nodiscard]] GroupResults evaluate_groups(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+/// The same of a scene without light: zeros, and ratios that are NaN.
+[[nodiscard]] GroupResults dark_groups(
+    const Scene& scene, const GroupSpec& spec, std::size_t ratios);
+
+/// The horizontal area that light falls on from above: that of a cell that is periodic along both
+/// axes, or else of the ground seen from above; NaN without either.
+[[nodiscard]] double horizontal_area(const Scene& scene);
+
+}  // namespace quasimc

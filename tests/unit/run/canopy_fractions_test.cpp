@@ -1,0 +1,148 @@
+// Reflectance, transmittance and absorptance of canopies.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+class Fractions : public BothWays {};
+
+/// Whether a fraction is as near to the expected one as its error promises. Errors count as at
+/// least 1e-6: triangles are traced in single precision.
+::testing::AssertionResult is_near(const Estimate& fraction, double expected, double resolution) {
+    Measured m = measured(fraction, kReplicates);
+    m.standard_error = std::max(m.standard_error, 1e-6 * expected);
+    return agrees(m, expected, resolution);
+}
+
+/// Sheets without end above a soil of albedo .3; the answers are those of the adding method.
+Scene make_sheets_over_soil(int sheets, bool has_soil = true) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("sheet", .1, .2));
+    builder.add_material(matt("soil", .3, 0));
+    for (int i = 0; i < sheets; ++i) {
+        builder.add_organ(organ("", "sheet", floor_of(0, 2, 0, 1, 1 + i)));
+    }
+    if (has_soil) {
+        builder.set_ground(ground("soil"));
+    }
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 2, .size_y = 1});
+    return std::move(builder).build();
+}
+
+TEST_P(Fractions, OfSheetsAreThoseOfTheAddingMethod) {
+    struct Case {
+        int sheets;
+        double absorbed, soil, reflected;
+    };
+    for (const Case& c : {Case{1, .743299, .206186, .112371}, Case{2, .866260, .041706, .104546}}) {
+        for (const auto& light : {sun(0, {5}), sun(40, {5}), sky({5})}) {
+            const Result result = trace(make_sheets_over_soil(c.sheets), {light}, 1 << 12);
+            const CanopyFractions& f = result.canopy.at(0);
+            const double resolution = from_sources() ? 6e-3 : 2e-2;
+            const double level = sidak_level(kLevel, 24);
+            const auto check = [&](const Estimate& e, double expected) {
+                EXPECT_TRUE(agrees(measured(e, kReplicates), expected, resolution, level));
+            };
+            check(f.reflectance, c.reflected);
+            check(f.transmittance, c.soil);
+            check(f.absorptance, c.absorbed);
+            check(f.ground_absorptance, .7 * c.soil);
+            EXPECT_NEAR(f.incident, result.budget[0].emitted, 1e-12 * f.incident);
+        }
+    }
+}
+
+TEST_P(Fractions, AddUpToOneButForTheRoulette) {
+    const Result result = trace(make_sheets_over_soil(2), {sun(30, {1}), sky({2})}, 1 << 10);
+    const CanopyFractions& f = result.canopy.at(0);
+    const double open = f.reflectance.mean + f.absorptance.mean + f.ground_absorptance.mean - 1 -
+                        result.budget[0].roulette.mean / f.incident;
+    EXPECT_NEAR(open, 0, 1e-12);
+}
+
+/// What a mirror image of the errors shows: where the one part has more, the other has less.
+TEST_P(Fractions, HaveErrorsOfTheirOwn) {
+    const Result result = trace(make_sheets_over_soil(1), {sky({1})}, 1 << 10);
+    const CanopyFractions& f = result.canopy.at(0);
+    for (const Estimate& e : {f.reflectance, f.transmittance, f.absorptance}) {
+        EXPECT_GT(e.standard_error, 0);
+        EXPECT_LT(e.standard_error, .05);
+        EXPECT_LT(e.low, e.mean);
+        EXPECT_GT(e.high, e.mean);
+    }
+}
+
+TEST_P(Fractions, WithoutAGroundTellWhatOrgansAbsorbAlone) {
+    const Result result = trace(make_sheets_over_soil(1, false), {sun(0, {1})}, 1 << 10);
+    const CanopyFractions& f = result.canopy.at(0);
+    EXPECT_TRUE(is_near(f.absorptance, .7, .02));
+    EXPECT_TRUE(std::isnan(f.reflectance.mean)) << "up and down are not told apart";
+    EXPECT_TRUE(std::isnan(f.transmittance.mean));
+}
+
+/// A soil of 4, and a black plate of .25 that casts its shadow on it, if there is one.
+Scene make_plot(double albedo, bool has_plate) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_material(matt("soil", albedo, 0));
+    if (has_plate) {
+        builder.add_organ(organ("", "black", floor_of(0, .5, 0, .5, .1)));
+    }
+    GroundSpec soil = ground("soil");
+    soil.extent = {{-1, -1, 1, 1}};
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
+TEST_P(Fractions, OfAPlotAreOfTheLightOnItsArea) {
+    const Result result = trace(make_plot(0, true), {sun(0, {2})}, 1 << 12);
+    const CanopyFractions& f = result.canopy.at(0);
+    EXPECT_DOUBLE_EQ(f.incident, 8);
+    EXPECT_TRUE(is_near(f.transmittance, 1 - .0625, .01));
+    EXPECT_TRUE(is_near(f.absorptance, .0625, .01));
+    EXPECT_TRUE(is_near(f.ground_absorptance, 1 - .0625, .01));
+}
+
+TEST_P(Fractions, OfABarePlotAreItsAlbedo) {
+    const Result result = trace(make_plot(.3, false), {sun(0, {2})}, 1 << 12);
+    const CanopyFractions& f = result.canopy.at(0);
+    EXPECT_TRUE(is_near(f.transmittance, 1, 1e-3));
+    EXPECT_TRUE(is_near(f.ground_absorptance, .7, 1e-3));
+    if (from_sources()) {
+        EXPECT_TRUE(is_near(f.reflectance, .3, .02));
+    } else {
+        EXPECT_TRUE(std::isnan(f.reflectance.mean)) << "what escapes is a remainder";
+    }
+}
+
+TEST_P(Fractions, NeedAGroundOrACell) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .2));
+    builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, 1)));
+    EXPECT_TRUE(trace(std::move(builder).build(), {sun(0, {1})}, 64).canopy.empty());
+}
+
+TEST_P(Fractions, OfLightThatNeverReachedTheGroundAreABound) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("", "black", floor_of(0, 1, 0, 1, 1)));
+    builder.set_ground(ground("black"));
+    builder.set_cell({.along_x = true, .along_y = true});
+    const Result result = trace(std::move(builder).build(), {sun(0, {1})}, 256);
+    const Estimate& through = result.canopy.at(0).transmittance;
+    EXPECT_EQ(through.mean, 0);
+    EXPECT_TRUE(std::isnan(through.standard_error));
+    EXPECT_GT(through.high, 0);
+    EXPECT_LT(through.high, .05);
+}
+
+QUASIMC_BOTH_WAYS(Fractions);
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,378 @@
+// The light of groups of organs.
+
+#include "results/groups.h"
+
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "geometry/shapes/shapes.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+OrganSpec labelled(OrganSpec organ, Labels labels) {
+    organ.labels = std::move(labels);
+    return organ;
+}
+
+/// Two plants of three leaves and a stem each, over a soil; a sensor, and a leaf of the border that
+/// nobody asks for.
+Scene make_two_plants() {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(sensor("sensor", 2));
+    const auto leaves = random_leaves(6, .6, 1, 3);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        builder.add_organ(labelled(
+            organ("", "leaf", {leaves[i]}),
+            {{"plant", i < 3 ? "b" : "a"}, {"kind", "leaf"}, {"leaf+age", "1"}}));
+    }
+    for (const char* plant : {"a", "b"}) {
+        const double x = *plant == 'a' ? .2 : .8;
+        builder.add_organ(labelled(
+            organ("", "leaf", make_parallelogram({x, .5, -.4}, {.05, 0, 0}, {0, .02, .8})),
+            {{"plant", plant}, {"kind", "stem"}}));
+    }
+    builder.add_organ(
+        labelled(organ("sensor", "sensor", floor_of(0, 1, 0, 1, .9)), {{"kind", "sensor"}}));
+    OrganSpec border = labelled(
+        organ("border", "leaf", floor_of(0, .2, 0, .2, .3)), {{"plant", "c"}, {"kind", "leaf"}});
+    border.measured = false;
+    builder.add_organ(std::move(border));
+    GroundSpec soil = ground("soil");
+    soil.height = -.4;
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
+Sources day_light() {
+    return {sun(30, {1, 2}), sky({.5, .2})};
+}
+
+RunSpec grouped_spec(Method from, std::uint64_t paths = 1024) {
+    RunSpec spec = spec_of(from, paths);
+    spec.groups = {"plant", "kind", "plant+kind"};
+    spec.layer_heights = {-.4, .3, .5, 1};
+    spec.ratios = {"b0:b1"};
+    return spec;
+}
+
+TEST(Groups, AreTheValuesOfLabelsInTheirOrderAndThenLayers) {
+    const Scene scene = make_two_plants();
+    const auto groups = make_groups(scene, group_spec(grouped_spec(Method::light_tracing)));
+    std::vector<std::string> names;
+    for (const OrganGroup& group : groups) {
+        names.push_back(group.by + " " + group.value);
+    }
+    const std::vector<std::string> expected{
+        "all ",
+        "plant b",
+        "plant a",
+        "kind leaf",
+        "kind stem",
+        "kind sensor",
+        "plant+kind b+leaf",
+        "plant+kind a+leaf",
+        "plant+kind a+stem",
+        "plant+kind b+stem",
+        "layer 1",
+        "layer 2",
+        "layer 3"};
+    EXPECT_EQ(names, expected);
+    EXPECT_EQ(groups[0].organs, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}))
+        << "no sensor, no organ that nobody asked for, no ground";
+    EXPECT_EQ(groups[2].organs, (std::vector<std::uint32_t>{3, 4, 5, 6}));
+    EXPECT_EQ(groups[5].organs, (std::vector<std::uint32_t>{8}));
+    double area = 0;
+    for (const std::uint32_t i : groups[2].organs) {
+        area += scene.organs()[i].area;
+    }
+    EXPECT_DOUBLE_EQ(groups[2].area, area);
+}
+
+TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
+    const auto groups = make_groups(make_two_plants(), {.labels = {"leaf+age"}});
+    ASSERT_EQ(groups.size(), 2U);
+    EXPECT_EQ(groups[1].value, "1");
+    EXPECT_EQ(groups[1].organs.size(), 6U);
+}
+
+/// Horizontal squares of 1 and of .25, and an upright one from 0 to 1, in a cell of 2.
+Scene make_stories() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .2));
+    for (const double z : {0.0, 1.0, 2.0, 3.0}) {
+        builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, z < 3 ? 1 : .25, z)));
+    }
+    builder.add_organ(
+        organ("upright", "leaf", make_parallelogram({.5, 0, 0}, {0, .5, 0}, {0, 0, 1})));
+    builder.set_cell(
+        {.along_x = true, .along_y = true, .low_x = 0, .low_y = 0, .size_x = 2, .size_y = 1});
+    return std::move(builder).build();
+}
+
+TEST(Layers, HoldTheOrgansWhoseCentroidsLieInThem) {
+    const auto layers = make_groups(make_stories(), {.layer_heights = {.5, 1, 3}});
+    ASSERT_EQ(layers.size(), 3U);
+    EXPECT_EQ(layers[1].organs, (std::vector<std::uint32_t>{4}));
+    EXPECT_EQ(layers[2].organs, (std::vector<std::uint32_t>{1, 2, 3}))
+        << "the height between two layers belongs to the upper one, the last to the last";
+    EXPECT_EQ(layers[2].low, 1);
+    EXPECT_EQ(layers[2].high, 3);
+    EXPECT_DOUBLE_EQ(layers[1].plant_area_index, .25);
+    EXPECT_DOUBLE_EQ(layers[2].plant_area_index, 2.25 / 2);
+    EXPECT_DOUBLE_EQ(layers[2].cumulative_plant_area_index, 2.25 / 2);
+    EXPECT_DOUBLE_EQ(layers[1].cumulative_plant_area_index, 2.75 / 2);
+}
+
+TEST(Layers, OfEqualHeightReachFromTheLowestPointToTheHighest) {
+    const auto layers = make_groups(make_stories(), {.layers = 3});
+    ASSERT_EQ(layers.size(), 4U);
+    EXPECT_EQ(layers[1].low, 0);
+    EXPECT_DOUBLE_EQ(layers[2].low, 1);
+    EXPECT_EQ(layers[3].high, 3);
+    std::size_t organs = 0;
+    for (std::size_t i = 1; i < layers.size(); ++i) {
+        organs += layers[i].organs.size();
+    }
+    EXPECT_EQ(organs, 5U);
+}
+
+TEST(Layers, OverAGroundBeginThere) {
+    const auto layers = make_groups(make_two_plants(), {.layers = 2});
+    EXPECT_DOUBLE_EQ(layers[1].low, -.4);
+    EXPECT_GT(layers[1].plant_area_index, 0);
+}
+
+TEST(Layers, WithoutAreaBelowHaveNoPlantAreaIndex) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .2));
+    builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
+    const auto layers = make_groups(std::move(builder).build(), {.layer_heights = {0, 1}});
+    EXPECT_TRUE(std::isnan(layers[1].plant_area_index));
+}
+
+std::vector<std::string> faults_of_groups(const Scene& scene, const RunSpec& spec) {
+    Faults faults;
+    check_run(scene, day_light(), spec, faults);
+    std::vector<std::string> texts;
+    for (const Fault& fault : faults.all()) {
+        texts.push_back(fault.text());
+    }
+    return texts;
+}
+
+TEST(GroupFaults, NameTheLabelThatNoOrganHas) {
+    RunSpec spec = spec_of(Method::light_tracing, 64);
+    spec.groups = {"plnat", "plant+knd"};
+    EXPECT_EQ(
+        faults_of_groups(make_two_plants(), spec),
+        (std::vector<std::string>{
+            "groups: no organ has a label 'plnat' (groups are made of the values of a label); "
+            "did you mean 'plant'?",
+            "groups: no organ has a label 'knd' (groups are made of the values of a label); "
+            "did you mean 'kind'?"}));
+}
+
+TEST(GroupFaults, TellHeightsThatDoNotAscend) {
+    RunSpec spec = spec_of(Method::light_tracing, 64);
+    spec.layer_heights = {0, 2, 1};
+    EXPECT_EQ(
+        faults_of_groups(make_two_plants(), spec),
+        (std::vector<std::string>{"layer_heights: 1 follows 2 (heights are finite numbers that "
+                                  "ascend); state them from below to above"}));
+    spec.layer_heights = {0, std::nan("")};
+    EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U);
+    spec.layer_heights = {3};
+    EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U);
+    spec.layer_heights = {0, 1};
+    EXPECT_TRUE(faults_of_groups(make_two_plants(), spec).empty());
+    spec.layers = 3;
+    EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U) << "both";
+}
+
+TEST(GroupFaults, TellLayersOfAFlatScene) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
+    RunSpec spec = spec_of(Method::light_tracing, 64);
+    spec.layers = 2;
+    EXPECT_EQ(faults_of_groups(std::move(builder).build(), spec).size(), 1U);
+}
+
+class GroupsOfRuns : public BothWays {};
+
+TEST_P(GroupsOfRuns, AreTheSumsOfTheirOrgans) {
+    const Scene scene = make_two_plants();
+    const Result result = run(scene, day_light(), grouped_spec(GetParam()));
+    const GroupResults& groups = result.groups;
+    ASSERT_EQ(groups.groups.size(), 13U);
+    for (std::size_t g = 0; g < groups.groups.size(); ++g) {
+        const OrganGroup& group = groups.groups[g];
+        for (std::size_t b = 0; b < 2; ++b) {
+            for (const QuantityEntry& entry : quantity_table()) {
+                double sum = 0;
+                for (const std::uint32_t i : group.organs) {
+                    sum += result.at(i, entry.quantity, b).mean *
+                           (entry.is_flux ? 1 : scene.organs()[i].area / group.area);
+                }
+                EXPECT_NEAR(groups.at(g, entry.quantity, b).mean, sum, 1e-12 * (1 + sum))
+                    << group.by << group.value << entry.name;
+            }
+        }
+        double sunlit = 0;
+        for (const std::uint32_t i : group.organs) {
+            sunlit += result.sunlit_fraction[i].mean * scene.organs()[i].area;
+        }
+        EXPECT_NEAR(groups.sunlit_area[g].mean, sunlit, 1e-12);
+        EXPECT_NEAR(groups.sunlit_fraction[g].mean * group.area, sunlit, 1e-12);
+    }
+}
+
+TEST_P(GroupsOfRuns, OfOneOrganHaveItsErrorsAndRatios) {
+    const Result result = run(make_two_plants(), day_light(), grouped_spec(GetParam()));
+    constexpr std::size_t kSensors = 5;
+    const Estimate& group = result.groups.at(kSensors, Quantity::incident_upper, 1);
+    const Estimate& own = result.at(8, Quantity::incident_upper, 1);
+    EXPECT_NEAR(group.standard_error, own.standard_error, 1e-9 * own.standard_error + 1e-14);
+    EXPECT_NEAR(group.high, own.high, 1e-9);
+    EXPECT_NEAR(result.groups.ratio(kSensors, 0).mean, result.ratio(8, 0).mean, 1e-12);
+}
+
+TEST_P(GroupsOfRuns, AreTheSameBitsOnAnyNumberOfThreads) {
+    const Scene scene = make_two_plants();
+    RunSpec spec = grouped_spec(GetParam(), 256);
+    spec.layers = 0;
+    const Result one = run(scene, day_light(), spec);
+    for (const unsigned threads : {2U, 5U}) {
+        spec.threads = threads;
+        const Result many = run(scene, day_light(), spec);
+        for (std::size_t i = 0; i < one.groups.values.size(); ++i) {
+            EXPECT_EQ(one.groups.values[i].mean, many.groups.values[i].mean);
+            EXPECT_EQ(one.groups.values[i].standard_error, many.groups.values[i].standard_error);
+            EXPECT_EQ(one.groups.values[i].high, many.groups.values[i].high);
+        }
+    }
+}
+
+TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
+    SceneBuilder builder = make_builder(1);
+    builder.add_material(matt("leaf", .3, .1));
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(
+        labelled(organ("a", "leaf", floor_of(.4, .6, .4, .6, -1)), {{"place", "below"}}));
+    builder.add_organ(
+        labelled(organ("b", "leaf", floor_of(.4, .5, .4, .6, -2)), {{"place", "below"}}));
+    builder.add_organ(
+        labelled(organ("roof", "black", floor_of(0, 1, 0, 1, 0)), {{"place", "roof"}}));
+    RunSpec spec = spec_of(GetParam(), 256);
+    spec.groups = {"place"};
+    const Result result = run(std::move(builder).build(), {sun(0, {10})}, spec);
+    const Estimate& dark = result.groups.at(1, Quantity::absorbed_flux, 0);
+    EXPECT_EQ(dark.mean, 0);
+    EXPECT_TRUE(std::isnan(dark.standard_error));
+    EXPECT_EQ(
+        dark.high, std::max(
+                       result.at(0, Quantity::absorbed_flux, 0).high,
+                       result.at(1, Quantity::absorbed_flux, 0).high));
+}
+
+TEST_P(GroupsOfRuns, WithoutOrgansHaveNoLightForSure) {
+    RunSpec spec = spec_of(GetParam(), 256);
+    spec.layer_heights = {5, 6};
+    const Result result = run(make_two_plants(), day_light(), spec);
+    const Estimate& none = result.groups.at(1, Quantity::incident_upper, 0);
+    EXPECT_EQ(none.mean, 0);
+    EXPECT_EQ(none.standard_error, 0);
+    EXPECT_EQ(none.high, 0);
+}
+
+QUASIMC_BOTH_WAYS(GroupsOfRuns);
+
+/// A leaf in the shade of another: what the one takes the other lacks.
+Scene make_shading_pair() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .05));
+    builder.add_organ(labelled(organ("", "leaf", floor_of(0, 1, 0, 1, 0)), {{"pair", "1"}}));
+    builder.add_organ(labelled(organ("", "leaf", floor_of(.2, .7, .1, .9, .5)), {{"pair", "1"}}));
+    return std::move(builder).build();
+}
+
+RunSpec pair_spec(std::uint64_t seed) {
+    RunSpec spec = spec_of(Method::light_tracing, 256);
+    spec.sampler = "monte_carlo";
+    spec.replicates = 8;
+    spec.seed = seed;
+    spec.groups = {"pair"};
+    return spec;
+}
+
+/// Whether an error is that of two organs whose errors are independent.
+::testing::AssertionResult is_added(double error, const Result& result) {
+    const double a = result.at(0, Quantity::absorbed_flux, 0).standard_error;
+    const double b = result.at(1, Quantity::absorbed_flux, 0).standard_error;
+    const double added = std::sqrt(a * a + b * b);
+    return std::abs(error - added) < .2 * added
+               ? ::testing::AssertionSuccess()
+               : ::testing::AssertionFailure() << error << " is not " << added;
+}
+
+TEST(GroupErrors, OfOrgansThatShadeOneAnotherAreSmallerThanErrorsAdded) {
+    RunSpec spec = pair_spec(1);
+    spec.replicates = 64;
+    const Result result = run(make_shading_pair(), {sun(20, {1})}, spec);
+    const double error = result.groups.at(1, Quantity::absorbed_flux, 0).standard_error;
+    EXPECT_FALSE(is_added(error, result));
+    EXPECT_LT(error, .5 * result.at(0, Quantity::absorbed_flux, 0).standard_error);
+    EXPECT_LT(error, .5 * result.at(1, Quantity::absorbed_flux, 0).standard_error);
+}
+
+TEST(GroupErrors, OfOrgansTracedForThemselvesAreErrorsAdded) {
+    RunSpec spec = pair_spec(1);
+    spec.method = Method::from_organs;
+    spec.replicates = 512;
+    spec.paths = 64;
+    const Result result = run(make_shading_pair(), {sun(20, {1})}, spec);
+    EXPECT_TRUE(is_added(result.groups.at(1, Quantity::absorbed_flux, 0).standard_error, result));
+}
+
+TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
+    const Scene scene = make_shading_pair();
+    const std::vector<TimeStep> times{
+        {"morning", {sun(40, {1})}, "a", 3600, 0},
+        {"noon", {sun(20, {1})}, "b", 3600, 0},
+        {"later", {sun(20, {3})}, "b", 1800, 0},
+        {"night", {}, "", 3600, 0}};
+    std::vector<Result> results;
+    SeriesSum day;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+    };
+    events.on_day = [&](std::size_t, const SeriesSum& sum) { day = sum; };
+    const SeriesSummary summary = run_series(scene, times, pair_spec(1), events);
+    const auto sum_of = [&](const SeriesSum& sum, std::size_t organ) {
+        return sum.at(organ, Quantity::absorbed_flux, 0);
+    };
+    const Estimate& pair = day.groups.at(1, Quantity::absorbed_flux, 0);
+    EXPECT_NEAR(pair.mean, sum_of(day, 0).mean + sum_of(day, 1).mean, 1e-9 * pair.mean);
+    EXPECT_EQ(summary.total.groups.at(1, Quantity::absorbed_flux, 0).mean, pair.mean);
+    // Noon and later share a trace, whose error counts for both; morning has its own.
+    const auto error_at = [&](std::size_t time) {
+        return results[time].groups.at(1, Quantity::absorbed_flux, 0).standard_error;
+    };
+    EXPECT_NEAR(
+        pair.standard_error, std::hypot(3600 * error_at(0), (3600 + 3 * 1800) * error_at(1)),
+        1e-9 * pair.standard_error);
+    EXPECT_NEAR(error_at(2), 3 * error_at(1), 1e-12);
+    EXPECT_EQ(results[3].groups.at(1, Quantity::absorbed_flux, 0).high, 0);
+    EXPECT_EQ(results[3].groups.groups[1].organs.size(), 2U);
+}
+
+}  // namespace
+}  // namespace quasimc::test
