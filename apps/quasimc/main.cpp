@@ -25,7 +25,8 @@ Program make_program(bool& dump_default) {
         "quasimc " + std::string(quasimc::version()),
         "Light on virtual plants: what every organ absorbs, with standard errors",
         "Exit status: 0 done, 1 the input has faults, 2 wrong usage, 3 internal error,\n"
-        "4 stopped before the target error was reached (the results are written all the same).",
+        "4 stopped before the target error or all paths were reached, 130 stopped by Ctrl-C (in\n"
+        "both cases the results so far are written, if there are any).",
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
         {run_command(), check_command(), export_command(), list_command(), sky_command()}};
@@ -62,6 +63,11 @@ int main(int argc, char** argv) {
     } catch (const quasimc::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return status_of(Exit::input_error);
+    } catch (const quasimc::Stopped& stopped) {
+        std::fprintf(stderr, "%s\nNothing was written.\n", stopped.what());
+        return status_of(
+            stopped.why() == quasimc::StopReason::interrupted ? Exit::interrupted
+                                                              : Exit::target_missed);
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "quasimc: not enough memory\n");
         return status_of(Exit::internal_error);

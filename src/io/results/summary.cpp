@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
+#include "io/results/stop_words.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
@@ -206,6 +207,10 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
         last.collapsed->until, summary.traced, suns);
 }
 
+std::string stopped_line(const std::string& words) {
+    return words.empty() ? "" : line("stopped", words);
+}
+
 /// How the times of a series were computed.
 std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
@@ -219,6 +224,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
                    "{} points, {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
                    run.spec.sampler, series_method(run.spec, summary), run.spec.paths,
                    run.spec.replicates, summary.seconds, summary.rays));
+    text += stopped_line(stop_words(run, summary));
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(
@@ -233,9 +239,10 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
-    std::string text = run_line(run.spec, result) + method_line(run.spec, result) +
-                       time_line(result) + target_line(run.spec, result) +
-                       energy_lines(run.scene, result) + error_line(run.scene, result);
+    std::string text = run_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
+                       method_line(run.spec, result) + time_line(result) +
+                       target_line(run.spec, result) + energy_lines(run.scene, result) +
+                       error_line(run.scene, result);
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }
