@@ -3,6 +3,7 @@
 #include <new>
 #include <string>
 
+#include "base/memory_need.h"
 #include "commands.h"
 #include "quasimc/quasimc.h"
 
@@ -68,9 +69,12 @@ int main(int argc, char** argv) {
         return status_of(
             stopped.why() == quasimc::StopReason::interrupted ? Exit::interrupted
                                                               : Exit::target_missed);
+    } catch (const quasimc::OutOfMemory& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return status_of(Exit::input_error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "quasimc: not enough memory\n");
-        return status_of(Exit::internal_error);
+        std::fprintf(stderr, "not enough memory for the input files or for writing results\n");
+        return status_of(Exit::input_error);
     } catch (const std::exception& error) {
         return internal_error(error.what());
     }

@@ -63,7 +63,10 @@ struct SeriesSummary {
     /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
     double audit_chance = 1;
     std::uint64_t rays = 0;
-    double seconds = 0;  ///< wall
+    double seconds = 0;            ///< wall
+    double build_seconds = 0;      ///< of these: scenes and lights were prepared
+    double trace_seconds = 0;      ///< of these: light was traced
+    double trace_cpu_seconds = 0;  ///< all threads
 };
 
 /// Which moment's trace serves a moment, and the factor on its light.

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/executor.h"
+#include "base/memory_need.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "base/text.h"
@@ -119,6 +120,16 @@ std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
     const auto measured = static_cast<std::uint64_t>(std::count_if(
         scene.organs().begin(), scene.organs().end(), [](const Organ& o) { return o.measured; }));
     return std::max(kFewest, std::bit_ceil(measured));
+}
+
+/// The result of the sums.
+Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& asked) {
+    const double estimates = static_cast<double>(scene.organs().size()) * kQuantities *
+                             static_cast<double>(scene.bands().size());
+    return make_big(
+        fmt::format(
+            "the results of {} organs in {} bands", scene.organs().size(), scene.bands().size()),
+        estimates * sizeof(Estimate), [&] { return evaluate(sums, scene, asked); });
 }
 
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
@@ -266,7 +277,7 @@ Result Simulator::State::trace(
     }
 
     early.set_limit(INFINITY);
-    Result result = evaluate(tracer.sums(), scene, asked);
+    Result result = make_result(tracer.sums(), scene, asked);
     result.stop = rounds.stop();
     result.fraction_at_target = rounds.at_target();
     result.build_seconds = build_seconds;

@@ -157,6 +157,9 @@ class SeriesRun {
         ++summary_.methods[result.chosen.method];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
+        summary_.build_seconds += result.build_seconds;
+        summary_.trace_seconds += result.trace_seconds;
+        summary_.trace_cpu_seconds += result.trace_cpu_seconds;
         if (result.audit) {
             ++summary_.audited;
             least_chance_ = std::min(least_chance_, result.audit->chance);

@@ -1,5 +1,8 @@
 #include "run/simulator.h"
 
+#include <fmt/format.h>
+
+#include "base/memory_need.h"
 #include "samplers/catalogue.h"
 
 namespace quasimc {
@@ -39,7 +42,12 @@ std::shared_ptr<const RayCaster> Simulator::State::caster_for(
     if (!same) {
         caster_.reset();  // their memory first
         triangles_.reset();
-        caster_ = std::make_shared<const RayCaster>(triangles, scene.cell(), engine, stop);
+        constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
+        caster_ = make_big(
+            fmt::format("the ray caster of {} triangles", triangles->size()),
+            kBytesOfTriangle * static_cast<double>(triangles->size()), [&] {
+                return std::make_shared<const RayCaster>(triangles, scene.cell(), engine, stop);
+            });
         cell_ = scene.cell();
         engine_ = engine;
         ++builds_;

@@ -39,10 +39,11 @@ std::string stop_words(const RunFile& run, const SeriesSummary& summary) {
     if (why.empty()) {
         return "";
     }
-    const std::string short_of =
-        summary.cut_short > 0
-            ? fmt::format(", {} traces with fewer paths than asked for", summary.cut_short)
-            : std::string();
+    const std::string short_of = summary.cut_short > 0
+                                     ? fmt::format(
+                                           ", {} of {} traces with fewer paths than asked for",
+                                           summary.cut_short, summary.traced)
+                                     : std::string();
     return fmt::format(
         "{}: {} of {} times are done{}", why, summary.done, run.series->time_steps.size(),
         short_of);
