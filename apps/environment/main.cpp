@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "coupling/environment.h"
+#include "quasimc/run.h"
 #include "quasimc/version.h"
 
 namespace {
@@ -58,6 +59,9 @@ int main(int argc, char** argv) {
         return kInputError;
     } catch (const quasimc::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
+        return kInputError;
+    } catch (const quasimc::Stopped& stopped) {
+        tell(stopped.what());
         return kInputError;
     } catch (const std::bad_alloc&) {
         tell("not enough memory");

@@ -10,7 +10,14 @@
 #include <vector>
 
 /// Exit statuses of the program.
-enum class Exit { done = 0, input_error = 1, usage = 2, internal_error = 3, target_missed = 4 };
+enum class Exit {
+    done = 0,
+    input_error = 1,
+    usage = 2,
+    internal_error = 3,
+    target_missed = 4,  ///< or the paths that were asked for, for want of time
+    interrupted = 130,  ///< by Ctrl-C, as a shell says it
+};
 
 /// What a flag sets. Whoever owns it must outlive the parsing.
 using FlagTarget = std::variant<

@@ -3,6 +3,7 @@
 #include <new>
 #include <string>
 
+#include "base/memory_need.h"
 #include "commands.h"
 #include "quasimc/quasimc.h"
 
@@ -25,7 +26,8 @@ Program make_program(bool& dump_default) {
         "quasimc " + std::string(quasimc::version()),
         "Light on virtual plants: what every organ absorbs, with standard errors",
         "Exit status: 0 done, 1 the input has faults, 2 wrong usage, 3 internal error,\n"
-        "4 stopped before the target error was reached (the results are written all the same).",
+        "4 stopped before the target error or all paths were reached, 130 stopped by Ctrl-C (in\n"
+        "both cases the results so far are written, if there are any).",
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
         {run_command(), check_command(), export_command(), list_command(), sky_command()}};
@@ -62,9 +64,17 @@ int main(int argc, char** argv) {
     } catch (const quasimc::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return status_of(Exit::input_error);
+    } catch (const quasimc::Stopped& stopped) {
+        std::fprintf(stderr, "%s\nNothing was written.\n", stopped.what());
+        return status_of(
+            stopped.why() == quasimc::StopReason::interrupted ? Exit::interrupted
+                                                              : Exit::target_missed);
+    } catch (const quasimc::OutOfMemory& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return status_of(Exit::input_error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "quasimc: not enough memory\n");
-        return status_of(Exit::internal_error);
+        std::fprintf(stderr, "not enough memory for the input files or for writing results\n");
+        return status_of(Exit::input_error);
     } catch (const std::exception& error) {
         return internal_error(error.what());
     }

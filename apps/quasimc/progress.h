@@ -4,7 +4,14 @@
 
 #include "quasimc/run.h"
 
-/// A line on stderr that tells how far the run is; nothing when stderr is no terminal.
-[[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line();
-/// Wipes that line.
+/// Where the progress of a run is told.
+enum class ProgressLines {
+    none,
+    on_terminal,  ///< in one line that is written over, if stderr is a terminal
+    always,       ///< there, and else in lines of their own, some seconds apart
+};
+
+/// Tells on stderr how far the run is; empty if it is told nowhere.
+[[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line(ProgressLines lines);
+/// Wipes the line on a terminal.
 void end_progress_line();

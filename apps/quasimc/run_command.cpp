@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "interrupt.h"
 #include "io/atomic_file.h"
 #include "io/results/audit_words.h"
 #include "option_flags.h"
@@ -17,7 +18,7 @@ namespace {
 /// What the command line of `quasimc run` says.
 struct RunArguments {
     std::string file, from, csv, json, days;
-    bool quiet = false;
+    bool quiet = false, progress = false;
     OptionFlags flags;
 };
 
@@ -98,9 +99,9 @@ class RunWriters {
     }
 
     /// What the run is to tell.
-    [[nodiscard]] quasimc::SeriesEvents events() {
+    [[nodiscard]] quasimc::SeriesEvents events(ProgressLines lines) {
         quasimc::SeriesEvents events;
-        events.on_progress = progress_line();
+        events.on_progress = progress_line(lines);
         events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
             add_moment(time_step, result, traced);
         };
@@ -160,7 +161,7 @@ class RunWriters {
     std::optional<quasimc::JsonWriter> json_;
 };
 
-/// What an audit found goes to stderr, whether or not there is a summary.
+/// What an audit found goes to stderr, quiet or not: it is about errors.
 void print_audit(double chance) {
     const std::string warning = quasimc::audit_warning(chance);
     if (!warning.empty()) {
@@ -168,25 +169,54 @@ void print_audit(double chance) {
     }
 }
 
+ProgressLines progress_lines(const RunArguments& arguments) {
+    if (arguments.quiet) {
+        return ProgressLines::none;
+    }
+    return arguments.progress ? ProgressLines::always : ProgressLines::on_terminal;
+}
+
+/// Computes the run, which Ctrl-C stops.
+quasimc::SeriesSummary compute(
+    const RunArguments& arguments, const quasimc::RunFile& file, RunWriters& writers) {
+    const InterruptWatch interrupt([&] {
+        if (!arguments.quiet) {
+            std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr);
+        }
+    });
+    return quasimc::run_series(
+        file.scene, quasimc::moments_of(file), file.spec, writers.events(progress_lines(arguments)),
+        interrupt.token());
+}
+
+Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary) {
+    if (summary.stop == quasimc::StopReason::interrupted) {
+        return Exit::interrupted;
+    }
+    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
+    return missed || summary.stop == quasimc::StopReason::time_is_up ? Exit::target_missed
+                                                                     : Exit::done;
+}
+
 Exit run(const RunArguments& arguments) {
     const quasimc::StoredRun stored = read_run(arguments);
     const quasimc::RunFile& file = stored.run;
-    print_warnings(file.warnings);
+    if (!arguments.quiet) {
+        print_warnings(file.warnings);
+    }
     if (!arguments.days.empty() && !file.series) {
         throw quasimc::InputError(
             {{"--days", "the run has no [time]", "sums over days need times", ""}});
     }
     RunWriters writers(arguments, file);
-    const quasimc::SeriesSummary summary =
-        quasimc::run_series(file.scene, quasimc::moments_of(file), file.spec, writers.events());
+    const quasimc::SeriesSummary summary = compute(arguments, file, writers);
     end_progress_line();
     const std::string digest = writers.finish(summary);
     print_audit(summary.audit_chance);
     if (!arguments.quiet) {
         writers.print_summary(summary, comparison(arguments, stored, digest));
     }
-    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
-    return missed ? Exit::target_missed : Exit::done;
+    return exit_of(file, summary);
 }
 
 /// @throws UsageError
@@ -226,7 +256,8 @@ std::vector<Flag> flags_of(RunArguments& arguments) {
          .summary =
              "of a run with [time]: write the table of sums over days here; - is standard output",
          .type_name = "FILE"},
-        {"-q,--quiet", &arguments.quiet, "no summary"}};
+        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
+        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
     arguments.flags.add_to(flags);
     return flags;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -189,8 +190,17 @@ class Summary {
         const SeriesSummary& summary, const std::vector<std::string>& written) const;
 
   private:
+    [[nodiscard]] std::string series_quality() const;
+
     const RunFile& run_;
     std::string result_lines_;  // of a run without [time]
+    // Of one with [time]:
+    std::size_t moments_ = 0;
+    double seconds_ = 0;
+    std::vector<BandBudget> energy_;  // flux x s
+    bool escaped_is_remainder_ = false;
+    std::vector<std::pair<double, std::size_t>> medians_;  // errors, and of which moment
+    std::size_t badly_known_ = 0;                          // most organs at a time
 };
 
 // The same of the result of a run without [time].

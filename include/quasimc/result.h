@@ -124,9 +124,14 @@ struct DetectorResult {
     }
 };
 
-/// Why no further round was traced. time_is_up and path_limit: the target, if one was set, was
-/// missed.
-enum class StopReason { paths_done, target_reached, time_is_up, path_limit };
+/// Why no further round was traced.
+enum class StopReason {
+    paths_done,
+    target_reached,
+    time_is_up,   ///< paths or target that were asked for were missed
+    path_limit,   ///< the target, if one was set, was missed
+    interrupted,  ///< the caller asked for a stop
+};
 
 struct Result {
     std::size_t bands = 0;

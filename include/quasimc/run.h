@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,16 +28,43 @@ struct Progress {
     double fraction_at_target = 0;  ///< of the organs, after the last round; 0 without a target
 };
 
+/// What a caller hears of a run, and how it may end it.
+struct RunControl {
+    std::function<void(const Progress&)> on_progress = {};
+    /// A stop that is requested here ends the run within a fraction of a second. Its result is that
+    /// of the rounds that were complete (Result::stop).
+    std::stop_token stop = {};
+    /// Seconds beyond RunSpec::max_seconds that the first few paths may take, so that there is a
+    /// result at all; by default half a second or 3 % of it.
+    std::optional<double> grace_seconds = {};
+};
+
+/// Thrown by a run that was stopped before there was a result: not even a few paths were traced.
+class Stopped : public std::runtime_error {
+  public:
+    Stopped(StopReason why, const std::string& words) : std::runtime_error(words), why_(why) {}
+    /// time_is_up or interrupted.
+    [[nodiscard]] StopReason why() const { return why_; }
+
+  private:
+    StopReason why_;
+};
+
 /// Computes the light on every organ.
 ///
 /// The same binary, scene, sources and specification give the same bits on any number of threads
 /// (but for the times in the result, and unless max_seconds ends the run).
 /// @throws InputError  for a specification that can't be run: every fault at once
+/// @throws Stopped  if max_seconds are over before there is a result
 [[nodiscard]] Result run(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
     const std::function<void(const Progress&)>& on_progress = {});
+
+/// The same of a run that can be stopped.
+[[nodiscard]] Result run(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
 
 /// What sums say of each organ, as run() would have reported it: everything but how it was found
 /// (Result::chosen, audit, stop, times).
@@ -59,13 +89,16 @@ class Simulator {
     Simulator(Simulator&& other) noexcept;
     Simulator& operator=(Simulator&& other) noexcept;
 
-    /// As quasimc::run. Not for several threads at a time.
+    /// As quasimc::run. Not for several threads at a time. After a stop it can be used as before.
     /// @throws InputError  for a specification that can't be run: every fault at once
+    /// @throws Stopped  if it is stopped, or max_seconds are over, before there is a result
     [[nodiscard]] Result run(
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
         const std::function<void(const Progress&)>& on_progress = {});
+    [[nodiscard]] Result run(
+        const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
 
     /// The sums of one round of RunSpec::paths, as a value: they can be saved (save_sums), added to
     /// those of other rounds of the same run, and evaluated (evaluate_run). Their digest is set.

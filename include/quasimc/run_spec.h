@@ -67,9 +67,9 @@ struct RunSpec {
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band
-    double max_seconds = 0;         ///< no new round after that; 0: none
+    double max_seconds = 0;         ///< the run ends after that; 0: no limit
     std::uint64_t max_paths = 0;    ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a
-                                    ///< target or max_seconds
+                                    ///< target
 
     /// After the run, plain Monte Carlo tracing from the sources with this share of its paths, to
     /// compare with (Result::audit); 0: none. At most 1.

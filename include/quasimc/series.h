@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -55,11 +56,19 @@ struct SeriesSummary {
     /// By which methods, and how many moments by each.
     std::map<Method, std::size_t> methods;
     std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
-    std::size_t audited = 0;    ///< of those, how many were audited
+    std::size_t done = 0;  ///< moments that were told of; fewer than there are if it was stopped
+    std::size_t cut_short =
+        0;  ///< of those traced: with fewer paths than asked for, for want of time
+    /// paths_done; or why not all moments and paths were done: time_is_up or interrupted.
+    StopReason stop = StopReason::paths_done;
+    std::size_t audited = 0;  ///< of those, how many were audited
     /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
     double audit_chance = 1;
     std::uint64_t rays = 0;
-    double seconds = 0;  ///< wall
+    double seconds = 0;            ///< wall
+    double build_seconds = 0;      ///< of these: scenes and lights were prepared
+    double trace_seconds = 0;      ///< of these: light was traced
+    double trace_cpu_seconds = 0;  ///< all threads
 };
 
 /// Which moment's trace serves a moment, and the factor on its light.
@@ -78,11 +87,19 @@ struct TimeStepPlan {
 
 /// Computes the light of every moment, in their order, and its sums over days. Each trace has a
 /// seed of its own, made from that of the specification; the first has that seed itself.
+///
+/// RunSpec::max_seconds is for all of them together: each trace may take its equal share of what is
+/// left, and does with fewer paths if it must. A series that is stopped, or whose time is up, ends
+/// after the last moment that is complete. A day of which moments are missing is not told of; the
+/// total is of the moments that are there.
+/// @param stop  as RunControl::stop
 /// @throws InputError  as run() does
+/// @throws Stopped  if there is no moment at all
 SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const SeriesEvents& events = {});
+    const SeriesEvents& events = {},
+    const std::stop_token& stop = {});
 
 }  // namespace quasimc

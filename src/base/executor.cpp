@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/stop.h"
 
 namespace quasimc {
 
 void Executor::run(
     std::uint64_t tasks, const std::function<void(std::uint64_t task, unsigned worker)>& work) {
     parallel_blocks(tasks, workers_, [&](std::uint64_t task, unsigned worker) {
+        throw_if_stopped(stop_);
         work(task, worker);
         finish_task(worker);
     });

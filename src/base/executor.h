@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <stop_token>
+#include <utility>
 
 namespace quasimc {
 
@@ -13,10 +15,13 @@ class Executor {
     /// @param workers  threads, at least 1
     /// @param on_progress  called a few times a second, with the part done of what was announced,
     ///        from the thread that called run(). May be empty.
-    explicit Executor(unsigned workers, std::function<void(double)> on_progress = {})
-        : workers_(workers), on_progress_(std::move(on_progress)) {}
+    /// @param stop  asked before every task; work that takes long should ask it as well
+    explicit Executor(
+        unsigned workers, std::function<void(double)> on_progress = {}, std::stop_token stop = {})
+        : workers_(workers), on_progress_(std::move(on_progress)), stop_(std::move(stop)) {}
 
     [[nodiscard]] unsigned workers() const { return workers_; }
+    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
     /// Tells how many tasks the next calls of run() have together.
     void announce(std::uint64_t tasks) {
@@ -27,6 +32,7 @@ class Executor {
     /// Runs `work(task, worker)` once for every task in [0, tasks), handed out in order to whoever
     /// is free. The first exception thrown stops the rest and is rethrown here. Results must not
     /// depend on `worker`, which is below workers().
+    /// @throws StopRequested  if a stop was requested before all were done
     void run(
         std::uint64_t tasks, const std::function<void(std::uint64_t task, unsigned worker)>& work);
 
@@ -36,6 +42,7 @@ class Executor {
 
     unsigned workers_;
     std::function<void(double)> on_progress_;
+    std::stop_token stop_;
     std::uint64_t announced_ = 0;
     std::atomic<std::uint64_t> done_{0};
     Clock::time_point last_told_ = Clock::now();

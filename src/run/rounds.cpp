@@ -7,28 +7,97 @@ namespace {
 
 /// Points a replicate may have when nothing else ends a run.
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30U;
+/// A trial has so many times the paths of the one before.
+constexpr std::uint64_t kTrialGrowth = 4;
+/// The most of the time left that a trial may take: of the second, without which it isn't known
+/// what rounds cost and what paths, and of later ones.
+constexpr double kMostForSecond = 0.5, kMostForLater = 0.1;
+/// What is begun anew should be done by this part of the time left: predictions have errors.
+constexpr double kSureOfTime = 0.85;
 
 }  // namespace
 
+void Pace::add(std::uint64_t paths, double seconds) {
+    const auto count = static_cast<double>(paths);
+    if (count > last_.paths) {
+        before_ = last_;
+    }
+    last_ = {count, seconds};
+}
+
+double Pace::seconds_for(std::uint64_t paths) const {
+    const double mean = last_.seconds / last_.paths;
+    if (before_.paths == 0 || before_.paths >= last_.paths) {
+        return mean * static_cast<double>(paths);
+    }
+    // What has taken less than this tells little of the cost of a round: half of it is left to
+    // the paths.
+    constexpr double kLongEnough = 0.2;
+    const double slope = (last_.seconds - before_.seconds) / (last_.paths - before_.paths);
+    const double least = last_.seconds < kLongEnough ? mean / 2 : 0;
+    const double each = std::clamp(slope, least, mean);
+    return std::max(0.0, last_.seconds + each * (static_cast<double>(paths) - last_.paths));
+}
+
+bool Rounds::fits(std::uint64_t paths) const {
+    return pace_.seconds_for(paths) <= kSureOfTime * seconds_left();
+}
+
+Round Rounds::begin(std::uint64_t paths) {
+    is_trial_ = paths < spec_.paths;
+    done_ = 0;
+    count_ = paths;
+    return {0, paths};
+}
+
 std::optional<Round> Rounds::next() {
     if (done_ == 0) {
-        count_ = spec_.paths;
-        return Round{0, count_};
+        ++trials_;
+        return begin(has_limit() ? std::min(fewest_, spec_.paths) : spec_.paths);
     }
-    if (!has_budget()) {
+    return is_trial_ ? after_trial() : as_many_again();
+}
+
+/// All paths if they fit; if not, another trial if that costs little; if not, the most that fit.
+std::optional<Round> Rounds::after_trial() {
+    if (fits(spec_.paths)) {
+        return begin(spec_.paths);
+    }
+    const std::uint64_t tried = done_;
+    const double most_for_trial = (trials_ == 1 ? kMostForSecond : kMostForLater) * seconds_left();
+    if (kTrialGrowth * tried < spec_.paths &&
+        kTrialGrowth * pace_.seconds_for(tried) <= most_for_trial) {
+        ++trials_;
+        return begin(kTrialGrowth * tried);
+    }
+    is_trial_ = false;
+    std::uint64_t paths = tried;
+    while (2 * paths < spec_.paths && fits(2 * paths)) {
+        paths *= 2;
+    }
+    if (paths >= kTrialGrowth * tried) {
+        const Round round = begin(paths);
+        is_trial_ = false;
+        return round;
+    }
+    return as_many_again();
+}
+
+std::optional<Round> Rounds::as_many_again() {
+    if (done_ >= spec_.paths && !asks_for_more()) {
         return std::nullopt;
     }
     if (spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
         stop_ = StopReason::target_reached;
         return std::nullopt;
     }
-    const std::uint64_t most = spec_.max_paths > 0 ? spec_.max_paths : kMostPoints;
-    if (done_ * 2 > most) {
+    const std::uint64_t limit = spec_.max_paths > 0 ? spec_.max_paths : kMostPoints;
+    if (asks_for_more() && done_ * 2 > limit) {
         stop_ = StopReason::path_limit;
         return std::nullopt;
     }
-    // As many points again take about as long again.
-    if (spec_.max_seconds > 0 && 2 * seconds_ > spec_.max_seconds) {
+    const bool is_too_much = !asks_for_more() && done_ * 2 > spec_.paths;
+    if (is_too_much || (has_limit() && pace_.seconds_for(done_) > seconds_left())) {
         stop_ = StopReason::time_is_up;
         return std::nullopt;
     }
@@ -37,8 +106,8 @@ std::optional<Round> Rounds::next() {
 }
 
 void Rounds::finish(double seconds, double fraction_at_target) {
+    pace_.add(count_, seconds - seconds_);
     done_ += count_;
-    count_ = 0;
     seconds_ = seconds;
     at_target_ = fraction_at_target;
 }

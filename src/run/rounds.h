@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,18 +12,44 @@
 
 namespace quasimc {
 
+/// How long rounds have taken, and from that how long others will: so much for each, and so much
+/// for each path.
+class Pace {
+  public:
+    void add(std::uint64_t paths, double seconds);
+    /// For a round of so many paths. At least one must have been added.
+    [[nodiscard]] double seconds_for(std::uint64_t paths) const;
+
+  private:
+    struct Timed {
+        double paths = 0, seconds = 0;
+    };
+    Timed last_, before_;  // before_: fewer paths; 0 if there is none
+};
+
 /// Decides how many points to trace next: the specification's first, then, while a target or a
-/// budget of time or paths asks for more, as many again as before (so that point sets are whole at
-/// every stop).
+/// limit of paths asks for more, as many again as before (so that point sets are whole at every
+/// stop).
+///
+/// With a limit of time that is known to be long enough only once something was traced, a run
+/// begins with trials of few paths. If the specification's paths fit into what is left, they are
+/// traced as if there were no limit; if not, the run begins with as many as fit
+/// (docs/develop/decisions/time-limits.md).
 class Rounds {
   public:
-    explicit Rounds(const RunSpec& spec) : spec_(spec) {}
+    /// @param fewest  paths to begin with where there is a limit of time: a power of two
+    /// @param seconds  since the run began
+    explicit Rounds(const RunSpec& spec, std::uint64_t fewest = 1, double seconds = 0)
+        : spec_(spec), fewest_(fewest), seconds_(seconds) {}
 
-    /// The next round; nothing when the run is over.
+    /// The next round; nothing when the run is over. One whose first point is number 0 begins the
+    /// run, or begins it anew with other paths: what was traced before is then left out.
     [[nodiscard]] std::optional<Round> next();
     /// Takes note of the round just traced.
     /// @param seconds  since the run began
     void finish(double seconds, double fraction_at_target);
+    /// The round just begun was given up.
+    void interrupt(StopReason why) { stop_ = why; }
 
     [[nodiscard]] StopReason stop() const { return stop_; }
     [[nodiscard]] double at_target() const { return at_target_; }
@@ -30,16 +57,29 @@ class Rounds {
     [[nodiscard]] double fraction_before() const {
         return static_cast<double>(done_) / static_cast<double>(done_ + count_);
     }
-    [[nodiscard]] double share() const { return 1 - fraction_before(); }
-
-  private:
-    [[nodiscard]] bool has_budget() const {
-        return spec_.target_error > 0 || spec_.max_seconds > 0 || spec_.max_paths > 0;
+    [[nodiscard]] double share() const {
+        const std::uint64_t known = is_trial_ ? spec_.paths : done_ + count_;
+        return static_cast<double>(count_) / static_cast<double>(known);
     }
 
+  private:
+    [[nodiscard]] bool asks_for_more() const {
+        return spec_.target_error > 0 || spec_.max_paths > 0;
+    }
+    [[nodiscard]] bool has_limit() const { return spec_.max_seconds > 0; }
+    [[nodiscard]] double seconds_left() const { return spec_.max_seconds - seconds_; }
+    [[nodiscard]] bool fits(std::uint64_t paths) const;
+    [[nodiscard]] Round begin(std::uint64_t paths);
+    [[nodiscard]] std::optional<Round> after_trial();
+    [[nodiscard]] std::optional<Round> as_many_again();
+
     const RunSpec& spec_;
-    std::uint64_t done_ = 0, count_ = 0;
+    std::uint64_t fewest_;
+    std::uint64_t done_ = 0, count_ = 0;  // paths: before the round at hand, and of it
+    int trials_ = 0;
+    bool is_trial_ = false;
     double seconds_ = 0, at_target_ = 0;
+    Pace pace_;
     StopReason stop_ = StopReason::paths_done;
 };
 

@@ -1,16 +1,24 @@
 #include "quasimc/run.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/executor.h"
+#include "base/memory_need.h"
 #include "base/parallel.h"
+#include "base/stop.h"
+#include "base/text.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
+#include "run/early_stop.h"
+#include "run/round_tracer.h"
 #include "run/rounds.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
@@ -45,16 +53,17 @@ class Reporter {
         at_target_ = rounds.at_target();
     }
     /// @param part  of the round that is done
-    void report(double part) const {
+    void report(double part) {
         const double seconds = seconds_since(start_);
-        const double fraction = before_ + share_ * part;
-        tell_({fraction, seconds, seconds / fraction, at_target_});
+        // A run that is begun anew does not go back.
+        fraction_ = std::max(fraction_, before_ + share_ * part);
+        tell_({fraction_, seconds, seconds / fraction_, at_target_});
     }
 
   private:
     const std::function<void(const Progress&)>& tell_;
     Clock::time_point start_;
-    double before_ = 0, share_ = 1, at_target_ = 0;
+    double before_ = 0, share_ = 1, at_target_ = 0, fraction_ = 0;
 };
 
 /// The plainest run there is, with random numbers of its own.
@@ -117,6 +126,53 @@ void check_first_path(const Sampler& sampler, const RunSpec& spec, std::uint64_t
     }
 }
 
+/// Of the time of a run, what its audit leaves it: the audit's paths take about as long each.
+double seconds_without_audit(const RunSpec& spec) {
+    return spec.max_seconds / (1 + spec.audit);
+}
+
+/// Time beyond the limit in which the first few paths may end.
+double grace_seconds(const RunSpec& spec, const RunControl& control) {
+    constexpr double kLeast = 0.5;
+    constexpr double kPart = 0.03;
+    return control.grace_seconds.value_or(std::max(kLeast, kPart * spec.max_seconds));
+}
+
+/// Paths with which a run begins that has a limit of time; a power of two. From organs there are
+/// so many that each organ gets a point.
+std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
+    constexpr std::uint64_t kFewest = 256;
+    if (spec.method != Method::from_organs) {
+        return kFewest;
+    }
+    const auto measured = static_cast<std::uint64_t>(std::count_if(
+        scene.organs().begin(), scene.organs().end(), [](const Organ& o) { return o.measured; }));
+    return std::max(kFewest, std::bit_ceil(measured));
+}
+
+/// The result of the sums.
+Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& asked) {
+    const double estimates = static_cast<double>(scene.organs().size()) * kQuantities *
+                             static_cast<double>(scene.bands().size());
+    return make_big(
+        fmt::format(
+            "the results of {} organs in {} bands", scene.organs().size(), scene.bands().size()),
+        estimates * sizeof(Estimate), [&] { return evaluate(sums, scene, asked); });
+}
+
+Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
+    if (why == StopReason::interrupted) {
+        return {why, "stopped before the first round of paths was complete: there is no result"};
+    }
+    return {
+        why,
+        fmt::format(
+            "max_seconds: {} s were over before a few paths were traced: there is no result; allow "
+            "more time, or, where light is caught in a closed space that absorbs little, set "
+            "max_depth",
+            shortest(spec.max_seconds))};
+}
+
 }  // namespace
 
 Result run(
@@ -127,30 +183,57 @@ Result run(
     return Simulator().run(scene, sources, spec, on_progress);
 }
 
+Result run(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
+    return Simulator().run(scene, sources, spec, control);
+}
+
 Result evaluate_run(
     const Sums& sums, const Scene& scene, const RunSpec& spec, const Sources& sources) {
     return evaluate(sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
 }
 
 Result Simulator::State::run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    const std::function<void(const Progress&)>& on_progress) {
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
     Faults faults;
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
 
+    EarlyStop early(control.stop);
     RunSpec planned = spec;
     ChosenMethod chosen = plan_method(scene, sources, spec);
     planned.method = chosen.method;
-    Result result = trace(scene, sources, planned, on_progress);
-    result.chosen = std::move(chosen);
-    if (spec.audit > 0) {
-        const Result plain = trace(scene, sources, audit_spec(spec, result.paths), {});
-        result.audit = compare_results(scene, result, plain);
+    planned.max_seconds = seconds_without_audit(spec);
+    try {
+        Result result = trace(scene, sources, planned, control, early);
+        result.chosen = std::move(chosen);
+        add_audit(scene, sources, spec, control, early, result);
+        return result;
+    } catch (const StopRequested&) {
+        throw stopped_without_result(early.why(), spec);
     }
-    return result;
+}
+
+void Simulator::State::add_audit(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const RunControl& control,
+    EarlyStop& early,
+    Result& result) {
+    if (spec.audit == 0) {
+        return;
+    }
+    try {
+        if (spec.max_seconds > 0) {
+            early.set_limit(spec.max_seconds);
+        }
+        const Result plain =
+            trace(scene, sources, audit_spec(spec, result.paths), {.stop = control.stop}, early);
+        result.audit = compare_results(scene, result, plain);
+    } catch (const StopRequested&) {
+        result.stop = early.why();
+    }
 }
 
 Sums Simulator::State::sums(
@@ -172,38 +255,57 @@ Sums Simulator::State::sums(
 }
 
 PreparedScene Simulator::State::prepare(
-    const Scene& scene, const Sources& sources, const RunSpec& spec) {
-    return {scene, sources, spec.window, caster_for(scene, spec.engine)};
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const std::stop_token& stop) {
+    return {scene, sources, spec.window, caster_for(scene, spec.engine, stop), stop};
 }
 
 Result Simulator::State::trace(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
-    const std::function<void(const Progress&)>& on_progress) {
+    const RunControl& control,
+    EarlyStop& early) {
     const Clock::time_point start = Clock::now();
-    const PreparedScene prepared = prepare(scene, sources, spec);
+    if (spec.max_seconds > 0) {
+        early.set_limit(spec.max_seconds + grace_seconds(spec, control));
+    }
+    const PreparedScene prepared = prepare(scene, sources, spec, early.token());
     require_light(prepared);
-    const auto solver = make_solver({prepared, sampler_for(spec.sampler), spec});
-    Sums sums = empty_sums(prepared, spec);
     const double build_seconds = seconds_since(start);
 
     const double cpu_before = cpu_seconds();
-    Reporter reporter(on_progress, start);
+    Reporter reporter(control.on_progress, start);
     Executor executor(
         thread_count(spec.threads),
-        on_progress ? [&](double part) { reporter.report(part); } : std::function<void(double)>());
+        control.on_progress ? [&](double part) { reporter.report(part); }
+                            : std::function<void(double)>(),
+        early.token());
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, executor.workers());
-    Rounds rounds(spec);
+    Rounds rounds(spec, fewest_paths(scene, spec), build_seconds);
+    RoundTracer tracer(prepared, sampler_for(spec.sampler), spec, executor, early.is_possible());
     while (const auto round = rounds.next()) {
         reporter.begin_round(rounds);
-        solver->solve(*round, executor, sums);
+        try {
+            tracer.trace(*round);
+        } catch (const StopRequested&) {
+            if (!tracer.has_sums()) {
+                throw;
+            }
+            rounds.interrupt(early.why());
+            break;
+        }
+        if (spec.max_seconds > 0) {
+            early.set_limit(spec.max_seconds);
+        }
         rounds.finish(
             seconds_since(start),
-            spec.target_error > 0 ? fraction_at_target(sums, scene, asked, spec.target_error) : 0);
+            spec.target_error > 0
+                ? fraction_at_target(tracer.sums(), scene, asked, spec.target_error)
+                : 0);
     }
 
-    Result result = evaluate(sums, scene, asked);
+    early.set_limit(INFINITY);
+    Result result = make_result(tracer.sums(), scene, asked);
     result.stop = rounds.stop();
     result.fraction_at_target = rounds.at_target();
     result.build_seconds = build_seconds;

@@ -12,7 +12,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "base/checks.h"
@@ -25,37 +24,6 @@
 
 namespace quasimc {
 namespace {
-
-double sum_of_spectra(const TimeStep& time_step) {
-    double sum = 0;
-    for (const auto& source : time_step.sources) {
-        for (const double x : source->spectrum()) {
-            sum += x;
-        }
-    }
-    return sum;
-}
-
-/// The factor from the light of `a` to that of `b`, if it is one for all sources and bands.
-std::optional<double> factor_between(const TimeStep& a, const TimeStep& b) {
-    constexpr double kRounding = 1e-12;
-    const double factor = sum_of_spectra(b) / sum_of_spectra(a);
-    if (a.sources.size() != b.sources.size()) {
-        return std::nullopt;
-    }
-    for (std::size_t i = 0; i < a.sources.size(); ++i) {
-        const auto x = a.sources[i]->spectrum();
-        const auto y = b.sources[i]->spectrum();
-        const bool is_proportional =
-            std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](double p, double q) {
-                return std::abs(q - factor * p) <= kRounding * std::max(q, factor * p);
-            });
-        if (!is_proportional) {
-            return std::nullopt;
-        }
-    }
-    return factor;
-}
 
 /// A seed for each trace (SplitMix64: Steele, Lea and Flood 2014).
 std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
@@ -72,13 +40,15 @@ class SeriesRun {
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
         const RunSpec& spec,
-        const SeriesEvents& events)
-        : scene_(scene), time_steps_(time_steps), spec_(spec), events_(events) {
+        const SeriesEvents& events,
+        const std::stop_token& stop)
+        : scene_(scene), time_steps_(time_steps), spec_(spec), events_(events), stop_(stop) {
         groups_.groups = make_groups(scene, group_spec(spec));
         groups_.bands = scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         plans_ = plan_series(time_steps);
         for (std::size_t i = 0; i < time_steps.size(); ++i) {
+            traces_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? 1 : 0;
             if (plans_[i].factor > 0) {
                 last_use_[plans_[i].traced] = i;
             }
@@ -86,13 +56,16 @@ class SeriesRun {
     }
 
     SeriesSummary run() {
-        for (std::size_t i = 0; i < time_steps_.size(); ++i) {
-            trace(i);
+        while (summary_.done < time_steps_.size() && go_on(summary_.done)) {
+            const std::size_t i = summary_.done++;
             const bool ends_day =
                 i + 1 == time_steps_.size() || time_steps_[i + 1].day != time_steps_[i].day;
             if (ends_day) {
                 finish_day(i);
             }
+        }
+        if (summary_.done < time_steps_.size()) {
+            add_to_total(time_steps_.size());
         }
         if (events_.wants_total) {
             summary_.total = sum_of(total_);
@@ -114,8 +87,40 @@ class SeriesRun {
         return std::chrono::duration<double>(Clock::now() - start_).count();
     }
 
+    /// Traces a moment. False, and no more is to be done, if there is no result of it.
+    bool go_on(std::size_t i) {
+        const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
+        if (i > 0 && (stop_.stop_requested() || (needs_trace && is_time_up()))) {
+            end(stop_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up);
+            return false;
+        }
+        try {
+            trace(i);
+        } catch (const Stopped& stopped) {
+            if (i == 0) {
+                throw;
+            }
+            end(stopped.why());
+            return false;
+        }
+        return true;
+    }
+
+    void end(StopReason why) {
+        if (summary_.stop != StopReason::interrupted) {
+            summary_.stop = why;
+        }
+    }
+
+    [[nodiscard]] bool is_time_up() const {
+        return spec_.max_seconds > 0 && seconds() >= spec_.max_seconds;
+    }
+
     void trace(std::size_t i) {
         const TimeStepPlan& plan = plans_[i];
+        if (plan.traced == i && plan.factor > 0) {
+            kept_[i].result = trace_one(i);
+        }
         const TimeStep& time_step = time_steps_[i];
         day_.add_seconds(time_step.seconds);
         total_.add_seconds(time_step.seconds);
@@ -125,9 +130,6 @@ class SeriesRun {
             }
             tell(i, *dark_);
             return;
-        }
-        if (plan.traced == i) {
-            kept_[i].result = trace_one(i);
         }
         Kept& kept = kept_[plan.traced];
         kept.day_weight += plan.factor * time_step.seconds;
@@ -148,16 +150,38 @@ class SeriesRun {
     Result trace_one(std::size_t i) {
         RunSpec spec = spec_;
         spec.seed = seed_of(spec_.seed, summary_.traced);
-        Result result = simulator_.run(scene_, time_steps_[i].sources, spec, progress_of(i));
+        RunControl control{.on_progress = progress_of(i), .stop = stop_};
+        share_time(spec, control);
+        Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        --traces_left_;
         ++summary_.traced;
+        if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
+            ++summary_.cut_short;
+            end(result.stop);
+        }
         ++summary_.methods[result.chosen.method];
         summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
+        summary_.build_seconds += result.build_seconds;
+        summary_.trace_seconds += result.trace_seconds;
+        summary_.trace_cpu_seconds += result.trace_cpu_seconds;
         if (result.audit) {
             ++summary_.audited;
             least_chance_ = std::min(least_chance_, result.audit->chance);
         }
         return result;
+    }
+
+    /// Gives a trace its share of the time that is left. Its first paths may take all of it.
+    void share_time(RunSpec& spec, RunControl& control) const {
+        if (spec_.max_seconds == 0 || time_steps_.size() == 1) {
+            return;
+        }
+        constexpr double kGrace = 0.5;
+        constexpr double kLeast = 1e-3;
+        const double left = std::max(spec_.max_seconds - seconds(), kLeast);
+        spec.max_seconds = left / static_cast<double>(traces_left_);
+        control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
     /// Progress of the series: traces take about equally long.
@@ -180,22 +204,29 @@ class SeriesRun {
     }
 
     void finish_day(std::size_t last) {
-        for (auto it = kept_.begin(); it != kept_.end();) {
-            Kept& kept = it->second;
+        for (auto& [i, kept] : kept_) {
             if (events_.on_day && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
             }
+        }
+        add_to_total(last);
+        if (events_.on_day) {
+            events_.on_day(time_steps_[last].day, sum_of(day_));
+        }
+        day_ = {};
+    }
+
+    /// Forgets the traces that no moment after `last` needs, once the total has them.
+    void add_to_total(std::size_t last) {
+        for (auto it = kept_.begin(); it != kept_.end();) {
+            const Kept& kept = it->second;
             const bool is_needed = last_use_[it->first] > last;
             if (events_.wants_total && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
             it = is_needed ? std::next(it) : kept_.erase(it);
         }
-        if (events_.on_day) {
-            events_.on_day(time_steps_[last].day, sum_of(day_));
-        }
-        day_ = {};
     }
 
     using Clock = std::chrono::steady_clock;
@@ -204,6 +235,7 @@ class SeriesRun {
     const std::vector<TimeStep>& time_steps_;
     const RunSpec& spec_;
     const SeriesEvents& events_;
+    std::stop_token stop_;
     Simulator simulator_;
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
@@ -213,33 +245,11 @@ class SeriesRun {
     GroupResults groups_;         // of darkness
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
+    std::size_t traces_left_ = 0;
     SeriesSummary summary_;
 };
 
 }  // namespace
-
-std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps) {
-    std::vector<TimeStepPlan> plans;
-    std::multimap<std::string_view, std::size_t> traced;
-    for (std::size_t i = 0; i < time_steps.size(); ++i) {
-        plans.push_back({i, sum_of_spectra(time_steps[i]) > 0 ? 1.0 : 0.0});
-        if (plans[i].factor == 0) {
-            continue;
-        }
-        const auto [first, last] = traced.equal_range(time_steps[i].shapes);
-        const auto same = std::find_if(first, last, [&](const auto& entry) {
-            const auto factor = factor_between(time_steps[entry.second], time_steps[i]);
-            if (factor) {
-                plans[i] = {entry.second, *factor};
-            }
-            return factor.has_value();
-        });
-        if (same == last) {
-            traced.emplace(time_steps[i].shapes, i);
-        }
-    }
-    return plans;
-}
 
 Result scaled(const Result& result, double factor) {
     Result copy = result;
@@ -294,11 +304,12 @@ SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const SeriesEvents& events) {
+    const SeriesEvents& events,
+    const std::stop_token& stop) {
     EXPECT(std::is_sorted(time_steps.begin(), time_steps.end(), [](const auto& a, const auto& b) {
         return a.day < b.day;
     }));
-    return SeriesRun(scene, time_steps, spec, events).run();
+    return SeriesRun(scene, time_steps, spec, events, stop).run();
 }
 
 }  // namespace quasimc

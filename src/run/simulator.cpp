@@ -1,5 +1,8 @@
 #include "run/simulator.h"
 
+#include <fmt/format.h>
+
+#include "base/memory_need.h"
 #include "samplers/catalogue.h"
 
 namespace quasimc {
@@ -14,7 +17,12 @@ Result Simulator::run(
     const Sources& sources,
     const RunSpec& spec,
     const std::function<void(const Progress&)>& on_progress) {
-    return state_->run(scene, sources, spec, on_progress);
+    return state_->run(scene, sources, spec, {.on_progress = on_progress});
+}
+
+Result Simulator::run(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
+    return state_->run(scene, sources, spec, control);
 }
 
 Sums Simulator::sums(
@@ -26,14 +34,20 @@ std::size_t Simulator::builds() const {
     return state_->builds();
 }
 
-std::shared_ptr<const RayCaster> Simulator::State::caster_for(const Scene& scene, Engine engine) {
+std::shared_ptr<const RayCaster> Simulator::State::caster_for(
+    const Scene& scene, Engine engine, const std::stop_token& stop) {
     const auto triangles = scene.shared_triangles();
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
         caster_.reset();  // their memory first
         triangles_.reset();
-        caster_ = std::make_shared<const RayCaster>(triangles, scene.cell(), engine);
+        constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
+        caster_ = make_big(
+            fmt::format("the ray caster of {} triangles", triangles->size()),
+            kBytesOfTriangle * static_cast<double>(triangles->size()), [&] {
+                return std::make_shared<const RayCaster>(triangles, scene.cell(), engine, stop);
+            });
         cell_ = scene.cell();
         engine_ = engine;
         ++builds_;

@@ -5,10 +5,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "geometry/cast/ray_caster.h"
 #include "quasimc/run.h"
+#include "run/early_stop.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
 #include "transport/prepared_scene.h"
@@ -19,24 +21,35 @@ namespace quasimc {
 class Simulator::State {
   public:
     [[nodiscard]] Result run(
-        const Scene& scene,
-        const Sources& sources,
-        const RunSpec& spec,
-        const std::function<void(const Progress&)>& on_progress);
+        const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
     [[nodiscard]] Sums sums(
         const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first);
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:
     /// Traces a specification that was checked and planned.
+    /// @throws StopRequested  if it was stopped before there was a result
     [[nodiscard]] Result trace(
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        const std::function<void(const Progress&)>& on_progress);
+        const RunControl& control,
+        EarlyStop& early);
+    /// After a run: compares its result with that of an audit, if one was asked for.
+    void add_audit(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const RunControl& control,
+        EarlyStop& early,
+        Result& result);
     [[nodiscard]] PreparedScene prepare(
-        const Scene& scene, const Sources& sources, const RunSpec& spec);
-    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::stop_token& stop = {});
+    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
+        const Scene& scene, Engine engine, const std::stop_token& stop);
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
     std::shared_ptr<const RayCaster> caster_;

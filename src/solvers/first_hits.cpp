@@ -15,7 +15,9 @@
 #include <bit>
 #include <optional>
 #include <span>
+#include <stop_token>
 
+#include "base/stop.h"
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
 #include "solvers/block_runner.h"
@@ -58,6 +60,7 @@ class FirstHits final : public Solver {
         : prepared_(input.prepared),
           sampler_(input.sampler),
           spec_(input.spec),
+          stop_(input.stop),
           roulette_threshold_(
               input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
           shares_(input.prepared),
@@ -65,7 +68,7 @@ class FirstHits final : public Solver {
           roles_(visibility_roles(input.prepared)),
           scene_{
               &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
-              prepared_.projection().outline()},
+              prepared_.projection().outline(), &stop_},
           budget_(input.prepared, skies_, scene_, input.spec.paths),
           runner_(input),
           traced_(traced_lights(input.prepared, budget_)),
@@ -146,7 +149,8 @@ class FirstHits final : public Solver {
             .stream = stream_of(work, 1 + work.block),
             .scatter_dimension = 0,
             .max_depth = spec_.max_depth,
-            .roulette_threshold = roulette_threshold_};
+            .roulette_threshold = roulette_threshold_,
+            .stop = &stop_};
     }
 
     /// A light's share of one of `count` directions, drawn with `density`.
@@ -199,6 +203,7 @@ class FirstHits final : public Solver {
         SystematicPlacement placement(
             sampler_.coordinate(placing, placing.first + 1 + work.block, 2));
         while (lines.next()) {
+            throw_if_stopped(stop_);
             for (const LinePiece& piece : lines.pieces()) {
                 placement.place(
                     scratch.pieces[piece.segment], piece.length(), 0,
@@ -254,6 +259,7 @@ class FirstHits final : public Solver {
         }
         for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
              i += static_cast<std::uint32_t>(work.task.blocks)) {
+            throw_if_stopped(stop_);
             const DrawnDirection from = skies_.direction(i, work.task.count, shift);
             draw_pixels(work, placing, i, from.direction, scratch.pixels);
             for (std::size_t k = 0; k < skies.size(); ++k) {
@@ -314,6 +320,7 @@ class FirstHits final : public Solver {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
+    std::stop_token stop_;
     double roulette_threshold_;
     ScatteredShares shares_;
     SkyDirections skies_;

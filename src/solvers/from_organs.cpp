@@ -15,8 +15,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stop_token>
 
 #include "base/distribution.h"
+#include "base/stop.h"
 #include "solvers/block_runner.h"
 #include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
@@ -61,6 +63,7 @@ class FromOrgans final : public Solver {
         : prepared_(input.prepared),
           sampler_(input.sampler),
           spec_(input.spec),
+          stop_(input.stop),
           roulette_threshold_(
               input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
           measured_(measured_area(input.prepared.scene())),
@@ -124,6 +127,7 @@ class FromOrgans final : public Solver {
         const std::uint64_t end = std::min(begin + kPointsPerBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
+            throw_if_stopped(stop_);
             const std::uint64_t organ = measured_.organs[i / each];
             const Stream stream{
                 spec_.seed, (is_companion ? prepared_.scene().organs().size() : 0) + organ + 1,
@@ -235,6 +239,7 @@ class FromOrgans final : public Solver {
         bool by_delta = false;
         std::uint64_t rays = 0;
         for (std::uint32_t depth = 1;;) {
+            throw_if_stopped(stop_);
             // After the last hit that counts only the sky does, if a mirror shows it.
             const bool is_last = depth == spec_.max_depth;
             if (is_last && !by_delta) {
@@ -299,7 +304,8 @@ class FromOrgans final : public Solver {
             spec_.max_depth,
             roulette_threshold_,
             PathFilter::delta_first,
-            companion_scale_};
+            companion_scale_,
+            &stop_};
         const CastHit at =
             prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         return 1 + trace_particle(
@@ -310,6 +316,7 @@ class FromOrgans final : public Solver {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
+    std::stop_token stop_;
     double roulette_threshold_;
     MeasuredArea measured_;
     std::uint64_t points_per_organ_ = 1;

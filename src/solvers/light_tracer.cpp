@@ -12,6 +12,7 @@
 
 #include "base/checks.h"
 #include "base/distribution.h"
+#include "base/stop.h"
 #include "transport/absorbed_light.h"
 
 namespace quasimc {
@@ -55,6 +56,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
       sampler_(input.sampler),
       spec_(input.spec),
       traced_(std::move(traced)),
+      stop_(input.stop),
       roulette_threshold_(
           input.spec.roulette_weight * static_cast<double>(input.prepared.bands())) {
     for (const BoundSource& source : prepared_.lights()) {
@@ -87,12 +89,14 @@ void LightTracer::trace(
         .stream = {spec_.seed, 0, replicate, round.first, round.count},
         .scatter_dimension = only_beams_ ? 2U : 4U,
         .max_depth = spec_.max_depth,
-        .roulette_threshold = roulette_threshold_};
+        .roulette_threshold = roulette_threshold_,
+        .stop = &stop_};
     points.first = round.first + block * kPathsPerBlock;
     points.count = std::min(kPathsPerBlock, round.count - block * kPathsPerBlock);
     prepare(points, scratch);
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < points.count;) {
+        throw_if_stopped(stop_);
         const Group group = next_group(scratch, i);
         i += group.points.size();
         if (!traced_.empty() && !traced_[group.source]) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "solvers/solver.h"
@@ -73,6 +74,7 @@ class LightTracer {
     const Sampler& sampler_;
     const RunSpec& spec_;
     TracedLights traced_;
+    std::stop_token stop_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam
     bool only_beams_ = true;

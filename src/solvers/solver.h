@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 
 #include "base/executor.h"
 #include "quasimc/run_spec.h"
@@ -31,6 +32,7 @@ class Solver {
     /// Adds the light of a round to sums of empty_sums(): to every replicate that of its own
     /// points, and the paths and samples done. The same bits with any number of workers.
     /// @throws InputError  where light is too strong to be summed
+    /// @throws StopRequested  if a stop was requested; sums are then of no use
     virtual void solve(const Round& round, Executor& executor, Sums& sums) = 0;
 };
 
@@ -39,6 +41,8 @@ struct SolverInput {
     const PreparedScene& prepared;
     const Sampler& sampler;
     const RunSpec& spec;
+    /// Asked within blocks, several times a second at least; that of the executor.
+    std::stop_token stop = {};
 };
 
 }  // namespace quasimc

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/stop.h"
+
 namespace quasimc {
 namespace {
 
@@ -38,6 +40,9 @@ class VertexTracer {
             std::clamp<std::size_t>(kWeightsAtOnce / prepared_.bands(), 1, kMostAtOnce);
         std::uint64_t rays = 0;
         for (std::size_t first = 0; first < vertices_.size(); first += at_once) {
+            if (rules_.stop != nullptr) {
+                throw_if_stopped(*rules_.stop);
+            }
             scatter_batch(first, std::min(first + at_once, vertices_.size()));
             for (std::size_t i = 0; i < scratch_.rays.size(); ++i) {
                 const ScatteredRay& ray = scratch_.rays[i];

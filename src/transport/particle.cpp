@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stop.h"
 #include "transport/absorbed_light.h"
 
 namespace quasimc {
@@ -61,6 +62,9 @@ class ParticleTracer {
         CastHit next;
         const CastHit* at = &first_hit;
         for (; at->end == RayEnd::hit; ++rays) {
+            if (rules_.stop != nullptr) {
+                throw_if_stopped(*rules_.stop);
+            }
             const Surface surface = surface_at(prepared_, at->hit, direction_);
             const Material& material = prepared_.material(surface.region);
             if (to_score) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "base/parallel.h"
@@ -32,6 +33,8 @@ struct PathRules {
     double roulette_threshold = 1;        ///< Draw::roulette_threshold
     PathFilter filter = PathFilter::all;
     std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
+    /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
+    const std::stop_token* stop = nullptr;
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
@@ -65,6 +68,7 @@ enum class FirstHit { to_score, scored };
 
 /// Traces a path from `at`, its first hit or its escape, to its end, and scores all hits. Returns
 /// the number of rays cast.
+/// @throws StopRequested  if rules.stop says so
 /// @param first  whether light that came straight from the source is to be scored at `at`
 std::uint64_t trace_particle(
     const PathRules& rules,

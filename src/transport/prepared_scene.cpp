@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stop.h"
 #include "detectors/catalogue.h"
 
 namespace quasimc {
@@ -64,11 +65,12 @@ PreparedScene::PreparedScene(
     const Scene& scene,
     const Sources& sources,
     CrossSectionShape window,
-    std::shared_ptr<const RayCaster> caster)
+    std::shared_ptr<const RayCaster> caster,
+    const std::stop_token& stop)
     : scene_(&scene), caster_(std::move(caster)), projection_(*caster_, window) {
     set_regions();
     set_fields_of_view();
-    set_lights(sources);
+    set_lights(sources, stop);
     for (const DetectorSpec& detector : scene.detectors()) {
         detectors_.push_back(make_detector(detector));
     }
@@ -112,9 +114,10 @@ void PreparedScene::set_fields_of_view() {
     }
 }
 
-void PreparedScene::set_lights(const Sources& sources) {
+void PreparedScene::set_lights(const Sources& sources, const std::stop_token& stop) {
     double sun = 0;
     for (const auto& source : sources) {
+        throw_if_stopped(stop);
         std::unique_ptr<SourceSampler> source_sampler = source->make_sampler_in(projection_);
         if (source_sampler && sum_of(source->spectrum()) > 0) {
             BoundSource& light = lights_.emplace_back();
@@ -134,6 +137,7 @@ void PreparedScene::set_lights(const Sources& sources) {
     flux_ = total_flux(lights_, world_area(), bands());
     set_probabilities(lights_, flux_, world_area());
     for (BoundSource& light : lights_) {
+        throw_if_stopped(stop);
         if (light.source->is_sun()) {
             light.sun_share = sum_of(light.source->spectrum()) / sun;
             // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.

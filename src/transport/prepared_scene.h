@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "detectors/detector.h"
@@ -43,11 +44,13 @@ struct PrimitiveInfo {
 class PreparedScene {
   public:
     /// @param caster  of the scene's triangles and cell
+    /// @throws StopRequested  if a stop is requested before it is ready
     PreparedScene(
         const Scene& scene,
         const Sources& sources,
         CrossSectionShape window,
-        std::shared_ptr<const RayCaster> caster);
+        std::shared_ptr<const RayCaster> caster,
+        const std::stop_token& stop = {});
     ~PreparedScene() = default;
     PreparedScene(const PreparedScene&) = delete;
     PreparedScene& operator=(const PreparedScene&) = delete;
@@ -117,7 +120,7 @@ class PreparedScene {
   private:
     void set_regions();
     void set_fields_of_view();
-    void set_lights(const Sources& sources);
+    void set_lights(const Sources& sources, const std::stop_token& stop);
 
     const Scene* scene_;
     std::shared_ptr<const RayCaster> caster_;

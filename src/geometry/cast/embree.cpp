@@ -11,6 +11,7 @@
 #include <new>
 #include <span>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "base/stop.h"
 #include "geometry/cast/intersector.h"
 #include "geometry/cast/rounding.h"
 
@@ -46,6 +48,9 @@ void throw_if_failed(RTCDevice device) {
     const RTCError error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_OUT_OF_MEMORY) {
         throw std::bad_alloc();
+    }
+    if (error == RTC_ERROR_CANCELLED) {
+        throw StopRequested();
     }
     if (error != RTC_ERROR_NONE) {
         throw std::runtime_error("Embree failed with error " + std::to_string(error));
@@ -125,15 +130,31 @@ RTCRay to_embree(const Ray& ray) {
     return r;
 }
 
+/// Lets Embree go on with a tree, or give it up. @param stop  a std::stop_token
+bool goes_on(void* stop, double /*part done*/) {
+    return !static_cast<const std::stop_token*>(stop)->stop_requested();
+}
+
+/// Builds the tree of a scene to which all was attached.
+void commit(RTCDevice device, RTCScene scene, std::stop_token stop) {
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    if (stop.stop_possible()) {
+        rtcSetSceneProgressMonitorFunction(scene, goes_on, &stop);
+    }
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    throw_if_failed(device);
+}
+
 class EmbreeIntersector final : public Intersector {
   public:
-    explicit EmbreeIntersector(const LocalMesh& mesh)
+    EmbreeIntersector(const LocalMesh& mesh, const std::stop_token& stop)
         : mesh_(mesh), device_(make_device()), scene_(rtcNewScene(device_.get())) {
-        attach_instances();
+        attach_instances(stop);
         if (!mesh.faces.empty()) {
             attach_triangles(scene_.get(), mesh.vertices, mesh.faces);
         }
-        commit(scene_.get());
+        commit(device_.get(), scene_.get(), stop);
     }
 
     [[nodiscard]] Hit closest(const Ray& ray) const override {
@@ -190,12 +211,12 @@ class EmbreeIntersector final : public Intersector {
         rtcAttachGeometry(scene, geometry.get());
     }
 
-    void attach_instances() {
+    void attach_instances(const std::stop_token& stop) {
         for (const LocalPrototype& prototype : mesh_.prototypes) {
             const EmbreeScene& scene =
                 prototypes_.emplace_back(EmbreeScene(rtcNewScene(device_.get())));
             attach_triangles(scene.get(), prototype.vertices, prototype.faces);
-            commit(scene.get());
+            commit(device_.get(), scene.get(), stop);
         }
         for (const LocalInstance& instance : mesh_.instances) {
             const Geometry geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE));
@@ -205,12 +226,6 @@ class EmbreeIntersector final : public Intersector {
             rtcCommitGeometry(geometry.get());
             rtcAttachGeometry(scene_.get(), geometry.get());
         }
-    }
-
-    void commit(RTCScene scene) {
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-        rtcCommitScene(scene);
-        throw_if_failed(device_.get());
     }
 
     /// Embree gives the normal of a triangle of an instance before it is moved.
@@ -291,8 +306,9 @@ void EmbreeIntersector::closest(Packet& packet) const {
 
 }  // namespace
 
-std::unique_ptr<Intersector> make_embree_intersector(const LocalMesh& mesh) {
-    return std::make_unique<EmbreeIntersector>(mesh);
+std::unique_ptr<Intersector> make_embree_intersector(
+    const LocalMesh& mesh, const std::stop_token& stop) {
+    return std::make_unique<EmbreeIntersector>(mesh, stop);
 }
 
 }  // namespace quasimc

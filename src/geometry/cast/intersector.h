@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 #include "geometry/mesh/local_mesh.h"
@@ -65,7 +66,9 @@ class Intersector {
 };
 
 /// The engine for production: Embree.
-[[nodiscard]] std::unique_ptr<Intersector> make_embree_intersector(const LocalMesh& mesh);
+/// @throws StopRequested  if a stop is requested while the tree is built
+[[nodiscard]] std::unique_ptr<Intersector> make_embree_intersector(
+    const LocalMesh& mesh, const std::stop_token& stop = {});
 
 /// Tries every triangle in double precision: the oracle of the tests, and for scenes of a few
 /// triangles.

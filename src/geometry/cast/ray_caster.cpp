@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "base/stop.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/raster/outline.h"
@@ -141,11 +142,15 @@ RayCaster::RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, E
     : RayCaster(std::make_shared<const SceneGeometry>(Mesh(triangles)), cell, engine) {}
 
 RayCaster::RayCaster(
-    const std::shared_ptr<const SceneGeometry>& geometry, const Cell& cell, Engine engine)
-    : RayCaster(
-          geometry,
-          cell,
-          engine == Engine::embree ? make_embree_intersector : make_brute_force_intersector) {}
+    const std::shared_ptr<const SceneGeometry>& geometry,
+    const Cell& cell,
+    Engine engine,
+    const std::stop_token& stop)
+    : RayCaster(geometry, cell, [&](const LocalMesh& mesh) {
+          throw_if_stopped(stop);
+          return engine == Engine::embree ? make_embree_intersector(mesh, stop)
+                                          : make_brute_force_intersector(mesh);
+      }) {}
 
 RayCaster::RayCaster(
     const std::shared_ptr<const SceneGeometry>& geometry,

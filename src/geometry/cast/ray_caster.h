@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/cast/intersector.h"
@@ -28,8 +29,12 @@ class RayCaster {
     /// @param triangles  the scene, world coordinates; at least one
     RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine);
     /// The same of a scene, which is kept.
+    /// @throws StopRequested  if a stop is requested before it is ready
     RayCaster(
-        const std::shared_ptr<const SceneGeometry>& geometry, const Cell& cell, Engine engine);
+        const std::shared_ptr<const SceneGeometry>& geometry,
+        const Cell& cell,
+        Engine engine,
+        const std::stop_token& stop = {});
     /// The same with an engine of the caller's.
     using MakeIntersector = std::function<std::unique_ptr<Intersector>(const LocalMesh&)>;
     RayCaster(

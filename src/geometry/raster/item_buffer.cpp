@@ -75,6 +75,7 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     }
     bool has_sensors = false;
     for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
+        scene.check_stop();
         const VisibilityRole role = scene.role(i);
         has_sensors = has_sensors || role == VisibilityRole::sensor;
         if (role == VisibilityRole::opaque) {

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 
+#include "base/stop.h"
 #include "base/vec3.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/local_mesh.h"
@@ -61,6 +63,15 @@ struct ProjectedScene {
     Cell cell;                                   ///< local coordinates
     std::span<const VisibilityRole> roles = {};  ///< by triangle of the mesh; empty: all are opaque
     std::span<const Vec3> outline = {};  ///< points whose hull holds the scene; empty: vertices
+    /// Asked while a beam is prepared, which of a million triangles takes long.
+    const std::stop_token* stop = nullptr;
+
+    /// @throws StopRequested  if a stop was requested
+    void check_stop() const {
+        if (stop != nullptr) {
+            throw_if_stopped(*stop);
+        }
+    }
 
     [[nodiscard]] VisibilityRole role(std::uint32_t triangle) const {
         return roles.empty() ? VisibilityRole::opaque : roles[triangle];

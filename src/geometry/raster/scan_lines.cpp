@@ -47,6 +47,7 @@ void ScanLines::set(const ProjectedScene& scene, const Spec& spec) {
 void ScanLines::find_images() {
     images_.clear();
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
+        scene_.check_stop();
         if (scene_.role(i) == VisibilityRole::left_out) {
             continue;
         }
@@ -80,6 +81,7 @@ void ScanLines::add_images_along(Image image) {
         in_t->first - margin_s - plane_->low_s, in_t->second + margin_s - plane_->low_s,
         plane_->size_s, true);
     for (std::int32_t j = along.first; j <= along.last; ++j) {
+        scene_.check_stop();
         image.offset_s = -j * plane_->size_s;
         const double begin = plane_->low_s - image.offset_s;
         const auto in_s =
@@ -164,6 +166,7 @@ void ScanLines::begin(std::uint32_t strip) {
         // What is seen at less than this cosine, or has no area, is seen edge-on: corners are told
         // apart in single precision.
         constexpr double kEdgeOn = 0x1p-24;
+        scene_.check_stop();
         const Image& image = images_[in_strip_[i]];
         const double cosine = scene_.cosine(image.triangle, spec_.direction);
         if (std::abs(cosine) > kEdgeOn) {

@@ -6,19 +6,6 @@
 namespace quasimc {
 namespace {
 
-std::string_view stop_name(StopReason stop) {
-    switch (stop) {
-        case StopReason::target_reached:
-            return "target_reached";
-        case StopReason::time_is_up:
-            return "time_is_up";
-        case StopReason::path_limit:
-            return "path_limit";
-        default:
-            return "paths_done";
-    }
-}
-
 void write_band_audit(
     JsonStream& json, const std::string& unit, const BandAudit& audit, JsonLayout layout) {
     json.begin_object(layout);
@@ -47,6 +34,21 @@ void write_budget(
 }
 
 }  // namespace
+
+std::string_view stop_name(StopReason stop) {
+    switch (stop) {
+        case StopReason::target_reached:
+            return "target_reached";
+        case StopReason::time_is_up:
+            return "time_is_up";
+        case StopReason::path_limit:
+            return "path_limit";
+        case StopReason::interrupted:
+            return "interrupted";
+        default:
+            return "paths_done";
+    }
+}
 
 void json_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
     json.key(key);

@@ -24,6 +24,8 @@ void json_warnings(JsonStream& json, const RunFile& run);
 
 // json_parts.cpp: members on one result. Their objects stand in `layout`.
 void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
+/// "time_is_up".
+[[nodiscard]] std::string_view stop_name(StopReason stop);
 void json_done(JsonStream& json, const Result& result, JsonLayout layout);
 /// null without one.
 void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);

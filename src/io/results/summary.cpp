@@ -1,11 +1,13 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/parallel.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
+#include "io/results/series_words.h"
+#include "io/results/stop_words.h"
+#include "io/results/summary_parts.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
@@ -67,93 +69,47 @@ std::string time_line(const Result& result) {
     const double all = static_cast<double>(result.paths) * result.replicates;
     return line(
         "time", fmt::format(
-                    "{:.3g} s ({:.3g} s of CPU), {:.3g} million paths/s, {:.3g} rays per path",
-                    result.trace_seconds, result.trace_cpu_seconds,
+                    "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
+                    "paths/s, {:.3g} rays per path",
+                    result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
                     all / std::max(result.trace_seconds, 1e-9) / 1e6,
                     static_cast<double>(result.rays) / all));
 }
 
-std::string with_error(const Estimate& e) {
-    return std::isfinite(e.standard_error)
-               ? fmt::format("{:.6g} +- {:.2g}", e.mean, e.standard_error)
-               : fmt::format("{:.6g}", e.mean);
+std::string error_line(const ErrorStatistics& errors) {
+    const std::string advice = advice_on_error(errors.median);
+    return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
-/// The relative standard errors of the absorbed flux of the organs that were hit, all bands.
-struct Errors {
-    std::vector<double> relative;
-    std::size_t unseen = 0;  ///< organs of which some band was never hit
-    double worst = 0;
-    std::int64_t worst_id = 0;
-};
-
-Errors errors_of(const Scene& scene, const Result& result) {
-    Errors errors;
-    for (std::size_t i = 0; i < result.organs(); ++i) {
-        bool seen = true;
-        for (std::size_t b = 0; b < scene.bands().size(); ++b) {
-            const Estimate& e = result.at(i, Quantity::absorbed_flux, b);
-            if (!std::isfinite(e.standard_error) || e.mean == 0) {
-                seen = false;
-                continue;
-            }
-            const double relative = e.standard_error / e.mean;
-            errors.relative.push_back(relative);
-            if (relative >= errors.worst) {
-                errors.worst = relative;
-                errors.worst_id = scene.organs()[i].id;
-            }
-        }
-        errors.unseen += seen ? 0 : 1;
-    }
-    return errors;
-}
-
-std::string error_line(const Scene& scene, const Result& result) {
-    Errors errors = errors_of(scene, result);
-    if (errors.relative.empty()) {
-        return line("errors", "no organ has a standard error of the light it absorbs");
-    }
-    const auto middle =
-        errors.relative.begin() + static_cast<std::ptrdiff_t>(errors.relative.size() / 2);
-    std::nth_element(errors.relative.begin(), middle, errors.relative.end());
-    const std::string unseen =
-        errors.unseen > 0
-            ? fmt::format("; {} organs without one (black sides, or nothing hit)", errors.unseen)
-            : "";
-    return line(
-        "errors", fmt::format(
-                      "relative standard error of the absorbed flux: median {:.2g} %, "
-                      "worst {:.2g} % (organ {}){}",
-                      100 * *middle, 100 * errors.worst, errors.worst_id, unseen));
-}
-
-std::string energy_lines(const Scene& scene, const Result& result) {
+/// The budgets of the first bands. @param unit_of_band  of a band's budget
+template <typename UnitOfBand>
+std::string energy_lines(
+    const Scene& scene,
+    const std::vector<BandBudget>& budgets,
+    bool escaped_is_remainder,
+    const UnitOfBand& unit_of_band) {
     constexpr std::size_t kMostBands = 4;
     std::string text;
-    for (std::size_t b = 0; b < std::min(result.budget.size(), kMostBands); ++b) {
-        const BandBudget& budget = result.budget[b];
+    for (std::size_t b = 0; b < std::min(budgets.size(), kMostBands); ++b) {
         const Band& band = scene.bands()[b];
-        if (std::isnan(budget.escaped.mean)) {
-            text += line(
-                "energy", fmt::format(
-                              "{} [{}]: {:.6g} emitted; not all organs are measured", band.name,
-                              flux_unit(band.unit, scene.length_unit()), budget.emitted));
-            continue;
-        }
         text += line(
             "energy",
-            fmt::format(
-                "{} [{}]: {:.6g} emitted; organs {}, ground {}, escaped {:.6g}{}, cut off {:.3g}",
-                band.name, flux_unit(band.unit, scene.length_unit()), budget.emitted,
-                with_error(budget.absorbed_by_organs), with_error(budget.absorbed_by_ground),
-                budget.escaped.mean, result.escaped_is_remainder ? " (the rest)" : "",
-                budget.cut_off.mean));
+            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_is_remainder));
     }
-    if (result.budget.size() > kMostBands) {
-        text += line("", fmt::format("... and {} more bands", result.budget.size() - kMostBands));
+    if (budgets.size() > kMostBands) {
+        text += line("", fmt::format("... and {} more bands", budgets.size() - kMostBands));
     }
     return text;
+}
+
+/// Adds what a flux brings in so many seconds.
+void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
+    sum.emitted += seconds * flux.emitted;
+    for (Estimate BandBudget::*part :
+         {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground, &BandBudget::escaped,
+          &BandBudget::cut_off, &BandBudget::roulette}) {
+        (sum.*part).mean += seconds * (flux.*part).mean;
+    }
 }
 
 /// The methods of the times: one name, or each with the number of times.
@@ -206,6 +162,10 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
         last.collapsed->until, summary.traced, suns);
 }
 
+std::string stopped_line(const std::string& words) {
+    return words.empty() ? "" : line("stopped", words);
+}
+
 /// How the times of a series were computed.
 std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
@@ -215,10 +175,19 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     }
     text += line("times", times_words(series, summary));
     text += line(
-        "run", fmt::format(
-                   "{} points, {}, {} paths x {} replicates at a time; {:.3g} s, {} rays",
-                   run.spec.sampler, series_method(run.spec, summary), run.spec.paths,
-                   run.spec.replicates, summary.seconds, summary.rays));
+        "run",
+        fmt::format(
+            "{} points, {}, {} paths x {} replicates at a time; {} rays", run.spec.sampler,
+            series_method(run.spec, summary), run.spec.paths, run.spec.replicates, summary.rays));
+    text += stopped_line(stop_words(run, summary));
+    text += line(
+        "time",
+        fmt::format(
+            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
+            "files {:.3g}",
+            summary.seconds, summary.build_seconds, summary.trace_seconds,
+            summary.trace_cpu_seconds,
+            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(
@@ -233,9 +202,13 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
-    std::string text = run_line(run.spec, result) + method_line(run.spec, result) +
-                       time_line(result) + target_line(run.spec, result) +
-                       energy_lines(run.scene, result) + error_line(run.scene, result);
+    std::string text =
+        run_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
+        method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
+        energy_lines(
+            run.scene, result.budget, result.escaped_is_remainder,
+            [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
+        error_line(error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }
@@ -247,12 +220,60 @@ std::string result_lines(const RunFile& run, const Result& result) {
 void Summary::add_moment(const Result& result) {
     if (!run_.series) {
         result_lines_ = result_lines(run_, result);
+        return;
     }
+    const std::size_t moment = moments_++;
+    const double seconds = run_.series->time_steps[moment].seconds;
+    energy_.resize(result.budget.size());
+    for (std::size_t b = 0; b < energy_.size(); ++b) {
+        const Band& band = run_.scene.bands()[b];
+        const double factor = summed_unit(flux_unit(band.unit, run_.scene.length_unit())).factor;
+        add_energy(result.budget[b], factor * seconds, energy_[b]);
+    }
+    seconds_ += seconds;
+    escaped_is_remainder_ = escaped_is_remainder_ || result.escaped_is_remainder;
+    const ErrorStatistics errors = error_statistics(run_.scene, result);
+    if (errors.median > 0) {
+        medians_.emplace_back(errors.median, moment);
+        badly_known_ = std::max(badly_known_, errors.badly_known);
+    }
+}
+
+std::string Summary::series_quality() const {
+    std::string text;
+    if (seconds_ > 0) {
+        text += energy_lines(run_.scene, energy_, escaped_is_remainder_, [&](const Band& band) {
+            return summed_unit(flux_unit(band.unit, run_.scene.length_unit())).name;
+        });
+    }
+    if (medians_.empty()) {
+        return text + line("errors", "at no time has an organ a standard error of what it absorbs");
+    }
+    auto medians = medians_;
+    std::sort(medians.begin(), medians.end());
+    const double middle = medians[medians.size() / 2].first;
+    const auto& [worst, moment] = medians.back();
+    text += line(
+        "errors", fmt::format(
+                      "relative standard error of the absorbed flux, median of the organs: {:.2g} "
+                      "% at the middle time, {:.2g} % at the worst ({})",
+                      100 * middle, 100 * worst, run_.series->notes[moment].time));
+    if (badly_known_ > 0) {
+        text += line(
+            "errors",
+            fmt::format(
+                "up to {} of {} organs are known to no better than {:.0f} % at a time; sums over "
+                "days are better known",
+                badly_known_, run_.scene.organs().size(), 100 * kBadlyKnown));
+    }
+    const std::string advice = advice_on_error(middle);
+    return text + (advice.empty() ? "" : line("advice", advice));
 }
 
 std::string Summary::text(
     const SeriesSummary& summary, const std::vector<std::string>& written) const {
-    return subject_lines(run_) + (run_.series ? series_lines(run_, summary) : result_lines_) +
+    return subject_lines(run_) +
+           (run_.series ? series_lines(run_, summary) + series_quality() : result_lines_) +
            written_line(written);
 }
 

@@ -7,6 +7,7 @@
 #include "io/results/audit_words.h"
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
+#include "io/results/stop_words.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
@@ -76,6 +77,8 @@ std::string result_comments(const RunFile& run, const Result& result) {
     out += fmt::format(
         "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
         result.rays);
+    const std::string stopped = stop_words(run.spec, result);
+    out += stopped.empty() ? "" : "# stopped: " + stopped + "\n";
     for (const std::string& words : audit_lines(run, result)) {
         out += "# audit: " + one_line(words) + "\n";
     }

@@ -229,6 +229,9 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     json_.key("done");
     json_.begin_object(kSpaced);
     json_.count("moments", time_steps_);
+    json_.count("moments_asked", run_.series->time_steps.size());
+    json_.text("stop", stop_name(summary.stop));
+    json_.count("cut_short", summary.cut_short);
     json_.count("traced", summary.traced);
     json_.count("rays", summary.rays);
     json_.count("audited", summary.audited);

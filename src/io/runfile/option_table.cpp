@@ -177,13 +177,12 @@ std::vector<Option> rows_of_ends() {
             {"target_fraction", "", "fraction of the organs that must reach it in every band"},
             &RunSpec::target_fraction, {0, 1}),
         real_option(
-            {"max_seconds", "s", "no new round of paths is begun after that time; 0: no limit"},
+            {"max_seconds", "s",
+             "the run ends after that time, with fewer paths if need be; 0: no limit"},
             &RunSpec::max_seconds, {0, kLongestRun}),
         integer_option(
             {"max_paths", "",
-             "most paths of each replicate in all rounds; 0: 2^30 with a target or max_seconds, "
-             "else "
-             "just paths"},
+             "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
             &RunSpec::max_paths, {0, kMostPaths}),
         real_option(
             {"audit", "",

@@ -161,6 +161,55 @@ TEST(Summary, IsShortAndTellsTheEnergy) {
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
+/// What was emitted, with what roulette added, is what the parts are together.
+TEST(Summary, TellsOfEnergyThatAddsUp) {
+    Result result = small_result();
+    BandBudget& budget = result.budget[0];
+    budget.emitted = 20.5;
+    budget.roulette.mean = -.0016;
+    budget.absorbed_by_organs = {1.86, .01, 1.8, 1.9};
+    budget.absorbed_by_ground = {2, 0, 2, 2};
+    budget.escaped.mean = 16.6384;
+    const std::string text = summary(small_run(), result, {});
+    EXPECT_NE(
+        text.find("R [W m-2 cm2]: 20.5 emitted - 0.0016 by roulette = 20.4984; organs 1.86 +- "
+                  "0.01, ground 2, escaped 16.6384, cut off 0: together 20.4984"),
+        std::string::npos)
+        << text;
+}
+
+TEST(Summary, TellsOfErrorsInWords) {
+    Result result = small_result();
+    std::string text = summary(small_run(), result, {});
+    EXPECT_NE(text.find("median 10 %, worst 10 % (organ "), std::string::npos) << text;
+    EXPECT_EQ(text.find("advice"), std::string::npos) << text;
+    for (Estimate& estimate : result.values) {
+        estimate.standard_error = estimate.mean;
+    }
+    text = summary(small_run(), result, {});
+    EXPECT_NE(
+        text.find("1 of 2 organs are known to no better than 50 % (worst: organ "),
+        std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("e+02"), std::string::npos) << text;
+    EXPECT_NE(text.find("advice    4 times the paths about halve an error"), std::string::npos);
+}
+
+TEST(Summary, TellsThatTheTimeWasUp) {
+    Result result = small_result();
+    result.stop = StopReason::time_is_up;
+    RunFile run = small_run();
+    run.spec.max_seconds = 2;
+    run.spec.paths = 16;
+    EXPECT_NE(
+        summary(run, result, {}).find("stopped   by max_seconds = 2: 4 of 16 paths are done"),
+        std::string::npos);
+    EXPECT_EQ(json_of(run, result)["done"]["stop"], "time_is_up");
+    result.stop = StopReason::interrupted;
+    EXPECT_NE(summary(run, result, {}).find("stopped   on request: 4 of 16"), std::string::npos);
+    EXPECT_EQ(json_of(run, result)["done"]["stop"], "interrupted");
+}
+
 /// What "auto" chose and why stands in every form of the result.
 TEST(Method, IsToldWithItsReason) {
     RunFile run = small_run();

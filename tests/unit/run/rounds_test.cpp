@@ -84,7 +84,7 @@ TEST(Rounds, StopAtTwoToTheThirtyPointsWhateverTheTarget) {
 TEST(Rounds, StopBeforeTheTimeIsUp) {
     RunSpec spec = spec_with_target();
     spec.max_seconds = 5;
-    Rounds rounds(spec);
+    Rounds rounds(spec, spec.paths);
     double seconds = 1;
     int count = 0;
     while (rounds.next()) {
@@ -93,6 +93,98 @@ TEST(Rounds, StopBeforeTheTimeIsUp) {
         ++count;
     }
     EXPECT_EQ(count, 3);  // 1, 2, 4 seconds; the next would end at 8
+    EXPECT_EQ(rounds.stop(), StopReason::time_is_up);
+}
+
+/// The first points and the numbers of the rounds of a run in which a round takes `fixed` seconds,
+/// and each path `each`. A round that is not done in time is given up.
+struct Course {
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> rounds;
+    StopReason stop = StopReason::paths_done;
+    double seconds = 0, wasted = 0;
+};
+
+Course course_of(const RunSpec& spec, double fixed, double each) {
+    Course course;
+    Rounds rounds(spec, 256);
+    while (const auto round = rounds.next()) {
+        const double takes = fixed + each * static_cast<double>(round->count);
+        const bool is_first = course.rounds.empty();
+        if (spec.max_seconds > 0 && !is_first && course.seconds + takes > spec.max_seconds) {
+            course.wasted = spec.max_seconds - course.seconds;
+            course.seconds = spec.max_seconds;
+            rounds.interrupt(StopReason::time_is_up);
+            break;
+        }
+        course.seconds += takes;
+        course.rounds.emplace_back(round->first, round->count);
+        rounds.finish(course.seconds, 0);
+    }
+    course.stop = rounds.stop();
+    return course;
+}
+
+/// Paths of the result.
+std::uint64_t paths_of(const Course& course) {
+    return course.rounds.back().first + course.rounds.back().second;
+}
+
+TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
+    RunSpec spec;
+    spec.paths = 1U << 16U;
+    for (const double fixed : {0., .01, 1.}) {
+        spec.max_seconds = 100;
+        const Course limited = course_of(spec, fixed, 1e-5);
+        EXPECT_EQ(limited.rounds.back(), (std::pair<std::uint64_t, std::uint64_t>{0, spec.paths}));
+        EXPECT_EQ(limited.stop, StopReason::paths_done) << "a limit is no wish for more";
+        spec.max_seconds = 0;
+        const Course free = course_of(spec, fixed, 1e-5);
+        EXPECT_EQ(free.rounds.size(), 1U);
+        EXPECT_EQ(free.rounds.back(), limited.rounds.back());
+    }
+}
+
+/// Whatever rounds and paths cost, what is reported is of a good part of the paths that could be
+/// traced in the time, and no round is begun that has to be given up.
+TEST(Rounds, OfAShortLimitUseTheTime) {
+    RunSpec spec;
+    spec.paths = std::uint64_t{1} << 30U;
+    for (const double limit : {.5, 2., 60.}) {
+        for (const double fixed : {0., .001, .02}) {
+            spec.max_seconds = limit;
+            constexpr double kEach = 1e-6;
+            const Course course = course_of(spec, fixed, kEach);
+            const double most = (limit - fixed) / kEach;
+            EXPECT_EQ(course.stop, StopReason::time_is_up);
+            EXPECT_EQ(course.wasted, 0) << limit << " " << fixed;
+            EXPECT_LE(course.seconds, limit);
+            EXPECT_GT(static_cast<double>(paths_of(course)), .2 * most) << limit << " " << fixed;
+        }
+    }
+}
+
+/// Rounds double from a power of two on, so that point sets are whole.
+TEST(Rounds, OfAShortLimitAreWhole) {
+    RunSpec spec;
+    spec.paths = 100000000;
+    spec.max_seconds = 3;
+    const Course course = course_of(spec, 0, 1e-6);
+    std::uint64_t done = 0;
+    for (const auto& [first, count] : course.rounds) {
+        EXPECT_TRUE(first == 0 || (first == done && count == done));
+        done = first + count;
+        EXPECT_EQ(done & (done - 1), 0U);
+    }
+}
+
+TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
+    RunSpec spec;
+    spec.paths = 1U << 20U;
+    spec.max_seconds = 1;
+    Rounds rounds(spec, 256);
+    EXPECT_EQ(rounds.next()->count, 256U);
+    rounds.finish(5, 0);  // the time is up already
+    EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::time_is_up);
 }
 

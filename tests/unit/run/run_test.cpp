@@ -105,6 +105,7 @@ TEST(Run, SaysWhyItMissedTheTarget) {
     EXPECT_EQ(result.stop, StopReason::path_limit);
     EXPECT_EQ(result.paths, 512U);
     spec.max_seconds = 1e-9;
+    spec.max_paths = 0;
     result = run(make_leaf(), {sky({1})}, spec);
     EXPECT_EQ(result.stop, StopReason::time_is_up);
     EXPECT_EQ(result.paths, 256U);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -137,6 +138,57 @@ TEST(Series, SumsOverDaysAndInAll) {
             std::hypot(overcast + 7200 * error(3), 3600 * error(1), 60 * error(4)),
             1e-9 * overcast);
     }
+}
+
+/// A stop after the third of four times: they are there, and of the days the one that is whole.
+TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
+    const Scene scene = make_scene();
+    const std::vector<TimeStep> time_steps{
+        moment_of({sun(30, {1})}, "a"), moment_of({sun(40, {1})}, "b"),
+        moment_of({sun(30, {2})}, "a", 1, 7200), moment_of({sun(50, {1})}, "c", 1)};
+    std::stop_source source;
+    std::vector<Result> results;
+    std::vector<std::size_t> days;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+        if (results.size() == 3) {
+            source.request_stop();
+        }
+    };
+    events.on_day = [&](std::size_t day, const SeriesSum&) { days.push_back(day); };
+    const SeriesSummary summary =
+        run_series(scene, time_steps, small_spec(), events, source.get_token());
+    EXPECT_EQ(summary.stop, StopReason::interrupted);
+    EXPECT_EQ(summary.done, 3U);
+    EXPECT_EQ(summary.traced, 2U);
+    EXPECT_EQ(summary.cut_short, 0U);
+    EXPECT_EQ(days, std::vector<std::size_t>{0});
+    EXPECT_EQ(summary.total.seconds, 2 * 3600 + 7200);
+    const auto mean = [&](std::size_t m) { return results[m].values[0].mean; };
+    const double total = 3600 * (mean(0) + mean(1)) + 7200 * mean(2);
+    EXPECT_NEAR(summary.total.values[0].mean, total, 1e-9 * total);
+    const auto whole = results_of(scene, time_steps, small_spec());
+    EXPECT_TRUE(same_numbers(whole[1], results[1]));
+}
+
+/// A time that could take all of the limit leaves the others their shares.
+TEST(Series, SharesItsTime) {
+    const Scene scene = make_scene();
+    const std::vector<TimeStep> time_steps{
+        moment_of({sun(30, {1})}, "a"), moment_of({sun(40, {1})}, "b"), moment_of({}, ""),
+        moment_of({sun(50, {1})}, "c")};
+    RunSpec spec = small_spec();
+    spec.paths = std::uint64_t{1} << 30U;
+    spec.max_seconds = 2;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t i, const Result& result, std::size_t) {
+        EXPECT_EQ(result.stop, i == 2 ? StopReason::paths_done : StopReason::time_is_up);
+    };
+    const SeriesSummary summary = run_series(scene, time_steps, spec, events);
+    EXPECT_EQ(summary.stop, StopReason::time_is_up);
+    EXPECT_EQ(summary.done, 4U);
+    EXPECT_EQ(summary.cut_short, 3U);
 }
 
 /// Sums take as much memory as a result: they are made only for who asks for them.

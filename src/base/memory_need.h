@@ -1,0 +1,43 @@
+#pragma once
+
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace quasimc {
+
+/// Thrown where memory was not enough: says for what, and how much that takes.
+class OutOfMemory : public std::bad_alloc {
+  public:
+    /// @param what_for  "the sums of 8 replicates"
+    /// @param bytes  that it takes, about
+    OutOfMemory(const std::string& what_for, double bytes)
+        : words_(fmt::format(
+              "not enough memory for {}: about {:.0f} MB", what_for, bytes / kBytesOfMegabyte)) {}
+    [[nodiscard]] const char* what() const noexcept override { return words_.what(); }
+
+  private:
+    static constexpr double kBytesOfMegabyte = 1e6;
+    std::runtime_error words_;  // copying it never throws
+};
+
+/// Makes something big.
+/// @throws OutOfMemory  with these words, if memory is not enough for it; one that says for what
+///         goes on as it is
+template <typename Make>
+auto make_big(const std::string& what_for, double bytes, Make&& make) {
+    try {
+        return std::forward<Make>(make)();
+    } catch (const OutOfMemory&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw OutOfMemory(what_for, bytes);
+    } catch (const std::length_error&) {  // more than any vector could hold
+        throw OutOfMemory(what_for, bytes);
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <stop_token>
+#include <utility>
+
+#include "base/stop.h"
+#include "quasimc/result.h"
+
+namespace quasimc {
+
+/// What ends a run before its time: its caller, or a limit of time.
+class EarlyStop {
+  public:
+    /// @param asked  the caller's. Time counts from now.
+    explicit EarlyStop(std::stop_token asked)
+        : asked_(std::move(asked)), forward_(asked_, Forward{&source_}) {}
+
+    /// Stops so many seconds after the beginning, and no longer at what was said before.
+    void set_limit(double seconds);
+
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+    /// Whether a stop may come.
+    [[nodiscard]] bool is_possible() const { return has_limit_ || asked_.stop_possible(); }
+    /// Why it came.
+    [[nodiscard]] StopReason why() const {
+        return asked_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up;
+    }
+
+  private:
+    struct Forward {
+        std::stop_source* source;
+        void operator()() const { source->request_stop(); }
+    };
+
+    StopAlarm::Clock::time_point start_ = StopAlarm::Clock::now();
+    std::stop_token asked_;
+    std::stop_source source_;
+    std::stop_callback<Forward> forward_;
+    StopAlarm alarm_{source_};
+    bool has_limit_ = false;
+};
+
+}  // namespace quasimc

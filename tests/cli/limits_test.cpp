@@ -1,0 +1,116 @@
+// Runs that end before all is done: by a limit of time, or by Ctrl-C.
+
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr const char* kHuge = "1073741824";
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+class LimitsTest : public ProgramTest {
+  protected:
+    /// Runs the program and sends it a SIGINT after two seconds. @returns its exit status
+    [[nodiscard]] int interrupted(const std::string& arguments) const {
+        const std::string command = "cd '" + folder_.path().string() +
+                                    "' && timeout --foreground --preserve-status -s INT 2 '" +
+                                    QUASIMC_PROGRAM + "' " + arguments + " >out 2>err";
+        const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe)
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+};
+
+TEST_F(LimitsTest, AHugeRunEndsInTimeWithItsFiles) {
+    const Outcome outcome = run({"run", "run.toml", "--paths", kHuge, "--max-seconds", "0.5"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "\nstopped   by max_seconds = 0.5: ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, " of 1073741824 paths are done")) << outcome.out;
+    EXPECT_TRUE(contains(folder_.read("out.csv"), "\n# stopped: by max_seconds = 0.5: "));
+    EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"time_is_up\""));
+}
+
+TEST_F(LimitsTest, ALongLimitIsNotFelt) {
+    const Outcome outcome = run({"run", "run.toml", "--max-seconds", "1000", "--csv", "a.csv"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_FALSE(contains(outcome.out, "stopped"));
+    ASSERT_EQ(run({"run", "run.toml", "--csv", "b.csv"}).status, 0);
+    const std::string limited = folder_.read("a.csv");
+    const std::string free = folder_.read("b.csv");
+    EXPECT_EQ(limited.substr(limited.find("\nid,")), free.substr(free.find("\nid,")));
+}
+
+TEST_F(LimitsTest, AClosedWhiteBoxIsLeftWithoutAFile) {
+    std::string file =
+        "format = 1\nbands = [\"PAR\"]\n[output]\ncsv = \"box.csv\"\n[[source]]\ntype = \"point\"\n"
+        "position = [0.5, 0.5, 0.5]\npower = [1]\n"
+        "[[material]]\nname = \"white\"\nreflectance = 1\ntransmittance = 0\n";
+    for (const char* corners :
+         {"[0,0,0],[1,0,0],[1,1,0],[0,1,0]", "[0,0,1],[1,0,1],[1,1,1],[0,1,1]",
+          "[0,0,0],[1,0,0],[1,0,1],[0,0,1]", "[0,1,0],[1,1,0],[1,1,1],[0,1,1]",
+          "[0,0,0],[0,1,0],[0,1,1],[0,0,1]", "[1,0,0],[1,1,0],[1,1,1],[1,0,1]"}) {
+        file +=
+            "[[organ]]\nname = \"wall\"\nmaterial = \"white\"\nshape = \"polygon\"\ncorners = [" +
+            std::string(corners) + "]\n";
+    }
+    folder_.write("box.toml", file);
+    const Outcome outcome = run({"run", "box.toml", "--max-seconds", "0.1"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "set max_depth")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "Nothing was written")) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "box.csv"));
+}
+
+TEST_F(LimitsTest, ASeriesSharesItsTime) {
+    folder_.write(
+        "days.toml",
+        good_run_file() +
+            "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+            "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\nutc_offset_hours = 1\n"
+            "hours = [11, 13]\nsky = \"uniform\"\nsun_step_minutes = 20\n");
+    const Outcome outcome = run(
+        {"run", "days.toml", "--paths", kHuge, "--max-seconds", "3", "--days", "d.csv",
+         "--progress"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    EXPECT_TRUE(contains(
+        outcome.out,
+        "\nstopped   by max_seconds = 3: 4 of 4 times are done, 4 of 4 traces with fewer paths"))
+        << outcome.out;
+    EXPECT_TRUE(contains(outcome.err, " s of about ")) << "progress in a log: " << outcome.err;
+    const std::string json = folder_.read("out.json");
+    EXPECT_TRUE(contains(json, "\"moments_asked\": 4")) << json.substr(json.size() - 400);
+    EXPECT_TRUE(contains(json, "\"cut_short\": 4"));
+    EXPECT_TRUE(contains(folder_.read("d.csv"), "\n2024-06-21,7200,"));
+}
+
+TEST_F(LimitsTest, CtrlCWritesTheRoundsThatAreComplete) {
+    EXPECT_EQ(interrupted("run run.toml --target-error 1e-9"), 130) << folder_.read("err");
+    EXPECT_TRUE(contains(folder_.read("err"), "stopping")) << folder_.read("err");
+    EXPECT_TRUE(contains(folder_.read("out"), "\nstopped   on request: ")) << folder_.read("out");
+    EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"interrupted\""));
+    EXPECT_TRUE(contains(folder_.read("out.csv"), "\n1,third,")) << folder_.read("out.csv");
+}
+
+TEST_F(LimitsTest, CtrlCBeforeAnyRoundWritesNothing) {
+    folder_.write("out.csv", "of an earlier run\n");
+    EXPECT_EQ(interrupted("run run.toml --paths 1073741824"), 130) << folder_.read("err");
+    EXPECT_TRUE(contains(folder_.read("err"), "Nothing was written")) << folder_.read("err");
+    EXPECT_EQ(folder_.read("out.csv"), "of an earlier run\n");
+}
+
+TEST_F(LimitsTest, QuietPrintsNothing) {
+    const Outcome outcome = run({"run", "run.toml", "-q", "--progress"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+}  // namespace
+}  // namespace quasimc::test
