@@ -168,6 +168,21 @@ void print_audit(double chance) {
     }
 }
 
+/// That nothing was lit goes to stderr: the numbers are right, but the scene is hardly what is
+/// meant.
+void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
+    if (summary.unlit > 0) {
+        const std::string when =
+            has_times ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.traced)
+                      : "";
+        std::fprintf(
+            stderr,
+            "warning: no light reaches the scene%s: all of it is edge-on to the light, or out of "
+            "its way; all numbers are 0 then\n",
+            when.c_str());
+    }
+}
+
 Exit run(const RunArguments& arguments) {
     const quasimc::StoredRun stored = read_run(arguments);
     const quasimc::RunFile& file = stored.run;
@@ -181,6 +196,7 @@ Exit run(const RunArguments& arguments) {
         quasimc::run_series(file.scene, quasimc::moments_of(file), file.spec, writers.events());
     end_progress_line();
     const std::string digest = writers.finish(summary);
+    print_unlit(summary, file.series.has_value());
     print_audit(summary.audit_chance);
     if (!arguments.quiet) {
         writers.print_summary(summary, comparison(arguments, stored, digest));

@@ -92,8 +92,9 @@ struct DetectorResult {
 };
 
 /// Why no further round was traced. time_is_up and path_limit: the target, if one was set, was
-/// missed.
-enum class StopReason { paths_done, target_reached, time_is_up, path_limit };
+/// missed. no_light: no source sends light into the scene (one leaf, edge-on to the sun); nothing
+/// was traced, and all light is 0 without an error.
+enum class StopReason { paths_done, target_reached, time_is_up, path_limit, no_light };
 
 struct Result {
     std::size_t bands = 0;

@@ -9,6 +9,7 @@
 
 #include "base/executor.h"
 #include "base/parallel.h"
+#include "quasimc/series.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/rounds.h"
@@ -73,10 +74,28 @@ RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
     return audit;
 }
 
-void require_light(const PreparedScene& prepared) {
-    if (prepared.lights().empty()) {
-        throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
+/// Whether some source is a sun that shines, be it past the scene.
+bool has_bright_sun(const Sources& sources) {
+    return std::any_of(sources.begin(), sources.end(), [](const auto& source) {
+        const auto spectrum = source->spectrum();
+        return source->is_sun() &&
+               std::any_of(spectrum.begin(), spectrum.end(), [](double x) { return x > 0; });
+    });
+}
+
+/// A sun to which all of the scene is edge-on lights no part of any organ.
+void add_sunlit_of_hidden_suns(const Scene& scene, const Sources& sources, Result& result) {
+    if (result.sunlit_fraction.empty() && has_bright_sun(sources)) {
+        result.sunlit_fraction.resize(scene.organs().size());
     }
+}
+
+/// The result of a scene into which no source sends light: what is known of it is exact.
+Result unlit_result(const Scene& scene, const RunSpec& spec) {
+    Result unlit = dark_result(scene, spec);
+    unlit.stop = StopReason::no_light;
+    unlit.fraction_at_target = spec.target_error > 0 ? 1 : 0;
+    return unlit;
 }
 
 /// Whether paths from `first` on are a round that run() could trace.
@@ -117,7 +136,11 @@ Result Simulator::State::run(
     ChosenMethod chosen = plan_method(scene, sources, spec);
     planned.method = chosen.method;
     Result result = trace(scene, sources, planned, on_progress);
+    if (result.stop == StopReason::no_light) {
+        chosen.reason = "no light reaches the scene, nothing was traced";
+    }
     result.chosen = std::move(chosen);
+    add_sunlit_of_hidden_suns(scene, sources, result);
     if (spec.audit > 0) {
         const Result plain = trace(scene, sources, audit_spec(spec, result.paths), {});
         result.audit = compare_results(scene, result, plain);
@@ -134,9 +157,12 @@ Sums Simulator::State::sums(
     planned.method = plan_method(scene, sources, spec).method;
     check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared = prepare(scene, sources, planned);
-    require_light(prepared);
     Sums sums = empty_sums(prepared, planned);
     sums.digest = digest_of(prepared, planned);
+    if (prepared.lights().empty()) {
+        sums.paths = sums.samples = planned.paths;
+        return sums;
+    }
     Executor executor(thread_count(planned.threads));
     make_solver({prepared, sampler_for(planned.sampler), planned})
         ->solve({first, planned.paths}, executor, sums);
@@ -155,7 +181,9 @@ Result Simulator::State::trace(
     const std::function<void(const Progress&)>& on_progress) {
     const Clock::time_point start = Clock::now();
     const PreparedScene prepared = prepare(scene, sources, spec);
-    require_light(prepared);
+    if (prepared.lights().empty()) {
+        return unlit_result(scene, spec);
+    }
     const auto solver = make_solver({prepared, sampler_for(spec.sampler), spec});
     Sums sums = empty_sums(prepared, spec);
     const double build_seconds = seconds_since(start);

@@ -146,7 +146,9 @@ class SeriesRun {
         Result result = simulator_.run(scene_, time_steps_[i].sources, spec, progress_of(i));
         ++summary_.traced;
         ++summary_.methods[result.chosen.method];
-        summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
+        const bool is_unlit = result.stop == StopReason::no_light;
+        summary_.unlit += is_unlit ? 1 : 0;
+        summary_.at_target += is_unlit || result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
         if (result.audit) {
             ++summary_.audited;

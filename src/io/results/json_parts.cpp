@@ -14,6 +14,8 @@ std::string_view stop_name(StopReason stop) {
             return "time_is_up";
         case StopReason::path_limit:
             return "path_limit";
+        case StopReason::no_light:
+            return "no_light";
         default:
             return "paths_done";
     }
