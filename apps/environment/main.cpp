@@ -16,7 +16,7 @@
 
 namespace {
 
-/// Exit statuses, those of the program quasimc.
+/// Exit statuses, those of the program quasimc; and 128 + the number of a signal.
 constexpr int kDone = 0;
 constexpr int kInputError = 1;
 constexpr int kUsage = 2;
@@ -24,6 +24,24 @@ constexpr int kInternalError = 3;
 
 void tell(const std::string& text) {
     std::fprintf(stderr, "QuasiMC: %s\n", text.c_str());
+}
+
+/// What the simulator had open when it started us stays open in us: its own end of our line, which
+/// would hide its death from us, and those of others.
+void close_inherited() {
+    ::close_range(STDERR_FILENO + 1, ~0U, 0);
+}
+
+int status_of(quasimc::Conversation conversation) {
+    switch (conversation) {
+        case quasimc::Conversation::good:
+            return kDone;
+        case quasimc::Conversation::faulty:
+            return kInputError;
+        case quasimc::Conversation::failed:
+            break;
+    }
+    return kInternalError;
 }
 
 int run(int argc, char** argv) {
@@ -40,19 +58,20 @@ int run(int argc, char** argv) {
     if (arguments.specification.empty()) {
         throw quasimc::UsageError("the specification file is missing");
     }
-    // A simulator that is gone is noticed by the error of the write.
-    std::signal(SIGPIPE, SIG_IGN);
-    quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell);
-    return kDone;
+    return status_of(quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    close_inherited();
+    // A simulator that is gone is noticed by the error of the write.
+    std::signal(SIGPIPE, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const quasimc::UsageError& error) {
         std::fprintf(stderr, "QuasiMC: %s\n%s", error.what(), quasimc::usage_text().c_str());
+        quasimc::refuse_simulator({argv + 1, static_cast<std::size_t>(argc - 1)});
         return kUsage;
     } catch (const quasimc::PeerDisconnected& error) {
         tell(error.what());

@@ -198,6 +198,21 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
                                                                      : Exit::done;
 }
 
+/// That nothing was lit goes to stderr: the numbers are right, but the scene is hardly what is
+/// meant.
+void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
+    if (summary.unlit > 0) {
+        const std::string when =
+            has_times ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.traced)
+                      : "";
+        std::fprintf(
+            stderr,
+            "warning: no light reaches the scene%s: all of it is edge-on to the light, or out of "
+            "its way; all numbers are 0 then\n",
+            when.c_str());
+    }
+}
+
 Exit run(const RunArguments& arguments) {
     const quasimc::StoredRun stored = read_run(arguments);
     const quasimc::RunFile& file = stored.run;
@@ -212,6 +227,7 @@ Exit run(const RunArguments& arguments) {
     const quasimc::SeriesSummary summary = compute(arguments, file, writers);
     end_progress_line();
     const std::string digest = writers.finish(summary);
+    print_unlit(summary, file.series.has_value());
     print_audit(summary.audit_chance);
     if (!arguments.quiet) {
         writers.print_summary(summary, comparison(arguments, stored, digest));

@@ -131,6 +131,8 @@ enum class StopReason {
     time_is_up,   ///< paths or target that were asked for were missed
     path_limit,   ///< the target, if one was set, was missed
     interrupted,  ///< the caller asked for a stop
+    no_light,     ///< no source sends light into the scene (one leaf, edge-on to the sun): nothing
+                  ///< was traced, and all light is 0 without an error
 };
 
 struct Result {

@@ -55,6 +55,8 @@ struct SeriesSummary {
     std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
     /// By which methods, and how many moments by each.
     std::map<Method, std::size_t> methods;
+    /// Of those, moments at which no light reaches the scene although some source shines.
+    std::size_t unlit = 0;
     std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
     std::size_t done = 0;  ///< moments that were told of; fewer than there are if it was stopped
     std::size_t cut_short =

@@ -131,7 +131,7 @@ The plant simulators start it by the line "executable:" of their environment fil
   --help         prints this
 
 Exit status: 0 done, 1 the input has faults or the simulator is gone, 2 wrong usage,
-3 internal error.
+3 internal error, 128 + a signal (SIGTERM, SIGINT, SIGHUP).
 )";
 }
 

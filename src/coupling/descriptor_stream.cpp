@@ -17,18 +17,15 @@ namespace quasimc {
 namespace {
 
 /// The byte by which we say that we are there, and that we go.
-constexpr std::string_view kSign = "\x01";
+constexpr char kSign = '\x01';
+/// In place of the first sign: there will be no light.
+constexpr char kNoSign = '\0';
 
 [[noreturn]] void gone(const char* what) {
     throw PeerDisconnected(std::string("the plant simulator is gone: ") + what);
 }
 
 }  // namespace
-
-DescriptorStream::DescriptorStream(int in, int out, Ownership ownership)
-    : in_(in), out_(out), ownership_(ownership) {
-    write_all(kSign);
-}
 
 DescriptorStream::~DescriptorStream() {
     if (ownership_ == Ownership::owned) {
@@ -37,6 +34,15 @@ DescriptorStream::~DescriptorStream() {
             ::close(out_);
         }
     }
+}
+
+void DescriptorStream::announce() {
+    write_all({&kSign, 1});
+}
+
+AfterRefusal DescriptorStream::refuse() {
+    write_all({&kNoSign, 1});
+    return AfterRefusal::it_goes_on;
 }
 
 std::string_view DescriptorStream::receive() {
@@ -106,8 +112,19 @@ void DescriptorStream::check() {
     }
 }
 
-void DescriptorStream::finish() {
-    write_all(kSign);
+void DescriptorStream::send_last(std::string_view message) {
+    try {
+        write_all(std::string(message) + kSign);
+    } catch (const PeerDisconnected&) {
+        return;  // it has said that it goes
+    }
+}
+
+void DescriptorStream::resign() noexcept {
+    pollfd end{out_, POLLOUT, 0};
+    if (::poll(&end, 1, 0) > 0 && (end.revents & POLLOUT) != 0) {
+        static_cast<void>(!::write(out_, kEmptyAnswer.data(), kEmptyAnswer.size()));
+    }
 }
 
 std::size_t DescriptorStream::capacity() const {

@@ -11,16 +11,21 @@ class DescriptorStream final : public ByteStream {
   public:
     /// What becomes of the descriptors at the end.
     enum class Ownership { borrowed, owned };
-    /// Says "here I am" at once. May name one descriptor for both directions.
-    DescriptorStream(int in, int out, Ownership ownership);
+    /// May name one descriptor for both directions.
+    DescriptorStream(int in, int out, Ownership ownership)
+        : in_(in), out_(out), ownership_(ownership) {}
     ~DescriptorStream() override;
     DescriptorStream(const DescriptorStream&) = delete;
     DescriptorStream& operator=(const DescriptorStream&) = delete;
 
+    void announce() override;
+    [[nodiscard]] AfterRefusal refuse() override;
     [[nodiscard]] std::string_view receive() override;
     void send(std::string_view message, Continuation continuation) override;
+    void await_request() override {}
     void check() override;
-    void finish() override;
+    void send_last(std::string_view message) override;
+    void resign() noexcept override;
     [[nodiscard]] std::size_t capacity() const override;
     [[nodiscard]] std::size_t default_chunk() const override { return 100; }
 

@@ -1,9 +1,20 @@
 #include "coupling/environment.h"
 
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <optional>
+
+#include <unistd.h>
+
 #include <fmt/format.h>
 
+#include "coupling/guarded_stream.h"
 #include "coupling/plant_light.h"
 #include "coupling/session.h"
+#include "coupling/stop_signals.h"
+#include "io/numbers.h"
 
 namespace quasimc {
 namespace {
@@ -54,6 +65,162 @@ void tell_step(
     tell(text);
 }
 
+/// Tells what goes wrong, once as long as it stays the same, and keeps the worst of it.
+class FaultTeller {
+  public:
+    explicit FaultTeller(const std::function<void(const std::string&)>& tell) : tell_(tell) {}
+
+    void tell_step(std::uint64_t step, const std::exception_ptr& fault) {
+        const std::string text = fault ? words_of(fault) : "";
+        if (text == last_) {
+            return;
+        }
+        tell_(
+            fault ? fmt::format(
+                        "step {}: {}\nThe simulator goes on; modules without an answer keep the "
+                        "values they have.",
+                        step, text)
+                  : fmt::format("step {}: it is answered again", step));
+        last_ = text;
+    }
+    void tell_refusal(const std::exception_ptr& fault) {
+        tell_(words_of(fault) + "\nThere will be no light.");
+    }
+    [[nodiscard]] Conversation worst() const { return worst_; }
+
+  private:
+    std::string words_of(const std::exception_ptr& fault) {
+        worst_ = std::max(worst_, Conversation::faulty);
+        try {
+            std::rethrow_exception(fault);
+        } catch (const InputError& error) {
+            return error.what();
+        } catch (const std::bad_alloc&) {
+            worst_ = Conversation::failed;
+            return "not enough memory";
+        } catch (const std::exception& error) {
+            worst_ = Conversation::failed;
+            return fmt::format(
+                "internal error: {}\nThis is a fault of the program; please report it.",
+                error.what());
+        }
+    }
+
+    const std::function<void(const std::string&)>& tell_;
+    std::string last_;  // of the step before; empty: it was good
+    Conversation worst_ = Conversation::good;
+};
+
+/// The line that the switches alone name, where the environment file can't be read: only cpfg's
+/// memory has a key and neither a host nor an extension. Pipes: none, their end is enough.
+std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
+    if (!switches.key) {
+        return nullptr;
+    }
+    CommFile guess;
+    guess.transport = switches.extension.empty() ? Transport::memory : Transport::files;
+    return open_stream(switches, guess, {-1, -1});
+}
+
+/// Answers a simulator whom nothing can be computed for.
+void refuse(ByteStream& stream) {
+    if (stream.refuse() == AfterRefusal::it_asks) {
+        serve_nothing(stream);
+    }
+}
+
+/// Ends the process at a signal, not without an answer.
+void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& tell) {
+    stream.resign();
+    const char* name = ::sigabbrev_np(signal);
+    tell(fmt::format("ended by SIG{}", name != nullptr ? name : "NAL"));
+    constexpr int kBySignal = 128;  // as shells say
+    ::_exit(kBySignal + signal);
+}
+
+/// What a conversation needs, once its files are read.
+class Environment {
+  public:
+    Environment(
+        const Arguments& arguments,
+        const std::function<void(const std::string&)>& tell,
+        GuardedStream& stream)
+        : arguments_(arguments), tell_(tell), stream_(stream), notices_(tell), faults_(tell) {}
+
+    Conversation run(const Descriptors& descriptors) {
+        if (!read_files(descriptors)) {
+            refuse(stream_);
+            return faults_.worst();
+        }
+        stream_.announce();
+        converse();
+        return faults_.worst();
+    }
+
+  private:
+    /// Opens the line on the way. False if a file has faults: they are told.
+    /// @throws InputError  if there is no line
+    bool read_files(const Descriptors& descriptors) {
+        try {
+            format_ = read_comm_file(arguments_, notices_);
+        } catch (const std::exception&) {
+            const std::exception_ptr fault = std::current_exception();
+            std::unique_ptr<ByteStream> line = open_by_switches(arguments_);
+            if (!line) {
+                throw;
+            }
+            stream_.open(std::move(line));
+            faults_.tell_refusal(fault);
+            return false;
+        }
+        stream_.open(open_stream(arguments_, format_, descriptors));
+        try {
+            light_.emplace(
+                read_specification(arguments_.specification, arguments_.kind, notices_), notices_);
+        } catch (const std::exception&) {
+            faults_.tell_refusal(std::current_exception());
+            return false;
+        }
+        return true;
+    }
+
+    void converse() {
+        constexpr int kTalkative = 2;
+        const bool tells_steps = arguments_.debug || light_->specification().verbose >= kTalkative;
+        serve(
+            stream_, format_,
+            [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
+                light_->answer(pass, check, answers);
+                if (tells_steps) {
+                    tell_step(*light_, pass, tell_);
+                }
+                tell_if_unlit();
+            },
+            [&](std::uint64_t step, const std::exception_ptr& fault) {
+                faults_.tell_step(step, fault);
+            });
+    }
+
+    void tell_if_unlit() {
+        for (const Result& result : light_->last().results) {
+            if (result.stop == StopReason::no_light) {
+                notices_.once(
+                    "unlit",
+                    "no light reaches the plant: all of it is edge-on to the light; its organs "
+                    "get 0");
+            }
+        }
+    }
+
+    const Arguments& arguments_;
+    const std::function<void(const std::string&)>& tell_;
+    GuardedStream& stream_;
+    Notices notices_;
+    FaultTeller faults_;
+    CommFile format_;
+    std::optional<PlantLight> light_;
+};
+
 }  // namespace
 
 std::unique_ptr<ByteStream> open_stream(
@@ -79,24 +246,46 @@ std::unique_ptr<ByteStream> open_stream(
                : make_file_stream(*arguments.key, arguments.extension);
 }
 
-void run_environment(
+Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
     const std::function<void(const std::string&)>& tell) {
-    Notices notices(tell);
-    const CommFile format = read_comm_file(arguments, notices);
-    PlantLight light(read_specification(arguments.specification, arguments.kind, notices), notices);
-    const std::unique_ptr<ByteStream> stream = open_stream(arguments, format, descriptors);
-    constexpr int kTalkative = 2;
-    const bool tells_steps = arguments.debug || light.specification().verbose >= kTalkative;
-    serve(
-        *stream, format,
-        [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
-            light.answer(pass, check, answers);
-            if (tells_steps) {
-                tell_step(light, pass, tell);
-            }
-        });
+    GuardedStream stream;
+    const StopSignals signals([&](int signal) { end_at(signal, stream, tell); });
+    Environment environment(arguments, tell, stream);
+    try {
+        return environment.run(descriptors);
+    } catch (const PeerDisconnected&) {
+        throw;
+    } catch (...) {
+        stream.resign();
+        throw;
+    }
+}
+
+void refuse_simulator(std::span<const char* const> list) {
+    Arguments switches;
+    for (std::size_t i = 0; i + 1 < list.size(); ++i) {
+        const std::string_view word = list[i], value = list[i + 1];
+        if (word == "-k") {
+            switches.key = parse_integer(value);
+        } else if (word == "-ext") {
+            switches.extension = value;
+        } else if (word.starts_with("-h")) {
+            switches.host = value;
+        }
+    }
+    GuardedStream stream;
+    const StopSignals signals(
+        [&](int signal) { end_at(signal, stream, [](const std::string&) {}); });
+    try {
+        if (auto line = open_by_switches(switches)) {
+            stream.open(std::move(line));
+            refuse(stream);
+        }
+    } catch (const std::exception&) {
+        return;  // there is nobody to tell
+    }
 }
 
 }  // namespace quasimc

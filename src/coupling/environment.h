@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "coupling/arguments.h"
@@ -20,13 +21,29 @@ struct Descriptors {
 [[nodiscard]] std::unique_ptr<ByteStream> open_stream(
     const Arguments& arguments, const CommFile& format, const Descriptors& descriptors);
 
+/// How a conversation went that the simulator has ended. Later is worse.
+enum class Conversation {
+    good,
+    faulty,  ///< the input was refused, or some step was answered with nothing for its faults
+    failed,  ///< the same for a fault of ours, or for want of memory
+};
+
 /// The environment process, from reading its files to the order to exit. What is wrong with the
-/// files is found before the simulator is told that we are there.
-/// @param tell  takes what a person may want to know, line by line
-/// @throws InputError, PeerDisconnected
-void run_environment(
+/// files is told at once, and the simulator is told that there will be no light or, where the line
+/// can't carry that, answered with nothing until it says exit. What is wrong in a step is told, as
+/// often as it changes, and the step answered with nothing. SIGTERM, SIGINT and SIGHUP end the
+/// process with the status 128 + signal, after an empty answer.
+/// @param tell  takes what a person may want to know, line by line; from any thread
+/// @throws InputError  if there is no line to the simulator
+/// @throws PeerDisconnected  when the simulator is gone without having said exit
+[[nodiscard]] Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
     const std::function<void(const std::string&)>& tell);
+
+/// For a command line that can't be understood: a simulator that its switches name is told that
+/// there will be no light, or answered with nothing until it says exit. Throws nothing.
+/// @param list  without the name of the program
+void refuse_simulator(std::span<const char* const> list);
 
 }  // namespace quasimc

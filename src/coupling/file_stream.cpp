@@ -1,11 +1,16 @@
 // Messages in two files of the working folder, handed over with semaphores.
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
 #include <memory>
 #include <system_error>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "base/checks.h"
 #include "coupling/byte_stream.h"
 #include "coupling/messages.h"
 #include "coupling/semaphores.h"
@@ -18,6 +23,42 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
+off_t as_offset(std::size_t place) {
+    return static_cast<off_t>(place);
+}
+
+/// A file that is written without being emptied first.
+class Descriptor {
+  public:
+    explicit Descriptor(const std::string& path)
+        : number_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {}
+    ~Descriptor() {
+        if (number_ >= 0) {
+            ::close(number_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const { return number_; }
+
+  private:
+    int number_;
+};
+
+/// Whether all of the text was written there; errno otherwise.
+bool write_at(const Descriptor& file, std::string_view text, std::size_t place) {
+    while (!text.empty()) {
+        const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(place));
+        if (count < 0 && errno != EINTR) {
+            return false;
+        }
+        const auto written = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+        text.remove_prefix(written);
+        place += written;
+    }
+    return true;
+}
+
 [[noreturn]] void fail(const std::string& path, const char* problem, int error) {
     throw InputError({{path, problem, std::generic_category().message(error), ""}});
 }
@@ -25,9 +66,7 @@ using File = std::unique_ptr<std::FILE, Closer>;
 class FileStream final : public ByteStream {
   public:
     FileStream(long key, const std::string& extension)
-        : semaphores_(key), to_us_(".to_field" + extension), from_us_(".from_field" + extension) {
-        semaphores_.announce();
-    }
+        : semaphores_(key), to_us_(".to_field" + extension), from_us_(".from_field" + extension) {}
     ~FileStream() override {
         // The simulator removes what it made, and our file; if it died, nobody else does.
         if (semaphores_.master_died()) {
@@ -40,8 +79,18 @@ class FileStream final : public ByteStream {
     FileStream(const FileStream&) = delete;
     FileStream& operator=(const FileStream&) = delete;
 
+    void announce() override {
+        write(kEmptyAnswer);
+        semaphores_.announce();
+    }
+    /// lpfg takes silence for an answer that is there, and waits for the next one for ever.
+    [[nodiscard]] AfterRefusal refuse() override {
+        announce();
+        return AfterRefusal::it_asks;
+    }
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();
+        prepare_for_our_end();
         read();
         const std::size_t end = message_end(buffer_);
         if (end == std::string::npos) {
@@ -49,25 +98,47 @@ class FileStream final : public ByteStream {
         }
         return std::string_view(buffer_).substr(0, end);
     }
-    void send(std::string_view message, Continuation continuation) override {
-        const File file(std::fopen(from_us_.c_str(), "wb"));
-        if (!file || std::fwrite(message.data(), 1, message.size(), file.get()) < message.size() ||
-            std::fflush(file.get()) != 0) {
-            fail(from_us_, "can't be written", errno);
-        }
+    void send(std::string_view message, Continuation /*continuation*/) override {
+        write(message);
         semaphores_.post_to_master();
-        if (continuation == Continuation::more_follows) {
-            semaphores_.wait_for_master();
+    }
+    void await_request() override { semaphores_.wait_for_master(); }
+    void check() override { semaphores_.check(); }
+    void send_last(std::string_view message) override {
+        try {
+            send(message, Continuation::done);
+        } catch (const PeerDisconnected&) {
+            return;  // it has said that it goes
         }
     }
-    void check() override { semaphores_.check(); }
-    void finish() override {}
+    void resign() noexcept override {
+        prepare_for_our_end();
+        semaphores_.post_forever();
+    }
     [[nodiscard]] std::size_t capacity() const override {
         return std::numeric_limits<std::size_t>::max();
     }
     [[nodiscard]] std::size_t default_chunk() const override { return 1000; }
 
   private:
+    /// What the simulator reads if we come to an end before we have answered: the head of the file
+    /// becomes an empty answer, behind which nothing is read.
+    void prepare_for_our_end() const noexcept {
+        const Descriptor file(from_us_);
+        static_cast<void>(write_at(file, kEmptyAnswer, 0));
+    }
+    /// Writes the head last, so that at any time the file begins with a message that is whole.
+    void write(std::string_view message) const {
+        EXPECT(message.size() >= kEmptyAnswer.size());
+        const Descriptor file(from_us_);
+        const std::size_t head = kEmptyAnswer.size();
+        const bool is_written = file.number() >= 0 && write_at(file, message.substr(head), head) &&
+                                ::ftruncate(file.number(), as_offset(message.size())) == 0 &&
+                                write_at(file, message.substr(0, head), 0);
+        if (!is_written) {
+            fail(from_us_, "can't be written", errno);
+        }
+    }
     void read() {
         const File file(std::fopen(to_us_.c_str(), "rb"));
         if (!file) {

@@ -1,6 +1,7 @@
 // Messages in a piece of shared memory, handed over with semaphores: first the simulator's, then
 // ours. A message has no end but its "Control" line.
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -52,7 +53,7 @@ class SharedMemory {
 
 class MemoryStream final : public ByteStream {
   public:
-    explicit MemoryStream(long key) : semaphores_(key), memory_(key - 1) { semaphores_.announce(); }
+    explicit MemoryStream(long key) : semaphores_(key), memory_(key - 1) {}
     ~MemoryStream() override {
         if (semaphores_.master_died()) {
             memory_.remove();
@@ -63,8 +64,18 @@ class MemoryStream final : public ByteStream {
     MemoryStream(const MemoryStream&) = delete;
     MemoryStream& operator=(const MemoryStream&) = delete;
 
+    void announce() override {
+        prepare_for_our_end();
+        semaphores_.announce();
+    }
+    /// cpfg takes silence for a refusal, but then leaves its semaphores and memory behind.
+    [[nodiscard]] AfterRefusal refuse() override {
+        announce();
+        return AfterRefusal::it_asks;
+    }
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();
+        prepare_for_our_end();
         const std::size_t end = message_end(memory_.to_us());
         if (end == std::string_view::npos) {
             throw InputError(
@@ -73,20 +84,38 @@ class MemoryStream final : public ByteStream {
         buffer_ = memory_.to_us().substr(0, end);
         return buffer_;
     }
-    void send(std::string_view message, Continuation continuation) override {
+    void send(std::string_view message, Continuation /*continuation*/) override {
         EXPECT(message.size() <= kFromUs);
-        std::memcpy(memory_.from_us(), message.data(), message.size());
+        // The head last, so that at any time the memory begins with a message that is whole.
+        const std::size_t head = kEmptyAnswer.size();
+        EXPECT(message.size() >= head);
+        std::memcpy(memory_.from_us() + head, message.data() + head, message.size() - head);
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+        std::memcpy(memory_.from_us(), message.data(), head);
         semaphores_.post_to_master();
-        if (continuation == Continuation::more_follows) {
-            semaphores_.wait_for_master();
+    }
+    void await_request() override { semaphores_.wait_for_master(); }
+    void check() override { semaphores_.check(); }
+    void send_last(std::string_view message) override {
+        try {
+            send(message, Continuation::done);
+        } catch (const PeerDisconnected&) {
+            return;  // it has said that it goes
         }
     }
-    void check() override { semaphores_.check(); }
-    void finish() override {}
+    void resign() noexcept override {
+        prepare_for_our_end();
+        semaphores_.post_forever();
+    }
     [[nodiscard]] std::size_t capacity() const override { return kFromUs - kReserve; }
     [[nodiscard]] std::size_t default_chunk() const override { return kFromUs; }
 
   private:
+    /// What the simulator reads if we come to an end before we have answered.
+    void prepare_for_our_end() const noexcept {
+        std::memcpy(memory_.from_us(), kEmptyAnswer.data(), kEmptyAnswer.size());
+    }
+
     SemaphorePair semaphores_;
     SharedMemory memory_;
     std::string buffer_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <ctime>
 #include <string>
 #include <system_error>
@@ -42,12 +43,13 @@ union SemaphoreArgument {
                                           : std::generic_category().message(error).c_str());
 }
 
-/// A descriptor of the process that made the semaphores: the last to have touched them so far. -1,
-/// and errno, if there is none.
-int watch_maker(int set) {
-    const int maker = ::semctl(set, kFromMaster, GETPID);
+/// The most that a semaphore counts to.
+constexpr short kMost = 32767;
+
+/// A descriptor of a process. -1, and errno, if there is none.
+int watch(int process) {
     errno = 0;  // whose process can't be told is not watched
-    return maker > 0 ? static_cast<int>(::syscall(SYS_pidfd_open, maker, 0)) : -1;
+    return process > 0 ? static_cast<int>(::syscall(SYS_pidfd_open, process, 0)) : -1;
 }
 
 }  // namespace
@@ -61,7 +63,8 @@ SemaphorePair::SemaphorePair(long key) {
               std::generic_category().message(errno),
               "the plant simulator makes it and passes the key; without -k, pipes are used"}});
     }
-    master_ = watch_maker(set_);
+    maker_ = ::semctl(set_, kFromMaster, GETPID);  // the last to have touched them so far
+    master_ = watch(maker_);
     died_early_ = master_ < 0 && errno == ESRCH;
 }
 
@@ -77,6 +80,10 @@ void SemaphorePair::announce() {
     if (::semctl(set_, kToMaster, SETVAL, zero) < 0) {
         gone_by_error(errno);
     }
+    // Nothing changes, but what the second operation takes the kernel gives back when we end.
+    std::array<sembuf, 2> owe{{{kToMaster, kMost, 0}, {kToMaster, -kMost, SEM_UNDO}}};
+    static_cast<void>(
+        ::semop(set_, owe.data(), owe.size()));  // without it, all but this is as well
 }
 
 void SemaphorePair::wait_for_master() {
@@ -99,9 +106,21 @@ void SemaphorePair::post_to_master() {
     }
 }
 
+void SemaphorePair::post_forever() const noexcept {
+    SemaphoreArgument most{};
+    most.value = kMost;
+    ::semctl(set_, kToMaster, SETVAL, most);
+}
+
 bool SemaphorePair::master_died() const {
+    if (died_early_ || maker_ <= 0) {
+        return died_early_;
+    }
+    if (master_ < 0) {  // an old kernel, or a container that forbids descriptors of processes
+        return ::kill(maker_, 0) < 0 && errno == ESRCH;
+    }
     pollfd process{master_, POLLIN, 0};
-    return died_early_ || (master_ >= 0 && ::poll(&process, 1, 0) > 0);
+    return ::poll(&process, 1, 0) > 0;
 }
 
 void SemaphorePair::check() const {

@@ -12,12 +12,15 @@ class SemaphorePair {
     SemaphorePair(const SemaphorePair&) = delete;
     SemaphorePair& operator=(const SemaphorePair&) = delete;
 
-    /// Tells the simulator that we are there.
+    /// Tells the simulator that we are there. From now on our end, whatever its cause, is an answer
+    /// for ever (post_forever): a simulator doesn't wait for a process that was killed.
     void announce();
     /// Waits for a message. @throws PeerDisconnected
     void wait_for_master();
     /// Says that our answer is there. @throws PeerDisconnected
     void post_to_master();
+    /// Says that an answer is there now and will be whenever it is asked for: after us.
+    void post_forever() const noexcept;
     /// Throws PeerDisconnected if the simulator has died or removed the semaphores.
     void check() const;
     /// Whether the simulator was seen to have died, and nobody is left who would remove what it
@@ -28,7 +31,8 @@ class SemaphorePair {
 
   private:
     int set_ = -1;
-    int master_ = -1;          // process descriptor; -1 if it can't be watched
+    int maker_ = -1;           // process id; 0 or less if it can't be told
+    int master_ = -1;          // its descriptor; -1 if there is none
     bool died_early_ = false;  // before we looked
 };
 

@@ -7,8 +7,18 @@
 namespace quasimc {
 namespace {
 
-/// An empty answer: the simulator goes on with the next chunk, or with the values it has.
-const std::string kGoOn = "Control: 5\n";
+/// What the Control line of a message says; of one that can't be read, that it is the last.
+Control control_of(std::string_view message) {
+    const std::size_t before = message.find_last_of('\n', message.size() - 2);
+    const std::string_view line =
+        before == std::string_view::npos ? message : message.substr(before + 1);
+    Pass nothing;
+    try {
+        return MessageParser({}).parse(line, nothing);
+    } catch (const InputError&) {
+        return {};
+    }
+}
 
 class Session {
   public:
@@ -19,36 +29,81 @@ class Session {
           chunk_(format.chunk.value_or(stream.default_chunk())) {}
 
     /// Answers one step; false after the order to exit.
-    bool step() {
+    bool step(const StepListener& on_step) {
+        fault_ = nullptr;
         pass_.clear();
+        answers_.clear();
         while (true) {
-            const std::string_view message = stream_.receive();
-            const Control control = parser_.parse(message, pass_);
+            const Control control = take_message();
             if (control.is_exit) {
-                stream_.send(kGoOn, Continuation::done);
-                stream_.finish();
+                stream_.send_last(kEmptyAnswer);
                 return false;
             }
             if (control.is_last) {
                 pass_.step = control.step;
-                answer();
-                return true;
+                break;
             }
-            stream_.send(kGoOn, Continuation::done);
+            stream_.send(kEmptyAnswer, Continuation::done);
         }
+        if (!fault_) {
+            guarded([&] { compute(); });
+        }
+        send_answers();
+        on_step(steps_++, fault_);
+        return true;
     }
 
   private:
-    void answer() {
+    /// Does `work`; what goes wrong is kept, unless the simulator is gone.
+    template <typename Work>
+    void guarded(const Work& work) {
+        try {
+            work();
+        } catch (const PeerDisconnected&) {
+            throw;
+        } catch (...) {
+            fault_ = fault_ ? fault_ : std::current_exception();
+        }
+    }
+
+    Control take_message() {
+        std::string_view message;
+        Control control;
+        bool is_read = false;
+        guarded([&] {
+            message = stream_.receive();
+            control = control_of(message);
+            is_read = true;
+        });
+        if (is_read && !fault_ && !control.is_exit) {
+            guarded([&] { control = parser_.parse(message, pass_); });
+        }
+        return control;
+    }
+
+    void compute() {
         trailing_.remove(pass_, parser_.style());
-        answers_.clear();
         answerer_(
             pass_, [&] { stream_.check(); }, answers_);
-        const std::vector<std::string> chunks =
-            reply_chunks(pass_, answers_, chunk_, stream_.capacity());
-        for (std::size_t i = 0; i < chunks.size(); ++i) {
-            const bool is_last = i + 1 == chunks.size();
-            stream_.send(chunks[i], is_last ? Continuation::done : Continuation::more_follows);
+    }
+
+    /// Sends what answers there are; nothing, if they can't be written.
+    void send_answers() {
+        bool is_sent = false;
+        guarded([&] {
+            const std::vector<std::string> chunks =
+                reply_chunks(pass_, answers_, chunk_, stream_.capacity());
+            for (std::size_t i = 0; i < chunks.size(); ++i) {
+                const bool is_last = i + 1 == chunks.size();
+                stream_.send(chunks[i], is_last ? Continuation::done : Continuation::more_follows);
+                if (!is_last) {
+                    stream_.await_request();
+                }
+            }
+            is_sent = true;
+        });
+        if (!is_sent) {
+            stream_.send(kEmptyAnswer, Continuation::done);
         }
     }
 
@@ -59,6 +114,8 @@ class Session {
     TrailingValues trailing_;
     Pass pass_;
     Answers answers_;
+    std::exception_ptr fault_;
+    std::uint64_t steps_ = 0;
 };
 
 }  // namespace
@@ -96,17 +153,29 @@ std::vector<std::string> reply_chunks(
     return texts;
 }
 
-void serve(ByteStream& stream, const CommFile& format, const Answerer& answerer) {
+void serve(
+    ByteStream& stream,
+    const CommFile& format,
+    const Answerer& answerer,
+    const StepListener& on_step) {
     Session session(stream, format, answerer);
-    try {
-        while (session.step()) {
+    while (session.step(on_step)) {
+    }
+}
+
+void serve_nothing(ByteStream& stream) {
+    while (true) {
+        bool is_exit = false;
+        try {
+            is_exit = control_of(stream.receive()).is_exit;
+        } catch (const InputError&) {
+            is_exit = false;  // no message: it waits for an answer all the same
         }
-    } catch (const PeerDisconnected&) {
-        throw;
-    } catch (...) {
-        // We end with a message; the simulator must not wait for us forever.
-        stream.send(kGoOn, Continuation::done);
-        throw;
+        if (is_exit) {
+            stream.send_last(kEmptyAnswer);
+            return;
+        }
+        stream.send(kEmptyAnswer, Continuation::done);
     }
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "coupling/byte_stream.h"
@@ -29,10 +32,23 @@ using Answerer =
 [[nodiscard]] std::vector<std::string> reply_chunks(
     const Pass& pass, const Answers& answers, std::size_t chunk, std::size_t capacity);
 
-/// Answers the plant simulator step after step, until it says exit.
-/// @throws PeerDisconnected   when it is gone without having said so
-/// @throws InputError   for a message that is not what the protocol says, after having let the
-///                      simulator go on without an answer
-void serve(ByteStream& stream, const CommFile& format, const Answerer& answerer);
+/// What was wrong in a step, counted from 0; nothing if it was answered as it should be.
+using StepListener = std::function<void(std::uint64_t step, const std::exception_ptr& fault)>;
+
+/// Answers the plant simulator step after step, until it says exit. A step in which something goes
+/// wrong (a message that is not what the protocol says, a fault of the answerer) is answered as far
+/// as the answerer got, mostly with nothing: modules without an answer keep the values they have.
+/// @param on_step  is told of every step after its answer
+/// @throws PeerDisconnected  when the simulator is gone without having said exit
+/// @throws InputError  if not even an empty answer can be written
+void serve(
+    ByteStream& stream,
+    const CommFile& format,
+    const Answerer& answerer,
+    const StepListener& on_step);
+
+/// Answers every step with nothing, until the plant simulator says exit.
+/// @throws PeerDisconnected, InputError  as serve()
+void serve_nothing(ByteStream& stream);
 
 }  // namespace quasimc

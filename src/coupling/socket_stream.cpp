@@ -23,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long we wait for the simulator to listen: it may start us first.
-constexpr std::chrono::seconds kPatience{3};
+constexpr std::chrono::seconds kPatience{1};
 constexpr std::chrono::milliseconds kPause{20};
 
 [[noreturn]] void fail(const std::string& host, int port, const std::string& why) {

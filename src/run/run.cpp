@@ -15,6 +15,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "base/text.h"
+#include "quasimc/series.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/early_stop.h"
@@ -85,9 +86,19 @@ RunSpec audit_spec(const RunSpec& spec, std::uint64_t paths_done) {
     return audit;
 }
 
-void require_light(const PreparedScene& prepared) {
-    if (prepared.lights().empty()) {
-        throw InputError({{"sources", "no light reaches the scene", "", "check directions"}});
+/// Whether some source is a sun that shines, be it past the scene.
+bool has_bright_sun(const Sources& sources) {
+    return std::any_of(sources.begin(), sources.end(), [](const auto& source) {
+        const auto spectrum = source->spectrum();
+        return source->is_sun() &&
+               std::any_of(spectrum.begin(), spectrum.end(), [](double x) { return x > 0; });
+    });
+}
+
+/// A sun to which all of the scene is edge-on lights no part of any organ.
+void add_sunlit_of_hidden_suns(const Scene& scene, const Sources& sources, Result& result) {
+    if (result.sunlit_fraction.empty() && has_bright_sun(sources)) {
+        result.sunlit_fraction.resize(scene.organs().size());
     }
 }
 
@@ -114,6 +125,14 @@ EvaluationSpec evaluation_of(
         .groups = group_spec(spec),
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
         .threads = threads};
+}
+
+/// The result of a scene into which no source sends light: what is known of it is exact.
+Result unlit_result(const Scene& scene, const RunSpec& spec) {
+    Result unlit = dark_result(scene, spec);
+    unlit.stop = StopReason::no_light;
+    unlit.fraction_at_target = spec.target_error > 0 ? 1 : 0;
+    return unlit;
 }
 
 /// Whether paths from `first` on are a round that run() could trace.
@@ -206,7 +225,11 @@ Result Simulator::State::run(
     planned.max_seconds = seconds_without_audit(spec);
     try {
         Result result = trace(scene, sources, planned, control, early);
+        if (result.stop == StopReason::no_light) {
+            chosen.reason = "no light reaches the scene, nothing was traced";
+        }
         result.chosen = std::move(chosen);
+        add_sunlit_of_hidden_suns(scene, sources, result);
         add_audit(scene, sources, spec, control, early, result);
         return result;
     } catch (const StopRequested&) {
@@ -245,9 +268,12 @@ Sums Simulator::State::sums(
     planned.method = plan_method(scene, sources, spec).method;
     check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared = prepare(scene, sources, planned);
-    require_light(prepared);
     Sums sums = empty_sums(prepared, planned);
     sums.digest = digest_of(prepared, planned);
+    if (prepared.lights().empty()) {
+        sums.paths = sums.samples = planned.paths;
+        return sums;
+    }
     Executor executor(thread_count(planned.threads));
     make_solver({prepared, sampler_for(planned.sampler), planned})
         ->solve({first, planned.paths}, executor, sums);
@@ -270,7 +296,9 @@ Result Simulator::State::trace(
         early.set_limit(spec.max_seconds + grace_seconds(spec, control));
     }
     const PreparedScene prepared = prepare(scene, sources, spec, early.token());
-    require_light(prepared);
+    if (prepared.lights().empty()) {
+        return unlit_result(scene, spec);
+    }
     const double build_seconds = seconds_since(start);
 
     const double cpu_before = cpu_seconds();

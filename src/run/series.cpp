@@ -160,7 +160,9 @@ class SeriesRun {
             end(result.stop);
         }
         ++summary_.methods[result.chosen.method];
-        summary_.at_target += result.stop == StopReason::target_reached ? 1 : 0;
+        const bool is_unlit = result.stop == StopReason::no_light;
+        summary_.unlit += is_unlit ? 1 : 0;
+        summary_.at_target += is_unlit || result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
         summary_.build_seconds += result.build_seconds;
         summary_.trace_seconds += result.trace_seconds;

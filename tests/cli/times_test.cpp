@@ -96,5 +96,44 @@ TEST_F(TimesTest, CheckCountsThem) {
     EXPECT_NE(outcome.out.find("4 times of 2 days"), std::string::npos) << outcome.out;
 }
 
+/// Nights alone have a result: zeros without an error, and a warning.
+TEST_F(TimesTest, OfNightsAloneAreZeros) {
+    folder_.write(
+        "night.toml", replaced(run_file_of_days(), "hours = [11, 13]", "hours = [1, 3]") +
+                          "collapse = \"none\"\n");
+    std::string text = folder_.read("night.toml");
+    text = replaced(
+        text, "[[source]]\ntype = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1\n",
+        "");
+    folder_.write("night.toml", text);
+    const Outcome outcome =
+        run({"run", "night.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
+    EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
+    EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
+    EXPECT_EQ(run({"run", "--from", "r.json"}).status, 0);
+}
+
+/// Neither does a scene that is edge-on to all light have a fault.
+TEST_F(TimesTest, AndScenesWithoutLightHaveNoFault) {
+    const std::string geometry = "[[geometry]]\nfile = \"leaves.tri\"\nmaterial = \"leaf\"\n";
+    const std::string upright = replaced(
+        replaced(good_run_file(), geometry, ""), "[[0, 0, 5], [1, 0, 5], [0, 1, 5]]",
+        "[[0, 0, 5], [1, 0, 5], [0, 0, 6]]");
+    folder_.write("upright.toml", upright);
+    for (const char* method : {"light_tracing", "first_hits", "from_organs", "auto"}) {
+        const Outcome outcome =
+            run({"run", "upright.toml", "--method", method, "--target-error", "0.01"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("warning: no light reaches the scene"), std::string::npos);
+        EXPECT_NE(
+            outcome.out.find("no light reaches the scene, nothing was traced"), std::string::npos)
+            << outcome.out;
+        EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
+        EXPECT_NE(folder_.read("out.json").find("\"no_light\""), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace quasimc::test

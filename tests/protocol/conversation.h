@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "coupling/byte_stream.h"
 #include "master.h"
 #include "support/temporary_folder.h"
 

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -33,16 +34,17 @@ int patience_ms() {
 /// Pipes and sockets: a pair of descriptors.
 class DescriptorMaster : public Master {
   public:
-    ~DescriptorMaster() override {
-        for (const int descriptor : {in_, out_}) {
-            if (descriptor >= 0) {
-                ::close(descriptor);
-            }
-        }
-    }
+    ~DescriptorMaster() override { DescriptorMaster::clean_up(); }
     void await_sign() override {
         if (byte() != kSign) {
             throw MasterError("the first byte is no sign");
+        }
+    }
+    bool is_welcomed() override {
+        try {
+            return byte() == kSign;
+        } catch (const MasterError&) {
+            return false;
         }
     }
     void await_last_sign() override { DescriptorMaster::await_sign(); }
@@ -68,7 +70,13 @@ class DescriptorMaster : public Master {
         return reply;
     }
     void ask_for_next_chunk() override {}
-    void clean_up() override {}
+    void clean_up() override {
+        for (int* descriptor : {&in_, &out_}) {
+            if (*descriptor >= 0) {
+                ::close(std::exchange(*descriptor, -1));
+            }
+        }
+    }
 
   protected:
     int in_ = -1, out_ = -1;
@@ -134,12 +142,19 @@ class SocketMaster final : public DescriptorMaster {
         process_ = std::make_unique<Process>(QUASIMC_ENVIRONMENT, arguments, folder_);
     }
     void await_sign() override {
-        in_ = accept(listeners_[0]);
-        out_ = accept(listeners_[1]);
+        accept_both();
         DescriptorMaster::await_sign();
+    }
+    bool is_welcomed() override {
+        accept_both();
+        return DescriptorMaster::is_welcomed();
     }
 
   private:
+    void accept_both() {
+        in_ = accept(listeners_[0]);
+        out_ = accept(listeners_[1]);
+    }
     static sockaddr_in address(int port) {
         sockaddr_in a{};
         a.sin_family = AF_INET;
@@ -213,6 +228,10 @@ class SemaphoreMaster : public Master {
             }
             ::usleep(1000);
         }
+    }
+    bool is_welcomed() override {
+        SemaphoreMaster::await_sign();
+        return true;
     }
     [[nodiscard]] bool has_signed() const override { return ::semctl(set_, 1, GETVAL) == 0; }
     [[nodiscard]] std::optional<long> semaphore_key() const override { return key_; }
@@ -307,7 +326,7 @@ class FileMaster final : public SemaphoreMaster {
         }
         std::ostringstream text;
         text << file.rdbuf();
-        return text.str();
+        return text.str().substr(0, message_end(text.str()));  // the simulators read no further
     }
 
   private:

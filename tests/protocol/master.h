@@ -31,6 +31,9 @@ class Master {
     virtual void start(const std::vector<std::string>& words) = 0;
     /// Waits for the sign that it is there.
     virtual void await_sign() = 0;
+    /// Waits for the sign, or what the program says in its place: that there will be no light.
+    /// Whether it was the sign.
+    virtual bool is_welcomed() = 0;
     /// Whether the sign was given; for semaphores, which keep it.
     [[nodiscard]] virtual bool has_signed() const { return false; }
     /// Writes a text without telling that it is there (pipes and sockets: there is no difference).
@@ -42,7 +45,7 @@ class Master {
     virtual void await_last_sign() = 0;
     /// Of the semaphores, where there are any.
     [[nodiscard]] virtual std::optional<long> semaphore_key() const { return std::nullopt; }
-    /// Removes what a real simulator removes in the end.
+    /// Removes and closes what a real simulator removes and closes in the end.
     virtual void clean_up() = 0;
 
     [[nodiscard]] Process& process() { return *process_; }

@@ -31,16 +31,21 @@ namespace {
     ::_exit(127);
 }
 
-}  // namespace
-
-std::optional<Ending> wait_for(pid_t pid) {
+/// Whether a process ends within our patience.
+bool await_end(pid_t pid) {
     const auto process = static_cast<int>(::syscall(SYS_pidfd_open, pid, 0));
     pollfd end{process, POLLIN, 0};
     const auto limit = std::chrono::milliseconds(kPatience).count();
     const bool ended = process < 0 || ::poll(&end, 1, static_cast<int>(limit)) > 0;
     ::close(process);
+    return ended;
+}
+
+}  // namespace
+
+std::optional<Ending> wait_for(pid_t pid) {
     int status = 0;
-    if (!ended || ::waitpid(pid, &status, 0) != pid) {
+    if (!await_end(pid) || ::waitpid(pid, &status, 0) != pid) {
         return std::nullopt;
     }
     return WIFSIGNALED(status) ? Ending{true, WTERMSIG(status)}
@@ -76,8 +81,22 @@ Process::~Process() {
     }
 }
 
+bool Process::wait_for_end() const {
+    return await_end(pid_);
+}
+
+bool Process::has_ended() const {
+    siginfo_t ending{};
+    const int options = WEXITED | WNOHANG | WNOWAIT;
+    return ::waitid(P_PID, static_cast<id_t>(pid_), &ending, options) == 0 && ending.si_pid != 0;
+}
+
 void Process::kill() const {
-    ::kill(pid_, SIGKILL);
+    send(SIGKILL);
+}
+
+void Process::send(int signal) const {
+    ::kill(pid_, signal);
 }
 
 std::optional<Ending> Process::wait() {

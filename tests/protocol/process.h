@@ -38,7 +38,11 @@ class Process {
     [[nodiscard]] pid_t pid() const { return pid_; }
     /// Waits for its end; nothing if it doesn't come.
     [[nodiscard]] std::optional<Ending> wait();
+    /// Waits for its end, which wait() still tells; false if it doesn't come.
+    [[nodiscard]] bool wait_for_end() const;
+    [[nodiscard]] bool has_ended() const;
     void kill() const;
+    void send(int signal) const;
 
   private:
     pid_t pid_ = -1;

@@ -136,20 +136,12 @@ TEST_P(Transports, TellWhatIsWrongWithAMessageAndLetTheSimulatorGoOn) {
     const auto master = started();
     master->send("0 E(1)P(0.5,2)\n 0 1\nControl: 5 0\n");
     EXPECT_EQ(master->read(), "Control: 5\n");
+    master->send(kTwoLeaves);
+    expect_full_light(master->read());
+    master->send(kExit);
+    EXPECT_EQ(master->read(), "Control: 5\n");
     EXPECT_EQ(master->process().wait(), (Ending{false, 1}));
     EXPECT_NE(folder_.read("err").find("line 2"), std::string::npos) << folder_.read("err");
-    master->clean_up();
-}
-
-TEST_P(Transports, SayNothingToTheSimulatorWhenAFileIsWrong) {
-    folder_.write("light.qmc", "number of days: 4\n");
-    const auto master = make_master(GetParam(), Client::cpfg, folder_.path());
-    master->start({"light.qmc"});
-    EXPECT_EQ(master->process().wait(), (Ending{false, 1}));
-    EXPECT_NE(folder_.read("err").find("light.qmc:1"), std::string::npos);
-    if (GetParam() == Transport::files || GetParam() == Transport::memory) {
-        EXPECT_FALSE(master->has_signed());
-    }
     master->clean_up();
 }
 

@@ -42,9 +42,11 @@ std::uint64_t number_of(StopReason reason) {
         case StopReason::time_is_up:
             return 3;
         case StopReason::path_limit:
+            return 4;
+        case StopReason::no_light:
             break;
     }
-    return 4;
+    return 5;
 }
 
 /// Fowler, Noll and Vo: FNV-1a (draft-eastlake-fnv), of words whose lowest byte comes first.

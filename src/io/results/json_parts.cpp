@@ -45,6 +45,8 @@ std::string_view stop_name(StopReason stop) {
             return "path_limit";
         case StopReason::interrupted:
             return "interrupted";
+        case StopReason::no_light:
+            return "no_light";
         default:
             return "paths_done";
     }

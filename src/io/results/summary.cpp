@@ -58,7 +58,7 @@ std::string run_line(const RunSpec& spec, const Result& result) {
 
 /// Why the run was traced so, if that was not what the run file said.
 std::string method_line(const RunSpec& spec, const Result& result) {
-    if (spec.method != Method::automatic) {
+    if (spec.method != Method::automatic && result.stop != StopReason::no_light) {
         return "";
     }
     return line(
@@ -73,7 +73,7 @@ std::string time_line(const Result& result) {
                     "paths/s, {:.3g} rays per path",
                     result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
                     all / std::max(result.trace_seconds, 1e-9) / 1e6,
-                    static_cast<double>(result.rays) / all));
+                    static_cast<double>(result.rays) / std::max(all, 1.0)));
 }
 
 std::string error_line(const ErrorStatistics& errors) {
@@ -127,11 +127,12 @@ std::string target_line(const RunSpec& spec, const Result& result) {
     if (spec.target_error <= 0) {
         return "";
     }
+    const bool is_reached =
+        result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
     return line(
         "target", fmt::format(
                       "{} % error or less: {} by {:.3g} % of the organs ({:.3g} % asked)",
-                      100 * spec.target_error,
-                      result.stop == StopReason::target_reached ? "reached" : "NOT reached",
+                      100 * spec.target_error, is_reached ? "reached" : "NOT reached",
                       100 * result.fraction_at_target, 100 * spec.target_fraction));
 }
 

@@ -89,14 +89,15 @@ std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
     return words;
 }
 
+/// Night at all times has a result, zeros; but is seldom meant.
 void check_light(const TimeSeries& series, TableReader& table) {
     const auto plans = plan_series(series.time_steps);
     const bool is_dark =
         std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
     if (is_dark && !series.time_steps.empty()) {
-        table.fault(
-            "it is dark at all these times", "the sun stays below the horizon, and no lamp shines",
-            "choose other times, or add a lamp");
+        table.reporter().warnings.push_back(
+            {table.place(),
+             "it is dark at all these times: the sun stays below the horizon, and no lamp shines"});
     }
 }
 
