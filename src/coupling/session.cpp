@@ -18,20 +18,21 @@ class Session {
           answerer_(answerer),
           chunk_(format.chunk.value_or(stream.default_chunk())) {}
 
-    /// Answers one step; false after the order to exit.
+    /// Answers one step; false after the order to exit, which may end a step's queries (a program
+    /// that calls us for a single step writes "Control: 8" behind them).
     bool step() {
         pass_.clear();
         while (true) {
             const std::string_view message = stream_.receive();
             const Control control = parser_.parse(message, pass_);
+            pass_.step = control.step;
             if (control.is_exit) {
-                stream_.send(kGoOn, Continuation::done);
+                pass_.queries.empty() ? stream_.send(kGoOn, Continuation::done) : answer(control);
                 stream_.finish();
                 return false;
             }
             if (control.is_last) {
-                pass_.step = control.step;
-                answer();
+                answer(control);
                 return true;
             }
             stream_.send(kGoOn, Continuation::done);
@@ -39,11 +40,17 @@ class Session {
     }
 
   private:
-    void answer() {
+    /// After queries that came with the order to exit, the simulator may close its end of the line
+    /// at once: nothing more is awaited from it.
+    void answer(const Control& control) {
         trailing_.remove(pass_, parser_.style());
         answers_.clear();
-        answerer_(
-            pass_, [&] { stream_.check(); }, answers_);
+        const auto check = [&] {
+            if (!control.is_exit) {
+                stream_.check();
+            }
+        };
+        answerer_(pass_, check, answers_);
         const std::vector<std::string> chunks =
             reply_chunks(pass_, answers_, chunk_, stream_.capacity());
         for (std::size_t i = 0; i < chunks.size(); ++i) {

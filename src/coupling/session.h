@@ -29,7 +29,8 @@ using Answerer =
 [[nodiscard]] std::vector<std::string> reply_chunks(
     const Pass& pass, const Answers& answers, std::size_t chunk, std::size_t capacity);
 
-/// Answers the plant simulator step after step, until it says exit.
+/// Answers the plant simulator step after step, until it says exit; queries before that order are
+/// answered too.
 /// @throws PeerDisconnected   when it is gone without having said so
 /// @throws InputError   for a message that is not what the protocol says, after having let the
 ///                      simulator go on without an answer
