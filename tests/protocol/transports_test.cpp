@@ -142,7 +142,7 @@ TEST_P(Transports, TellWhatIsWrongWithAMessageAndLetTheSimulatorGoOn) {
 }
 
 TEST_P(Transports, SayNothingToTheSimulatorWhenAFileIsWrong) {
-    folder_.write("light.qmc", "number of days: 4\n");
+    folder_.write("light.qmc", "number of rays: none\n");
     const auto master = make_master(GetParam(), Client::cpfg, folder_.path());
     master->start({"light.qmc"});
     EXPECT_EQ(master->process().wait(), (Ending{false, 1}));
