@@ -138,6 +138,23 @@ TEST_F(PlantLightTest, LetsSensorsSeeInACone) {
     EXPECT_NEAR(cone / whole, 0.25, kTolerance);
 }
 
+/// Any number of sensors and rays, whatever numbers of points a method is made for.
+TEST_F(PlantLightTest, TakesAnyNumberOfSensors) {
+    for (const char* method : {"monte carlo", "korobov", "sobol", "halton", "faure"}) {
+        const std::string text =
+            "rays from objects: yes\nsky: uniform\nreturn type: U\nnumber of rays: 4000\n"
+            "sampling method: " +
+            std::string(method) + "\n";
+        std::string sensors;
+        for (int count = 1; count <= 7; ++count) {
+            sensors += flat(count, "P(1,1)", count);
+            for (const auto& [id, values] : answers(text, sensors)) {
+                EXPECT_NEAR(values.at(0), 0.5, 0.02) << method << ", sensor " << id;
+            }
+        }
+    }
+}
+
 TEST_F(PlantLightTest, ReachesATargetError) {
     PlantLight light(
         specification(
