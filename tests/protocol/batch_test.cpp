@@ -310,6 +310,22 @@ TEST_F(Batch, AnswersQueriesBeforeAnyOrderToExit) {
     }
 }
 
+/// A hundred thousand corners: what looks at all of them for each triangle takes hours.
+TEST_F(Batch, TakesAPolygonOfVeryManyCorners) {
+    constexpr int kCorners = 100000;
+    Corners circle;
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kCorners;
+        circle.push_back({std::cos(angle), 0, std::sin(angle)});
+    }
+    static_cast<void>(call(
+        yplant_configuration("0 0 0 0 1", "light source: 0 -1 0 1"),
+        plant_text({circle}, "Control: 8\n")));
+    const Table table(folder_.read("qmcarea.out"));
+    EXPECT_NEAR(table.column("actual_leaf_area").at(0), std::numbers::pi, 1e-5);
+    EXPECT_NEAR(table.column("rel_mean_flux0").at(0), 1, kTolerance);
+}
+
 /// A quarter of a gigabyte without the end of a line: read once, of which little is kept.
 TEST_F(Batch, EndsAfterALineWithoutEnd) {
     folder_.write("quasimc.cfg", "");
