@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -6,17 +7,28 @@
 
 namespace quasimc {
 
-std::size_t message_end(std::string_view bytes, std::size_t from) {
-    std::size_t begin = from;
-    if (!bytes.substr(from).starts_with("Control")) {
-        constexpr std::string_view kStart = "\nControl";
-        begin = bytes.find(kStart, from == 0 ? 0 : from - 1);
+std::size_t MessageEndFinder::find(std::string_view bytes) {
+    constexpr std::string_view kStart = "\nControl";
+    const std::string_view first = kStart.substr(1);
+    if (!in_control_ && place_ == 0 && bytes.starts_with(first)) {
+        in_control_ = true;
     }
-    if (begin == std::string_view::npos) {
-        return begin;
+    if (!in_control_) {
+        const std::size_t begin = bytes.find(kStart, place_);
+        in_control_ = begin != std::string_view::npos;
+        // Else the start may be there but for its last character.
+        place_ = in_control_ ? begin + 1 : bytes.size() - std::min(bytes.size(), first.size());
     }
-    const std::size_t end = bytes.find('\n', begin + 1);
+    if (!in_control_) {
+        return std::string_view::npos;
+    }
+    const std::size_t end = bytes.find('\n', place_);
+    place_ = std::min(end, bytes.size());
     return end == std::string_view::npos ? end : end + 1;
+}
+
+std::size_t message_end(std::string_view bytes) {
+    return MessageEndFinder().find(bytes);
 }
 
 namespace {

@@ -23,10 +23,11 @@ struct Reading {
     Faults faults;
 };
 
-/// The printf format of a turtle line: how many characters it prints before the first number, and
-/// how many numbers.
+/// The printf format of a turtle line: how many characters other than blanks it prints before the
+/// first number, and how many numbers. Blanks are no part of it: whether a line begins with one is
+/// up to who writes it.
 TurtleLine parse_format(std::string_view format) {
-    TurtleLine line{true, std::min(format.find('%'), format.size()), 0};
+    TurtleLine line{true, trimmed(format.substr(0, format.find('%'))).size(), 0};
     for (std::size_t i = 0; i + 1 < format.size(); ++i) {
         if (format[i] == '%') {
             line.values += format[i + 1] == '%' ? 0 : 1;
@@ -83,6 +84,10 @@ void read_turtle(const CommLine& line, Reading& reading) {
     reading.file.turtle[static_cast<std::size_t>(Field)] = parse_format(line.value);
 }
 
+void read_interpreted(const CommLine& line, Reading& reading) {
+    reading.file.interprets_modules = !trimmed(line.value).empty();
+}
+
 void ignore(const CommLine& /*line*/, Reading& /*reading*/) {}
 
 /// One row of the table of names.
@@ -101,8 +106,8 @@ constexpr std::array kCommEntries{
     CommEntry{"turtle line width", read_turtle<TurtleField::line_width>},
     CommEntry{"turtle scale factor", read_turtle<TurtleField::scale_factor>},
     CommEntry{"following module", read_following},
-    CommEntry{"interpreted modules", ignore},  // strings are read whenever they come
-    CommEntry{"when interpret", ignore},
+    CommEntry{"interpreted modules", read_interpreted},  // strings are read whenever they come
+    CommEntry{"when interpret", read_interpreted},
     CommEntry{
         "verbose", [](const CommLine& line,
                       Reading& reading) { reading.file.verbose = trimmed(line.value) == "on"; }},

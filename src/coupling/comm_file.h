@@ -18,7 +18,7 @@ enum class Transport { pipes, files, memory, sockets };
 /// A line about the turtle that follows a query.
 struct TurtleLine {
     bool is_sent = false;
-    std::size_t skip = 0;    ///< characters before the first number
+    std::size_t skip = 0;    ///< characters before the first number, but for blanks around them
     std::size_t values = 0;  ///< numbers on the line, up to 3
 };
 
@@ -34,6 +34,8 @@ struct CommFile {
     std::array<TurtleLine, kTurtleFields> turtle{};
     /// Whether a query names the module that follows it.
     bool following_module = true;
+    /// Whether modules are interpreted: organs come as polygons in space, which need no turtle.
+    bool interprets_modules = false;
     bool verbose = false;
 
     [[nodiscard]] const TurtleLine& line(TurtleField field) const {

@@ -48,37 +48,61 @@ AfterRefusal DescriptorStream::refuse() {
 std::string_view DescriptorStream::receive() {
     buffer_.erase(0, taken_);
     taken_ = 0;
-    std::size_t seen = 0;  // start of a line that was not whole when we looked
+    MessageEndFinder finder;
     while (true) {
-        const std::size_t end = message_end(buffer_, seen);
+        const std::size_t end = finder.find(buffer_);
         if (end != std::string::npos) {
             taken_ = end;
             return std::string_view(buffer_).substr(0, end);
         }
-        const std::size_t last_line = buffer_.rfind('\n');
-        seen = last_line == std::string::npos ? 0 : last_line + 1;
         if (!read_some()) {
-            const bool is_blank = buffer_.find_first_not_of(" \t\r\n") == std::string::npos;
-            gone(
-                is_blank ? "its end of input came without an order to exit"
-                         : "its last message breaks off");
+            end_input();
         }
     }
 }
 
+void DescriptorStream::end_input() {
+    // A file may lack the end of its last line.
+    const std::size_t last_line = buffer_.rfind('\n') + 1;  // 0 if there is none
+    const std::string_view line = std::string_view(buffer_).substr(last_line);
+    constexpr std::string_view kDigits = "0123456789";
+    if (line.starts_with("Control") && line.find_first_of(kDigits) != std::string_view::npos) {
+        buffer_ += '\n';
+        return;
+    }
+    const bool is_blank = buffer_.find_first_not_of(" \t\r\n") == std::string::npos;
+    gone(
+        is_blank ? "its end of input came without an order to exit"
+                 : "its last message breaks off");
+}
+
 bool DescriptorStream::read_some() {
     constexpr std::size_t kPiece = 262144;
-    const std::size_t size = buffer_.size();
-    buffer_.resize(size + kPiece);
+    piece_.resize(kPiece);
     ssize_t count = 0;
     do {
-        count = ::read(in_, buffer_.data() + size, kPiece);
+        count = ::read(in_, piece_.data(), piece_.size());
     } while (count < 0 && errno == EINTR);
-    buffer_.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (count < 0 && errno != ECONNRESET) {
         gone(std::generic_category().message(errno).c_str());
     }
+    keep(std::string_view(piece_).substr(0, static_cast<std::size_t>(std::max<ssize_t>(count, 0))));
     return count > 0;
+}
+
+void DescriptorStream::keep(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const std::size_t end = bytes.find('\n');
+        const std::string_view text = bytes.substr(0, end);
+        buffer_ += text.substr(0, kLongestLine - line_size_);
+        line_size_ = std::min(line_size_ + text.size(), kLongestLine);
+        if (end == std::string_view::npos) {
+            return;
+        }
+        buffer_ += '\n';
+        line_size_ = 0;
+        bytes.remove_prefix(end + 1);
+    }
 }
 
 void DescriptorStream::send(std::string_view message, Continuation /*continuation*/) {

@@ -11,6 +11,8 @@ class DescriptorStream final : public ByteStream {
   public:
     /// What becomes of the descriptors at the end.
     enum class Ownership { borrowed, owned };
+    /// Bytes of a line that are kept; the original keeps 2048.
+    static constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
     /// May name one descriptor for both directions.
     DescriptorStream(int in, int out, Ownership ownership)
         : in_(in), out_(out), ownership_(ownership) {}
@@ -33,11 +35,16 @@ class DescriptorStream final : public ByteStream {
     void write_all(std::string_view bytes);
     /// Reads what there is; false at the end of input.
     [[nodiscard]] bool read_some();
+    /// Adds what was read to the buffer, of each line its first kLongestLine bytes.
+    void keep(std::string_view bytes);
+    /// Ends a last line "Control" that has no end. @throws PeerDisconnected  if there is none
+    void end_input();
 
     int in_, out_;
     Ownership ownership_;
-    std::string buffer_;
-    std::size_t taken_ = 0;  // bytes of the buffer that were given out
+    std::string buffer_, piece_;
+    std::size_t line_size_ = 0;  // of the buffer's last line
+    std::size_t taken_ = 0;      // bytes of the buffer that were given out
 };
 
 }  // namespace quasimc

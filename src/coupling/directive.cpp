@@ -47,7 +47,7 @@ std::string lower_case(std::string_view text) {
 }
 
 std::vector<DirectiveLine> split_directives(
-    std::string_view text, const std::string& place, Faults& faults) {
+    std::string_view text, const std::string& place, Notices& notices) {
     std::vector<DirectiveLine> directives;
     LineScanner lines(text);
     while (lines.next()) {
@@ -61,11 +61,10 @@ std::vector<DirectiveLine> split_directives(
         if (end == 0 && !directives.empty()) {
             directives.back().block.emplace_back(lines.number(), value);
         } else if (end == 0 || end == std::string_view::npos) {
-            faults.add(
-                {fmt::format("{}:{}", place, lines.number()),
-                 fmt::format("{} is no directive", shown(line)),
-                 "a line reads 'name: values', and ': values' where it continues the one before",
-                 ""});
+            notices.once(fmt::format(
+                "{}:{}: {} is no directive and skipped; a line reads 'name: values', and "
+                "': values' where it continues the one before",
+                place, lines.number(), shown(line)));
         } else {
             directives.push_back(
                 {lines.number(), lower_case(trimmed(line.substr(0, end))), value, {}});

@@ -21,10 +21,10 @@ struct DirectiveLine {
     std::vector<std::pair<std::uint32_t, std::string_view>> block;
 };
 
-/// The directives of a text in their order.
+/// The directives of a text in their order. Lines that are none are skipped, with a notice.
 /// @param place  of the text, for messages
 [[nodiscard]] std::vector<DirectiveLine> split_directives(
-    std::string_view text, const std::string& place, Faults& faults);
+    std::string_view text, const std::string& place, Notices& notices);
 
 inline constexpr Range kAnyNumber{-1e30, 1e30};
 inline constexpr Range kNotNegativeNumber{0, 1e30};

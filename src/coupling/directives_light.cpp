@@ -120,7 +120,12 @@ void read_weather(Values& values, DirectiveContext& context) {
     const auto turbidity = values.number_or(2.45, "the turbidity", kTurbidities);
     if (clear && turbidity) {
         sky_of(context).weather = *clear > 0 ? Weather::clear : Weather::overcast;
-        sky_of(context).turbidity = *turbidity;
+        sky_of(context).turbidity = std::max(*turbidity, kClearestSky);
+        if (*clear > 0 && *turbidity < kClearestSky) {
+            values.notice(fmt::format(
+                "turbidity {}: the clear sky is that of {}, the clearest there is a formula for",
+                shortest(*turbidity), shortest(kClearestSky)));
+        }
     }
 }
 

@@ -38,10 +38,10 @@ void read_spectrum(Values& values, DirectiveContext& context) {
             spec.irradiance[b] = *irradiance;
         }
     }
-    if (!values.at_end()) {
-        values.fault(
-            fmt::format("more than {} pairs of wavelength and irradiance", spec.band_count()),
-            fmt::format("'spectrum samples' is {}", spec.band_count()));
+    if (!values.failed() && !values.at_end()) {
+        values.notice(fmt::format(
+            "there are more bands than the {} of 'spectrum samples'; {} is not read",
+            spec.band_count(), shown(values.rest())));
     }
 }
 

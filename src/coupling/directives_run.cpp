@@ -107,7 +107,6 @@ void read_threads(Values& values, DirectiveContext& context) {
 }
 
 void read_target(Values& values, DirectiveContext& context) {
-    constexpr std::uint32_t kUsualRuns = 8;
     const auto target = values.number("the relative standard error", {0, 0.999});
     const auto fraction = values.number_or(0.95, "the fraction of the organs", {1e-6, 1});
     if (!target || !fraction) {
@@ -116,9 +115,6 @@ void read_target(Values& values, DirectiveContext& context) {
     RunSpec& run = context.spec.run;
     run.target_error = *target;
     run.target_fraction = *fraction;
-    if (*target > 0 && run.replicates < 2) {
-        run.replicates = kUsualRuns;
-    }
 }
 
 void read_seconds(Values& values, DirectiveContext& context) {
@@ -135,11 +131,14 @@ void read_return_type(Values& values, DirectiveContext& context) {
             types.push_back(static_cast<ReturnType>(*type));
         }
     }
-    if (!values.failed() && (types.empty() || types.size() > context.spec.band_count())) {
-        values.fault(
-            fmt::format("{} types", types.size()),
-            fmt::format("'spectrum samples' is {}", context.spec.band_count()),
-            "give one letter for each band");
+    const std::size_t bands = context.spec.band_count();
+    if (!values.failed() && types.empty()) {
+        values.fault("the letters are missing", "", "give one for each band: F, D, U, L or H");
+    } else if (types.size() > bands) {
+        values.notice(fmt::format(
+            "{} letters for the {} band{} of 'spectrum samples': the first count", types.size(),
+            bands, bands == 1 ? "" : "s"));
+        types.resize(bands);
     }
     context.spec.returns = types;
 }
@@ -187,8 +186,10 @@ void read_quantities(Values& values, DirectiveContext& context) {
 void read_variance(Values& values, DirectiveContext& context) {
     const std::optional<bool> on = values.yes_no();
     const std::string name = values.rest();
+    auto& file = context.spec.variance_file;
     if (on && *on) {
-        context.spec.variance_file = VarianceFile{name};
+        // Two names of one directive: that of the file may come with the first of them.
+        file = VarianceFile{name.empty() && file ? file->name : name};
     } else if (on) {
         context.spec.variance_file.reset();
     }

@@ -36,14 +36,16 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     Faults faults;
     for (const auto& [field, name] :
          {std::pair{TurtleField::heading, "turtle heading"}, {TurtleField::up, "turtle up"}}) {
-        if (!format.line(field).is_sent) {
+        if (!format.line(field).is_sent && !format.interprets_modules) {
             faults.add(
                 {*arguments.comm_file, fmt::format("'{}' is missing", name),
                  "organs stand in the frame of the turtle",
-                 fmt::format("add '{}: %f %f %f'", name)});
+                 fmt::format(
+                     "add '{}: %f %f %f', or 'interpreted modules: all' if all organs are polygons",
+                     name)});
         }
     }
-    if (!format.following_module) {
+    if (!format.following_module && !format.interprets_modules) {
         notices.once(
             *arguments.comm_file +
             ": without 'following module' only organs drawn as polygons are seen");

@@ -23,21 +23,44 @@ constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
           std::move(why), ""}});
 }
 
-/// A number as printf writes it; infinities too. Moves `text` past it and the blanks before it.
+/// What a number without a sign is that double precision can't hold: 0 or infinite.
+double beyond_range(std::string_view digits) {
+    const std::size_t exponent = std::min(digits.find_first_of("eEpP"), digits.size());
+    const std::size_t sign = exponent + 1;
+    if (sign < digits.size()) {
+        return digits[sign] == '-' ? 0 : HUGE_VAL;
+    }
+    // Without an exponent only digits before the point make a number so large.
+    return digits.find_first_of("123456789") < digits.find('.') ? HUGE_VAL : 0;
+}
+
+/// A number as scanf takes it: blanks before it, a sign, decimal or hexadecimal digits with or
+/// without a point and an exponent, or a word for an infinity or none. Moves `text` past it.
 bool take_number(std::string_view& text, double& value) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + begin, end, value);
+    std::string_view rest = text;
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
+    const bool is_negative = rest.starts_with('-');
+    if (is_negative || rest.starts_with('+')) {
+        rest.remove_prefix(1);
+    }
+    const bool is_hexadecimal = rest.starts_with("0x") || rest.starts_with("0X");
+    rest.remove_prefix(is_hexadecimal ? 2 : 0);
+    if (rest.empty() || rest.front() == '-' || rest.front() == '+') {
+        return false;
+    }
+    const auto [stop, error] = std::from_chars(
+        rest.data(), rest.data() + rest.size(), value,
+        is_hexadecimal ? std::chars_format::hex : std::chars_format::general);
     if (error == std::errc::invalid_argument) {
         return false;
     }
+    const auto length = static_cast<std::size_t>(stop - rest.data());
     if (error == std::errc::result_out_of_range) {
-        const std::string_view word(
-            text.data() + begin, static_cast<std::size_t>(stop - text.data()) - begin);
-        const bool is_tiny = word.find("e-") != std::string_view::npos;
-        value = is_tiny ? 0.0 : std::copysign(HUGE_VAL, word.front() == '-' ? -1.0 : 1.0);
+        value = beyond_range(rest.substr(0, length));
     }
-    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    value = is_negative ? -value : value;
+    rest.remove_prefix(length);
+    text = rest;
     return true;
 }
 
@@ -109,7 +132,7 @@ class MessageParser::Reader {
             return true;
         }
         while (lines_.next()) {
-            if (line().find_first_not_of(" \t") != std::string_view::npos) {
+            if (line().find_first_not_of(kBlanks) != std::string_view::npos) {
                 return true;
             }
         }
@@ -134,7 +157,7 @@ class MessageParser::Reader {
         std::string_view rest = line();
         const std::string_view id = take_word(rest);
         const auto number = parse_integer(id);
-        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+        rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
         if (!number || rest.empty() || rest.front() != 'E') {
             fail(
                 lines_.number(), shown(line()),
@@ -243,7 +266,7 @@ class MessageParser::Reader {
             parser_.format_.turtle.begin(), parser_.format_.turtle.end(),
             [](const TurtleLine& l) { return l.is_sent; }));
         if (numbers == promised + 1) {
-            position = {true, 1, 3};
+            position = {true, 0, 3};
         }
     }
 
@@ -251,7 +274,7 @@ class MessageParser::Reader {
         if (!next()) {
             fail(lines_.number(), "the message breaks off", "lines about the turtle are missing");
         }
-        std::string_view rest = line();
+        std::string_view rest = trimmed(line());
         rest.remove_prefix(std::min(format.skip, rest.size()));
         std::array<double, 3> values{};
         for (std::size_t i = 0; i < format.values; ++i) {
@@ -312,9 +335,11 @@ class MessageParser::Reader {
     void note_graphics(std::string_view word) {
         constexpr std::array<std::string_view, 5> kSilent{
             "material", "pushmatrix", "popmatrix", "translate", "rotate"};
+        constexpr std::size_t kMostNoted = 16;
         const bool is_word = word.find_first_not_of("0123456789+-.eE") != std::string_view::npos;
         auto& others = pass_.other_graphics;
         if (is_word && std::find(kSilent.begin(), kSilent.end(), word) == kSilent.end() &&
+            others.size() < kMostNoted &&
             std::find(others.begin(), others.end(), word) == others.end()) {
             others.emplace_back(word);
         }

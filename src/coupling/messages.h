@@ -90,9 +90,23 @@ class MessageParser {
     bool position_settled_ = false;
 };
 
-/// Where the first message in `bytes` ends: after its "Control" line; npos if that is not there
-/// yet. @param from  a place at the start of a line before which there is no Control line
-[[nodiscard]] std::size_t message_end(std::string_view bytes, std::size_t from = 0);
+/// Looks for the end of a message in bytes that come piece by piece; looks at each once, however
+/// long the lines are.
+class MessageEndFinder {
+  public:
+    /// Where the first message in `bytes` ends: after its "Control" line; npos if that is not there
+    /// yet. @param bytes  those of the call before, and what came since
+    [[nodiscard]] std::size_t find(std::string_view bytes);
+    /// Where the next call begins to look.
+    [[nodiscard]] std::size_t place() const { return place_; }
+
+  private:
+    std::size_t place_ = 0;  // nothing ends before it
+    bool in_control_ = false;
+};
+
+/// Where the first message in `bytes` ends; npos if its "Control" line is not there.
+[[nodiscard]] std::size_t message_end(std::string_view bytes);
 
 /// Adds the line "id E(v,v,,)" with `slots` values, empty where `values` has none or is NaN. At
 /// most 255 characters: the simulators read no more.

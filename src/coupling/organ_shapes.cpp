@@ -42,6 +42,26 @@ void turn_over(std::vector<Triangle>& triangles) {
     }
 }
 
+/// A polygon as the triangles between its first corner and its sides, all on one side: the way in
+/// which the original program cuts every polygon. Nothing if one has no area that can be computed.
+std::optional<std::vector<Triangle>> make_fan(std::span<const Vec3> corners) {
+    std::vector<Triangle> fan;
+    Vec3 normal;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        fan.push_back({corners[0], corners[i], corners[i + 1]});
+        normal += area_vector(fan.back());
+        if (!is_finite(normal)) {
+            return std::nullopt;
+        }
+    }
+    for (Triangle& t : fan) {
+        if (dot(area_vector(t), normal) < 0) {
+            std::swap(t[1], t[2]);
+        }
+    }
+    return fan;
+}
+
 }  // namespace
 
 /// Makes the shape of one module.
@@ -313,18 +333,30 @@ class OrganShapes::Maker {
             tell("polygon", "has a polygon with a corner that is nowhere");
             return;
         }
+        Triangles polygon = cut(corners);
+        Vec3 normal;
+        for (const Triangle& t : polygon) {
+            normal += area_vector(t);
+        }
+        if (dot(normal, query_.turtle.up) < 0) {
+            turn_over(polygon);
+        }
+        triangles.insert(triangles.end(), polygon.begin(), polygon.end());
+    }
+
+    /// The triangles of a polygon. Leaves in space may be so bent that sides cross where they are
+    /// seen from.
+    Triangles cut(std::span<const Vec3> corners) {
         try {
-            Triangles polygon = make_polygon(corners);
-            Vec3 normal;
-            for (const Triangle& t : polygon) {
-                normal += area_vector(t);
-            }
-            if (dot(normal, query_.turtle.up) < 0) {
-                turn_over(polygon);
-            }
-            triangles.insert(triangles.end(), polygon.begin(), polygon.end());
+            return make_polygon(corners);
         } catch (const InputError& error) {
-            tell("polygon", fmt::format("has a polygon that is left out: {}", error.what()));
+            const std::optional<Triangles> fan = make_fan(corners);
+            tell(
+                "polygon",
+                fmt::format(
+                    "has a polygon that is {}: {}",
+                    fan ? "cut into a fan from its first corner" : "left out", error.what()));
+            return fan.value_or(Triangles{});
         }
     }
 

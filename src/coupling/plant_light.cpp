@@ -1,6 +1,7 @@
 #include "coupling/plant_light.h"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -102,7 +103,7 @@ void PlantLight::set_day(std::span<const double> parameters) {
     sky.day = parameters[0];
     if (has_weather) {
         sky.weather = parameters[1] > 0 ? Weather::clear : Weather::overcast;
-        sky.turbidity = parameters[2];
+        sky.turbidity = std::max(parameters[2], kClearestSky);
     }
     if (sky != *sky_) {
         sky_ = sky;
@@ -156,7 +157,9 @@ StepLight PlantLight::trace(
         run.method = Method::from_organs;
         const auto sensors = std::count_if(
             shapes.begin(), shapes.end(), [](const PlacedShape& s) { return s.is_sensor; });
-        run.paths = std::min(run.paths * static_cast<std::uint64_t>(sensors), kMostPaths);
+        const std::uint64_t rays = run.paths * static_cast<std::uint64_t>(sensors);
+        // Each sensor has its own points of the set, and of a lattice a power of two of them.
+        run.paths = std::min(run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
         if (sensors == 0) {
             return light;  // nothing asks
         }

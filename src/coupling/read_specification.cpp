@@ -46,18 +46,19 @@ SpecificationKind recognized_kind(const std::vector<DirectiveLine>& lines) {
                                                                  : SpecificationKind::quasimc;
 }
 
+/// Tells of a directive that nobody knows; it is skipped, as the original does.
 void unknown_directive(
-    const DirectiveLine& line, const std::string& place, const Tables& tables, Faults& faults) {
+    const DirectiveLine& line, const std::string& place, const Tables& tables, Notices& notices) {
     std::vector<std::string_view> names;
     names.reserve(tables.size());
     for (const DirectiveEntry& entry : tables) {
         names.push_back(entry.name);
     }
     const std::string_view nearest = nearest_word(line.name, names);
-    faults.add(
-        {place, fmt::format("{} is no directive", shown(line.name)), "",
-         nearest.empty() ? "docs/formats/specification.md lists them"
-                         : fmt::format("did you mean '{}'?", nearest)});
+    notices.once(fmt::format(
+        "{}: {} is no directive and skipped; {}", place, shown(line.name),
+        nearest.empty() ? "docs/formats/specification.md lists them"
+                        : fmt::format("did you mean '{}'?", nearest)));
 }
 
 /// Reads the directives of a kind; those that others depend on come first.
@@ -91,7 +92,7 @@ class SpecificationReader {
         const std::string place = fmt::format("{}:{}", context_.file, line.number);
         const DirectiveEntry* entry = find_directive(tables, line.name);
         if (entry == nullptr) {
-            unknown_directive(line, place, tables, faults);
+            unknown_directive(line, place, tables, context_.notices);
             return;
         }
         Values values(place, line.name, line.value, faults, context_.notices);
@@ -115,6 +116,10 @@ class SpecificationReader {
         }
         if (spec_.kind == SpecificationKind::montecarlo) {
             finish_montecarlo(faults);
+        }
+        constexpr std::uint32_t kUsualRuns = 8;
+        if (spec_.run.target_error > 0 && spec_.run.replicates < 2) {
+            spec_.run.replicates = kUsualRuns;  // one has no error
         }
         spec_.returns.resize(spec_.band_count(), ReturnType::flux);
         for (auto& material : spec_.materials) {
@@ -209,7 +214,7 @@ Specification read_specification_text(
     InputFiles& files,
     Notices& notices) {
     Faults faults;
-    const std::vector<DirectiveLine> lines = split_directives(text, name, faults);
+    const std::vector<DirectiveLine> lines = split_directives(text, name, notices);
     SpecificationReader reader(name, files, notices);
     reader.set_kind(kind == SpecificationKind::automatic ? recognized_kind(lines) : kind);
     Specification spec = reader.read(lines, faults);

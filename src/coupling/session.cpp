@@ -33,24 +33,21 @@ class Session {
         fault_ = nullptr;
         pass_.clear();
         answers_.clear();
-        while (true) {
-            const Control control = take_message();
-            if (control.is_exit) {
-                stream_.send_last(kEmptyAnswer);
-                return false;
-            }
-            if (control.is_last) {
-                pass_.step = control.step;
-                break;
-            }
+        Control control = take_message();
+        while (!control.is_exit && !control.is_last) {
             stream_.send(kEmptyAnswer, Continuation::done);
+            control = take_message();
         }
-        if (!fault_) {
-            guarded([&] { compute(); });
+        pass_.step = control.step;
+        const bool is_step = !control.is_exit || !pass_.queries.empty() || fault_;
+        if (is_step && !fault_) {
+            guarded([&] { compute(control); });
         }
-        send_answers();
-        on_step(steps_++, fault_);
-        return true;
+        send_answers(control);
+        if (is_step) {
+            on_step(steps_++, fault_);
+        }
+        return !control.is_exit;
     }
 
   private:
@@ -75,35 +72,42 @@ class Session {
             control = control_of(message);
             is_read = true;
         });
-        if (is_read && !fault_ && !control.is_exit) {
+        if (is_read && !fault_) {
             guarded([&] { control = parser_.parse(message, pass_); });
         }
         return control;
     }
 
-    void compute() {
+    /// After queries that came with the order to exit, the simulator may close its end of the line
+    /// at once: nothing more is awaited from it.
+    void compute(const Control& control) {
         trailing_.remove(pass_, parser_.style());
-        answerer_(
-            pass_, [&] { stream_.check(); }, answers_);
+        const auto check = [&] {
+            if (!control.is_exit) {
+                stream_.check();
+            }
+        };
+        answerer_(pass_, check, answers_);
     }
 
     /// Sends what answers there are; nothing, if they can't be written.
-    void send_answers() {
+    void send_answers(const Control& control) {
+        const auto send_end = [&](std::string_view text) {
+            control.is_exit ? stream_.send_last(text) : stream_.send(text, Continuation::done);
+        };
         bool is_sent = false;
         guarded([&] {
             const std::vector<std::string> chunks =
                 reply_chunks(pass_, answers_, chunk_, stream_.capacity());
-            for (std::size_t i = 0; i < chunks.size(); ++i) {
-                const bool is_last = i + 1 == chunks.size();
-                stream_.send(chunks[i], is_last ? Continuation::done : Continuation::more_follows);
-                if (!is_last) {
-                    stream_.await_request();
-                }
+            for (std::size_t i = 0; i + 1 < chunks.size(); ++i) {
+                stream_.send(chunks[i], Continuation::more_follows);
+                stream_.await_request();
             }
+            send_end(chunks.back());
             is_sent = true;
         });
         if (!is_sent) {
-            stream_.send(kEmptyAnswer, Continuation::done);
+            send_end(kEmptyAnswer);
         }
     }
 

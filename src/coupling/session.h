@@ -35,7 +35,9 @@ using Answerer =
 /// What was wrong in a step, counted from 0; nothing if it was answered as it should be.
 using StepListener = std::function<void(std::uint64_t step, const std::exception_ptr& fault)>;
 
-/// Answers the plant simulator step after step, until it says exit. A step in which something goes
+/// Answers the plant simulator step after step, until it says exit; queries before that order are a
+/// step too (a program that calls us for one writes "Control: 8" behind them). A step in which
+/// something goes
 /// wrong (a message that is not what the protocol says, a fault of the answerer) is answered as far
 /// as the answerer got, mostly with nothing: modules without an answer keep the values they have.
 /// @param on_step  is told of every step after its answer

@@ -45,9 +45,11 @@ struct StatedLight {
 
 enum class Weather { clear, overcast };
 
-/// The turbidities for which the luminance of the zenith grows with the height of the sun, as it
-/// does under a clear sky.
-inline constexpr Range kTurbidities{1.4, 20};
+/// The turbidities that may be stated: 1 is air without dust or water, 64 thick fog.
+inline constexpr Range kTurbidities{1, 64};
+/// From this turbidity on the luminance of the zenith grows with the height of the sun, as it does
+/// under a clear sky; skies that are stated to be clearer are as this one.
+inline constexpr double kClearestSky = 1.4;
 
 /// The light of the sky, and of the sun, at a place over a part of a day.
 struct SkyOfDay {

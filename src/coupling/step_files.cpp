@@ -1,5 +1,6 @@
 #include "coupling/step_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -20,21 +21,28 @@ class TableRow {
     [[nodiscard]] std::string text() const {
         const double projected = projected_area();
         const double sunlit = sunlit_area();
-        std::string row =
-            fmt::format("{:g} {:g} {:g} {:g}", area(), projected, sunlit, projected - sunlit);
-        const double runs = view_.spec.run.replicates;
+        // By its sampling error the sunlit area may be more than all there is.
+        const double shaded = std::max(0.0, projected - sunlit);
+        std::string row = fmt::format("{:g} {:g} {:g} {:g}", area(), projected, sunlit, shaded);
         const double on_horizontal = view_.lighting.on_horizontal();
         const std::size_t bands = view_.spec.band_count();
         for (std::size_t b = 0; b < bands; ++b) {
             const Estimate value = view_.returned(query_, b);
             const double relative = on_horizontal > 0 ? value.mean / on_horizontal : 0;
-            const double error = value.standard_error;
-            row += fmt::format(" {:g} {:g} {:g}", value.mean, relative, error * error * runs);
+            row += fmt::format(
+                " {:g} {:g} {:g}", value.mean, relative, variance_of(value.standard_error));
         }
         return row + (bands == 2 ? ratio_text() : "") + "\n";
     }
 
   private:
+    /// Between runs; 0 where there is no estimate of it: of a single run, and of H.
+    [[nodiscard]] double variance_of(double standard_error) const {
+        return std::isfinite(standard_error)
+                   ? standard_error * standard_error * view_.spec.run.replicates
+                   : 0;
+    }
+
     [[nodiscard]] double area() const {
         return organ_ == kNoOrgan ? 0 : view_.light.scene->organs()[organ_].area;
     }
@@ -71,11 +79,9 @@ class TableRow {
     [[nodiscard]] std::string ratio_text() const {
         const Estimate a = view_.returned(query_, 0), b = view_.returned(query_, 1);
         const double ratio = a.mean / b.mean;
-        const double relative_a = a.standard_error / a.mean;
-        const double relative_b = b.standard_error / b.mean;
-        const double variance = ratio * ratio * view_.spec.run.replicates *
-                                (relative_a * relative_a + relative_b * relative_b);
-        return fmt::format(" {:g} {:g}", ratio, variance);
+        const double relative_error =
+            std::hypot(a.standard_error / a.mean, b.standard_error / b.mean);
+        return fmt::format(" {:g} {:g}", ratio, variance_of(ratio * relative_error));
     }
 
     const StepView& view_;
@@ -85,8 +91,8 @@ class TableRow {
 
 std::string table_header(const Specification& spec) {
     std::string header = "actual_leaf_area mean_projected_area sunlit_area shaded_area";
-    for (std::size_t b = 1; b <= spec.band_count(); ++b) {
-        header += fmt::format(" mean_{0} rel_mean_{0} variance_{0}", b);
+    for (std::size_t b = 0; b < spec.band_count(); ++b) {
+        header += fmt::format(" mean_flux{0} rel_mean_flux{0} variance{0}", b);
     }
     return header + (spec.band_count() == 2 ? " ratio variance_of_ratio\n" : "\n");
 }
@@ -119,7 +125,11 @@ std::string variance_table(const StepView& view) {
 
 void write_variance_file(const StepView& view) {
     const std::string& stated = view.spec.variance_file->name;
-    AtomicFile file(numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
+    // Whoever wants one step looks for the name that was stated.
+    const bool is_exact = !stated.empty() && view.step == 0;
+    AtomicFile file(
+        is_exact ? stated
+                 : numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
     file.write(variance_table(view));
     file.commit();
 }

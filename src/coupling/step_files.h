@@ -28,10 +28,12 @@ struct StepView {
 /// The table of a step: a header, then a line for each organ that asked, in the order of the
 /// queries: area, mean projected area, sunlit and shaded part of it; for each band the mean of the
 /// absorbed flux (or what the band's return type says), the mean over the irradiance of the
-/// horizontal, and the variance between runs; with two bands their ratio and its variance.
+/// horizontal, and the variance between runs (0 where it is not known); with two bands their ratio
+/// and its variance. The header names the columns as the original program does.
 [[nodiscard]] std::string variance_table(const StepView& view);
 
-/// Writes variance_table. @throws InputError  if it can't be written
+/// Writes variance_table: the first step to the file that the specification names, later ones (and
+/// all if it names none) to numbered ones. @throws InputError  if it can't be written
 void write_variance_file(const StepView& view);
 
 /// Writes the organs of a step, coloured by the light they absorb per area in the first band, as a

@@ -1,25 +1,19 @@
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/checks.h"
 #include "base/vec3.h"
-#include "geometry/mesh/point2.h"
+#include "geometry/shapes/ear_cutter.h"
 #include "geometry/shapes/shapes.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
 
 namespace {
-
-/// A corner seen along the polygon's normal.
-struct FlatCorner : Point2 {
-    std::size_t index = 0;  ///< among the corners given
-};
-
-bool same_place(const FlatCorner& a, const FlatCorner& b) {
-    return a.s == b.s && a.t == b.t;
-}
 
 /// Twice the vector area: the normal that fits corners best that are not quite in a plane (Newell).
 Vec3 newell_normal(std::span<const Vec3> corners) {
@@ -47,53 +41,6 @@ std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& norma
     return flat;
 }
 
-/// What counts as in the way of an ear.
-enum class Blocking { inside_or_on_border, inside };
-
-/// Whether the triangle at corner `i` can be cut off: it turns left and no other corner lies in it.
-bool is_ear(const std::vector<FlatCorner>& rest, std::size_t i, Blocking blocking) {
-    const std::size_t n = rest.size();
-    const FlatCorner &a = rest[(i + n - 1) % n], &b = rest[i], &c = rest[(i + 1) % n];
-    if (!(turn(a, b, c) > 0)) {
-        return false;
-    }
-    for (const FlatCorner& p : rest) {
-        if (same_place(p, a) || same_place(p, b) || same_place(p, c)) {
-            continue;
-        }
-        const double u = turn(a, b, p), v = turn(b, c, p), w = turn(c, a, p);
-        const bool blocks =
-            blocking == Blocking::inside ? u > 0 && v > 0 && w > 0 : u >= 0 && v >= 0 && w >= 0;
-        if (blocks) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// Whether the polygon has no area at corner `i`: a straight side, or a spike.
-bool is_flat(const std::vector<FlatCorner>& rest, std::size_t i) {
-    const std::size_t n = rest.size();
-    return turn(rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]) == 0;
-}
-
-/// The corner to cut off next; `rest.size()` if there is none.
-std::size_t find_ear(const std::vector<FlatCorner>& rest) {
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-        if (is_flat(rest, i)) {
-            return i;
-        }
-    }
-    for (const Blocking blocking : {Blocking::inside_or_on_border, Blocking::inside}) {
-        for (std::size_t i = 0; i < rest.size(); ++i) {
-            if (is_ear(rest, i, blocking)) {
-                return i;
-            }
-        }
-    }
-    return rest.size();
-}
-
 }  // namespace
 
 std::vector<Face> make_polygon_faces(std::span<const Vec3> corners) {
@@ -102,25 +49,17 @@ std::vector<Face> make_polygon_faces(std::span<const Vec3> corners) {
     if (!(length(normal) > 0)) {
         return {{0, 1, 2}};
     }
-    std::vector<FlatCorner> rest = flatten(corners, normal);
-    std::vector<Face> faces;
-    while (rest.size() >= 3) {
-        const std::size_t n = rest.size(), i = find_ear(rest);
-        if (i == n) {
-            throw InputError(
-                {{"polygon of " + std::to_string(corners.size()) + " corners",
-                  "it can't be cut into triangles", "its sides cross each other",
-                  "give the corners in order around it"}});
-        }
-        if (!is_flat(rest, i)) {
-            const auto number = [&](std::size_t k) {
-                return static_cast<std::uint32_t>(rest[k % n].index);
-            };
-            faces.push_back({number(i + n - 1), number(i), number(i + 1)});
-        }
-        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+    constexpr std::size_t kFew = 32;
+    const std::vector<FlatCorner> flat = flatten(corners, normal);
+    std::optional<std::vector<Face>> faces =
+        flat.size() <= kFew ? cut_ears_of_few(flat) : cut_ears_of_many(flat);
+    if (!faces) {
+        throw InputError(
+            {{"polygon of " + std::to_string(corners.size()) + " corners",
+              "it can't be cut into triangles", "its sides cross each other",
+              "give the corners in order around it"}});
     }
-    return faces;
+    return std::move(*faces);
 }
 
 std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {

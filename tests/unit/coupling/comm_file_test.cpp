@@ -29,6 +29,15 @@ TEST(CommFile, CountsTheNumbersOfATurtleLineAndWhatStandsBefore) {
     EXPECT_FALSE(file.line(TurtleField::up).is_sent);
 }
 
+TEST(CommFile, TellsWhetherModulesAreInterpreted) {
+    KeptNotices kept;
+    EXPECT_TRUE(read("interpreted modules: all\n", kept).interprets_modules);
+    EXPECT_TRUE(read("when interpret: -1\n", kept).interprets_modules);
+    EXPECT_FALSE(read("interpreted modules:\n", kept).interprets_modules);
+    EXPECT_FALSE(read("", kept).interprets_modules);
+    EXPECT_TRUE(kept.texts.empty());
+}
+
 TEST(CommFile, TakesYesAndOnForTheFollowingModule) {
     KeptNotices kept;
     for (const char* value : {"yes", "on", "maybe"}) {

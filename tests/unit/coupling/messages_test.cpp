@@ -51,6 +51,55 @@ TEST(Messages, MayLeaveSlotsUnsetAndModulesOut) {
     EXPECT_EQ(pass.queries[3].organ, "");
 }
 
+/// Every way of writing that scanf takes, and what does not belong to the number.
+TEST(Messages, TakeNumbersAsScanfDoes) {
+    const Pass pass = pass_of(
+        "0 E(+1)P(1.,.5,0x1p-3,inf)\n1 2 3\n\t0\t1.\v+0 and so on\n -0x1P0 -.0 0X0\n+1e0 1E-400 "
+        "-1e400\n");
+    const Query& query = pass.queries.front();
+    const auto parameters = pass.parameters_of(query);
+    EXPECT_TRUE(query.asks);
+    EXPECT_EQ(parameters[0], 1);
+    EXPECT_EQ(parameters[1], 0.5);
+    EXPECT_EQ(parameters[2], 0.125);
+    EXPECT_EQ(parameters[3], HUGE_VAL);
+    EXPECT_EQ(query.turtle.position, (Vec3{1, 2, 3}));  // without the blank of the format
+    EXPECT_EQ(query.turtle.heading, (Vec3{0, 1, 0}));
+    EXPECT_EQ(query.turtle.left, (Vec3{-1, 0, 0}));
+    EXPECT_EQ(query.turtle.up, (Vec3{1, 0, -HUGE_VAL}));
+}
+
+TEST(Messages, TellTheSmallFromTheLargeBeyondTheRange) {
+    const std::string zeros(400, '0');
+    const Pass pass =
+        pass_of("0 E(1)P(0." + zeros + "1,1" + zeros + ",-1" + zeros + ".5)\n" + kTurtle);
+    const auto parameters = pass.parameters_of(pass.queries.front());
+    EXPECT_EQ(parameters[0], 0);
+    EXPECT_EQ(parameters[1], HUGE_VAL);
+    EXPECT_EQ(parameters[2], -HUGE_VAL);
+}
+
+TEST(Messages, DoNotTakeSignsAloneForNumbers) {
+    for (const char* word : {"+", "--1", "+-1", "-+1", "0x", "0x-1", ".", "e5"}) {
+        EXPECT_NE(fault_of(std::string("0 E(1)P(") + word + ")\n" + kTurtle), "") << word;
+    }
+}
+
+/// The text before the numbers may stand with or without the blanks of the format.
+TEST(Messages, HaveWhatStandsBeforeTheNumbersSkipped) {
+    KeptNotices kept;
+    for (const char* format : {" P: %f %f %f", "P:%f %f %f"}) {
+        for (const char* line : {" P: 10 2 3", "P:10 2 3", "P: 10 2 3"}) {
+            MessageParser parser(read_comm_text(
+                std::string("turtle position:") + format + "\n", "comm.e", kept.notices));
+            Pass pass;
+            static_cast<void>(
+                parser.parse("0 E(1)P(1)\n" + std::string(line) + "\nControl: 5 0\n", pass));
+            EXPECT_EQ(pass.queries[0].turtle.position, (Vec3{10, 2, 3})) << format << line;
+        }
+    }
+}
+
 TEST(Messages, CarryPolygons) {
     const Pass pass = pass_of(
         "0 E(1)M(1)\n" + kTurtle +
@@ -167,6 +216,20 @@ RC_GTEST_PROP(Answers, AreNumbersAsPrintfWritesThem, ()) {
     std::array<char, 40> expected{};
     std::snprintf(expected.data(), expected.size(), "0 E(%g)\n", value);
     RC_ASSERT(text == expected.data());
+}
+
+/// Pieces of every size; a byte is looked at once, but for those that may begin the line.
+RC_GTEST_PROP(MessageEnd, IsFoundInPieces, ()) {
+    const std::string line(*rc::gen::inRange<std::size_t>(0, 2000), 'x');
+    const std::string start = *rc::gen::element<std::string>("", "Contro\n", line + "\n");
+    const std::string bytes = start + "Control: 5 " + line + "\n";
+    const auto piece = *rc::gen::inRange<std::size_t>(1, 300);
+    MessageEndFinder finder;
+    for (std::size_t size = 0; size < bytes.size(); size += piece) {
+        RC_ASSERT(finder.find(std::string_view(bytes).substr(0, size)) == std::string::npos);
+        RC_ASSERT(finder.place() + 8 > size);
+    }
+    RC_ASSERT(finder.find(bytes + "0 E(1)\n") == bytes.size());
 }
 
 TEST(MessageEnd, StandsAfterTheControlLine) {

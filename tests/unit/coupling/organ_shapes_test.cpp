@@ -129,6 +129,28 @@ TEST_F(OrganShapesTest, OfPolygonsAddUp) {
     const OrganShape shape = OrganShapes(spec_, kept_.notices).make(pass, pass.queries.front());
     EXPECT_NEAR(area(shape.triangles), 1 + 1.75, 1e-12);
     EXPECT_GT(normal(shape).y, 0);
+    EXPECT_TRUE(kept_.texts.empty());
+}
+
+TEST_F(OrganShapesTest, OfPolygonsWhoseSidesCrossAreFans) {
+    spec_ = specification("", kept_);
+    const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";
+    const Pass pass = pass_of(
+        "0 E(1)M(1)\n" + turtle +
+        "Dbegin\npolygon\n 0 0 0\n 4 0 0\n 4 0 2\n 2 0 -1\n 0 0 2\nDend\n"
+        "1 E(1)M(1)\n" +
+        turtle + "Dbegin\npolygon\n 0 0 0\n 1e200 0 0\n 1e200 0 1e200\n 0 0 1e200\nDend\n");
+    OrganShapes shapes(spec_, kept_.notices);
+    const OrganShape fan = shapes.make(pass, pass.queries[0]);
+    ASSERT_EQ(fan.triangles.size(), 3U);
+    EXPECT_NEAR(area(fan.triangles), 4 + 4 + 2, 1e-12);
+    for (const Triangle& t : fan.triangles) {
+        EXPECT_GT(area_vector(t).y, 0);
+    }
+    EXPECT_TRUE(kept_.has("cut into a fan"));
+    KeptNotices of_huge;
+    EXPECT_TRUE(OrganShapes(spec_, of_huge.notices).make(pass, pass.queries[1]).triangles.empty());
+    EXPECT_TRUE(of_huge.has("left out"));
 }
 
 }  // namespace

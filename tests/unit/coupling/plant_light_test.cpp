@@ -138,6 +138,36 @@ TEST_F(PlantLightTest, LetsSensorsSeeInACone) {
     EXPECT_NEAR(cone / whole, 0.25, kTolerance);
 }
 
+/// What a sensor reads under a light is the irradiance on it, however far its view.
+TEST_F(PlantLightTest, LetsSensorsReadTheIrradiance) {
+    const std::string tilted =
+        "0 E(1)P(1,1)\n 0 1 0\n 0 0.8660254 -0.5\n -1 0 0\n 0 0.5 0.8660254\n";
+    for (const char* angle : {"", "80"}) {
+        const std::string sensors =
+            "return type: U\nsource spectrum: 660 3\nrays from objects: yes ";
+        EXPECT_NEAR(first(sensors + angle + "\n", flat(0, "P(1,1)", 1)), 3, 1e-6) << angle;
+        EXPECT_NEAR(first(sensors + angle + "\n", tilted), 1.5, 1e-6) << angle;
+    }
+    EXPECT_EQ(first("return type: U\nrays from objects: yes 50\n", tilted), 0);  // beyond its view
+}
+
+/// Any number of sensors and rays, whatever numbers of points a method is made for.
+TEST_F(PlantLightTest, TakesAnyNumberOfSensors) {
+    for (const char* method : {"monte carlo", "korobov", "sobol", "halton", "faure"}) {
+        const std::string text =
+            "rays from objects: yes\nsky: uniform\nreturn type: U\nnumber of rays: 4000\n"
+            "sampling method: " +
+            std::string(method) + "\n";
+        std::string sensors;
+        for (int count = 1; count <= 7; ++count) {
+            sensors += flat(count, "P(1,1)", count);
+            for (const auto& [id, values] : answers(text, sensors)) {
+                EXPECT_NEAR(values.at(0), 0.5, 0.02) << method << ", sensor " << id;
+            }
+        }
+    }
+}
+
 TEST_F(PlantLightTest, ReachesATargetError) {
     PlantLight light(
         specification(

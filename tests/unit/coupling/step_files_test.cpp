@@ -1,5 +1,6 @@
 #include "coupling/step_files.h"
 
+#include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -19,11 +20,11 @@ class StepFilesTest : public FolderTest {
   protected:
     /// The files of a black leaf tilted by 60 degrees, and half of one in its shade, in 4 runs.
     void write(const std::string& directives) {
+        const bool has_leaf = directives.find("leaf material") != std::string::npos;
+        const std::string black = has_leaf ? "" : "leaf material (top): 0 0 0 0\n";
         PlantLight light(
             specification(
-                "leaf material (top): 0 0 0 0\nnumber of rays: 4096\nnumber of runs: 4\n"
-                "return type: D\n" +
-                    directives,
+                black + "number of rays: 4096\nnumber of runs: 4\nreturn type: D\n" + directives,
                 kept_),
             kept_.notices);
         static_cast<void>(answers_of(
@@ -50,7 +51,7 @@ class StepFilesTest : public FolderTest {
 
 TEST_F(StepFilesTest, TellAreasAndVariances) {
     write("return variance: yes " + (folder_.path() / "v.dat").string() + "\n");
-    const auto table = rows("v0000.dat");
+    const auto table = rows("v.dat");
     ASSERT_EQ(table.size(), 2U);  // who only shades is not in it
     ASSERT_EQ(table[0].size(), 7U);
     const double projected = 2 * std::cos(std::numbers::pi / 3);
@@ -65,6 +66,59 @@ TEST_F(StepFilesTest, TellAreasAndVariances) {
     EXPECT_NEAR(table[1][2] + table[1][3], table[1][1], 1e-5);
     // Seen from above the rhombi of widths 2 and lengths 1 and 2 overlap on 2/3.
     EXPECT_NEAR(table[1][2], 4.0 / 3, 0.02);
+}
+
+TEST_F(StepFilesTest, NameColumnsAsTheOriginal) {
+    const std::string name = (folder_.path() / "v.dat").string();
+    write("output file: yes " + name + "\n");
+    EXPECT_TRUE(folder_.read("v.dat").starts_with(
+        "actual_leaf_area mean_projected_area sunlit_area shaded_area "
+        "mean_flux0 rel_mean_flux0 variance0\n"));
+    write(
+        "output file: yes " + name +
+        "\nspectrum samples: 2\nsource spectrum: 1 1 2 1\nleaf material (top): 0 0 0 0\n"
+        ": 0.5 0 0 0\n");
+    EXPECT_NE(
+        folder_.read("v.dat").find(
+            " mean_flux1 rel_mean_flux1 variance1 ratio variance_of_ratio\n"),
+        std::string::npos);
+}
+
+TEST_F(StepFilesTest, AreNumberedAfterTheFirst) {
+    PlantLight light(
+        specification(
+            "number of rays: 64\noutput file: yes " + (folder_.path() / "v.dat").string() + "\n",
+            kept_),
+        kept_.notices);
+    for (int step = 0; step < 3; ++step) {
+        static_cast<void>(answers_of(light, flat(0, "P(1,2)", 1)));
+    }
+    for (const char* name : {"v.dat", "v0001.dat", "v0002.dat"}) {
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / name)) << name;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "v0000.dat"));
+}
+
+/// One run: every number is one, and the sunlit area, which has an error, is never all but more.
+TEST_F(StepFilesTest, HaveNoNegativeShadeAndNoUnknownVariance) {
+    bool was_more = false;
+    for (int seed = 1; seed <= 8; ++seed) {
+        write(
+            "number of runs: 1\nnumber of rays: 256\nspectrum samples: 2\n"
+            "source spectrum: 1 1 2 1\nleaf material (top): 0 0 0 0\n: 0.5 0 0 0\n"
+            "sampling method: monte carlo\nseed: " +
+            std::to_string(seed) + "\noutput file: yes " + (folder_.path() / "v.dat").string() +
+            "\n");
+        for (const auto& row : rows("v.dat")) {
+            ASSERT_EQ(row.size(), 12U) << seed;
+            EXPECT_GE(row[3], 0) << seed;
+            EXPECT_EQ(row[6], 0) << seed;
+            EXPECT_EQ(row[9], 0) << seed;
+            EXPECT_EQ(row[11], 0) << seed;
+            was_more = was_more || row[2] > row[1];
+        }
+    }
+    EXPECT_TRUE(was_more);  // else the test shows nothing
 }
 
 TEST_F(StepFilesTest, ShowThePlantInColours) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geometry/shapes/ear_cutter.h"
 #include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
 #include "quasimc/error.h"
@@ -28,7 +29,9 @@ double shoelace(const std::vector<Vec3>& corners) {
 
 /// Whether the triangles make up the polygon: the same area, none turned over.
 ::testing::AssertionResult fills(
-    const std::vector<Triangle>& triangles, const std::vector<Vec3>& corners) {
+    const std::vector<Triangle>& triangles,
+    const std::vector<Vec3>& corners,
+    double tolerance = 1e-12) {
     const double expected = shoelace(corners);
     double sum = 0;
     for (const Triangle& t : triangles) {
@@ -38,7 +41,7 @@ double shoelace(const std::vector<Vec3>& corners) {
         }
         sum += signed_area;
     }
-    if (std::abs(sum - expected) > 1e-12 * std::abs(expected)) {
+    if (std::abs(sum - expected) > tolerance * std::abs(expected)) {
         return ::testing::AssertionFailure() << sum << " instead of " << expected;
     }
     return ::testing::AssertionSuccess();
@@ -94,6 +97,47 @@ RC_GTEST_PROP(Polygon, MayLieInAnyPlane, ()) {
     RC_ASSERT(std::abs(area(triangles) - shoelace(flat)) < 1e-9);
     for (const Triangle& t : triangles) {
         RC_ASSERT(dot(area_vector(t), frame.n) > -1e-12);
+    }
+}
+
+/// Corners on a coarse grid: repeated ones, straight sides and spikes, sides that touch and cross.
+std::vector<FlatCorner> on_grid(const std::vector<Vec3>& corners, double cells) {
+    std::vector<FlatCorner> flat;
+    for (const Vec3& p : corners) {
+        const FlatCorner corner{
+            {std::round(cells * p.x) / cells, std::round(cells * p.y) / cells}, flat.size()};
+        if (flat.empty() || !same_place(flat.back(), corner)) {
+            flat.push_back(corner);
+        }
+    }
+    return flat;
+}
+
+RC_GTEST_PROP(Polygon, OfManyCornersIsCutAsOneOfFew, ()) {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const double cells = std::exp2(static_cast<double>(2 + random.below(40)));
+    const auto corners = on_grid(star(3 + random.below(120), random), cells);
+    RC_PRE(corners.size() >= 3U);
+    const auto few = cut_ears_of_few(corners), many = cut_ears_of_many(corners);
+    RC_ASSERT(few == many);
+    RC_TAG(few.has_value() ? "cut" : "refused");
+}
+
+/// A hundred thousand corners: what looks at all of them for each ear takes hours.
+TEST(Polygon, OfVeryManyCornersIsFilled) {
+    constexpr std::size_t kMany = 100000;
+    Random random(7);
+    std::vector<Vec3> circle, comb{{static_cast<double>(kMany), -1, 0}, {0, -1, 0}};
+    for (std::size_t i = 0; i < kMany; ++i) {
+        const double x = static_cast<double>(i), angle = 2 * std::numbers::pi * x / kMany;
+        circle.push_back({std::cos(angle), std::sin(angle), 0});
+        comb.push_back({x, i % 2 == 0 ? 0.0 : 10.0, 0});
+    }
+    for (const auto& corners : {circle, comb, star(kMany, random)}) {
+        const auto triangles = make_polygon(corners);
+        EXPECT_EQ(triangles.size(), corners.size() - 2);
+        constexpr double kRounding = 1e-16;  // of each triangle
+        EXPECT_TRUE(fills(triangles, corners, kRounding * kMany));
     }
 }
 
