@@ -67,6 +67,29 @@ TEST_F(StepFilesTest, TellAreasAndVariances) {
     EXPECT_NEAR(table[1][2], 4.0 / 3, 0.02);
 }
 
+TEST_F(StepFilesTest, TellTheVarianceOfOneRunHoweverManyThereAre) {
+    const std::string name = (folder_.path() / "v.dat").string();
+    const auto variance = [&](const std::string& runs) {
+        write(
+            "method: light_tracing\nsampling method: monte carlo\nnumber of rays: 256\n"
+            "return variance: yes " +
+            name + "\nnumber of runs: " + runs + "\n");
+        return rows("v0000.dat").at(0).at(6);
+    };
+    // The sample variances of 100 and 400 runs differ by a fifth or so.
+    const double ratio = variance("400") / variance("100");
+    EXPECT_GT(ratio, 0.5);
+    EXPECT_LT(ratio, 2);
+}
+
+TEST_F(StepFilesTest, DoNotTellWhatIsSunlitWhereDirectLightIsIgnored) {
+    write(
+        "ignore direct light: yes\nreturn variance: yes " + (folder_.path() / "v.dat").string() +
+        "\n");
+    EXPECT_NE(folder_.read("v0000.dat").find("\n2 1 nan nan"), std::string::npos)
+        << folder_.read("v0000.dat");
+}
+
 TEST_F(StepFilesTest, ShowThePlantInColours) {
     write("picture file: " + (folder_.path() / "p.ply").string() + "\n");
     const std::string ply = folder_.read("p0000.ply");
