@@ -1,4 +1,5 @@
-// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md).
+// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
+// MonteCarlo, a link to it, it reads the files of that program.
 
 #include <csignal>
 #include <cstdio>
@@ -26,8 +27,8 @@ void tell(const std::string& text) {
 }
 
 int run(int argc, char** argv) {
-    const quasimc::Arguments arguments =
-        quasimc::parse_arguments({argv + 1, static_cast<std::size_t>(argc - 1)});
+    const quasimc::Arguments arguments = quasimc::parse_arguments(
+        {argv + 1, static_cast<std::size_t>(argc - 1)}, quasimc::kind_of_program(argv[0]));
     if (arguments.wants_help) {
         std::fputs(quasimc::usage_text().c_str(), stdout);
         return kDone;

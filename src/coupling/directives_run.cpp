@@ -230,7 +230,7 @@ constexpr std::array kRunDirectives{
     DirectiveEntry{"visualization", Dialect::both, ignore},
     DirectiveEntry{"grid size", Dialect::both, ignore},
     DirectiveEntry{"stratified sampling", Dialect::montecarlo, ignore},
-    DirectiveEntry{"rays from objects", Dialect::quasimc, read_sensors},
+    DirectiveEntry{"rays from objects", Dialect::both, read_sensors},
     DirectiveEntry{"maximum depth", Dialect::both, read_depth},
     DirectiveEntry{"number of runs", Dialect::both, read_runs},
     DirectiveEntry{"number of rays", Dialect::quasimc, read_rays},

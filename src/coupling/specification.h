@@ -139,6 +139,10 @@ struct Specification {
     std::optional<std::string> picture_file;  ///< its name; the number of the step is put in
 
     [[nodiscard]] std::size_t band_count() const { return bands.size(); }
+    /// The number by which organs name the first material.
+    [[nodiscard]] std::size_t first_material() const {
+        return kind == SpecificationKind::montecarlo ? 1 : 0;
+    }
     /// Whether a query has an answer. @param asks  whether it does, as its first parameter says
     [[nodiscard]] bool is_answered(bool asks) const {
         return asks || kind == SpecificationKind::montecarlo;
