@@ -1,4 +1,5 @@
-// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md).
+// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
+// MonteCarlo, a link to it, it reads the files of that program.
 
 #include <csignal>
 #include <cstdio>
@@ -45,8 +46,8 @@ int status_of(quasimc::Conversation conversation) {
 }
 
 int run(int argc, char** argv) {
-    const quasimc::Arguments arguments =
-        quasimc::parse_arguments({argv + 1, static_cast<std::size_t>(argc - 1)});
+    const quasimc::Arguments arguments = quasimc::parse_arguments(
+        {argv + 1, static_cast<std::size_t>(argc - 1)}, quasimc::kind_of_program(argv[0]));
     if (arguments.wants_help) {
         std::fputs(quasimc::usage_text().c_str(), stdout);
         return kDone;

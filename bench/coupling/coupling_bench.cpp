@@ -1,12 +1,27 @@
-// What a step of a coupled plant costs beside the tracing itself: reading the queries, building the
-// scene, answering. Counters are CPU seconds of all threads:
+// What a step of a coupled plant costs.
+//
+// bench_steps: beside the tracing itself, that is reading the queries, building the scene,
+// answering. Counters are CPU seconds of all threads:
 //   beyond   of a step, outside the tracing (the scene's acceleration structure included)
 //   text     of reading the queries and writing the answers
 //   share    beyond / whole step
+//
+// bench_pipe: all of it, as the plant simulator sees it, from the first byte of the queries written
+// to a pipe until the last byte of the answers is read. Counters are seconds by the clock:
+//   median   of the steps
+//   quickest of them, which other programs disturb the least
 
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <ctime>
 #include <string>
+#include <thread>
+#include <vector>
+
+#include <unistd.h>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -52,10 +67,23 @@ std::string leaves_message(std::size_t count, int step) {
     return text + fmt::format("Control: 5 {}\n", step);
 }
 
-Specification specification(std::uint64_t paths, std::uint32_t runs) {
+/// What shines: one light; a sky of as many cells as the original program's; sky and sun of a day.
+enum class Shining { sun, cells, day };
+
+Specification specification(std::uint64_t paths, std::uint32_t runs, Shining shining) {
+    constexpr std::size_t kCells = 32;
     Specification spec;
     spec.returns = {ReturnType::density};
-    spec.lights.push_back({{0.3, -1, 0.1}, 1});
+    if (shining == Shining::sun) {
+        spec.lights.push_back({{0.3, -1, 0.1}, 1});
+    } else if (shining == Shining::cells) {
+        spec.sky_table = plant_sky_table(kCells, kCells);
+        for (std::size_t i = 0; i < kCells * kCells; ++i) {
+            spec.sky_table->radiance[i] = 1 + static_cast<double>(i / kCells);
+        }
+    } else {
+        spec.sky = SkyOfDay{.latitude_deg = 51, .longitude_deg = -114};
+    }
     spec.run.paths = paths;
     spec.run.replicates = runs;
     spec.run.max_depth = 5;
@@ -67,7 +95,8 @@ void bench_steps(benchmark::State& state) {
     const auto leaves = static_cast<std::size_t>(state.range(0));
     const auto paths = static_cast<std::uint64_t>(state.range(1));
     Notices silent([](const std::string&) {});
-    PlantLight light(specification(paths, static_cast<std::uint32_t>(state.range(2))), silent);
+    PlantLight light(
+        specification(paths, static_cast<std::uint32_t>(state.range(2)), Shining::sun), silent);
     MessageParser parser(usual_format());
     const std::string even = leaves_message(leaves, 0), odd = leaves_message(leaves, 1);
     double whole = 0, tracing = 0, text = 0;
@@ -99,6 +128,82 @@ BENCHMARK(bench_steps)
     ->Args({35, 4096, 1})
     ->Args({10000, 65536, 1})
     ->Args({100000, 1 << 20, 8})
+    ->Unit(benchmark::kMillisecond);
+
+/// A pipe, closed at the end.
+struct Pipe {
+    Pipe() {
+        if (pipe(ends.data()) != 0) {
+            throw std::runtime_error("no pipe");
+        }
+    }
+    ~Pipe() {
+        close(ends[0]);
+        close(ends[1]);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    std::array<int, 2> ends{};
+};
+
+void write_all(int to, std::string_view text) {
+    while (!text.empty()) {
+        const auto written = write(to, text.data(), text.size());
+        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+}
+
+/// Reads answers up to the end of the last chunk.
+void read_answers(int from) {
+    std::array<char, 1 << 16> buffer{};
+    std::string text;
+    while (!text.ends_with("Control: 5\n") && !text.ends_with("Control: 4\n")) {
+        const auto got = read(from, buffer.data(), buffer.size());
+        text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    }
+}
+
+double seconds_of_step(const Pipe& to, const Pipe& from, const std::string& message) {
+    const auto start = std::chrono::steady_clock::now();
+    write_all(to.ends[1], message);
+    read_answers(from.ends[0]);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Steps through a pair of pipes, each with a changed plant.
+void bench_pipe(benchmark::State& state) {
+    const auto leaves = static_cast<std::size_t>(state.range(0));
+    const auto paths = static_cast<std::uint64_t>(state.range(1));
+    const Pipe to, from;
+    std::jthread environment([&] {
+        Notices silent([](const std::string&) {});
+        PlantLight light(specification(paths, 1, static_cast<Shining>(state.range(2))), silent);
+        const auto stream = make_pipe_stream(to.ends[0], from.ends[1]);
+        serve(
+            *stream, usual_format(),
+            [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
+                light.answer(pass, check, answers);
+            });
+    });
+    const std::string even = leaves_message(leaves, 0), odd = leaves_message(leaves, 1);
+    char here = 0;
+    benchmark::DoNotOptimize(read(from.ends[0], &here, 1));
+    std::vector<double> seconds;
+    for (auto _ : state) {
+        seconds.push_back(seconds_of_step(to, from, seconds.size() % 2 == 0 ? even : odd));
+    }
+    write_all(to.ends[1], "Control: 8\n");
+    std::sort(seconds.begin(), seconds.end());
+    state.counters["median"] = seconds[seconds.size() / 2];
+    state.counters["quickest"] = seconds.front();
+}
+
+BENCHMARK(bench_pipe)
+    ->ArgNames({"leaves", "paths", "shining"})
+    ->Args({35, 4096, static_cast<int>(Shining::sun)})
+    ->Args({35, 4096, static_cast<int>(Shining::cells)})
+    ->Args({35, 4096, static_cast<int>(Shining::day)})
+    ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

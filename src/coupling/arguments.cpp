@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "coupling/directive.h"
 #include "io/numbers.h"
 
 namespace quasimc {
@@ -97,8 +98,15 @@ const Switch* find_switch(std::string_view word) {
 
 }  // namespace
 
-Arguments parse_arguments(std::span<const char* const> list) {
+SpecificationKind kind_of_program(std::string_view path) {
+    // npos + 1 is 0: the whole path.
+    const std::string name = lower_case(path.substr(path.find_last_of('/') + 1));
+    return name == "montecarlo" ? SpecificationKind::montecarlo : SpecificationKind::automatic;
+}
+
+Arguments parse_arguments(std::span<const char* const> list, SpecificationKind kind) {
     Arguments arguments;
+    arguments.kind = kind;
     Words words(list);
     while (!words.empty()) {
         const std::string_view word = words.take();
@@ -124,7 +132,8 @@ The plant simulators start it by the line "executable:" of their environment fil
 -k, -ext or -host. Without -k, standard input and output are the line to the simulator.
 
   --spec KIND    what the specification file was written for: quasimc, montecarlo, or automatic
-                 (the default: montecarlo if it has directives that only MonteCarlo knows)
+                 (the default: montecarlo if it has directives that only MonteCarlo knows;
+                 always montecarlo if the program is called by the name MonteCarlo)
   -no_xserver    accepted; no display is needed
   -debug         tells on stderr what happens at every step
   --version      prints the version

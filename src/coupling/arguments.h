@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace quasimc {
 
@@ -28,8 +29,14 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The program that a name stands for, with or without its folder: "MonteCarlo" reads files of
+/// MonteCarlo, every other name tells from the file.
+[[nodiscard]] SpecificationKind kind_of_program(std::string_view path);
+
 /// Reads the words after the program's name, in any order. @throws UsageError
-[[nodiscard]] Arguments parse_arguments(std::span<const char* const> words);
+/// @param kind  of the specification, where no word names it
+[[nodiscard]] Arguments parse_arguments(
+    std::span<const char* const> words, SpecificationKind kind = SpecificationKind::automatic);
 
 /// How the program is called.
 [[nodiscard]] std::string usage_text();

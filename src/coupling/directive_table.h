@@ -38,6 +38,7 @@ struct DirectiveEntry {
 [[nodiscard]] std::span<const DirectiveEntry> material_directives();
 [[nodiscard]] std::span<const DirectiveEntry> run_directives();
 [[nodiscard]] std::span<const DirectiveEntry> scene_directives();
+[[nodiscard]] std::span<const DirectiveEntry> montecarlo_directives();
 
 /// The text of a file that a directive names; a fault if it can't be read.
 [[nodiscard]] std::optional<std::string> file_text(

@@ -20,9 +20,14 @@ void read_model(Values& values, DirectiveContext& context) {
     constexpr std::array<std::string_view, 5> kNames{
         "lambertian", "modified", "phong", "blinn", "parcinopy"};
     constexpr std::array<std::string_view, 5> kModels{
-        "lambertian", "blinn_phong", "phong", "blinn_phong", "phong"};
-    if (const auto chosen = values.choice(kNames)) {
-        context.spec.light_model = kModels[*chosen];
+        "lambertian", "clipped_blinn_phong", "phong", "blinn_phong", "phong"};
+    const auto chosen = values.choice(kNames);
+    if (!chosen) {
+        return;
+    }
+    context.spec.light_model = kModels[*chosen];
+    if (kNames[*chosen] == "parcinopy") {
+        values.notice("the lobe of PARCINOPY is not known here: Phong's is used");
     }
 }
 
@@ -167,6 +172,19 @@ void read_sky(Values& values, DirectiveContext& context) {
     sky_of(context).weather = *chosen == 1 ? Weather::clear : Weather::overcast;
 }
 
+/// A table in one line, without the lines that are comments.
+std::string joined_lines(std::string_view text) {
+    std::string joined;
+    LineScanner lines(text);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        if (!line.starts_with("//") && !line.starts_with('#')) {
+            joined.append(line).append(" ");
+        }
+    }
+    return joined;
+}
+
 /// The cells of a sky, azimuth by azimuth from the horizon up: a line with their numbers, then
 /// azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_sky_table(Values& numbers) {
@@ -206,13 +224,12 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
 
 void read_sky_file(Values& values, DirectiveContext& context) {
     const std::string name = values.rest();
-    auto text = file_text(name, values, context);
+    const auto text = file_text(name, values, context);
     if (!text) {
         return;
     }
-    std::replace(text->begin(), text->end(), '\n', ' ');
-    std::replace(text->begin(), text->end(), '\r', ' ');
-    Values numbers(name, "sky", *text, values.faults(), context.notices);
+    const std::string table = joined_lines(*text);
+    Values numbers(name, "sky", table, values.faults(), context.notices);
     context.spec.sky_table = read_sky_table(numbers);
     numbers.finish();
 }

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "coupling/directive_table.h"
 #include "io/line_scanner.h"
+#include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {
@@ -91,6 +92,17 @@ void read_sampler(Values& values, DirectiveContext& context) {
     context.spec.run.sampler = kSamplers[*chosen];
     if (kNames[*chosen] == "poly-korobov") {
         values.notice("there are no polynomial lattices: Sobol' points are used");
+    }
+}
+
+void read_method(Values& values, DirectiveContext& context) {
+    std::vector<std::string_view> names{"auto"};
+    for (const SolverEntry& solver : solver_catalogue()) {
+        names.push_back(solver.name);
+    }
+    if (const auto chosen = values.choice(names)) {
+        context.spec.run.method =
+            *chosen == 0 ? Method::automatic : solver_catalogue()[*chosen - 1].method;
     }
 }
 
@@ -219,7 +231,7 @@ constexpr std::array kRunDirectives{
     DirectiveEntry{"visualization", Dialect::both, ignore},
     DirectiveEntry{"grid size", Dialect::both, ignore},
     DirectiveEntry{"stratified sampling", Dialect::montecarlo, ignore},
-    DirectiveEntry{"rays from objects", Dialect::quasimc, read_sensors},
+    DirectiveEntry{"rays from objects", Dialect::both, read_sensors},
     DirectiveEntry{"maximum depth", Dialect::both, read_depth},
     DirectiveEntry{"number of runs", Dialect::both, read_runs},
     DirectiveEntry{"number of rays", Dialect::quasimc, read_rays},
@@ -228,6 +240,7 @@ constexpr std::array kRunDirectives{
     DirectiveEntry{"ignore direct light", Dialect::both, read_ignore_direct},
     DirectiveEntry{"russian roulette", Dialect::both, read_roulette},
     DirectiveEntry{"sampling method", Dialect::quasimc, read_sampler},
+    DirectiveEntry{"method", Dialect::both, read_method},
     DirectiveEntry{"seed", Dialect::both, read_seed},
     DirectiveEntry{"number of threads", Dialect::both, read_threads},
     DirectiveEntry{"target error", Dialect::both, read_target},

@@ -65,11 +65,14 @@ void read_cell(Values& values, DirectiveContext& context) {
 
 void read_ground(Values& values, DirectiveContext& context) {
     const auto height = values.number("the height");
-    const auto material = values.at_end() ? std::optional<std::int64_t>(0)
-                                          : values.integer("the number of its material", {0, 1e6});
+    const auto first = static_cast<std::int64_t>(context.spec.first_material());
+    const auto material =
+        values.at_end()
+            ? std::optional<std::int64_t>(first)
+            : values.integer("the number of its material", {static_cast<double>(first), 1e6});
     if (height && material) {
         context.ground_place = values.place();
-        context.spec.ground = StatedGround{*height, static_cast<std::size_t>(*material)};
+        context.spec.ground = StatedGround{*height, static_cast<std::size_t>(*material - first)};
     }
 }
 

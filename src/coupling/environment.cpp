@@ -15,6 +15,7 @@
 #include "coupling/session.h"
 #include "coupling/stop_signals.h"
 #include "io/numbers.h"
+#include "solvers/catalogue.h"
 
 namespace quasimc {
 namespace {
@@ -61,8 +62,13 @@ void tell_step(
     const std::function<void(const std::string&)>& tell) {
     std::string text = fmt::format("step {}: {} queries", pass.step, pass.queries.size());
     for (const Result& result : light.last().results) {
+        if (result.values.empty()) {
+            continue;  // a band without light
+        }
         text += fmt::format(
-            ", {} rays in {:.3f} s", result.rays, result.build_seconds + result.trace_seconds);
+            ", {} rays in {:.3f} s by {} ({})", result.rays,
+            result.build_seconds + result.trace_seconds, find_solver(result.chosen.method)->name,
+            result.chosen.reason);
     }
     tell(text);
 }

@@ -297,14 +297,16 @@ class OrganShapes::Maker {
         if (index >= parameters_.size() || std::isnan(parameters_[index])) {
             return std::nullopt;
         }
-        const double number = std::floor(parameters_[index]);
+        const std::size_t first = spec_.first_material();
+        const double number = std::floor(parameters_[index]) - static_cast<double>(first);
         if (number >= 0 && number < static_cast<double>(spec_.materials.size())) {
             return static_cast<std::size_t>(number);
         }
         tell(
-            "material", fmt::format(
-                            "names material {}, but there are 0 to {}: it gets the leaf's",
-                            shortest(parameters_[index]), spec_.materials.size() - 1));
+            "material",
+            fmt::format(
+                "names material {}, but there are {} to {}: it gets the leaf's",
+                shortest(parameters_[index]), first, first + spec_.materials.size() - 1));
         return std::nullopt;
     }
 
@@ -319,7 +321,8 @@ class OrganShapes::Maker {
         const bool names_material =
             spec_.material_parameter ||
             (!parameters_.empty() &&
-             parameters_.front() < static_cast<double>(spec_.materials.size()));
+             parameters_.front() <
+                 static_cast<double>(spec_.first_material() + spec_.materials.size()));
         shape.materials = names_material ? materials_from(index) : spec_.sides_of(0, std::nullopt);
         return shape;
     }

@@ -57,13 +57,13 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
     std::vector<PlacedShape> shapes = place_shapes(pass);
     if (is_dark()) {
         notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
-    } else if (!shapes.empty()) {
+    } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
         light_ = trace(pass, std::move(shapes), simulator_, check);
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
-        if (query.asks && !is_setting(query)) {
+        if (spec_.is_answered(query.asks) && !is_setting(query)) {
             const auto first = static_cast<std::uint32_t>(answers.values.size());
             fill(query, i, answers.values);
             const auto end = static_cast<std::uint32_t>(answers.values.size());
@@ -71,6 +71,14 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
         }
     }
     write_files(pass);
+}
+
+bool PlantLight::anything_is_measured(const Pass& pass, std::span<const PlacedShape> shapes) const {
+    return std::any_of(shapes.begin(), shapes.end(), [&](const PlacedShape& shape) {
+        const bool is_answered = spec_.is_answered(pass.queries[shape.query].asks);
+        return spec_.sensor_half_angle_deg ? shape.is_sensor
+                                           : is_answered || spec_.picture_file.has_value();
+    });
 }
 
 void PlantLight::apply_settings(const Pass& pass) {
@@ -160,9 +168,6 @@ StepLight PlantLight::trace(
         const std::uint64_t rays = run.paths * static_cast<std::uint64_t>(sensors);
         // Each sensor has its own points of the set, and of a lattice a power of two of them.
         run.paths = std::min(run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
-        if (sensors == 0) {
-            return light;  // nothing asks
-        }
     }
     std::vector<std::size_t> bands(spec_.band_count());
     std::iota(bands.begin(), bands.end(), std::size_t{0});

@@ -44,6 +44,9 @@ class PlantLight {
         return query.asks && spec_.sensor_half_angle_deg.has_value();
     }
     [[nodiscard]] bool is_dark() const;
+    /// Whether the light of a shape is asked for, or to be shown.
+    [[nodiscard]] bool anything_is_measured(
+        const Pass& pass, std::span<const PlacedShape> shapes) const;
 
     [[nodiscard]] std::vector<PlacedShape> place_shapes(const Pass& pass);
     [[nodiscard]] StepLight trace(

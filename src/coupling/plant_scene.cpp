@@ -77,8 +77,10 @@ Scene build_plant_scene(
         if (placed.is_sensor) {
             organ.field_of_view_deg = *spec.sensor_half_angle_deg;
         } else {
-            // Where sensors ask, the organs themselves need no rays.
-            organ.measured = !spec.sensor_half_angle_deg;
+            // Where sensors ask, the organs themselves need no rays; nor do those that only shade.
+            organ.measured =
+                !spec.sensor_half_angle_deg && (spec.is_answered(pass.queries[placed.query].asks) ||
+                                                spec.picture_file.has_value());
         }
         organ.parts.push_back(
             {placed.is_sensor ? materials.sensor(builder)

@@ -18,7 +18,8 @@ Tables known_directives(SpecificationKind kind) {
         kind == SpecificationKind::montecarlo ? Dialect::quasimc : Dialect::montecarlo;
     Tables all;
     for (const auto table :
-         {light_directives(), material_directives(), run_directives(), scene_directives()}) {
+         {light_directives(), material_directives(), run_directives(), scene_directives(),
+          montecarlo_directives()}) {
         std::copy_if(
             table.begin(), table.end(), std::back_inserter(all),
             [&](const DirectiveEntry& entry) { return entry.dialect != other; });
@@ -131,8 +132,13 @@ class SpecificationReader {
         if (spec_.ground && spec_.ground->material >= spec_.materials.size()) {
             faults.add(
                 {context_.ground_place,
-                 fmt::format("the ground is of material {}", spec_.ground->material),
-                 fmt::format("there are materials 0 to {}", spec_.materials.size() - 1), ""});
+                 fmt::format(
+                     "the ground is of material {}",
+                     spec_.first_material() + spec_.ground->material),
+                 fmt::format(
+                     "there are materials {} to {}", spec_.first_material(),
+                     spec_.first_material() + spec_.materials.size() - 1),
+                 ""});
         }
         if (spec_.lights.empty() && !spec_.sky && !spec_.sky_table && !spec_.has_uniform_sky) {
             spec_.lights.push_back({{0, -1, 0}, 1});

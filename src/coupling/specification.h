@@ -94,6 +94,13 @@ struct SideMaterials {
     }
 };
 
+/// How the light of a file is computed that says nothing of it.
+[[nodiscard]] inline RunSpec usual_run() {
+    RunSpec run;
+    run.method = Method::automatic;
+    return run;
+}
+
 /// What a specification file states, checked, with the defaults for all that it doesn't.
 struct Specification {
     SpecificationKind kind = SpecificationKind::quasimc;
@@ -104,7 +111,7 @@ struct Specification {
     std::vector<ReturnType> returns{ReturnType::flux};
     std::vector<ReturnQuantity> quantities;  ///< instead of `returns`, if any
 
-    RunSpec run;
+    RunSpec run = usual_run();
     std::optional<double> ray_density;  ///< paths per unit of the domain's area, instead of a count
     bool one_ray_per_spectrum = true;
     /// Organs that ask are sensors, which light passes; nothing: they are part of the scene.
@@ -134,6 +141,14 @@ struct Specification {
     std::optional<std::string> picture_file;  ///< its name; the number of the step is put in
 
     [[nodiscard]] std::size_t band_count() const { return bands.size(); }
+    /// The number by which organs name the first material.
+    [[nodiscard]] std::size_t first_material() const {
+        return kind == SpecificationKind::montecarlo ? 1 : 0;
+    }
+    /// Whether a query has an answer. @param asks  whether it does, as its first parameter says
+    [[nodiscard]] bool is_answered(bool asks) const {
+        return asks || kind == SpecificationKind::montecarlo;
+    }
     /// The materials of an organ that names an upper one, or both.
     [[nodiscard]] SideMaterials sides_of(
         std::size_t upper, std::optional<std::size_t> lower) const {

@@ -64,8 +64,11 @@ class TableRow {
     }
 
     /// The part of the projected area that light reaches straight from the sources: the first band
-    /// that has light tells.
+    /// that has light tells. Not known where such light is left out of all numbers.
     [[nodiscard]] double sunlit_area() const {
+        if (view_.spec.run.direct_light == DirectLight::ignored) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
         for (std::size_t b = 0; b < view_.spec.band_count(); ++b) {
             if (view_.spec.irradiance[b] > 0) {
                 return view_.light.at(organ_, Quantity::incident_direct, b).mean * area() /
@@ -116,7 +119,7 @@ std::string variance_table(const StepView& view) {
     std::string table = table_header(view.spec);
     for (std::uint32_t i = 0; i < view.pass.queries.size(); ++i) {
         const Query& query = view.pass.queries[i];
-        if (query.asks && query.organ != "Q" && query.organ != "J") {
+        if (view.spec.is_answered(query.asks) && query.organ != "Q" && query.organ != "J") {
             table += TableRow(view, i).text();
         }
     }

@@ -1,5 +1,4 @@
-// The Blinn-Phong lobe: a power of the cosine of half the angle to the specular direction. The
-// "modified" model of the QuasiMC of Cieslak et al. (2008).
+// The Blinn-Phong lobe: a power of the cosine of half the angle to the specular direction.
 //
 // What     p = (n + 2) / (8 pi) cos^n(theta / 2) over the whole sphere about the mirror direction
 //          (reflected) or the unchanged direction (transmitted). What would leave on the wrong side

@@ -20,6 +20,8 @@ namespace quasimc {
 // a grid of its parameters.
 
 std::unique_ptr<Bsdf> make_coated_lambertian(Hemisphere hemisphere, std::span<const double> values);
+std::unique_ptr<Bsdf> make_clipped_blinn_phong(
+    Hemisphere hemisphere, std::span<const double> values);
 // (tools/new.py declares a model above this line)
 
 namespace {
@@ -61,6 +63,9 @@ constexpr std::array kModels = {
     BsdfEntry{
         "coated_lambertian", "the cosine law under a smooth coat: a waxy leaf", kCoat,
         make_coated_lambertian},
+    BsdfEntry{
+        "clipped_blinn_phong", "blinn_phong cut off at the surface, as in the original QuasiMC",
+        kExponent, make_clipped_blinn_phong},
     // (tools/new.py enters a model above this line)
 };
 

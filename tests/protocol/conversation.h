@@ -22,6 +22,7 @@ inline const std::string kExit = "Control: 8 0\n";
 
 /// Black leaves in light from above: what a leaf absorbs is known exactly.
 inline const std::string kBlackLeaves =
-    "number of rays: 64\nreturn type: D\nleaf material (top): 0 0 0 0\nverbose: 0\n";
+    "number of rays: 64\nmethod: light_tracing\nreturn type: D\nleaf material (top): 0 0 0 0\n"
+    "verbose: 0\n";
 
 }  // namespace quasimc::test

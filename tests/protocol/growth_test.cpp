@@ -23,6 +23,22 @@ TEST_F(Growth, OfTheExampleIsPrinted) {
     EXPECT_TRUE(folder_.read("light0002.ply").starts_with("ply\n"));
 }
 
+TEST_F(Growth, IsToldStepByStep) {
+    folder_.write("comm.e", comm_text(Transport::pipes));
+    folder_.write("light.qmc", "number of rays: 1024\nverbose: 2\n");
+    const auto master = make_master(Transport::pipes, Client::cpfg, folder_.path());
+    master->start({"light.qmc"});
+    master->await_sign();
+    master->send(growing_leaves(10, 1));
+    static_cast<void>(master->read_all_chunks());
+    master->send(kExit);
+    EXPECT_EQ(master->read(), "Control: 5\n");
+    master->await_last_sign();
+    EXPECT_EQ(master->process().wait(), (Ending{false, 0}));
+    EXPECT_NE(folder_.read("err").find("s by first_hits (what the sun lights"), std::string::npos)
+        << folder_.read("err");
+}
+
 TEST_F(Growth, OfFiftyStepsWithTenThousandLeavesIsAnswered) {
     folder_.write("comm.e", comm_text(Transport::pipes));
     folder_.write("light.qmc", "number of rays: 1024\nreturn type: D\nverbose: 0\n");

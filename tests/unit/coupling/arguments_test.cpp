@@ -48,5 +48,16 @@ TEST(Arguments, NameTheKindOfTheSpecification) {
     EXPECT_EQ(parse({"s"}).kind, SpecificationKind::automatic);
 }
 
+TEST(Arguments, FollowTheNameOfTheProgram) {
+    EXPECT_EQ(kind_of_program("MonteCarlo"), SpecificationKind::montecarlo);
+    EXPECT_EQ(kind_of_program("/usr/bin/MonteCarlo"), SpecificationKind::montecarlo);
+    EXPECT_EQ(kind_of_program("/opt/MonteCarlo/QuasiMC"), SpecificationKind::automatic);
+    const std::vector<const char*> words{"s"}, stated{"--spec", "quasimc", "s"};
+    EXPECT_EQ(
+        parse_arguments(words, SpecificationKind::montecarlo).kind, SpecificationKind::montecarlo);
+    EXPECT_EQ(
+        parse_arguments(stated, SpecificationKind::montecarlo).kind, SpecificationKind::quasimc);
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -50,5 +50,62 @@ TEST(MonteCarlo, GivesTheFluxOfAPeriodicCanopy) {
     EXPECT_NEAR(answers.at(0).front(), 19.6, 0.4);
 }
 
+TEST(MonteCarlo, AnswersOrgansThatOnlyShade) {
+    KeptNotices kept;
+    PlantLight light(specification(kOld + "leaf material (top): 0 0 0 0\n", kept), kept.notices);
+    const auto answers =
+        answers_of(light, flat(0, "P(1.96,10)", 1, "E(-1)") + flat(1, "P(1.96,10)", 0, "E(1)"));
+    ASSERT_EQ(answers.size(), 2U);
+    EXPECT_NEAR(answers.at(0).front(), 19.6, 0.4);
+    EXPECT_NEAR(answers.at(1).front(), 0, 0.4);
+}
+
+TEST(MonteCarlo, CountsMaterialsFromOne) {
+    KeptNotices kept;
+    const std::string black_above =
+        "leaf material (top): 0 0 0 0\nleaf material (bottom): 1 0 0 0\nmaterial: 0.5 0 0 0\n";
+    PlantLight light(specification(kOld + black_above, kept), kept.notices);
+    const auto light_of = [&](const std::string& module) {
+        return answers_of(light, flat(0, module, 1)).at(0).front();
+    };
+    EXPECT_NEAR(light_of("P(1.96,10,1)"), 19.6, 0.4);
+    EXPECT_NEAR(light_of("P(1.96,10,2)"), 0, 1e-9);
+    EXPECT_NEAR(light_of("P(1.96,10,3)"), 9.8, 0.2);
+    EXPECT_FALSE(kept.has("material"));
+    EXPECT_NEAR(light_of("P(1.96,10,0)"), 19.6, 0.4);
+    EXPECT_TRUE(kept.has("there are 1 to 3"));
+    // The first of QuasiMC has the number 0.
+    const Specification quasimc = specification(black_above + "ground: 0 2\n", kept);
+    EXPECT_EQ(quasimc.ground->material, 2U);
+    const Specification montecarlo = specification(kOld + black_above + "ground: 0 2\n", kept);
+    EXPECT_EQ(montecarlo.ground->material, 1U);
+}
+
+TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
+    KeptNotices kept;
+    const Specification spec = specification(
+        "version: 2\nno direct light: yes\nrays from objects: yes 30\n"
+        "reflectance model: parcinopy\n",
+        kept);
+    EXPECT_EQ(spec.kind, SpecificationKind::montecarlo);
+    EXPECT_EQ(spec.run.direct_light, DirectLight::ignored);
+    EXPECT_EQ(spec.sensor_half_angle_deg, 30);
+    EXPECT_EQ(spec.light_model, "phong");
+    EXPECT_TRUE(kept.has("PARCINOPY is not known"));
+    EXPECT_EQ(
+        specification("ray density: 1\nno direct light: no\n", kept).run.direct_light,
+        DirectLight::counted);
+    EXPECT_NE(faults_of("no direct light: yes\nsampling method: sobol\n"), "");
+}
+
+TEST(MonteCarlo, ReadsSkiesWithComments) {
+    KeptNotices kept;
+    const Specification spec = specification(
+        kOld + "sky file: sky\n", kept,
+        {{"sky", "// of a day\n2 1\n# azimuth elevation value\n0 0 1\n0 0 3\n"}});
+    ASSERT_TRUE(spec.sky_table.has_value());
+    EXPECT_EQ(spec.sky_table->radiance, (std::vector<double>{1, 3}));
+}
+
 }  // namespace
 }  // namespace quasimc::test

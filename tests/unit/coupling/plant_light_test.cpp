@@ -1,5 +1,6 @@
 #include "coupling/plant_light.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "coupling_testing.h"
@@ -8,8 +9,8 @@ namespace quasimc::test {
 namespace {
 
 /// What the directives below compute is known: black leaves, light from above, no overlap.
-const std::string kBlack = "leaf material (top): 0 0 0 0\nnumber of rays: 1024\n";
-constexpr double kMargin = 2e-4;  // by which the window of the light is larger than the leaf
+const std::string kBlack = "leaf material (top): 0 0 0 0\nnumber of rays: 16384\n";
+constexpr double kMargin = 2e-4;  // more than what so many scan lines are wrong by
 
 class PlantLightTest : public ::testing::Test {
   protected:
@@ -186,6 +187,85 @@ TEST_F(PlantLightTest, EndsWhenAskedTo) {
         light.answer(
             pass_of(flat(0, "P(1,2)", 1)), [] { throw PeerDisconnected("gone"); }, answers),
         PeerDisconnected);
+}
+
+/// Leaves one above the other, which shade each other in part; the lowest lies upside down.
+std::string pile(int asking, int shading) {
+    std::string queries;
+    for (int i = 0; i < asking + shading; ++i) {
+        queries += fmt::format(
+            "{} E({})P({},1)\n {} {} 0\n 0 0 -1\n -1 0 0\n 0 {} 0\n", i, i < asking ? 1 : -1,
+            0.5 + 0.1 * i, 0.2 * i, 0.3 * i, i == 0 ? -1 : 1);
+    }
+    return queries;
+}
+
+TEST_F(PlantLightTest, UsesTheMethodThatAutoFindsBest) {
+    const auto method_of = [&](const std::string& text, const std::string& queries) {
+        PlantLight light(specification(text, kept_), kept_.notices);
+        static_cast<void>(answers_of(light, queries));
+        return light.last().results.front().chosen.method;
+    };
+    EXPECT_EQ(method_of("", pile(3, 0)), Method::first_hits);
+    EXPECT_EQ(method_of("sky: uniform\n", pile(3, 0)), Method::first_hits);
+    EXPECT_EQ(method_of("method: light_tracing\n", pile(3, 0)), Method::light_tracing);
+    EXPECT_EQ(method_of("method: auto\n", pile(3, 0)), Method::first_hits);
+    EXPECT_EQ(method_of("rays from objects: yes\n", pile(1, 2)), Method::from_organs);
+    // A leaf in twenty asks: the others need no rays of their own, unless all are to be shown.
+    EXPECT_EQ(method_of("", pile(1, 19)), Method::from_organs);
+    EXPECT_EQ(faults_of("method: guess\n").find("guess") == std::string::npos, false);
+}
+
+TEST_F(PlantLightTest, AnswersAlikeByEveryMethod) {
+    const std::string two_bands =
+        "spectrum samples: 2\nsource spectrum: 660 1 730 3\nreturn type: U L\n"
+        "leaf material (top): 0.1 0 0.1 0\n: 0.4 0 0.4 0\nmaximum depth: -1\n"
+        "number of rays: 262144\n";
+    const std::string cells = "3 2\n0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6\n";
+    for (const char* light :
+         {"light source: 0.3 -1 0.1 3\nlight source: -1 -1 0 1\n", "sky file: cells\n",
+          "sky file: cells\none ray per spectrum: no\n",
+          "light source: 0.3 -1 0.1 1\nignore direct light: yes\n"}) {
+        const auto answers_by = [&](const std::string& method) {
+            PlantLight plant(
+                specification(two_bands + light + method, kept_, {{"cells", cells}}),
+                kept_.notices);
+            std::string queries = pile(4, 1);
+            for (std::size_t at = 0; (at = queries.find("E(1)", at)) != std::string::npos; ++at) {
+                queries.replace(at, 4, "E(1,0)");
+            }
+            return answers_of(plant, queries);
+        };
+        const auto expected = answers_by("method: light_tracing\n");
+        for (const char* method : {"", "method: from_organs\n"}) {
+            const auto found = answers_by(method);
+            ASSERT_EQ(found.size(), 4U);
+            for (const auto& [id, values] : expected) {
+                for (std::size_t b = 0; b < values.size(); ++b) {
+                    constexpr double kNoise = 0.02;
+                    EXPECT_NEAR(found.at(id).at(b), values[b], kNoise * (1 + values[b]))
+                        << light << method << id << " " << b;
+                }
+            }
+        }
+    }
+}
+
+TEST_F(PlantLightTest, GivesTheSameLightAgainAndOtherNoiseAtEachStep) {
+    const std::string text = "number of rays: 256\nseed: 5\n";
+    PlantLight once(specification(text, kept_), kept_.notices);
+    PlantLight again(specification(text, kept_), kept_.notices);
+    const auto first = answers_of(once, pile(5, 0));
+    const auto second = answers_of(once, pile(5, 0));
+    EXPECT_EQ(answers_of(again, pile(5, 0)), first);
+    EXPECT_EQ(answers_of(again, pile(5, 0)), second);
+    EXPECT_NE(first, second);
+}
+
+TEST_F(PlantLightTest, TracesNothingWhereNothingAsks) {
+    PlantLight light(specification("method: from_organs\n", kept_), kept_.notices);
+    EXPECT_TRUE(answers_of(light, pile(0, 3)).empty());
+    EXPECT_TRUE(light.last().results.empty());
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST_F(StepFilesTest, HaveNoNegativeShadeAndNoUnknownVariance) {
     bool was_more = false;
     for (int seed = 1; seed <= 8; ++seed) {
         write(
-            "number of runs: 1\nnumber of rays: 256\nspectrum samples: 2\n"
+            "method: light_tracing\nnumber of runs: 1\nnumber of rays: 256\nspectrum samples: 2\n"
             "source spectrum: 1 1 2 1\nleaf material (top): 0 0 0 0\n: 0.5 0 0 0\n"
             "sampling method: monte carlo\nseed: " +
             std::to_string(seed) + "\noutput file: yes " + (folder_.path() / "v.dat").string() +
@@ -119,6 +119,29 @@ TEST_F(StepFilesTest, HaveNoNegativeShadeAndNoUnknownVariance) {
         }
     }
     EXPECT_TRUE(was_more);  // else the test shows nothing
+}
+
+TEST_F(StepFilesTest, TellTheVarianceOfOneRunHoweverManyThereAre) {
+    const std::string name = (folder_.path() / "v.dat").string();
+    const auto variance = [&](const std::string& runs) {
+        write(
+            "method: light_tracing\nsampling method: monte carlo\nnumber of rays: 256\n"
+            "return variance: yes " +
+            name + "\nnumber of runs: " + runs + "\n");
+        return rows("v.dat").at(0).at(6);
+    };
+    // The sample variances of 100 and 400 runs differ by a fifth or so.
+    const double ratio = variance("400") / variance("100");
+    EXPECT_GT(ratio, 0.5);
+    EXPECT_LT(ratio, 2);
+}
+
+TEST_F(StepFilesTest, DoNotTellWhatIsSunlitWhereDirectLightIsIgnored) {
+    write(
+        "ignore direct light: yes\nreturn variance: yes " + (folder_.path() / "v.dat").string() +
+        "\n");
+    EXPECT_NE(folder_.read("v.dat").find("\n2 1 nan nan"), std::string::npos)
+        << folder_.read("v.dat");
 }
 
 TEST_F(StepFilesTest, ShowThePlantInColours) {

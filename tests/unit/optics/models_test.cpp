@@ -195,8 +195,11 @@ TEST_P(EveryModel, IsReciprocalWhereItSaysSoAndSymmetricOtherwise) {
             const double back = lobe.reversed_value(wo);
             largest_difference =
                 std::max(largest_difference, std::abs(forth - back) / (forth + back + 1e-300));
-            // Of light under a coat only the way in is weakened: that can't be symmetric.
-            if (!lobe.bsdf.is_reciprocal() && lobe.bsdf.has_constant_albedo()) {
+            // Of light under a coat only the way in is weakened: that can't be symmetric. Nor is
+            // what is cut off at the surface, by an amount that depends on the way in.
+            const bool can_be_symmetric =
+                lobe.bsdf.has_constant_albedo() && GetParam().entry->name != "clipped_blinn_phong";
+            if (!lobe.bsdf.is_reciprocal() && can_be_symmetric) {
                 const double p = lobe.pdf(wo);
                 ASSERT_NEAR(p, lobe.reversed_pdf(wo), 1e-9 * p + 1e-290);
             }
