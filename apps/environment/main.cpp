@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "coupling/environment.h"
+#include "io/standard_streams.h"
 #include "quasimc/version.h"
 
 namespace {
@@ -48,6 +49,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    quasimc::open_standard_streams();
     try {
         return run(argc, argv);
     } catch (const quasimc::UsageError& error) {
