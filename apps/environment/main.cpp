@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "coupling/environment.h"
+#include "io/standard_streams.h"
 #include "quasimc/run.h"
 #include "quasimc/version.h"
 
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    quasimc::open_standard_streams();
     close_inherited();
     // A simulator that is gone is noticed by the error of the write.
     std::signal(SIGPIPE, SIG_IGN);

@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "commands.h"
-#include "io/atomic_file.h"
 #include "io/meshes/formats.h"
+#include "io/output_files.h"
 #include "option_flags.h"
 #include "quasimc/quasimc.h"
 
@@ -27,10 +27,10 @@ Exit export_scene(const ExportArguments& arguments) {
     const quasimc::FormatEntry& format = format_of(arguments);
     const quasimc::RunFile run = quasimc::read_run_file(arguments.file);
     print_warnings(run.warnings);
-    quasimc::AtomicFile output(arguments.output);
-    const auto write = [&](std::string_view text) { output.write(text); };
-    quasimc::write_geometry(format, run.scene, write);
+    quasimc::OutputFiles output({{arguments.output, "OUTPUT"}}, run.inputs);
+    quasimc::write_geometry(format, run.scene, output.sink(0));
     output.commit();
+    output.throw_if_given_up();
     return Exit::done;
 }
 

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -5,6 +6,7 @@
 
 #include "base/memory_need.h"
 #include "commands.h"
+#include "io/standard_streams.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -54,8 +56,15 @@ Exit run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    quasimc::open_standard_streams();
+    // A reader that is gone and a file that grows too large are noticed by the error of the write.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         const int status = status_of(run_program(argc, argv));
+        if (!quasimc::has_standard_output()) {
+            return status;
+        }
         if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
             std::fprintf(stderr, "standard output: can't be written\n");
             return status_of(Exit::input_error);

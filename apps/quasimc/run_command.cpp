@@ -1,13 +1,17 @@
+#include <array>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "commands.h"
 #include "interrupt.h"
-#include "io/atomic_file.h"
+#include "io/output_files.h"
 #include "io/results/audit_words.h"
 #include "option_flags.h"
 #include "progress.h"
@@ -22,37 +26,43 @@ struct RunArguments {
     OptionFlags flags;
 };
 
-/// The files to write, opened before the run so that a wrong path is told at once.
-struct Outputs {
-    std::unique_ptr<quasimc::AtomicFile> csv, json, days;
-    std::vector<std::string> names;  ///< of real files
-    bool uses_stdout = false;
+/// The files that a run may write, in the order in which they get their names: the result that has
+/// everything is the last.
+enum Output : std::size_t { kCsv, kDays, kJson };
 
-    std::unique_ptr<quasimc::AtomicFile> open(const std::optional<std::string>& path) {
-        if (!path) {
-            return nullptr;
-        }
-        (*path == "-") ? static_cast<void>(uses_stdout = true) : names.push_back(*path);
-        return std::make_unique<quasimc::AtomicFile>(*path);
-    }
+/// Which of them a run writes, and where.
+struct Asked {
+    std::array<std::optional<std::size_t>, 3> numbers;  // among the paths
+    std::vector<quasimc::OutputPath> paths;
 };
 
 /// Paths on the command line count from the current folder, and go before those of the run file.
-Outputs open_outputs(const RunArguments& arguments, quasimc::OutputSpec spec) {
-    if (!arguments.csv.empty()) {
-        spec.csv = arguments.csv;
+Asked asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
+    Asked asked;
+    const auto ask = [&](Output output, std::string_view key, const std::string& flag,
+                         const std::optional<std::string>& stated) {
+        if (!flag.empty()) {
+            asked.numbers[output] = asked.paths.size();
+            asked.paths.push_back({flag, fmt::format("--{}", key)});
+        } else if (stated) {
+            asked.numbers[output] = asked.paths.size();
+            asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});
+        }
+    };
+    ask(kCsv, "csv", arguments.csv, run.output.csv);
+    ask(kDays, "days", arguments.days, run.output.days);
+    ask(kJson, "json", arguments.json, run.output.json);
+    return asked;
+}
+
+/// What was read: beside the files of the run, the result that is repeated.
+std::vector<quasimc::InputFile> inputs_of(
+    const RunArguments& arguments, const quasimc::RunFile& run) {
+    std::vector<quasimc::InputFile> inputs = run.inputs;
+    if (!arguments.from.empty()) {
+        inputs.push_back({arguments.from, arguments.from, "", 0, false});
     }
-    if (!arguments.json.empty()) {
-        spec.json = arguments.json;
-    }
-    if (!arguments.days.empty()) {
-        spec.days = arguments.days;
-    }
-    Outputs outputs;
-    outputs.csv = outputs.open(spec.csv);
-    outputs.json = outputs.open(spec.json);
-    outputs.days = outputs.open(spec.days);
-    return outputs;
+    return inputs;
 }
 
 quasimc::StoredRun read_run(const RunArguments& arguments) {
@@ -84,15 +94,18 @@ class RunWriters {
   public:
     /// Opens the files, so that a wrong path is told before anything is computed.
     RunWriters(const RunArguments& arguments, const quasimc::RunFile& run)
-        : run_(run), outputs_(open_outputs(arguments, run.output)), summary_(run) {
-        if (outputs_.csv) {
-            csv_.emplace(run, sink_of(*outputs_.csv));
+        : run_(run),
+          asked_(asked_outputs(arguments, run)),
+          outputs_(asked_.paths, inputs_of(arguments, run)),
+          summary_(run) {
+        if (wants(kCsv)) {
+            csv_.emplace(run, sink_of(kCsv));
         }
-        if (outputs_.days) {
-            days_.emplace(run, sink_of(*outputs_.days));
+        if (wants(kDays)) {
+            days_.emplace(run, sink_of(kDays));
         }
-        if (outputs_.json) {
-            json_.emplace(run, sink_of(*outputs_.json));
+        if (wants(kJson)) {
+            json_.emplace(run, sink_of(kJson));
         } else if (!arguments.from.empty()) {
             json_.emplace(run);  // for the digest
         }
@@ -105,7 +118,7 @@ class RunWriters {
         events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
             add_moment(time_step, result, traced);
         };
-        events.wants_total = run_.series && outputs_.json;
+        events.wants_total = run_.series && wants(kJson);
         if (days_ || events.wants_total) {
             events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
         }
@@ -114,23 +127,40 @@ class RunWriters {
 
     /// Gives the files their names. @returns the digest of the organs, if it was asked for
     std::string finish(const quasimc::SeriesSummary& summary) {
-        std::string digest = json_ ? json_->finish(summary) : "";
-        for (const auto* file : {&outputs_.csv, &outputs_.json, &outputs_.days}) {
-            if (*file) {
-                (*file)->commit();
-            }
-        }
+        std::string digest;
+        write_json([&](quasimc::JsonWriter& json) { digest = json.finish(summary); });
+        outputs_.commit();
         return digest;
     }
 
     void print_summary(const quasimc::SeriesSummary& summary, const std::string& comparison) const {
-        const std::string text = summary_.text(summary, outputs_.names) + comparison;
-        std::fputs(text.c_str(), outputs_.uses_stdout ? stderr : stdout);
+        const std::string text = summary_.text(summary, outputs_.written()) + comparison;
+        std::fputs(text.c_str(), outputs_.uses_standard_output() ? stderr : stdout);
     }
 
+    /// @throws InputError  if some of the files could not be written
+    void throw_if_given_up() const { outputs_.throw_if_given_up(); }
+
   private:
-    static quasimc::TextSink sink_of(quasimc::AtomicFile& file) {
-        return [&file](std::string_view text) { file.write(text); };
+    [[nodiscard]] bool wants(Output output) const { return asked_.numbers[output].has_value(); }
+
+    quasimc::TextSink sink_of(Output output) { return outputs_.sink(*asked_.numbers[output]); }
+
+    /// No room for what the writer keeps until the end costs no more than its own file.
+    template <typename Action>
+    void write_json(Action action) {
+        if (!json_) {
+            return;
+        }
+        try {
+            action(*json_);
+        } catch (const quasimc::InputError& error) {
+            if (!wants(kJson)) {
+                throw;
+            }
+            json_.reset();
+            outputs_.give_up(*asked_.numbers[kJson], error);
+        }
     }
 
     void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
@@ -139,22 +169,19 @@ class RunWriters {
         if (csv_) {
             csv_->add_moment(time_step, result);
         }
-        if (json_) {
-            json_->add_moment(time_step, result, traced);
-        }
+        write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
     }
 
     void add_day(std::size_t day, const quasimc::SeriesSum& sum) {
         if (days_) {
             days_->add_day(day, sum);
         }
-        if (json_) {
-            json_->add_day(day, sum);
-        }
+        write_json([&](auto& json) { json.add_day(day, sum); });
     }
 
     const quasimc::RunFile& run_;
-    Outputs outputs_;
+    Asked asked_;
+    quasimc::OutputFiles outputs_;
     quasimc::Summary summary_;
     std::optional<quasimc::CsvWriter> csv_;
     std::optional<quasimc::DaysWriter> days_;
@@ -232,6 +259,7 @@ Exit run(const RunArguments& arguments) {
     if (!arguments.quiet) {
         writers.print_summary(summary, comparison(arguments, stored, digest));
     }
+    writers.throw_if_given_up();
     return exit_of(file, summary);
 }
 

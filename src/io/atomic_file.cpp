@@ -1,8 +1,10 @@
 #include "io/atomic_file.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,6 +12,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "io/file_identity.h"
+#include "io/standard_streams.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -19,20 +23,39 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kEverybody = 0666;  // less the process's umask
 
-/// The file that a path stands for: links are followed, so that they stay.
-fs::path target_of(const fs::path& path) {
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(path, error);
-    return error ? path : target;
+/// Opens a pipe for writing, once something reads it; -1 if nothing does.
+int open_pipe(const fs::path& path) {
+    constexpr int kTries = 100;
+    constexpr std::chrono::milliseconds kApart{50};
+    for (int i = 0; i < kTries; ++i) {
+        const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor >= 0) {
+            ::fcntl(descriptor, F_SETFL, O_WRONLY);
+            return descriptor;
+        }
+        if (errno != ENXIO) {
+            break;
+        }
+        std::this_thread::sleep_for(kApart);
+        errno = ENXIO;
+    }
+    return -1;
+}
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& path) : path_(path == "-" ? path : target_of(path)) {
+AtomicFile::AtomicFile(const fs::path& path) : path_(path == "-" ? path : followed(path)) {
     std::error_code error;
     const fs::file_status status = fs::status(path_, error);
     if (path == "-") {
         straight_ = true;
+        if (!has_standard_output()) {
+            throw InputError({{"standard output", "can't be written", "it is closed", ""}});
+        }
         file_ = stdout;
         return;
     }
@@ -42,9 +65,9 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path == "-" ? path : target
     }
     straight_ = fs::exists(status) && !fs::is_regular_file(status);
     if (straight_) {
-        file_ = std::fopen(path_.c_str(), "wb");
+        open_straight();
     } else {
-        const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
+        const fs::path folder = folder_of(path_);
         open_unnamed(folder);
         if (file_ == nullptr) {
             open_named(folder);
@@ -71,22 +94,30 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
+    prepare();
+    put_in_place();
+    sync_place();
+}
+
+void AtomicFile::prepare() {
     if (std::fflush(file_) != 0) {
         fail();
     }
     if (straight_) {
         return;
     }
+    // What a file system can't sync (EINVAL) it has written all the same.
+    if (::fsync(::fileno(file_)) != 0 && errno != EINVAL) {
+        fail();
+    }
     if (temporary_.empty()) {
-        const fs::path name =
-            path_.parent_path() / fmt::format(".{}.{}", path_.filename().string(), ::getpid());
-        const std::string descriptor = fmt::format("/proc/self/fd/{}", ::fileno(file_));
-        ::unlink(name.c_str());
-        if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) !=
-            0) {
-            fail();
-        }
-        temporary_ = name;
+        name_temporary();
+    }
+}
+
+void AtomicFile::put_in_place() {
+    if (straight_) {
+        return;
     }
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
         fail();
@@ -94,9 +125,46 @@ void AtomicFile::commit() {
     temporary_.clear();
 }
 
+void AtomicFile::sync_place() const {
+    if (straight_) {
+        return;
+    }
+    const int descriptor = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        static_cast<void>(::fsync(descriptor));
+        ::close(descriptor);
+    }
+}
+
+void AtomicFile::name_temporary() {
+    const fs::path name =
+        path_.parent_path() / fmt::format(".{}.{}", path_.filename().string(), ::getpid());
+    const std::string descriptor = fmt::format("/proc/self/fd/{}", ::fileno(file_));
+    ::unlink(name.c_str());
+    if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+        fail();
+    }
+    temporary_ = name;
+}
+
 void AtomicFile::fail() const {
-    throw InputError(
-        {{path_.string(), "can't be written", std::generic_category().message(errno), ""}});
+    const std::string why = std::generic_category().message(errno);
+    const std::string place = path_ == "-" ? "standard output" : path_.string();
+    throw InputError({{place, "can't be written", why, ""}});
+}
+
+/// Pipes and devices.
+void AtomicFile::open_straight() {
+    std::error_code error;
+    if (!fs::is_fifo(path_, error)) {
+        file_ = std::fopen(path_.c_str(), "wb");
+        return;
+    }
+    const int descriptor = open_pipe(path_);
+    if (descriptor < 0 && errno == ENXIO) {
+        throw InputError({{path_.string(), "can't be written", "nothing reads this pipe", ""}});
+    }
+    file_ = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
 /// A file without a name leaves nothing behind, however the program ends. Not every file system has

@@ -12,7 +12,7 @@ namespace quasimc {
 /// is no file ("-" for standard output, a pipe, /dev/null) is written straight.
 class AtomicFile {
   public:
-    /// @throws InputError  if the file can't be written there
+    /// @throws InputError  if the file can't be written there; if it is a pipe that nothing reads
     explicit AtomicFile(const std::filesystem::path& path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -23,10 +23,22 @@ class AtomicFile {
     /// Gives the file its name. At most once, nothing is written after it. @throws InputError
     void commit();
 
+    // The three steps of it, for files that get their names together.
+
+    /// Brings all of the file to the disk, beside its place. Nothing is written after it.
+    /// @throws InputError
+    void prepare();
+    /// Puts it in its place. After prepare(). @throws InputError
+    void put_in_place();
+    /// Makes the name last, as far as the file system can. After put_in_place().
+    void sync_place() const;
+
   private:
     [[noreturn]] void fail() const;
+    void open_straight();
     void open_unnamed(const std::filesystem::path& folder);
     void open_named(const std::filesystem::path& folder);
+    void name_temporary();
 
     std::filesystem::path path_;
     std::filesystem::path temporary_;  // empty if the file has no name yet, or is written straight

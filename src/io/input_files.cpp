@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <system_error>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "io/sha256.h"
 #include "quasimc/error.h"
@@ -21,29 +24,60 @@ namespace fs = std::filesystem;
     throw InputError({{path.string(), "can't be read", why, ""}});
 }
 
-struct Closer {
-    void operator()(std::FILE* file) const {
-        if (file != stdin) {
-            std::fclose(file);
+/// A descriptor that is closed at the end, unless it is standard input.
+class Descriptor {
+  public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ != STDIN_FILENO) {
+            ::close(number_);
         }
     }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int number() const { return number_; }
+
+  private:
+    int number_;
 };
 
-std::string read_all(std::FILE* file, const fs::path& path) {
+/// Waits until something can be read. @returns false  if the time has passed
+bool wait_for_bytes(int descriptor, int milliseconds) {
+    pollfd asked{descriptor, POLLIN, 0};
+    return ::poll(&asked, 1, milliseconds) != 0;
+}
+
+/// All that comes from a descriptor. It may be one that does not block.
+std::string read_all(int descriptor, const fs::path& path) {
     std::string text;
-    std::error_code unknown_size;
-    const std::uintmax_t size = fs::file_size(path, unknown_size);
-    if (!unknown_size) {
-        text.reserve(size);
+    struct stat status {};
+    const bool is_known = ::fstat(descriptor, &status) == 0;
+    if (is_known && S_ISREG(status.st_mode)) {
+        text.reserve(static_cast<std::size_t>(status.st_size));
     }
+    bool may_be_unwritten = is_known && S_ISFIFO(status.st_mode) && descriptor != STDIN_FILENO;
     std::array<char, 65536> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
-        text.append(buffer.data(), count);
+    while (true) {
+        const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
+        if (count > 0) {
+            text.append(buffer.data(), static_cast<std::size_t>(count));
+            may_be_unwritten = false;
+        } else if (count == 0) {
+            constexpr int kPatience = 5000;
+            if (!may_be_unwritten) {
+                return text;
+            }
+            if (!wait_for_bytes(descriptor, kPatience)) {
+                cannot_read(path, "nothing writes into this pipe");
+            }
+            may_be_unwritten = false;
+        } else if (errno == EAGAIN) {
+            may_be_unwritten = false;
+            wait_for_bytes(descriptor, -1);
+        } else if (errno != EINTR) {
+            cannot_read(path, std::generic_category().message(errno));
+        }
     }
-    if (std::ferror(file) != 0) {
-        cannot_read(path, std::generic_category().message(errno));
-    }
-    return text;
 }
 
 /// A device would never end.
@@ -61,15 +95,16 @@ void refuse_what_is_no_file(const fs::path& path) {
 }  // namespace
 
 std::string read_file(const fs::path& path) {
-    if (path == "-") {
-        return read_all(stdin, "standard input");
+    if (path == "-" || path == "/dev/stdin") {
+        return read_all(STDIN_FILENO, "standard input");
     }
     refuse_what_is_no_file(path);
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
-    if (!file) {
+    // A pipe that nothing writes into would block for ever.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    if (file.number() < 0) {
         cannot_read(path, std::generic_category().message(errno));
     }
-    return read_all(file.get(), path);
+    return read_all(file.number(), path);
 }
 
 std::string InputFiles::read(const std::string& path) {

@@ -24,15 +24,22 @@ std::string quoted(const std::string& word) {
 
 Outcome run_program(
     const fs::path& folder, const std::vector<std::string>& arguments, const std::string& input) {
-    const TemporaryFolder streams;
-    const fs::path in = streams.write("in", input);
-    std::string command = "cd " + quoted(folder.string()) + " && " + quoted(QUASIMC_PROGRAM);
+    std::string command = "\"$quasimc\"";
     for (const std::string& argument : arguments) {
         command += " " + quoted(argument);
     }
-    command += " <" + quoted(in.string()) + " >" + quoted((streams.path() / "out").string()) +
-               " 2>" + quoted((streams.path() / "err").string());
-    const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe)
+    return run_shell(folder, command, input);
+}
+
+Outcome run_shell(const fs::path& folder, const std::string& command, const std::string& input) {
+    const TemporaryFolder streams;
+    const fs::path in = streams.write("in", input);
+    const std::string whole =
+        "cd " + quoted(folder.string()) + " && { quasimc=" + quoted(QUASIMC_PROGRAM) + "; " +
+        command + "\n} <" + quoted(in.string()) + " >" + quoted((streams.path() / "out").string()) +
+        " 2>" + quoted((streams.path() / "err").string());
+    const int status =
+        std::system(("bash -c " + quoted(whole)).c_str());  // NOLINT(concurrency-mt-unsafe)
     return {
         WIFEXITED(status) ? WEXITSTATUS(status) : 128, streams.read("out"), streams.read("err")};
 }

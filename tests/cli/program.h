@@ -20,6 +20,10 @@ struct Outcome {
     const std::vector<std::string>& arguments,
     const std::string& input = {});
 
+/// Runs lines of bash in a folder; "$quasimc" is the program.
+[[nodiscard]] Outcome run_shell(
+    const std::filesystem::path& folder, const std::string& command, const std::string& input = {});
+
 /// A run file without a fault: two leaves from leaves.tri, one inline.
 [[nodiscard]] std::string good_run_file();
 /// Its leaves.tri.
@@ -36,6 +40,9 @@ class ProgramTest : public FolderTest {
     [[nodiscard]] Outcome run(
         const std::vector<std::string>& arguments, const std::string& input = {}) const {
         return run_program(folder_.path(), arguments, input);
+    }
+    [[nodiscard]] Outcome shell(const std::string& command, const std::string& input = {}) const {
+        return run_shell(folder_.path(), command, input);
     }
     /// Names of the files in the folder, hidden ones too, without those that the test made.
     [[nodiscard]] std::vector<std::string> new_files() const;

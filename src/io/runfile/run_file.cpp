@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
+#include <system_error>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "io/file_identity.h"
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
-#include "io/sha256.h"
 
 namespace quasimc {
 namespace {
@@ -43,7 +47,17 @@ OutputSpec read_output(TableReader& top, const InputFiles& files) {
             table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
             return std::nullopt;
         }
-        return path ? std::optional(files.resolved(*path).string()) : std::nullopt;
+        if (!path) {
+            return std::nullopt;
+        }
+        std::string resolved = files.resolved(*path).string();
+        const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
+        if (const InputFile* input = input_at(file, files.files())) {
+            table.fault_at(
+                key, fmt::format("{} = '{}' is an input of the run", key, *path),
+                fmt::format("'{}' is read from it", input->path), "name another file");
+        }
+        return resolved;
     };
     output.csv = read_path("csv");
     output.json = read_path("json");
@@ -121,7 +135,6 @@ Sections read_sections(
     builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
-    sections.output = read_output(top, files);
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
     sections.series = read_time(top, context, sections.sources);
@@ -130,6 +143,7 @@ Sections read_sections(
     read_ground(top, context, builder);
     read_cell(top, context, builder);
     read_detectors(top, builder);
+    sections.output = read_output(top, files);  // when all is known that is read
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {
@@ -171,6 +185,14 @@ void throw_in_order(const Reporter& reporter) {
         return line_of(a.place, reporter.file) < line_of(b.place, reporter.file);
     });
     throw InputError(std::move(faults));
+}
+
+/// Where a run file is. Paths in what comes through a pipe count from the current folder.
+std::filesystem::path absolute_path(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const bool is_stream = path == "-" || path == "/dev/stdin" || fs::is_fifo(path, error);
+    return is_stream ? fs::current_path() / fs::path(path).filename() : fs::absolute(path);
 }
 
 }  // namespace
@@ -225,13 +247,12 @@ RunFile read_run_text(
 }
 
 RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {
-    namespace fs = std::filesystem;
     const std::string text = read_file(path);
-    const fs::path absolute = path == "-" ? fs::current_path() / "-" : fs::absolute(path);
+    const std::filesystem::path absolute = absolute_path(path);
     InputFiles files(absolute.parent_path());
+    files.note(path, absolute, text);
     RunFile run = read_run_text(text, path == "-" ? "standard input" : path, files, overrides);
-    run.inputs.insert(
-        run.inputs.begin(), {path, absolute.string(), sha256_hex(text), text.size(), true});
+    run.inputs.front().is_run_file = true;
     return run;
 }
 
