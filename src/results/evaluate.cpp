@@ -6,147 +6,16 @@
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "results/organ_finds.h"
+#include "results/organ_reader.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
 
 constexpr std::size_t kOrgansPerBlock = 256;
-
-/// Light that one replicate saw fall on one organ, flux per band and side.
-struct Incident {
-    double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
-    double absorbed = 0;
-};
-
-/// What sums mean, band by band: the units of Sums after all its samples.
-class Units {
-  public:
-    explicit Units(const Sums& sums) : sums_(sums), samples_(static_cast<double>(sums.samples)) {}
-
-    /// Flux in `band` of a unit of scattered light, or of direct light of a spectrum of 1.
-    [[nodiscard]] double flux(std::size_t region, std::size_t band) const {
-        return sums_.units.flux[band] * sums_.units.scale(region) / samples_;
-    }
-    [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
-        return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
-    }
-    [[nodiscard]] double sunlit_area(std::size_t region) const {
-        return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
-    }
-    [[nodiscard]] double sunlit_area_per_find(std::size_t region) const {
-        return sums_.units.sunlit_area_per_find * sums_.units.scale(region) / samples_;
-    }
-
-  private:
-    const Sums& sums_;
-    double samples_;
-};
-
-/// Whether the light of an organ was summed.
-bool is_measured(const Sums& sums, const Organ& organ) {
-    return sums.measured == MeasuredOrgans::all || organ.measured;
-}
-
-/// Reads an organ's sums.
-class OrganReader {
-  public:
-    OrganReader(
-        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const Organ& organ)
-        : sums_(sums), units_(sums), scene_(scene), spec_(spec), organ_(organ) {}
-
-    [[nodiscard]] Incident incident(std::uint32_t replicate, std::size_t band) const {
-        Incident sum;
-        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            const std::uint32_t region = organ_.first_region + i;
-            const Incident part = region_incident(replicate, region, band);
-            sum.direct_upper += part.direct_upper;
-            sum.direct_lower += part.direct_lower;
-            sum.scattered_upper += part.scattered_upper;
-            sum.scattered_lower += part.scattered_lower;
-            sum.absorbed += part.absorbed;
-        }
-        return sum;
-    }
-
-    [[nodiscard]] double sunlit_area(std::uint32_t replicate) const {
-        const ExactBins& bins = sums_.replicates[replicate];
-        double sum = 0;
-        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            const std::uint32_t region = organ_.first_region + i;
-            sum += bins.value(sums_.layout.sunlit(region)) * units_.sunlit_area(region);
-        }
-        return sum;
-    }
-
-    /// The largest share of light that a side of the organ absorbs.
-    [[nodiscard]] double largest_absorptance(std::size_t band) const {
-        double largest = 0;
-        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            const Material& material = material_of(organ_.first_region + i);
-            for (const SurfaceSide side : kSurfaceSides) {
-                largest = std::max(largest, material.side(side).absorptance()[band]);
-            }
-        }
-        return largest;
-    }
-
-    /// SumUnits::flux_per_find of the organ; nothing falls on one of no area.
-    [[nodiscard]] double flux_per_find(std::size_t band) const {
-        return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
-    }
-    [[nodiscard]] double sunlit_area_per_find() const {
-        return units_.sunlit_area_per_find(organ_.first_region);
-    }
-
-  private:
-    [[nodiscard]] const Material& material_of(std::uint32_t region) const {
-        return scene_.material(scene_.regions()[region]);
-    }
-
-    [[nodiscard]] Incident region_incident(
-        std::uint32_t replicate, std::uint32_t region, std::size_t band) const {
-        const SumLayout& layout = sums_.layout;
-        const ExactBins& bins = sums_.replicates[replicate];
-        const double unit = units_.flux(region, band);
-        Incident sum;
-        const bool is_counted = spec_.direct_light == DirectLight::counted;
-        for (std::size_t s = 0; is_counted && s < layout.spectra; ++s) {
-            const double weight = sums_.spectra[s][band] * unit;
-            sum.direct_upper += bins.value(layout.direct(region, SurfaceSide::upper, s)) * weight;
-            sum.direct_lower += bins.value(layout.direct(region, SurfaceSide::lower, s)) * weight;
-        }
-        sum.scattered_upper =
-            bins.value(layout.scattered(region, SurfaceSide::upper) + band) * unit;
-        sum.scattered_lower =
-            bins.value(layout.scattered(region, SurfaceSide::lower) + band) * unit;
-        sum.absorbed = absorbed(bins, region, band, sum);
-        return sum;
-    }
-
-    /// What a region absorbs: summed, or what follows from the light that falls on it.
-    [[nodiscard]] double absorbed(
-        const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
-        if (sums_.layout.absorbed_light == AbsorbedLight::summed) {
-            const SumLayout& layout = sums_.layout;
-            const bool is_counted = spec_.direct_light == DirectLight::counted;
-            const double direct = bins.value(layout.absorbed_direct(region) + band);
-            const double scattered = bins.value(layout.absorbed_scattered(region) + band);
-            return ((is_counted ? direct : 0) + scattered) * units_.flux(region, band);
-        }
-        const Material& material = material_of(region);
-        return (in.direct_upper + in.scattered_upper) *
-                   material.side(SurfaceSide::upper).absorptance()[band] +
-               (in.direct_lower + in.scattered_lower) *
-                   material.side(SurfaceSide::lower).absorptance()[band];
-    }
-
-    const Sums& sums_;
-    Units units_;
-    const Scene& scene_;
-    const EvaluationSpec& spec_;
-    const Organ& organ_;
-};
+/// What a fraction of 1 comes out as, or more.
+constexpr double kFullyLit = 1 - 1e-12;
 
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
@@ -207,16 +76,11 @@ class OrganEvaluator {
             incident_[band][r] = sample_of(Quantity::incident_direct)[r] +
                                  sample_of(Quantity::incident_scattered)[r];
         }
-        const double find = reader.flux_per_find(band);
-        const double absorbed = reader.largest_absorptance(band);
+        const OrganFinds finds(reader, band);
         for (const QuantityEntry& entry : quantity_table()) {
-            const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
-                                     entry.quantity == Quantity::absorbed_flux_density;
-            const double bound =
-                find * (entry.is_flux ? 1 : per_area) * (is_absorbed ? absorbed : 1);
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
-                estimate_seen_or_bound(samples_[q], bound);
+                finds.estimate(entry, per_area, samples_[q]);
         }
     }
 
@@ -237,7 +101,13 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        return estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
+        const bool is_all = std::all_of(
+            values_.begin(), values_.end(), [](double fraction) { return fraction >= kFullyLit; });
+        const double find =
+            reader.sunlit_area_per_find() * per_area / static_cast<double>(values_.size());
+        return sums_.layout.unoccluded_light == UnoccludedLight::summed
+                   ? estimate_finds(values_, {.more = is_all ? 0 : find, .less = find})
+                   : estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
     }
 
     const Sums& sums_;
@@ -267,8 +137,8 @@ bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
         for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
             absorbed[r] = reader.incident(r, b).absorbed;
         }
-        const double find = reader.flux_per_find(b) * reader.largest_absorptance(b);
-        const Estimate estimate = estimate_seen_or_bound(absorbed, find);
+        const QuantityEntry& quantity = quantity_table().front();
+        const Estimate estimate = OrganFinds(reader, b).estimate(quantity, 0, absorbed);
         if (!(estimate.standard_error <= target * estimate.mean)) {
             return false;
         }

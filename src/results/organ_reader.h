@@ -1,0 +1,174 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/sums.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// Light that one replicate saw fall on one organ, flux per band and side.
+struct Incident {
+    double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
+    double absorbed = 0;
+    double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
+};
+
+/// What sums mean, band by band: the units of Sums after all its samples.
+class Units {
+  public:
+    explicit Units(const Sums& sums) : sums_(sums), samples_(static_cast<double>(sums.samples)) {}
+
+    /// Flux in `band` of a unit of scattered light, or of direct light of a spectrum of 1.
+    [[nodiscard]] double flux(std::size_t region, std::size_t band) const {
+        return sums_.units.flux[band] * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
+        return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double scattered_flux_per_find(std::size_t region, std::size_t band) const {
+        return sums_.units.scattered_flux_per_find[band] * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double sunlit_area(std::size_t region) const {
+        return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
+    }
+    [[nodiscard]] double sunlit_area_per_find(std::size_t region) const {
+        return sums_.units.sunlit_area_per_find * sums_.units.scale(region) / samples_;
+    }
+
+  private:
+    const Sums& sums_;
+    double samples_;
+};
+
+/// Whether the light of an organ was summed.
+inline bool is_measured(const Sums& sums, const Organ& organ) {
+    return sums.measured == MeasuredOrgans::all || organ.measured;
+}
+
+/// Reads an organ's sums.
+class OrganReader {
+  public:
+    OrganReader(
+        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const Organ& organ)
+        : sums_(sums), units_(sums), scene_(scene), spec_(spec), organ_(organ) {}
+
+    [[nodiscard]] Incident incident(std::uint32_t replicate, std::size_t band) const {
+        Incident sum;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const std::uint32_t region = organ_.first_region + i;
+            const Incident part = region_incident(replicate, region, band);
+            sum.unoccluded_upper += part.unoccluded_upper;
+            sum.unoccluded_lower += part.unoccluded_lower;
+            sum.direct_upper += part.direct_upper;
+            sum.direct_lower += part.direct_lower;
+            sum.scattered_upper += part.scattered_upper;
+            sum.scattered_lower += part.scattered_lower;
+            sum.absorbed += part.absorbed;
+        }
+        return sum;
+    }
+
+    [[nodiscard]] double sunlit_area(std::uint32_t replicate) const {
+        const ExactBins& bins = sums_.replicates[replicate];
+        double sum = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const std::uint32_t region = organ_.first_region + i;
+            sum += bins.value(sums_.layout.sunlit(region)) * units_.sunlit_area(region);
+        }
+        return sum;
+    }
+
+    /// The largest share of light that a side of the organ absorbs.
+    [[nodiscard]] double largest_absorptance(std::size_t band) const {
+        double largest = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const Material& material = material_of(organ_.first_region + i);
+            for (const SurfaceSide side : kSurfaceSides) {
+                largest = std::max(largest, material.side(side).absorptance()[band]);
+            }
+        }
+        return largest;
+    }
+
+    /// SumUnits::flux_per_find of the organ; nothing falls on one of no area.
+    [[nodiscard]] double flux_per_find(std::size_t band) const {
+        return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
+    }
+    /// The same of scattered light.
+    [[nodiscard]] double scattered_flux_per_find(std::size_t band) const {
+        return organ_.area > 0 ? units_.scattered_flux_per_find(organ_.first_region, band) : 0;
+    }
+    /// Samples of a replicate.
+    [[nodiscard]] double samples() const { return static_cast<double>(sums_.samples); }
+    [[nodiscard]] std::uint32_t replicates() const {
+        return static_cast<std::uint32_t>(sums_.replicates.size());
+    }
+    /// Whether it is known what light could have been found.
+    [[nodiscard]] bool knows_unoccluded() const {
+        return sums_.layout.unoccluded_light == UnoccludedLight::summed;
+    }
+    [[nodiscard]] double sunlit_area_per_find() const {
+        return units_.sunlit_area_per_find(organ_.first_region);
+    }
+
+  private:
+    [[nodiscard]] const Material& material_of(std::uint32_t region) const {
+        return scene_.material(scene_.regions()[region]);
+    }
+
+    [[nodiscard]] Incident region_incident(
+        std::uint32_t replicate, std::uint32_t region, std::size_t band) const {
+        const SumLayout& layout = sums_.layout;
+        const ExactBins& bins = sums_.replicates[replicate];
+        const double unit = units_.flux(region, band);
+        Incident sum;
+        const bool is_counted = spec_.direct_light == DirectLight::counted;
+        for (std::size_t s = 0; is_counted && s < layout.spectra; ++s) {
+            const double weight = sums_.spectra[s][band] * unit;
+            sum.direct_upper += bins.value(layout.direct(region, SurfaceSide::upper, s)) * weight;
+            sum.direct_lower += bins.value(layout.direct(region, SurfaceSide::lower, s)) * weight;
+        }
+        for (std::size_t s = 0; is_counted && s < layout.unoccluded_spectra(); ++s) {
+            const double weight = sums_.spectra[s][band] * unit;
+            sum.unoccluded_upper +=
+                bins.value(layout.unoccluded(region, SurfaceSide::upper, s)) * weight;
+            sum.unoccluded_lower +=
+                bins.value(layout.unoccluded(region, SurfaceSide::lower, s)) * weight;
+        }
+        sum.scattered_upper =
+            bins.value(layout.scattered(region, SurfaceSide::upper) + band) * unit;
+        sum.scattered_lower =
+            bins.value(layout.scattered(region, SurfaceSide::lower) + band) * unit;
+        sum.absorbed = absorbed(bins, region, band, sum);
+        return sum;
+    }
+
+    /// What a region absorbs: summed, or what follows from the light that falls on it.
+    [[nodiscard]] double absorbed(
+        const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
+        if (sums_.layout.absorbed_light == AbsorbedLight::summed) {
+            const SumLayout& layout = sums_.layout;
+            const bool is_counted = spec_.direct_light == DirectLight::counted;
+            const double direct = bins.value(layout.absorbed_direct(region) + band);
+            const double scattered = bins.value(layout.absorbed_scattered(region) + band);
+            return ((is_counted ? direct : 0) + scattered) * units_.flux(region, band);
+        }
+        const Material& material = material_of(region);
+        return (in.direct_upper + in.scattered_upper) *
+                   material.side(SurfaceSide::upper).absorptance()[band] +
+               (in.direct_lower + in.scattered_lower) *
+                   material.side(SurfaceSide::lower).absorptance()[band];
+    }
+
+    const Sums& sums_;
+    Units units_;
+    const Scene& scene_;
+    const EvaluationSpec& spec_;
+    const Organ& organ_;
+};
+
+}  // namespace quasimc
