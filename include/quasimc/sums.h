@@ -51,6 +51,10 @@ struct DetectorBins {
 /// falls on them, and need not be, where no albedo depends on the angle.
 enum class AbsorbedLight { inferred, summed };
 
+/// Whether the light is summed that would come straight from the sources if nothing stood in its
+/// way: what a sample of an organ could have found.
+enum class UnoccludedLight { left_out, summed };
+
 /// What is summed, and in which bin.
 ///
 /// Light that arrives straight from a source is summed per spectrum, not per band: all bands of it
@@ -58,21 +62,26 @@ enum class AbsorbedLight { inferred, summed };
 ///
 /// For each region (a part of an organ that is of one material) the bins stand together, because a
 /// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, and where absorbed
-/// light is summed absorbed_direct[band] and absorbed_scattered[band]; then those of the run:
-/// emitted[spectrum], escaped_direct[spectrum], escaped_scattered[band], scattered_out[band],
-/// cut_off[band], rays; then those of detectors.
+/// light is summed absorbed_direct[band] and absorbed_scattered[band], and where unoccluded light
+/// is summed unoccluded[side][spectrum]; then those of the run: emitted[spectrum],
+/// escaped_direct[spectrum], escaped_scattered[band], scattered_out[band], cut_off[band], rays;
+/// then those of detectors.
 struct SumLayout {
     std::size_t regions = 0;
     std::size_t spectra = 1;
     std::size_t bands = 1;
     AbsorbedLight absorbed_light = AbsorbedLight::inferred;
+    UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
     std::vector<DetectorBins> detectors = {};
 
     [[nodiscard]] std::size_t absorbed_bands() const {
         return absorbed_light == AbsorbedLight::summed ? bands : 0;
     }
+    [[nodiscard]] std::size_t unoccluded_spectra() const {
+        return unoccluded_light == UnoccludedLight::summed ? spectra : 0;
+    }
     [[nodiscard]] std::size_t stride() const {
-        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands();
+        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands() + 2 * unoccluded_spectra();
     }
     [[nodiscard]] std::size_t direct(
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
@@ -89,6 +98,10 @@ struct SumLayout {
     }
     [[nodiscard]] std::size_t absorbed_scattered(std::size_t region) const {
         return absorbed_direct(region) + absorbed_bands();
+    }
+    [[nodiscard]] std::size_t unoccluded(
+        std::size_t region, SurfaceSide side, std::size_t spectrum) const {
+        return absorbed_scattered(region) + absorbed_bands() + index_of(side) * spectra + spectrum;
     }
     [[nodiscard]] std::size_t emitted() const { return regions * stride(); }
     [[nodiscard]] std::size_t escaped_direct() const { return emitted() + spectra; }
@@ -177,6 +190,8 @@ struct SumUnits {
     /// The same for what a single sample would have brought to a region, had it found light: the
     /// upper bound for a region that received nothing is made of it.
     std::vector<double> flux_per_find;
+    /// The same of scattered light, where UnoccludedLight is summed; otherwise empty.
+    std::vector<double> scattered_flux_per_find = {};
     double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
     double sunlit_area_per_find = 0;
     std::vector<double> region_scale = {};  ///< per region; empty: 1

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "results/organ_finds.h"
 #include "results/organ_reader.h"
 #include "sums/statistics.h"
 
@@ -15,6 +16,8 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kOrgansPerBlock = 256;
+/// What a fraction of 1 comes out as, or more.
+constexpr double kFullyLit = 1 - 1e-12;
 
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
@@ -75,16 +78,11 @@ class OrganEvaluator {
             incident_[band][r] = sample_of(Quantity::incident_direct)[r] +
                                  sample_of(Quantity::incident_scattered)[r];
         }
-        const double find = reader.flux_per_find(band);
-        const double absorbed = reader.largest_absorptance(band);
+        const OrganFinds finds(reader, band);
         for (const QuantityEntry& entry : quantity_table()) {
-            const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
-                                     entry.quantity == Quantity::absorbed_flux_density;
-            const double bound =
-                find * (entry.is_flux ? 1 : per_area) * (is_absorbed ? absorbed : 1);
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
-                estimate_seen_or_bound(samples_[q], bound);
+                finds.estimate(entry, per_area, samples_[q]);
         }
     }
 
@@ -105,7 +103,13 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        return estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
+        const bool is_all = std::all_of(
+            values_.begin(), values_.end(), [](double fraction) { return fraction >= kFullyLit; });
+        const double find =
+            reader.sunlit_area_per_find() * per_area / static_cast<double>(values_.size());
+        return sums_.layout.unoccluded_light == UnoccludedLight::summed
+                   ? estimate_finds(values_, {.more = is_all ? 0 : find, .less = find})
+                   : estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
     }
 
     const Sums& sums_;
@@ -135,8 +139,8 @@ bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
         for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
             absorbed[r] = reader.incident(r, b).absorbed;
         }
-        const double find = reader.flux_per_find(b) * reader.largest_absorptance(b);
-        const Estimate estimate = estimate_seen_or_bound(absorbed, find);
+        const QuantityEntry& quantity = quantity_table().front();
+        const Estimate estimate = OrganFinds(reader, b).estimate(quantity, 0, absorbed);
         if (!(estimate.standard_error <= target * estimate.mean)) {
             return false;
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
@@ -16,6 +17,7 @@ namespace quasimc {
 struct Incident {
     double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
     double absorbed = 0;
+    double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 };
 
 /// What sums mean, band by band: the units of Sums after all its samples.
@@ -30,6 +32,9 @@ class Units {
     [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
         return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
     }
+    [[nodiscard]] double scattered_flux_per_find(std::size_t region, std::size_t band) const {
+        return sums_.units.scattered_flux_per_find[band] * sums_.units.scale(region) / samples_;
+    }
     [[nodiscard]] double sunlit_area(std::size_t region) const {
         return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
     }
@@ -43,7 +48,7 @@ class Units {
 };
 
 /// Whether the light of an organ was summed.
-[[nodiscard]] inline bool is_measured(const Sums& sums, const Organ& organ) {
+inline bool is_measured(const Sums& sums, const Organ& organ) {
     return sums.measured == MeasuredOrgans::all || organ.measured;
 }
 
@@ -59,6 +64,8 @@ class OrganReader {
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
             const Incident part = region_incident(replicate, region, band);
+            sum.unoccluded_upper += part.unoccluded_upper;
+            sum.unoccluded_lower += part.unoccluded_lower;
             sum.direct_upper += part.direct_upper;
             sum.direct_lower += part.direct_lower;
             sum.scattered_upper += part.scattered_upper;
@@ -94,6 +101,19 @@ class OrganReader {
     [[nodiscard]] double flux_per_find(std::size_t band) const {
         return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
     }
+    /// The same of scattered light.
+    [[nodiscard]] double scattered_flux_per_find(std::size_t band) const {
+        return organ_.area > 0 ? units_.scattered_flux_per_find(organ_.first_region, band) : 0;
+    }
+    /// Samples of a replicate.
+    [[nodiscard]] double samples() const { return static_cast<double>(sums_.samples); }
+    [[nodiscard]] std::uint32_t replicates() const {
+        return static_cast<std::uint32_t>(sums_.replicates.size());
+    }
+    /// Whether it is known what light could have been found.
+    [[nodiscard]] bool knows_unoccluded() const {
+        return sums_.layout.unoccluded_light == UnoccludedLight::summed;
+    }
     [[nodiscard]] double sunlit_area_per_find() const {
         return units_.sunlit_area_per_find(organ_.first_region);
     }
@@ -114,6 +134,13 @@ class OrganReader {
             const double weight = sums_.spectra[s][band] * unit;
             sum.direct_upper += bins.value(layout.direct(region, SurfaceSide::upper, s)) * weight;
             sum.direct_lower += bins.value(layout.direct(region, SurfaceSide::lower, s)) * weight;
+        }
+        for (std::size_t s = 0; is_counted && s < layout.unoccluded_spectra(); ++s) {
+            const double weight = sums_.spectra[s][band] * unit;
+            sum.unoccluded_upper +=
+                bins.value(layout.unoccluded(region, SurfaceSide::upper, s)) * weight;
+            sum.unoccluded_lower +=
+                bins.value(layout.unoccluded(region, SurfaceSide::lower, s)) * weight;
         }
         sum.scattered_upper =
             bins.value(layout.scattered(region, SurfaceSide::upper) + band) * unit;

@@ -72,6 +72,7 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
         .bands = prepared.bands(),
         .absorbed_light =
             prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed,
+        .unoccluded_light = meaning.unoccluded_light,
         .detectors = std::move(detectors)};
     sums.units = std::move(meaning.units);
     sums.spectra = prepared.spectra();

@@ -12,6 +12,7 @@ namespace quasimc {
 struct SumMeaning {
     SumUnits units;
     MeasuredOrgans measured = MeasuredOrgans::all;
+    UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
 };
 
 /// One row of the catalogue: a way of computing.

@@ -57,6 +57,23 @@ MeasuredArea measured_area(const Scene& scene) {
     return measured;
 }
 
+/// The most that a material of the scene sends to one of its sides, of light that falls on it:
+/// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
+/// pi, 2 for the choice of a side).
+double brightest(const PreparedScene& prepared, std::size_t band) {
+    double most = 0;
+    for (const Material& material : prepared.scene().materials()) {
+        for (const SurfaceSide side : kSurfaceSides) {
+            std::array<double, 2> sum{};
+            for (const Lobe& lobe : material.side(side).lobes()) {
+                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] += lobe.albedo[band];
+            }
+            most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
+        }
+    }
+    return most;
+}
+
 class FromOrgans final : public Solver {
   public:
     explicit FromOrgans(const SolverInput& input)
@@ -176,12 +193,13 @@ class FromOrgans final : public Solver {
             !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
             return 0;
         }
-        if (!prepared_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
-            return 1;
-        }
         const SumLayout& layout = tally.layout();
         const SurfaceSide side = side_facing(-cosine);
         const double amount = sight.factor * std::abs(cosine);
+        tally.add(layout.unoccluded(point.region, side, sight.light->spectrum), to_fixed(amount));
+        if (!prepared_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
+            return 1;
+        }
         tally.add(layout.direct(point.region, side, sight.light->spectrum), to_fixed(amount));
         score_absorbed(
             prepared_,
@@ -337,7 +355,10 @@ std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const double reference_area = measured_area(scene).area;
-    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
+    SumMeaning meaning{
+        .units = {},
+        .measured = MeasuredOrgans::asked_for,
+        .unoccluded_light = UnoccludedLight::summed};
     SumUnits& units = meaning.units;
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
         units.flux.push_back(prepared.flux()[b] / reference_area);
@@ -346,9 +367,14 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
             irradiance += light.source->spectrum()[b] * light.usual_irradiance;
         }
         units.flux_per_find.push_back(irradiance * kGain);
+        units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * irradiance * kGain);
     }
     units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
-    units.sunlit_area_per_find = kGain;
+    units.sunlit_area_per_find = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        units.sunlit_area_per_find =
+            std::max(units.sunlit_area_per_find, kGain * light.sun_share / light.probability);
+    }
     // A power of two: the division is exact.
     for (const Region& region : scene.regions()) {
         units.region_scale.push_back(scene.organs()[region.organ.value].area / kGain);

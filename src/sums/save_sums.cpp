@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x31534D5553434D51;  // "QMCSUMS1", read as a little-endian number
+constexpr std::uint64_t kMark = 0x32534D5553434D51;  // "QMCSUMS2", read as a little-endian number
 
 std::uint64_t checksum(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -116,9 +116,9 @@ template <typename Visit, typename SumsOrConst>
 void visit_fields(Visit& visit, SumsOrConst& sums) {
     auto& layout = sums.layout;
     visit(layout.regions), visit(layout.spectra), visit(layout.bands);
-    visit(layout.absorbed_light), visit(layout.detectors);
+    visit(layout.absorbed_light), visit(layout.unoccluded_light), visit(layout.detectors);
     auto& units = sums.units;
-    visit(units.flux), visit(units.flux_per_find);
+    visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
     visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
     visit(sums.spectra), visit(sums.emitted_flux);
     visit(sums.measured), visit(sums.escaped);

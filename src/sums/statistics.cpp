@@ -38,6 +38,18 @@ Estimate estimate_seen_or_bound(std::span<const double> values, double per_find)
     return estimate_mean(values);
 }
 
+Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
+    const Estimate e =
+        estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));
+    if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
+        return e;
+    }
+    const double half = e.high - e.mean;
+    return {
+        e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
+        e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)};
+}
+
 double student_t_quantile(double p, unsigned df) {
     EXPECT(p > 0 && p < 1 && df >= 1);
     return boost::math::quantile(boost::math::students_t(df), p);

@@ -24,6 +24,20 @@ namespace quasimc {
 /// would have brought `per_find` > 0 to one of them, the bound of estimate_unseen().
 [[nodiscard]] Estimate estimate_seen_or_bound(std::span<const double> values, double per_find);
 
+/// What the samples of a run may have overlooked: by how much one find more, or one less, would
+/// change the mean of the replicates. 0 where there can be none.
+struct SingleFind {
+    double more = 0, less = 0;
+};
+
+/// The mean of the numbers of independent replicates, each of which rests on finds of a size that
+/// is known. The variance is that of the replicates and of one find more, which is what a number of
+/// finds leaves open that is Poisson distributed (k finds: (k + 1) squares; the posterior of an
+/// even prior). The 95 % interval reaches hypot(t s, 3 finds) to either side: of no finds the rule
+/// of three, of many Student's t. Where no find was made and `find.more` > 0: that of
+/// estimate_unseen(). See docs/theory/statistics.md.
+[[nodiscard]] Estimate estimate_finds(std::span<const double> values, const SingleFind& find);
+
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
 

@@ -25,6 +25,10 @@ std::vector<SumBlock> SumLayout::blocks() const {
         of_regions("sunlit", sunlit(0), 1),
         of_regions("absorbed_direct", absorbed_direct(0), absorbed_bands()),
         of_regions("absorbed_scattered", absorbed_scattered(0), absorbed_bands()),
+        of_regions("unoccluded_upper", unoccluded(0, SurfaceSide::upper, 0), unoccluded_spectra()),
+        of_regions(
+            "unoccluded_lower", unoccluded(0, SurfaceSide::upper, 0) + unoccluded_spectra(),
+            unoccluded_spectra()),
         of_run("emitted", emitted(), spectra),
         of_run("escaped_direct", escaped_direct(), spectra),
         of_run("escaped_scattered", escaped_scattered(), bands),

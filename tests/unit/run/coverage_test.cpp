@@ -184,6 +184,56 @@ TEST(GroupCoverage, IsThatOfTheIntervalsAndNotThatOfErrorsAdded) {
     }
 }
 
+/// A leaf of a square metre under a black roof with a slit, or under a narrow bar: `lit` of it is
+/// in the sun, straight above.
+Scene make_slit(double lit) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_material(matt("leaf", .3, .2));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
+    if (lit < .5) {
+        builder.add_organ(organ("left", "black", floor_of(-1, .3, -1, 2, .5)));
+        builder.add_organ(organ("right", "black", floor_of(.3 + lit, 2, -1, 2, .5)));
+    } else {
+        builder.add_organ(organ("bar", "black", floor_of(.3, 1.3 - lit, -1, 2, .5)));
+    }
+    return std::move(builder).build();
+}
+
+/// Of 512 points, a few are lit, or all but a few: in how many runs do the intervals of
+/// the sunlit fraction and of what the leaf absorbs hold the truth?
+TEST(CoverageOfFewFinds, IntervalsHoldTheTruthWhereHardlyAnythingIsLitOrAllBut) {
+    constexpr int kSeeds = 500;
+    constexpr double kTries = 64 * 8;
+    for (const double finds : {.7, 2.5, 3.5, 5.0, 8.0, 20.0}) {
+        for (const bool is_lit : {false, true}) {
+            const double fraction = finds / kTries;
+            const double lit = is_lit ? 1 - fraction : fraction;
+            const Scene scene = make_slit(lit);
+            int sunlit_right = 0;
+            int absorbed_right = 0;
+            for (int seed = 1; seed <= kSeeds; ++seed) {
+                RunSpec spec;
+                spec.method = Method::from_organs;
+                spec.threads = 1;
+                spec.seed = static_cast<std::uint64_t>(seed);
+                spec.sampler = "monte_carlo";
+                spec.paths = 64 * scene.organs().size();
+                const Result result = run(scene, {sun(0, {1})}, spec);
+                sunlit_right += holds_truth(result.sunlit_fraction[0], lit) ? 1 : 0;
+                absorbed_right +=
+                    holds_truth(result.at(0, Quantity::absorbed_flux, 0), .5 * lit) ? 1 : 0;
+            }
+            // Of 500 at 95 %, one in a million has fewer than 450.
+            EXPECT_GE(sunlit_right, 450) << lit;
+            EXPECT_GE(absorbed_right, 450) << lit;
+            RecordProperty(
+                "lit" + std::to_string(lit),
+                std::to_string(sunlit_right) + " " + std::to_string(absorbed_right));
+        }
+    }
+}
+
 /// A control: intervals of two standard errors, as if there were many replicates, are too short.
 TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
     const Scene scene = make_stand();

@@ -1,5 +1,6 @@
 #include "sums/statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -41,6 +42,58 @@ TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
     const Estimate e = estimate_mean(Values{1e9 + 1, 1e9 + 2, 1e9 + 3, 1e9 + 4});
     EXPECT_EQ(e.mean, 1e9 + 2.5);
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12));
+}
+
+TEST(EstimateFinds, KeepsTheMeanAndAddsOneFindToTheVariance) {
+    const Estimate e = estimate_finds(Values{1, 2, 3, 4}, {.more = .25, .less = .5});
+    EXPECT_EQ(e.mean, 2.5);
+    EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12 + .25));
+    const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
+    EXPECT_NEAR(e.low, 2.5 - std::hypot(half, 1.5), 1e-12);
+    EXPECT_NEAR(e.high, 2.5 + std::hypot(half, .75), 1e-12);
+}
+
+TEST(EstimateFinds, BoundsWhatWasNeverAndWhatWasAlwaysFound) {
+    const Estimate none = estimate_finds(Values(8, 0.0), {.more = .125, .less = 0});
+    EXPECT_EQ(none.mean, 0);
+    EXPECT_TRUE(std::isnan(none.standard_error));
+    EXPECT_EQ(none.low, 0);
+    EXPECT_EQ(none.high, .375);
+    const Estimate all = estimate_finds(Values(8, 1.0), {.more = 0, .less = .125});
+    EXPECT_EQ(all.mean, 1);
+    EXPECT_EQ(all.standard_error, .125);
+    EXPECT_EQ(all.low, .625);
+    EXPECT_EQ(all.high, 1);
+}
+
+/// Eight replicates of Poisson distributed numbers, few in all: Student's t alone holds the truth
+/// in down to 86 %.
+TEST(EstimateFinds, HoldsTheTruthOfFewFindsThatOften) {
+    constexpr int kTrials = 20000;
+    std::mt19937_64 random(1);
+    double worst = 1;
+    double worst_of_student = 1;
+    for (const double expected : {.5, 1.0, 2.0, 2.9, 3.5, 4.5, 5.3, 7.0, 10.0, 20.0, 50.0}) {
+        std::poisson_distribution<int> finds(expected / 8);
+        int right = 0;
+        int right_of_student = 0;
+        for (int i = 0; i < kTrials; ++i) {
+            Values values(8);
+            for (double& x : values) {
+                x = finds(random);
+            }
+            const double mean = expected / 8;
+            const Estimate e = estimate_finds(values, {.more = .125, .less = .125});
+            const Estimate student = estimate_seen_or_bound(values, 1);
+            right += e.low <= mean && mean <= e.high ? 1 : 0;
+            right_of_student += student.low <= mean && mean <= student.high ? 1 : 0;
+        }
+        worst = std::min(worst, right / static_cast<double>(kTrials));
+        worst_of_student =
+            std::min(worst_of_student, right_of_student / static_cast<double>(kTrials));
+    }
+    EXPECT_GT(worst, .935);
+    EXPECT_LT(worst_of_student, .9);
 }
 
 TEST(FTail, IsStudentsTOfEitherSignWithOneDegreeAbove) {

@@ -1,0 +1,81 @@
+#include "results/organ_finds.h"
+
+#include <cmath>
+
+namespace quasimc {
+namespace {
+
+/// Either may happen.
+SingleFind both(const SingleFind& a, const SingleFind& b) {
+    return {std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
+}
+
+SingleFind operator*(const SingleFind& find, double factor) {
+    return {find.more * factor, find.less * factor};
+}
+
+/// Of light straight from the sources, of which a side got `found` and could have got `unoccluded`.
+SingleFind direct_find(double found, double unoccluded, double tries) {
+    const double find = unoccluded / tries;
+    return {found == unoccluded ? 0 : find, found == 0 ? 0 : find};
+}
+
+}  // namespace
+
+OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
+    : knows_unoccluded_(reader.knows_unoccluded()),
+      absorptance_(reader.largest_absorptance(band)),
+      bound_(reader.flux_per_find(band)) {
+    if (!knows_unoccluded_) {
+        return;
+    }
+    Incident mean;
+    const auto count = static_cast<double>(reader.replicates());
+    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+        const Incident in = reader.incident(r, band);
+        mean.direct_upper += in.direct_upper / count;
+        mean.direct_lower += in.direct_lower / count;
+        mean.scattered_upper += in.scattered_upper / count;
+        mean.scattered_lower += in.scattered_lower / count;
+        mean.unoccluded_upper += in.unoccluded_upper / count;
+        mean.unoccluded_lower += in.unoccluded_lower / count;
+    }
+    const double tries = count * reader.samples();
+    direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries);
+    direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries);
+    const double scattered = reader.scattered_flux_per_find(band) / count;
+    scattered_.upper = {scattered, mean.scattered_upper == 0 ? 0 : scattered};
+    scattered_.lower = {scattered, mean.scattered_lower == 0 ? 0 : scattered};
+}
+
+SingleFind OrganFinds::find(Quantity quantity) const {
+    const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
+    // A sample looks for scattered light on one of the two sides.
+    const SingleFind scattered{
+        scattered_.upper.more, std::max(scattered_.upper.less, scattered_.lower.less)};
+    switch (quantity) {
+        case Quantity::incident_upper:
+            return both(direct_.upper, scattered_.upper);
+        case Quantity::incident_lower:
+            return both(direct_.lower, scattered_.lower);
+        case Quantity::incident_direct:
+            return on_both_sides(direct_);
+        case Quantity::incident_scattered:
+            return scattered;
+        default:
+            return both(on_both_sides(direct_), scattered) * absorptance_;
+    }
+}
+
+Estimate OrganFinds::estimate(
+    const QuantityEntry& entry, double per_area, std::span<const double> values) const {
+    const double unit = entry.is_flux ? 1 : per_area;
+    if (knows_unoccluded_) {
+        return estimate_finds(values, find(entry.quantity) * unit);
+    }
+    const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
+                             entry.quantity == Quantity::absorbed_flux_density;
+    return estimate_seen_or_bound(values, bound_ * unit * (is_absorbed ? absorptance_ : 1));
+}
+
+}  // namespace quasimc
