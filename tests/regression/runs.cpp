@@ -43,6 +43,8 @@ std::uint64_t number_of(StopReason reason) {
             return 3;
         case StopReason::path_limit:
             return 4;
+        case StopReason::interrupted:
+            return 6;
         case StopReason::no_light:
             break;
     }
