@@ -57,6 +57,23 @@ TEST_F(Matrix, NormalEnd) {
     expect_all_good(cases);
 }
 
+/// cpfg closes its line after one byte of our answer: here, before there is any.
+TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
+    expect_all_good(over_all_lines([](Talk talk) {
+        if (talk.has_semaphores()) {
+            return;  // there is nothing to close
+        }
+        Conversing c(talk, kBlackLeaves);
+        c.begin();
+        c.master().process().send(SIGSTOP);
+        c.master().send(goodbye(talk.client));
+        c.master().clean_up();
+        c.master().process().send(SIGCONT);
+        c.expect_end(0);
+        require(c.told().empty(), c.told());
+    }));
+}
+
 TEST_F(Matrix, NoLight) {
     expect_all_good(over_all_lines([](Talk talk) {
         Conversing c(talk, kBlackLeaves);
