@@ -1,15 +1,15 @@
 #include "coupling/environment.h"
 
 #include <algorithm>
-#include <cstring>
+#include <csignal>
 #include <exception>
-#include <new>
 #include <optional>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "coupling/fault_teller.h"
 #include "coupling/guarded_stream.h"
 #include "coupling/plant_light.h"
 #include "coupling/session.h"
@@ -73,52 +73,6 @@ void tell_step(
     tell(text);
 }
 
-/// Tells what goes wrong, once as long as it stays the same, and keeps the worst of it.
-class FaultTeller {
-  public:
-    explicit FaultTeller(const std::function<void(const std::string&)>& tell) : tell_(tell) {}
-
-    void tell_step(std::uint64_t step, const std::exception_ptr& fault) {
-        const std::string text = fault ? words_of(fault) : "";
-        if (text == last_) {
-            return;
-        }
-        tell_(
-            fault ? fmt::format(
-                        "step {}: {}\nThe simulator goes on; modules without an answer keep the "
-                        "values they have.",
-                        step, text)
-                  : fmt::format("step {}: it is answered again", step));
-        last_ = text;
-    }
-    void tell_refusal(const std::exception_ptr& fault) {
-        tell_(words_of(fault) + "\nThere will be no light.");
-    }
-    [[nodiscard]] Conversation worst() const { return worst_; }
-
-  private:
-    std::string words_of(const std::exception_ptr& fault) {
-        worst_ = std::max(worst_, Conversation::faulty);
-        try {
-            std::rethrow_exception(fault);
-        } catch (const InputError& error) {
-            return error.what();
-        } catch (const std::bad_alloc&) {
-            worst_ = Conversation::failed;
-            return "not enough memory";
-        } catch (const std::exception& error) {
-            worst_ = Conversation::failed;
-            return fmt::format(
-                "internal error: {}\nThis is a fault of the program; please report it.",
-                error.what());
-        }
-    }
-
-    const std::function<void(const std::string&)>& tell_;
-    std::string last_;  // of the step before; empty: it was good
-    Conversation worst_ = Conversation::good;
-};
-
 /// The line that the switches alone name, where the environment file can't be read: only cpfg's
 /// memory has a key and neither a host nor an extension. Pipes: none, their end is enough.
 std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
@@ -140,8 +94,10 @@ void refuse(ByteStream& stream) {
 /// Ends the process at a signal, not without an answer.
 void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& tell) {
     stream.resign();
-    const char* name = ::sigabbrev_np(signal);
-    tell(fmt::format("ended by SIG{}", name != nullptr ? name : "NAL"));
+    tell(fmt::format(
+        "ended by {}", signal == SIGTERM  ? "SIGTERM"
+                       : signal == SIGINT ? "SIGINT"
+                                          : "SIGHUP"));
     constexpr int kBySignal = 128;  // as shells say
     ::_exit(kBySignal + signal);
 }
@@ -173,11 +129,9 @@ class Environment {
             format_ = read_comm_file(arguments_, notices_);
         } catch (const std::exception&) {
             const std::exception_ptr fault = std::current_exception();
-            std::unique_ptr<ByteStream> line = open_by_switches(arguments_);
-            if (!line) {
-                throw;
+            if (!open_by_switches_alone()) {
+                std::rethrow_exception(fault);
             }
-            stream_.open(std::move(line));
             faults_.tell_refusal(fault);
             return false;
         }
@@ -190,6 +144,16 @@ class Environment {
             return false;
         }
         return true;
+    }
+
+    /// False if there is no line that can be opened so.
+    bool open_by_switches_alone() {
+        try {
+            stream_.open(open_by_switches(arguments_));
+        } catch (const InputError&) {
+            return false;
+        }
+        return stream_.is_open();
     }
 
     void converse() {

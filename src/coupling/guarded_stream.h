@@ -13,6 +13,7 @@ namespace quasimc {
 class GuardedStream final : public ByteStream {
   public:
     void open(std::unique_ptr<ByteStream> line);
+    [[nodiscard]] bool is_open() const { return line_ != nullptr; }
 
     void announce() override;
     [[nodiscard]] AfterRefusal refuse() override;

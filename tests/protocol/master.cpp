@@ -162,8 +162,9 @@ class SocketMaster final : public DescriptorMaster {
         a.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         return a;
     }
+    /// The program inherits it, as it does from the simulators.
     static int listener_on(int port) {
-        const int made = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        const int made = ::socket(AF_INET, SOCK_STREAM, 0);
         const int on = 1;
         ::setsockopt(made, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
         const sockaddr_in a = address(port);

@@ -3,8 +3,11 @@
 
 #include "matrix.h"
 
+#include <array>
+#include <cmath>
 #include <csignal>
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -52,6 +55,23 @@ TEST_F(Matrix, NormalEnd) {
         }
     }
     expect_all_good(cases);
+}
+
+/// cpfg closes its line after one byte of our answer: here, before there is any.
+TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
+    expect_all_good(over_all_lines([](Talk talk) {
+        if (talk.has_semaphores()) {
+            return;  // there is nothing to close
+        }
+        Conversing c(talk, kBlackLeaves);
+        c.begin();
+        c.master().process().send(SIGSTOP);
+        c.master().send(goodbye(talk.client));
+        c.master().clean_up();
+        c.master().process().send(SIGCONT);
+        c.expect_end(0);
+        require(c.told().empty(), c.told());
+    }));
 }
 
 TEST_F(Matrix, NoLight) {
@@ -212,6 +232,22 @@ TEST_F(Matrix, SignalThatIsIgnored) {
         c.master().process().send(SIGINT);
         ::usleep(50'000);
         require_light(c.ask(flat_leaf(talk.client, 0)));
+        c.say_goodbye();
+        c.expect_end(0);
+    }));
+}
+
+/// The simulators leave their descriptors open to the program; the end of a line that it held would
+/// never be seen.
+TEST_F(Matrix, NothingIsInherited) {
+    expect_all_good(over_all_lines([](Talk talk) {
+        std::array<int, 2> line{};
+        require(::pipe(line.data()) == 0, "no pipe");
+        Conversing c(talk, kBlackLeaves);
+        c.begin();
+        ::close(line[1]);
+        pollfd end{line[0], POLLIN, 0};
+        require(::poll(&end, 1, 0) == 1 && (end.revents & POLLHUP) != 0, "it holds the line");
         c.say_goodbye();
         c.expect_end(0);
     }));

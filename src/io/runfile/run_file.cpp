@@ -13,6 +13,7 @@
 #include "io/file_identity.h"
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {
@@ -153,15 +154,25 @@ Sections read_sections(
     return sections;
 }
 
-/// The sources of the run, or of a moment of its series that has light.
-const Sources& sources_to_check(const Sections& sections) {
+/// Checks the run with its sources, or those of a moment of its series that has light, if any.
+void check_with_sources(const Sections& sections, Faults& faults) {
+    const Scene& scene = *sections.scene;
+    const RunSpec& spec = sections.options.spec;
     if (!sections.series) {
-        return sections.sources.sources;
+        check_run(scene, sections.sources.sources, spec, faults);
+        return;
     }
     const std::vector<TimeStepPlan> plans = plan_series(sections.series->time_steps);
     const auto lit =
         std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
-    return sections.series->time_steps[static_cast<std::size_t>(lit - plans.begin())].sources;
+    if (lit == plans.end()) {
+        // Nights alone need no source; all else is checked with one in its place.
+        const std::vector<double> one(scene.bands().size(), 1.0);
+        check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
+        return;
+    }
+    const auto moment = static_cast<std::size_t>(lit - plans.begin());
+    check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
 }
 
 /// The line of a place "file:line"; after all lines for other places.
@@ -216,7 +227,7 @@ RunFile read_run_document(
     Sections sections = read_sections(top, files, overrides);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_run(*sections.scene, sources_to_check(sections), sections.options.spec, faults);
+        check_with_sources(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
