@@ -38,6 +38,20 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared) {
 /// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
 /// each four.
 constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
+/// Few beams have at least so many lines together, which take no more time than to get started.
+constexpr std::uint32_t kFewestOfFew = 128;
+
+/// The fewest lines of each of so many beams.
+std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
+    const std::uint32_t of_many =
+        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
+    return std::max(of_many, kFewestOfFew / std::max(beams, 1U));
+}
+
+/// How many beams stand for a sun.
+std::uint32_t beams_of(const BoundSource& sun) {
+    return sun.source_sampler->beam_direction() ? 1 : kDiskBeams;
+}
 
 /// Images of triangles that lines may cut for each path of a sun (LineCost). Beyond, paths from the
 /// sun leave the smaller errors for their time: at equal numbers of paths lines have a seventh of
@@ -68,12 +82,16 @@ SamplingBudget::SamplingBudget(
       skies_(skies),
       paths_per_line_(sampling_density(prepared).paths_per_line),
       pixels_per_path_(sampling_density(prepared).pixels_per_path) {
-    const auto& lights = prepared.lights();
-    const auto suns = static_cast<std::uint32_t>(std::count_if(
-        lights.begin(), lights.end(), [](const BoundSource& l) { return l.source->is_sun(); }));
-    fewest_lines_ = std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
+    std::uint32_t suns = 0, beams = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        if (light.source->is_sun()) {
+            ++suns;
+            beams += beams_of(light);
+        }
+    }
+    fewest_lines_ = fewest_lines(suns, beams);
     const LineCost cost(seen);
-    for (const BoundSource& light : lights) {
+    for (const BoundSource& light : prepared.lights()) {
         has_lines_.push_back(light.source->is_sun() && are_lines_cheap(light, cost, paths));
     }
 }
@@ -108,8 +126,8 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
 }
 
 VisibilityTask SamplingBudget::lines_of(const BoundSource& light, double paths) const {
-    const bool is_disk = !light.source_sampler->beam_direction();
-    const std::uint32_t beams = is_disk ? kDiskBeams : 1;
+    const std::uint32_t beams = beams_of(light);
+    const bool is_disk = beams > 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
     const std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
