@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/results/audit_words.h"
 #include "option_flags.h"
+#include "output_choice.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 
@@ -16,14 +18,15 @@ namespace {
 
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json, days;
+    std::string file, from, csv, json, days, groups_csv, groups_days;
+    OutputChoice choice;
     bool quiet = false;
     OptionFlags flags;
 };
 
 /// The files to write, opened before the run so that a wrong path is told at once.
 struct Outputs {
-    std::unique_ptr<quasimc::AtomicFile> csv, json, days;
+    std::unique_ptr<quasimc::AtomicFile> csv, json, days, groups_csv, groups_days;
     std::vector<std::string> names;  ///< of real files
     bool uses_stdout = false;
 
@@ -38,19 +41,20 @@ struct Outputs {
 
 /// Paths on the command line count from the current folder, and go before those of the run file.
 Outputs open_outputs(const RunArguments& arguments, quasimc::OutputSpec spec) {
-    if (!arguments.csv.empty()) {
-        spec.csv = arguments.csv;
-    }
-    if (!arguments.json.empty()) {
-        spec.json = arguments.json;
-    }
-    if (!arguments.days.empty()) {
-        spec.days = arguments.days;
-    }
+    const auto set = [](std::optional<std::string>& path, const std::string& stated) {
+        path = stated.empty() ? path : stated;
+    };
+    set(spec.csv, arguments.csv);
+    set(spec.json, arguments.json);
+    set(spec.days, arguments.days);
+    set(spec.groups_csv, arguments.groups_csv);
+    set(spec.groups_days, arguments.groups_days);
     Outputs outputs;
     outputs.csv = outputs.open(spec.csv);
     outputs.json = outputs.open(spec.json);
     outputs.days = outputs.open(spec.days);
+    outputs.groups_csv = outputs.open(spec.groups_csv);
+    outputs.groups_days = outputs.open(spec.groups_days);
     return outputs;
 }
 
@@ -90,6 +94,12 @@ class RunWriters {
         if (outputs_.days) {
             days_.emplace(run, sink_of(*outputs_.days));
         }
+        if (outputs_.groups_csv) {
+            groups_.emplace(run, sink_of(*outputs_.groups_csv));
+        }
+        if (outputs_.groups_days) {
+            group_days_.emplace(run, sink_of(*outputs_.groups_days));
+        }
         if (outputs_.json) {
             json_.emplace(run, sink_of(*outputs_.json));
         } else if (!arguments.from.empty()) {
@@ -105,7 +115,7 @@ class RunWriters {
             add_moment(time_step, result, traced);
         };
         events.wants_total = run_.series && outputs_.json;
-        if (days_ || events.wants_total) {
+        if (days_ || group_days_ || events.wants_total) {
             events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
         }
         return events;
@@ -114,7 +124,9 @@ class RunWriters {
     /// Gives the files their names. @returns the digest of the organs, if it was asked for
     std::string finish(const quasimc::SeriesSummary& summary) {
         std::string digest = json_ ? json_->finish(summary) : "";
-        for (const auto* file : {&outputs_.csv, &outputs_.json, &outputs_.days}) {
+        for (const auto* file :
+             {&outputs_.csv, &outputs_.json, &outputs_.days, &outputs_.groups_csv,
+              &outputs_.groups_days}) {
             if (*file) {
                 (*file)->commit();
             }
@@ -138,6 +150,9 @@ class RunWriters {
         if (csv_) {
             csv_->add_moment(time_step, result);
         }
+        if (groups_) {
+            groups_->add_moment(time_step, result);
+        }
         if (json_) {
             json_->add_moment(time_step, result, traced);
         }
@@ -146,6 +161,9 @@ class RunWriters {
     void add_day(std::size_t day, const quasimc::SeriesSum& sum) {
         if (days_) {
             days_->add_day(day, sum);
+        }
+        if (group_days_) {
+            group_days_->add_day(day, sum);
         }
         if (json_) {
             json_->add_day(day, sum);
@@ -157,6 +175,8 @@ class RunWriters {
     quasimc::Summary summary_;
     std::optional<quasimc::CsvWriter> csv_;
     std::optional<quasimc::DaysWriter> days_;
+    std::optional<quasimc::GroupsWriter> groups_;
+    std::optional<quasimc::GroupDaysWriter> group_days_;
     std::optional<quasimc::JsonWriter> json_;
 };
 
@@ -168,14 +188,25 @@ void print_audit(double chance) {
     }
 }
 
+/// @throws quasimc::InputError
+void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
+    quasimc::Faults faults;
+    for (const auto& [flag, path] :
+         {std::pair("--days", &arguments.days),
+          std::pair("--groups-days", &arguments.groups_days)}) {
+        if (!path->empty() && !run.series) {
+            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
+        }
+    }
+    faults.throw_if_any();
+}
+
 Exit run(const RunArguments& arguments) {
-    const quasimc::StoredRun stored = read_run(arguments);
+    quasimc::StoredRun stored = read_run(arguments);
+    apply_choice(arguments.choice, stored.run);
     const quasimc::RunFile& file = stored.run;
     print_warnings(file.warnings);
-    if (!arguments.days.empty() && !file.series) {
-        throw quasimc::InputError(
-            {{"--days", "the run has no [time]", "sums over days need times", ""}});
-    }
+    require_times(arguments, file);
     RunWriters writers(arguments, file);
     const quasimc::SeriesSummary summary =
         quasimc::run_series(file.scene, quasimc::moments_of(file), file.spec, writers.events());
@@ -194,12 +225,20 @@ void check_usage(const RunArguments& arguments) {
     if (arguments.file.empty() && arguments.from.empty()) {
         throw UsageError("FILE or --from RESULT is required");
     }
-    if (!arguments.csv.empty() && arguments.csv == arguments.json) {
-        throw UsageError("--csv and --json: name the same file");
-    }
-    if (!arguments.days.empty() &&
-        (arguments.days == arguments.csv || arguments.days == arguments.json)) {
-        throw UsageError("--days: names the same file as another output");
+    const std::array<std::pair<std::string_view, const std::string*>, 5> files{{
+        {"--csv", &arguments.csv},
+        {"--json", &arguments.json},
+        {"--days", &arguments.days},
+        {"--groups-csv", &arguments.groups_csv},
+        {"--groups-days", &arguments.groups_days},
+    }};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!files[i].second->empty() && *files[i].second == *files[j].second) {
+                throw UsageError(
+                    fmt::format("{} and {}: name the same file", files[j].first, files[i].first));
+            }
+        }
     }
 }
 
@@ -226,7 +265,17 @@ std::vector<Flag> flags_of(RunArguments& arguments) {
          .summary =
              "of a run with [time]: write the table of sums over days here; - is standard output",
          .type_name = "FILE"},
+        {.name = "--groups-csv",
+         .target = &arguments.groups_csv,
+         .summary = "write the table of groups of organs here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--groups-days",
+         .target = &arguments.groups_days,
+         .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
+                    "standard output",
+         .type_name = "FILE"},
         {"-q,--quiet", &arguments.quiet, "no summary"}};
+    add_choice_flags(arguments.choice, flags);
     arguments.flags.add_to(flags);
     return flags;
 }

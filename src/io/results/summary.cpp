@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
+#include "io/results/fraction_table.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
@@ -77,6 +78,12 @@ std::string with_error(const Estimate& e) {
     return std::isfinite(e.standard_error)
                ? fmt::format("{:.6g} +- {:.2g}", e.mean, e.standard_error)
                : fmt::format("{:.6g}", e.mean);
+}
+
+std::string fraction_with_error(const Estimate& e) {
+    return std::isfinite(e.standard_error)
+               ? fmt::format("{:.4f} +- {:.1g}", e.mean, e.standard_error)
+               : fmt::format("{:.4f}", e.mean);
 }
 
 /// The relative standard errors of the absorbed flux of the organs that were hit, all bands.
@@ -152,6 +159,31 @@ std::string energy_lines(const Scene& scene, const Result& result) {
     }
     if (result.budget.size() > kMostBands) {
         text += line("", fmt::format("... and {} more bands", result.budget.size() - kMostBands));
+    }
+    return text;
+}
+
+/// "reflectance .08 +- .001, ..."; "" of what can't be told.
+std::string fraction_words(const CanopyFractions& fractions) {
+    std::string text;
+    for (const FractionEntry& entry : fraction_table()) {
+        const Estimate& part = fractions.*entry.part;
+        if (!std::isnan(part.mean)) {
+            text += fmt::format(
+                "{}{} {}", text.empty() ? "" : ", ", entry.name, fraction_with_error(part));
+        }
+    }
+    return text;
+}
+
+std::string canopy_lines(const Scene& scene, const Result& result) {
+    constexpr std::size_t kMostBands = 4;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMostBands); ++b) {
+        const std::string words = fraction_words(result.canopy[b]);
+        if (!words.empty()) {
+            text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
+        }
     }
     return text;
 }
@@ -235,7 +267,8 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 std::string result_lines(const RunFile& run, const Result& result) {
     std::string text = run_line(run.spec, result) + method_line(run.spec, result) +
                        time_line(result) + target_line(run.spec, result) +
-                       energy_lines(run.scene, result) + error_line(run.scene, result);
+                       energy_lines(run.scene, result) + canopy_lines(run.scene, result) +
+                       error_line(run.scene, result);
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }

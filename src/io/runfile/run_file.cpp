@@ -30,39 +30,6 @@ Orientation read_orientation(TableReader& top) {
     return {up, is_horizontal ? north : usual};
 }
 
-OutputSpec read_output(TableReader& top, const InputFiles& files) {
-    OutputSpec output;
-    const Node* node = top.any("output");
-    if (node == nullptr) {
-        return output;
-    }
-    TableReader table(*node, "[output]", top.reporter());
-    const auto read_path = [&](std::string_view key) -> std::optional<std::string> {
-        const std::optional<std::string> path = table.text(key);
-        if (path && (path->empty() || path->find('\0') != std::string::npos)) {
-            table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
-            return std::nullopt;
-        }
-        return path ? std::optional(files.resolved(*path).string()) : std::nullopt;
-    };
-    output.csv = read_path("csv");
-    output.json = read_path("json");
-    output.days = read_path("days");
-    const auto check_apart = [&](const auto& a, const auto& b, std::string_view names) {
-        if (a && a == b) {
-            table.fault(fmt::format("{} name the same file", names));
-        }
-    };
-    check_apart(output.csv, output.json, "csv and json");
-    check_apart(output.csv, output.days, "csv and days");
-    check_apart(output.json, output.days, "json and days");
-    if (output.days && top.any("time") == nullptr) {
-        table.fault_at("days", "days without [time]", "sums over days need times");
-    }
-    table.finish();
-    return output;
-}
-
 void read_format_version(TableReader& top) {
     const auto version = top.integer("format", {1, 1e9});
     if (version && *version > kRunFileVersion) {
@@ -121,7 +88,7 @@ Sections read_sections(
     builder.set_length_unit(context.length_unit);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
-    sections.output = read_output(top, files);
+    sections.output = read_output(top, files, context.bands);
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
     sections.series = read_time(top, context, sections.sources);
