@@ -41,6 +41,7 @@ PUBLIC_HEADERS = {
     "sun.h": "sources",
     "scene.h": "scene",
     "run_spec.h": "solvers",
+    "groups.h": "results",
     "result.h": "results",
     "run.h": "run",
     "series.h": "run",

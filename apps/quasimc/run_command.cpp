@@ -14,6 +14,7 @@
 #include "io/output_files.h"
 #include "io/results/audit_words.h"
 #include "option_flags.h"
+#include "output_choice.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 
@@ -21,18 +22,19 @@ namespace {
 
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json, days;
+    std::string file, from, csv, json, days, groups_csv, groups_days;
+    OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
 };
 
 /// The files that a run may write, in the order in which they get their names: the result that has
 /// everything is the last.
-enum Output : std::size_t { kCsv, kDays, kJson };
+enum Output : std::size_t { kCsv, kDays, kGroups, kGroupDays, kJson, kOutputs };
 
 /// Which of them a run writes, and where.
 struct Asked {
-    std::array<std::optional<std::size_t>, 3> numbers;  // among the paths
+    std::array<std::optional<std::size_t>, kOutputs> numbers;  // among the paths
     std::vector<quasimc::OutputPath> paths;
 };
 
@@ -51,6 +53,8 @@ Asked asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) 
     };
     ask(kCsv, "csv", arguments.csv, run.output.csv);
     ask(kDays, "days", arguments.days, run.output.days);
+    ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
+    ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
     ask(kJson, "json", arguments.json, run.output.json);
     return asked;
 }
@@ -104,6 +108,12 @@ class RunWriters {
         if (wants(kDays)) {
             days_.emplace(run, sink_of(kDays));
         }
+        if (wants(kGroups)) {
+            groups_.emplace(run, sink_of(kGroups));
+        }
+        if (wants(kGroupDays)) {
+            group_days_.emplace(run, sink_of(kGroupDays));
+        }
         if (wants(kJson)) {
             json_.emplace(run, sink_of(kJson));
         } else if (!arguments.from.empty()) {
@@ -119,7 +129,7 @@ class RunWriters {
             add_moment(time_step, result, traced);
         };
         events.wants_total = run_.series && wants(kJson);
-        if (days_ || events.wants_total) {
+        if (days_ || group_days_ || events.wants_total) {
             events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
         }
         return events;
@@ -169,12 +179,18 @@ class RunWriters {
         if (csv_) {
             csv_->add_moment(time_step, result);
         }
+        if (groups_) {
+            groups_->add_moment(time_step, result);
+        }
         write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
     }
 
     void add_day(std::size_t day, const quasimc::SeriesSum& sum) {
         if (days_) {
             days_->add_day(day, sum);
+        }
+        if (group_days_) {
+            group_days_->add_day(day, sum);
         }
         write_json([&](auto& json) { json.add_day(day, sum); });
     }
@@ -185,6 +201,8 @@ class RunWriters {
     quasimc::Summary summary_;
     std::optional<quasimc::CsvWriter> csv_;
     std::optional<quasimc::DaysWriter> days_;
+    std::optional<quasimc::GroupsWriter> groups_;
+    std::optional<quasimc::GroupDaysWriter> group_days_;
     std::optional<quasimc::JsonWriter> json_;
 };
 
@@ -240,16 +258,27 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
+/// @throws quasimc::InputError
+void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
+    quasimc::Faults faults;
+    for (const auto& [flag, path] :
+         {std::pair("--days", &arguments.days),
+          std::pair("--groups-days", &arguments.groups_days)}) {
+        if (!path->empty() && !run.series) {
+            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
+        }
+    }
+    faults.throw_if_any();
+}
+
 Exit run(const RunArguments& arguments) {
-    const quasimc::StoredRun stored = read_run(arguments);
+    quasimc::StoredRun stored = read_run(arguments);
+    apply_choice(arguments.choice, stored.run);
     const quasimc::RunFile& file = stored.run;
     if (!arguments.quiet) {
         print_warnings(file.warnings);
     }
-    if (!arguments.days.empty() && !file.series) {
-        throw quasimc::InputError(
-            {{"--days", "the run has no [time]", "sums over days need times", ""}});
-    }
+    require_times(arguments, file);
     RunWriters writers(arguments, file);
     const quasimc::SeriesSummary summary = compute(arguments, file, writers);
     end_progress_line();
@@ -268,12 +297,20 @@ void check_usage(const RunArguments& arguments) {
     if (arguments.file.empty() && arguments.from.empty()) {
         throw UsageError("FILE or --from RESULT is required");
     }
-    if (!arguments.csv.empty() && arguments.csv == arguments.json) {
-        throw UsageError("--csv and --json: name the same file");
-    }
-    if (!arguments.days.empty() &&
-        (arguments.days == arguments.csv || arguments.days == arguments.json)) {
-        throw UsageError("--days: names the same file as another output");
+    const std::array<std::pair<std::string_view, const std::string*>, 5> files{{
+        {"--csv", &arguments.csv},
+        {"--json", &arguments.json},
+        {"--days", &arguments.days},
+        {"--groups-csv", &arguments.groups_csv},
+        {"--groups-days", &arguments.groups_days},
+    }};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!files[i].second->empty() && *files[i].second == *files[j].second) {
+                throw UsageError(
+                    fmt::format("{} and {}: name the same file", files[j].first, files[i].first));
+            }
+        }
     }
 }
 
@@ -300,8 +337,18 @@ std::vector<Flag> flags_of(RunArguments& arguments) {
          .summary =
              "of a run with [time]: write the table of sums over days here; - is standard output",
          .type_name = "FILE"},
+        {.name = "--groups-csv",
+         .target = &arguments.groups_csv,
+         .summary = "write the table of groups of organs here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--groups-days",
+         .target = &arguments.groups_days,
+         .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
+                    "standard output",
+         .type_name = "FILE"},
         {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
         {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
+    add_choice_flags(arguments.choice, flags);
     arguments.flags.add_to(flags);
     return flags;
 }

@@ -2,6 +2,7 @@
 
 // Run files, and the files that results are written to and read from.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -66,7 +67,16 @@ struct InputFile {
 /// Where results go; "-" is standard output.
 struct OutputSpec {
     std::optional<std::string> csv, json;
-    std::optional<std::string> days;  ///< sums over days, of a run with [time]
+    std::optional<std::string> days;                     ///< sums over days, of a run with [time]
+    std::optional<std::string> groups_csv, groups_days;  ///< the same of groups of organs
+
+    // What of it all is written. What is computed, days and groups_days among it, stays the same.
+    /// Names of quantity_table(), or "sunlit_fraction"; empty: all.
+    std::vector<std::string> quantities = {};
+    std::vector<std::string> bands = {};  ///< names; empty: all
+    bool night = false;                   ///< times without light too
+    /// Times that begin from the one to before the other, of the clock, in hours.
+    std::optional<std::array<double, 2>> hours = {};
 };
 
 /// An option stated outside the run file.
@@ -156,6 +166,32 @@ class DaysWriter {
     const RunFile& run_;
     TextSink sink_;
     std::vector<std::string> labels_;
+};
+
+/// The table of groups, or of groups and times (docs/formats/groups.md). The run must outlive it.
+class GroupsWriter {
+  public:
+    GroupsWriter(const RunFile& run, TextSink sink);
+
+    void add_moment(std::size_t time_step, const Result& result);
+
+  private:
+    const RunFile& run_;
+    TextSink sink_;
+    bool has_head_ = false;
+};
+
+/// The table of sums of groups over days, of a run with [time]. The run must outlive it.
+class GroupDaysWriter {
+  public:
+    /// Writes what precedes the rows.
+    GroupDaysWriter(const RunFile& run, TextSink sink);
+
+    void add_day(std::size_t day, const SeriesSum& sum);
+
+  private:
+    const RunFile& run_;
+    TextSink sink_;
 };
 
 /// Everything that is known of a run and its results (docs/formats/json.md). Days are kept in a

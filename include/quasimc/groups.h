@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "quasimc/run_spec.h"
+
 namespace quasimc {
 
 class Scene;
@@ -26,6 +28,11 @@ struct GroupSpec {
     /// Instead: the heights between layers, ascending, at least two; scene units, up.
     std::vector<double> layer_heights = {};
 };
+
+/// The groups that a run is asked for.
+[[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
+    return {spec.groups, spec.layers, spec.layer_heights};
+}
 
 /// Organs whose light is summed. Only organs that are measured belong to groups, the ground to
 /// none, and sensors to those of labels alone.

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/groups.h"
 #include "quasimc/mesh.h"
 
 namespace quasimc {
@@ -85,11 +84,6 @@ struct RunSpec {
     std::uint32_t layers = 0;
     std::vector<double> layer_heights = {};
 };
-
-/// The groups that a run is asked for.
-[[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
-    return {spec.groups, spec.layers, spec.layer_heights};
-}
 
 /// How to trace: as the specification says or, if that is `automatic`, by the rules of
 /// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given

@@ -59,8 +59,10 @@ SeriesSum SeriesAdder::sum(
     std::size_t bands, std::size_t values, const GroupResults& groups) const {
     SeriesSum sum{bands, seconds_, std::vector<Estimate>(values), groups};
     std::transform(cells_.begin(), cells_.end(), sum.values.begin(), estimate_of);
-    std::transform(
-        group_cells_.begin(), group_cells_.end(), sum.groups.values.begin(), estimate_of);
+    if (!groups.values.empty()) {
+        std::transform(
+            group_cells_.begin(), group_cells_.end(), sum.groups.values.begin(), estimate_of);
+    }
     return sum;
 }
 

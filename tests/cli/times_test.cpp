@@ -68,6 +68,90 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
 }
 
+/// A day and a night of whole hours, of two plants.
+std::string day_of_plants() {
+    std::string text = good_run_file();
+    const std::string organ = "name = \"third\"\n";
+    text.insert(text.find(organ) + organ.size(), "labels = { plant = 3 }\n");
+    const std::size_t source = text.find("[[source]]");
+    text.erase(source, text.find("[[material]]") - source);
+    return text +
+           "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+           "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 1\nsky = \"uniform\"\n"
+           "sun_step_minutes = 60\nstep_minutes = 120\n";
+}
+
+std::ptrdiff_t lines_with(const std::string& text, const std::string& part) {
+    std::ptrdiff_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++count;
+    }
+    return count;
+}
+
+TEST_F(TimesTest, WithoutLightAreWrittenOnDemand) {
+    folder_.write("day.toml", day_of_plants());
+    ASSERT_EQ(run({"run", "day.toml", "--csv", "day.csv", "--json", "day.json"}).status, 0);
+    ASSERT_EQ(
+        run({"run", "day.toml", "--csv", "all.csv", "--json", "all.json", "--night"}).status, 0);
+    EXPECT_EQ(rows(folder_.read("all.csv")), 12 * 3);
+    const std::ptrdiff_t lit = rows(folder_.read("day.csv"));
+    EXPECT_LT(lit, 12 * 3);
+    EXPECT_GE(lit, 8 * 3);
+    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"traced\": \"2024"), lit / 3);
+    const Outcome again = run({"run", "--from", "day.json", "--threads", "2"});
+    EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
+    const Outcome other = run({"run", "--from", "all.json", "--quantities", "absorbed_flux"});
+    EXPECT_NE(other.out.find("the same numbers as in"), std::string::npos)
+        << "whatever is written: " << other.out;
+}
+
+TEST_F(TimesTest, OfSomeHoursAreWrittenOnDemand) {
+    std::string text = day_of_plants();
+    const std::string output = "[output]\n";
+    text.insert(text.find(output) + output.size(), "hours = [10, 14]\n");
+    folder_.write("noon.toml", text);
+    const Outcome outcome = run({"run", "noon.toml", "--csv", "noon.csv", "--days", "d.csv"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(rows(folder_.read("noon.csv")), 2 * 3);
+    EXPECT_NE(folder_.read("d.csv").find("\n2024-06-21,86400,"), std::string::npos)
+        << "sums are of all times";
+}
+
+TEST_F(TimesTest, HaveSumsOfGroups) {
+    folder_.write("day.toml", day_of_plants());
+    const Outcome outcome = run(
+        {"run", "day.toml", "--groups", "plant", "--groups-csv", "g.csv", "--groups-days", "d.csv",
+         "--json", "r.json", "--layer-heights", "0,2,6"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string days = folder_.read("d.csv");
+    EXPECT_NE(days.find("\ndate,seconds,by,value,organs,area,"), std::string::npos);
+    EXPECT_NE(days.find("\n2024-06-21,86400,all,,3,"), std::string::npos) << days;
+    EXPECT_NE(days.find("\n2024-06-21,86400,plant,3,1,"), std::string::npos) << days;
+    EXPECT_NE(days.find("\n2024-06-21,86400,layer,2,2,"), std::string::npos) << days;
+    EXPECT_NE(folder_.read("g.csv").find("\ntime,by,value,"), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"by\":\"plant\",\"value\":\"3\""), std::string::npos);
+}
+
+TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
+    const Outcome outcome =
+        run({"run", "run.toml", "--quantities", "absorbd_flux", "--bands", "NIR", "--night"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(
+        outcome.err.find(
+            "--quantities: 'absorbd_flux' is not a quantity; did you mean 'absorbed_flux'?"),
+        std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("--bands: 'NIR' is not a band of the scene"), std::string::npos);
+    EXPECT_NE(outcome.err.find("--night: the run has no [time]"), std::string::npos);
+    EXPECT_EQ(run({"run", "run.toml", "--groups-csv", "a", "--csv", "a"}).status, 2);
+    const Outcome unknown = run({"run", "run.toml", "--groups", "plant"});
+    EXPECT_NE(
+        unknown.err.find("--groups: groups: no organ has a label 'plant' (no organ has any label)"),
+        std::string::npos)
+        << unknown.err;
+}
+
 TEST_F(TimesTest, NameTheirMethod) {
     const Outcome outcome = run({"run", "days.toml", "--csv", "t.csv", "--method", "first_hits"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -260,6 +260,28 @@ TEST_P(Canopies, AWhiteCanopyUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
         result.at(kSoil, Quantity::incident_upper, 0)));
 }
 
+/// NIR, leaf area index 1, black soil, sun overhead: the turbid medium (Monte Carlo, errors of 5e-4
+/// or less). Each seed is a canopy and a run.
+TEST_P(Canopies, HaveTheFractionsOfATurbidMedium) {
+    const CanopySpec spec{
+        .leaf_area_index = 1, .leaf = matt("leaf", .3912, .4146), .soil = matt("soil", 0, 0)};
+    const auto numbers = [&](std::uint64_t seed) {
+        const CanopyFractions f =
+            trace_once(make_canopy(spec, seed), {sun(0, {1})}, GetParam(), 1 << 12, seed)
+                .canopy.at(0);
+        return std::vector<double>{
+            f.absorptance.mean, f.reflectance.mean, f.transmittance.mean,
+            f.ground_absorptance.mean};
+    };
+    const std::vector<Measured> m = over_seeds(24, numbers);
+    const std::array<double, 4> expected{.11698, .14022, .74280, .74280};
+    for (std::size_t i = 0; i < m.size(); ++i) {
+        Measured own = m[i];
+        own.standard_error = std::hypot(own.standard_error, 5e-4);
+        EXPECT_TRUE(agrees(own, expected[i], .03, sidak_level(kLevel, 12))) << i;
+    }
+}
+
 QUASIMC_BOTH_WAYS(Canopies);
 
 }  // namespace

@@ -8,7 +8,11 @@
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
+#include "io/results/audit_words.h"
+#include "io/results/series_words.h"
+#include "io/results/stop_words.h"
 #include "io/runfile/options.h"
+#include "io/runfile/units.h"
 #include "quasimc/version.h"
 
 namespace quasimc {
@@ -115,6 +119,38 @@ std::string csv_origin(const RunFile& run, std::string_view what) {
         axes.north().x, axes.north().y, axes.north().z, one_line(run.scene.length_unit()));
     for (const std::string& note : run.source_notes) {
         out += "# source: " + one_line(note) + "\n";
+    }
+    return out;
+}
+
+std::string csv_result_comments(const RunFile& run, const Result& result) {
+    std::string out = fmt::format(
+        "# method: {}, {}\n", method_name(result.chosen.method), one_line(result.chosen.reason));
+    out += fmt::format(
+        "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
+        result.rays);
+    const std::string stopped = stop_words(run.spec, result);
+    out += stopped.empty() ? "" : "# stopped: " + stopped + "\n";
+    for (const std::string& words : audit_lines(run, result)) {
+        out += "# audit: " + one_line(words) + "\n";
+    }
+    return out;
+}
+
+std::string csv_light_columns(
+    const RunFile& run, const WrittenColumns& columns, LightAmount amount) {
+    const bool is_period = run.series && run.series->collapse == Collapse::period;
+    std::string out;
+    for (const std::size_t b : columns.bands) {
+        const Band& band = run.scene.bands()[b];
+        for (const QuantityEntry& entry : columns.quantities) {
+            const std::string unit = unit_of(entry, band, run.scene.length_unit());
+            const std::string shown = amount == LightAmount::rate
+                                          ? unit
+                                          : summed_unit(unit).name + (is_period ? "" : " d-1");
+            out += fmt::format(
+                "# column {}_{} [{}]: {}\n", entry.name, band.name, shown, entry.summary);
+        }
     }
     return out;
 }

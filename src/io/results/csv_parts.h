@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/results/written.h"
 #include "io/runfile/run_file.h"
+#include "quasimc/result.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -28,6 +30,27 @@ void append_csv(std::string& out, const Estimate& estimate);
     const std::vector<std::string>& columns);
 /// "id,name,labels,area" of an organ.
 void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels);
+
+/// The light of an organ or of a group, column by column.
+/// @param light  a Result, a GroupResults or a SeriesSum
+template <typename Light>
+void append_light(
+    std::string& out, const WrittenColumns& columns, const Light& light, std::size_t index) {
+    for (const std::size_t b : columns.bands) {
+        for (const QuantityEntry& entry : columns.quantities) {
+            append_csv(out, light.at(index, entry.quantity, b));
+        }
+    }
+}
+
+/// How light is counted: as it shines, or summed over the times of a day or a period.
+enum class LightAmount { rate, sum };
+/// The comments on the columns of light.
+[[nodiscard]] std::string csv_light_columns(
+    const RunFile& run, const WrittenColumns& columns, LightAmount amount);
+
+/// How a run without [time] was computed, as comments.
+[[nodiscard]] std::string csv_result_comments(const RunFile& run, const Result& result);
 
 /// The comments on where the numbers come from, but for what was traced and the columns.
 [[nodiscard]] std::string csv_origin(const RunFile& run, std::string_view what);

@@ -93,17 +93,19 @@ void write_sources(JsonStream& json, const std::vector<std::string>& notes) {
     json.end_list();
 }
 
-void write_quantities(JsonStream& json, const Scene& scene) {
+void write_quantities(JsonStream& json, const RunFile& run) {
+    const WrittenColumns columns = written_columns(run);
     json.key("quantities");
     json.begin_list(kHeadLayout);
-    for (const QuantityEntry& entry : quantity_table()) {
+    for (const QuantityEntry& entry : columns.quantities) {
         json.begin_object(kHeadLayout);
         json.text("name", entry.name);
         json.text("meaning", entry.summary);
         json.key("unit");
         json.begin_object(kHeadLayout);
-        for (const Band& band : scene.bands()) {
-            json.text(band.name, unit_of(entry, band, scene.length_unit()));
+        for (const std::size_t b : columns.bands) {
+            const Band& band = run.scene.bands()[b];
+            json.text(band.name, unit_of(entry, band, run.scene.length_unit()));
         }
         json.end_object();
         json.end_object();
@@ -125,7 +127,7 @@ void json_head(JsonStream& json, const RunFile& run) {
     write_node(json, *run.document);
     write_scene(json, run.scene);
     write_sources(json, run.source_notes);
-    write_quantities(json, run.scene);
+    write_quantities(json, run);
 }
 
 void json_warnings(JsonStream& json, const RunFile& run) {

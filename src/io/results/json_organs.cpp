@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "io/results/json_parts.h"
 
 namespace quasimc {
@@ -29,7 +31,9 @@ JsonStream begin_organ(const Organ& organ) {
     return json;
 }
 
-void write_estimate(JsonStream& json, const Estimate& e) {
+}  // namespace
+
+void json_compact_estimate(JsonStream& json, const Estimate& e) {
     json.begin_object(kOrganLayout);
     json.quoted_key("\"mean\"");
     json.number(e.mean);
@@ -42,26 +46,9 @@ void write_estimate(JsonStream& json, const Estimate& e) {
     json.end_object();
 }
 
-/// The estimates of every quantity and band.
-/// @param light  a Result or a SeriesSum
-template <typename Light>
-void write_quantities(
-    JsonStream& json, const Light& light, std::size_t organ, const JsonNames& names) {
-    for (std::size_t q = 0; q < kQuantities; ++q) {
-        json.quoted_key(names.quantities[q]);
-        json.begin_object(kOrganLayout);
-        for (std::size_t b = 0; b < light.bands; ++b) {
-            json.quoted_key(names.bands[b]);
-            write_estimate(json, light.at(organ, quantity_table()[q].quantity, b));
-        }
-        json.end_object();
-    }
-}
-
-}  // namespace
-
-JsonNames json_names(const RunFile& run) {
+JsonNames json_names(const RunFile& run, WrittenColumns columns) {
     JsonNames names;
+    names.columns = std::move(columns);
     for (const QuantityEntry& entry : quantity_table()) {
         names.quantities.push_back(JsonStream::quoted(entry.name));
     }
@@ -77,16 +64,16 @@ JsonNames json_names(const RunFile& run) {
 std::string json_organ(
     const Organ& organ, const Result& result, std::size_t index, const JsonNames& names) {
     JsonStream json = begin_organ(organ);
-    write_quantities(json, result, index, names);
-    if (!result.sunlit_fraction.empty()) {
+    json_quantities(json, result, index, names);
+    if (names.columns.has_sunlit && !result.sunlit_fraction.empty()) {
         json.quoted_key("\"sunlit_fraction\"");
-        write_estimate(json, result.sunlit_fraction[index]);
+        json_compact_estimate(json, result.sunlit_fraction[index]);
     }
     json.quoted_key("\"ratios\"");
     json.begin_object(kOrganLayout);
     for (std::size_t i = 0; i < result.ratios; ++i) {
         json.quoted_key(names.ratios[i]);
-        write_estimate(json, result.ratio(index, i));
+        json_compact_estimate(json, result.ratio(index, i));
     }
     json.end_object();
     json.end_object();
@@ -96,7 +83,7 @@ std::string json_organ(
 std::string json_organ_sum(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
     JsonStream json = begin_organ(organ);
-    write_quantities(json, sum, index, names);
+    json_quantities(json, sum, index, names);
     json.end_object();
     return json.take();
 }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "io/results/json_parts.h"
+#include "io/runfile/output_files.h"
 #include "io/sha256.h"
 
 namespace quasimc {
@@ -61,8 +63,8 @@ Json parse_head(const std::string& text, const std::string& path) {
     bool in_organs = false;
     const auto filter = [&](int depth, Json::parse_event_t event, const Json& value) {
         if (depth == 1 && event == Json::parse_event_t::key) {
-            in_organs =
-                value == "organs" || value == "moments" || value == "days" || value == "total";
+            in_organs = value == "organs" || value == "groups" || value == "moments" ||
+                        value == "days" || value == "total";
         }
         return !in_organs || depth < 2;
     };
@@ -143,6 +145,19 @@ InputFiles::Reader checking_reader(
     };
 }
 
+/// Leaves out where the run wrote to; what it wrote of its numbers stays.
+void forget_outputs(Node::Table& members) {
+    for (Member& member : members) {
+        auto* output = std::get_if<Node::Table>(&member.node.value);
+        if (member.key == "output" && output != nullptr) {
+            std::erase_if(*output, [](const Member& key) {
+                return std::find(kOutputFiles.begin(), kOutputFiles.end(), key.key) !=
+                       kOutputFiles.end();
+            });
+        }
+    }
+}
+
 }  // namespace
 
 StoredRun read_result_text(
@@ -159,7 +174,7 @@ StoredRun read_result_text(
     }
     Node document = to_node(*run, name, 0);
     auto& members = std::get<Node::Table>(document.value);
-    std::erase_if(members, [](const Member& member) { return member.key == "output"; });
+    forget_outputs(members);
 
     const std::vector<InputFile> inputs = stored_inputs(head);
     const fs::path folder = input_folder(head, inputs, beside);

@@ -67,8 +67,10 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     for (const Band& band : run.scene.bands()) {
         factors.push_back(summed_unit(band.unit).factor);
     }
-    for (std::size_t i = 0; i < sum.values.size(); ++i) {
-        sum.values[i] = scaled(sum.values[i], factors[i % factors.size()]);
+    for (std::vector<Estimate>* values : {&sum.values, &sum.groups.values}) {
+        for (std::size_t i = 0; i < values->size(); ++i) {
+            (*values)[i] = scaled((*values)[i], factors[i % factors.size()]);
+        }
     }
     return sum;
 }

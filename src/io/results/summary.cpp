@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
+#include "io/results/fraction_table.h"
 #include "io/results/series_words.h"
 #include "io/results/stop_words.h"
 #include "io/results/summary_parts.h"
@@ -81,6 +82,12 @@ std::string error_line(const ErrorStatistics& errors) {
     return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
+std::string fraction_with_error(const Estimate& e) {
+    return std::isfinite(e.standard_error)
+               ? fmt::format("{:.4f} +- {:.1g}", e.mean, e.standard_error)
+               : fmt::format("{:.4f}", e.mean);
+}
+
 /// The budgets of the first bands. @param unit_of_band  of a band's budget
 template <typename UnitOfBand>
 std::string energy_lines(
@@ -110,6 +117,31 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
           &BandBudget::cut_off, &BandBudget::roulette}) {
         (sum.*part).mean += seconds * (flux.*part).mean;
     }
+}
+
+/// "reflectance .08 +- .001, ..."; "" of what can't be told.
+std::string fraction_words(const CanopyFractions& fractions) {
+    std::string text;
+    for (const FractionEntry& entry : fraction_table()) {
+        const Estimate& part = fractions.*entry.part;
+        if (!std::isnan(part.mean)) {
+            text += fmt::format(
+                "{}{} {}", text.empty() ? "" : ", ", entry.name, fraction_with_error(part));
+        }
+    }
+    return text;
+}
+
+std::string canopy_lines(const Scene& scene, const Result& result) {
+    constexpr std::size_t kMostBands = 4;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMostBands); ++b) {
+        const std::string words = fraction_words(result.canopy[b]);
+        if (!words.empty()) {
+            text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
+        }
+    }
+    return text;
 }
 
 /// The methods of the times: one name, or each with the number of times.
@@ -209,7 +241,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
         energy_lines(
             run.scene, result.budget, result.escaped_is_remainder,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
-        error_line(error_statistics(run.scene, result));
+        canopy_lines(run.scene, result) + error_line(error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }

@@ -82,9 +82,10 @@ void write_daylight(JsonStream& json, const Daylight& daylight) {
 /// The members of a sum, in its object.
 void write_sum(JsonStream& json, const RunFile& run, const SeriesSum& raw) {
     const SeriesSum sum = in_summed_units(run, raw);
-    const JsonNames names = json_names(run);
+    const JsonNames names = json_names(run, written_columns(run));
     const std::vector<Organ>& organs = run.scene.organs();
     json.number("seconds", sum.seconds);
+    json_groups(json, run, sum.groups);
     json.key("organs");
     json.begin_list(kRows);
     for (std::size_t i = 0; i < organs.size(); ++i) {
@@ -107,7 +108,7 @@ class JsonWriter::State {
   private:
     void write_single_head(const Result& result);
     void write_moment_head(std::size_t time_step, const Result& result, std::size_t traced);
-    void write_organs(const Result& result);
+    void write_organs(const Result& result, bool is_shown);
     void write_series_end(const SeriesSummary& summary);
 
     const RunFile& run_;
@@ -148,7 +149,9 @@ void JsonWriter::State::write_single_head(const Result& result) {
     json_.end_object();
     json_audit(json_, run_, result, kPretty);
     json_energy(json_, run_, result, kPretty);
+    json_canopy(json_, run_, result, kPretty);
     json_detectors(json_, run_, result, kPretty);
+    json_groups(json_, run_, result.groups);
     json_.boolean("escaped_is_remainder", result.escaped_is_remainder);
     json_warnings(json_, run_);
 }
@@ -166,19 +169,23 @@ void JsonWriter::State::write_moment_head(
     json_done(json_, result, kCompact);
     json_audit(json_, run_, result, kCompact);
     json_energy(json_, run_, result, kCompact);
+    json_canopy(json_, run_, result, kCompact);
     json_detectors(json_, run_, result, kCompact);
+    json_groups(json_, run_, result.groups);
 }
 
-/// The digest is of the lines as they stand in the file.
-void JsonWriter::State::write_organs(const Result& result) {
-    const JsonNames names = json_names(run_);
+/// The digest is of everything, whatever of it is written.
+void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
+    const WrittenColumns columns = written_columns(run_);
+    const JsonNames all = json_names(run_, all_columns(run_));
+    const JsonNames shown = json_names(run_, columns);
     const std::vector<Organ>& organs = run_.scene.organs();
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        const std::string line = json_organ(organs[i], result, i, names);
+        const std::string line = json_organ(organs[i], result, i, all);
         digest_.add(line);
         digest_.add(i + 1 < organs.size() ? ",\n" : "\n");
-        if (writes_) {
-            json_.raw(line);
+        if (is_shown) {
+            json_.raw(columns.is_all ? line : json_organ(organs[i], result, i, shown));
         }
     }
 }
@@ -186,8 +193,8 @@ void JsonWriter::State::write_organs(const Result& result) {
 void JsonWriter::State::add_moment(
     std::size_t time_step, const Result& result, std::size_t traced) {
     ++time_steps_;
-    if (!writes_) {
-        write_organs(result);
+    if (!writes_ || !is_written(run_, time_step, result)) {
+        write_organs(result, false);
         return;
     }
     if (run_.series) {
@@ -198,7 +205,7 @@ void JsonWriter::State::add_moment(
     }
     json_.key("organs");
     json_.begin_list(kRows);
-    write_organs(result);
+    write_organs(result, true);
     json_.end_list();
     if (run_.series) {
         json_.end_object();

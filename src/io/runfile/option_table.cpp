@@ -199,6 +199,27 @@ std::vector<Option> rows_of_ends() {
     };
 }
 
+std::vector<Option> rows_of_groups() {
+    constexpr std::int64_t kMostLayers = 100000;
+    return {
+        words_option(
+            {"groups", "",
+             "labels of organs whose light is summed for each value, with errors of the sums; "
+             "\"plant+kind\" for each pair of values"},
+            &RunSpec::groups, {"LABEL"}),
+        integer_option(
+            {"layers", "",
+             "layers of equal height, from the ground to the highest point of the organs, whose "
+             "light is summed; 0: none"},
+            &RunSpec::layers, {0, kMostLayers}),
+        {"layer_heights", "",
+         "instead of layers: the heights between them, ascending, in the unit of length",
+         RealsDomain{},
+         [](RunSpec& spec, const OptionValue& value) { spec.layer_heights = as_reals(value); },
+         [](const RunSpec& spec) -> OptionValue { return spec.layer_heights; }},
+    };
+}
+
 // To rename an option or its values: change its row, and add here what it was. Run files, results
 // and command lines of before are understood on, with a warning that names what stands there now.
 std::vector<Option> former_rows() {
@@ -214,7 +235,7 @@ std::vector<Option> former_rows() {
 
 std::vector<Option> make_table() {
     std::vector<Option> table = rows_of_paths();
-    for (const auto& more : {rows_of_engine(), rows_of_ends()}) {
+    for (const auto& more : {rows_of_engine(), rows_of_ends(), rows_of_groups()}) {
         table.insert(table.end(), more.begin(), more.end());
     }
     return table;

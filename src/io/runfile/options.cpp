@@ -36,15 +36,20 @@ std::string domain_kind(const OptionDomain& domain) {
             return "a number";
         case 2:
             return "a name";
-        default:
+        case 3:
             return "a list of texts";
+        default:
+            return "a list of numbers";
     }
 }
 
 bool has_right_type(const OptionDomain& domain, const OptionValue& value) {
     const bool integer_for_real =
         std::holds_alternative<RealDomain>(domain) && std::holds_alternative<std::int64_t>(value);
-    return integer_for_real || domain.index() == value.index();
+    const auto* texts = std::get_if<std::vector<std::string>>(&value);
+    const bool is_empty_list =
+        std::holds_alternative<RealsDomain>(domain) && texts != nullptr && texts->empty();
+    return integer_for_real || is_empty_list || domain.index() == value.index();
 }
 
 bool in_domain(const OptionDomain& domain, const OptionValue& value) {
@@ -55,6 +60,11 @@ bool in_domain(const OptionDomain& domain, const OptionValue& value) {
     if (const auto* range = std::get_if<RealDomain>(&domain)) {
         const double x = as_real(value);
         return std::isfinite(x) && range->low <= x && x <= range->high;
+    }
+    if (std::holds_alternative<RealsDomain>(domain)) {
+        const std::vector<double> numbers = as_reals(value);
+        return std::all_of(
+            numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
     }
     if (const auto* choice = std::get_if<ChoiceDomain>(&domain)) {
         const auto& names = choice->names;
@@ -74,6 +84,11 @@ const Option* find_in(std::span<const Option> table, std::string_view key) {
 double as_real(const OptionValue& value) {
     const auto* integer = std::get_if<std::int64_t>(&value);
     return integer ? static_cast<double>(*integer) : std::get<double>(value);
+}
+
+std::vector<double> as_reals(const OptionValue& value) {
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
+    return numbers ? *numbers : std::vector<double>{};
 }
 
 const Option* find_option(std::string_view key) {
@@ -108,6 +123,9 @@ std::string domain_text(const Option& option) {
     }
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         return "one of " + joined(choice->names, ", ");
+    }
+    if (std::holds_alternative<RealsDomain>(option.domain)) {
+        return "list of finite numbers";
     }
     return fmt::format("list of \"{}\"", std::get<WordsDomain>(option.domain).form);
 }
@@ -150,6 +168,33 @@ std::string method_name(Method from) {
     return std::get<std::string>(find_option("method")->get(spec));
 }
 
+namespace {
+
+/// What stands between commas.
+std::vector<std::string> listed_words(std::string_view text) {
+    std::vector<std::string> words;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        words.emplace_back(trimmed(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return words;
+}
+
+/// The numbers between commas, or the words if one of them is none.
+OptionValue listed_numbers(std::string_view text) {
+    const std::vector<std::string> words = listed_words(text);
+    std::vector<double> numbers;
+    for (const std::string& word : words) {
+        if (const auto number = parse_real(word)) {
+            numbers.push_back(*number);
+        }
+    }
+    return numbers.size() == words.size() ? OptionValue(numbers) : OptionValue(words);
+}
+
+}  // namespace
+
 OptionValue parse_option(const Option& option, std::string_view text) {
     if (std::holds_alternative<IntegerDomain>(option.domain)) {
         if (const auto integer = parse_integer(text)) {
@@ -162,13 +207,10 @@ OptionValue parse_option(const Option& option, std::string_view text) {
         }
     }
     if (std::holds_alternative<WordsDomain>(option.domain)) {
-        std::vector<std::string> words;
-        while (!text.empty()) {
-            const std::size_t end = std::min(text.find(','), text.size());
-            words.emplace_back(trimmed(text.substr(0, end)));
-            text.remove_prefix(std::min(end + 1, text.size()));
-        }
-        return words;
+        return listed_words(text);
+    }
+    if (std::holds_alternative<RealsDomain>(option.domain)) {
+        return listed_numbers(text);
     }
     return std::string(text);
 }
@@ -184,6 +226,12 @@ std::string option_toml(const OptionValue& value) {
         return in_quotes(*text);
     }
     std::string list;
+    for (const double number : as_reals(value)) {
+        list += (list.empty() ? "" : ", ") + shortest(number);
+    }
+    if (std::holds_alternative<std::vector<double>>(value)) {
+        return "[" + list + "]";
+    }
     for (const std::string& word : std::get<std::vector<std::string>>(value)) {
         list += (list.empty() ? "" : ", ") + in_quotes(word);
     }

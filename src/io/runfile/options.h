@@ -15,7 +15,8 @@
 namespace quasimc {
 
 /// The value of an option, whoever states it: a file, a command line, a program.
-using OptionValue = std::variant<std::int64_t, double, std::string, std::vector<std::string>>;
+using OptionValue =
+    std::variant<std::int64_t, double, std::string, std::vector<std::string>, std::vector<double>>;
 
 /// What values an option takes.
 struct IntegerDomain {
@@ -30,7 +31,9 @@ struct ChoiceDomain {
 struct WordsDomain {
     std::string_view form;  ///< how a word looks, "BAND:BAND"
 };
-using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain>;
+struct RealsDomain {};  ///< a list of finite numbers
+using OptionDomain =
+    std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
 
 /// One row of the table of run options: one field of RunSpec.
 struct Option {
@@ -53,6 +56,9 @@ struct Option {
 
 /// A number, of an integer too.
 [[nodiscard]] double as_real(const OptionValue& value);
+
+/// A list of numbers; an empty list of texts is one of numbers too.
+[[nodiscard]] std::vector<double> as_reals(const OptionValue& value);
 
 /// The row of that key, or null.
 [[nodiscard]] const Option* find_option(std::string_view key);

@@ -6,11 +6,8 @@
 #include <limits>
 #include <system_error>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
-#include "io/file_identity.h"
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
 #include "quasimc/source.h"
@@ -33,49 +30,6 @@ Orientation read_orientation(TableReader& top) {
             "it must have a length and no part along the up axis");
     }
     return {up, is_horizontal ? north : usual};
-}
-
-OutputSpec read_output(TableReader& top, const InputFiles& files) {
-    OutputSpec output;
-    const Node* node = top.any("output");
-    if (node == nullptr) {
-        return output;
-    }
-    TableReader table(*node, "[output]", top.reporter());
-    const auto read_path = [&](std::string_view key) -> std::optional<std::string> {
-        const std::optional<std::string> path = table.text(key);
-        if (path && (path->empty() || path->find('\0') != std::string::npos)) {
-            table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
-            return std::nullopt;
-        }
-        if (!path) {
-            return std::nullopt;
-        }
-        std::string resolved = files.resolved(*path).string();
-        const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
-        if (const InputFile* input = input_at(file, files.files())) {
-            table.fault_at(
-                key, fmt::format("{} = '{}' is an input of the run", key, *path),
-                fmt::format("'{}' is read from it", input->path), "name another file");
-        }
-        return resolved;
-    };
-    output.csv = read_path("csv");
-    output.json = read_path("json");
-    output.days = read_path("days");
-    const auto check_apart = [&](const auto& a, const auto& b, std::string_view names) {
-        if (a && a == b) {
-            table.fault(fmt::format("{} name the same file", names));
-        }
-    };
-    check_apart(output.csv, output.json, "csv and json");
-    check_apart(output.csv, output.days, "csv and days");
-    check_apart(output.json, output.days, "json and days");
-    if (output.days && top.any("time") == nullptr) {
-        table.fault_at("days", "days without [time]", "sums over days need times");
-    }
-    table.finish();
-    return output;
 }
 
 void read_format_version(TableReader& top) {
@@ -144,7 +98,7 @@ Sections read_sections(
     read_ground(top, context, builder);
     read_cell(top, context, builder);
     read_detectors(top, builder);
-    sections.output = read_output(top, files);  // when all is known that is read
+    sections.output = read_output(top, files, context.bands);  // when all is known that is read
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {

@@ -17,6 +17,25 @@ std::vector<std::string_view> option_keys() {
     return keys;
 }
 
+/// A list of texts, or of numbers, as a value.
+std::optional<OptionValue> list_value(const Node::List& list) {
+    std::vector<std::string> words;
+    std::vector<double> numbers;
+    for (const Node& item : list) {
+        if (const auto* word = item.as<std::string>()) {
+            words.push_back(*word);
+        } else if (const auto* integer = item.as<std::int64_t>()) {
+            numbers.push_back(static_cast<double>(*integer));
+        } else if (const auto* real = item.as<double>()) {
+            numbers.push_back(*real);
+        }
+    }
+    if (words.size() == list.size()) {
+        return words;
+    }
+    return numbers.size() == list.size() ? std::optional<OptionValue>(numbers) : std::nullopt;
+}
+
 /// The value a node states, if it is of a type that options have.
 std::optional<OptionValue> option_value(const Node& node) {
     if (const auto* integer = node.as<std::int64_t>()) {
@@ -29,13 +48,7 @@ std::optional<OptionValue> option_value(const Node& node) {
         return *text;
     }
     const auto* list = node.as<Node::List>();
-    std::vector<std::string> words;
-    for (std::size_t i = 0; list && i < list->size(); ++i) {
-        if (const auto* word = (*list)[i].as<std::string>()) {
-            words.push_back(*word);
-        }
-    }
-    return list && words.size() == list->size() ? std::optional<OptionValue>(words) : std::nullopt;
+    return list ? list_value(*list) : std::nullopt;
 }
 
 Node option_node(const OptionValue& value) {
@@ -43,6 +56,13 @@ Node option_node(const OptionValue& value) {
         Node::List list;
         for (const std::string& word : *words) {
             list.push_back({word});
+        }
+        return {std::move(list)};
+    }
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        Node::List list;
+        for (const double number : *numbers) {
+            list.push_back({number});
         }
         return {std::move(list)};
     }

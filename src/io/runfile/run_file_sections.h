@@ -78,6 +78,10 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 [[nodiscard]] std::optional<std::vector<double>> read_per_band(
     TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range);
 
+// run_file_output.cpp
+[[nodiscard]] OutputSpec read_output(
+    TableReader& top, const InputFiles& files, const std::vector<Band>& bands);
+
 // run_file_detectors.cpp
 void read_detectors(TableReader& top, SceneBuilder& builder);
 

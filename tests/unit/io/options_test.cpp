@@ -20,6 +20,9 @@ OptionValue another_value(const Option& option) {
         const bool is_first = std::get<std::string>(usual) == choice->names.front();
         return std::string(is_first ? choice->names.back() : choice->names.front());
     }
+    if (std::holds_alternative<RealsDomain>(option.domain)) {
+        return std::vector<double>{0, .5, 2};
+    }
     return std::vector<std::string>{"R:FR", "B:R"};
 }
 

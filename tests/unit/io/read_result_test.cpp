@@ -19,9 +19,9 @@ class StoredRunTest : public FolderTest {
   protected:
     void SetUp() override {
         RunText text;
-        text.run = "[run]\npaths = 256\nreplicates = 3\nseed = 11\n";
+        text.run = "[run]\npaths = 256\nreplicates = 3\nseed = 11\nlayer_heights = [0, 0.5, 2]\n";
         text.organs = "[[geometry]]\nfile = 'leaves.tri'\nmaterial = 'leaf'\n";
-        text.rest = "[output]\ncsv = 'a.csv'\n";
+        text.rest = "[output]\ncsv = 'a.csv'\nquantities = ['incident_upper']\n";
         folder_.write("here/run.toml", text.text());
         folder_.write("here/leaves.tri", "0 0 0 1 0 0 0 1 0\n0.2 0 1 1 0 1.3 0 1 1\n");
         const RunFile run = read_run_file((folder_.path() / "here/run.toml").string());
@@ -56,7 +56,9 @@ TEST_F(StoredRunTest, KeepsOptionsAndForgetsOutputs) {
     const StoredRun stored = read_result_file(result_.string());
     EXPECT_EQ(stored.run.spec.paths, 256U);
     EXPECT_EQ(stored.run.spec.seed, 11U);
+    EXPECT_EQ(stored.run.spec.layer_heights, (std::vector<double>{0, .5, 2}));
     EXPECT_FALSE(stored.run.output.csv);
+    EXPECT_EQ(stored.run.output.quantities, std::vector<std::string>{"incident_upper"});
     EXPECT_EQ(stored.run.inputs.size(), 2U);
 }
 

@@ -86,6 +86,67 @@ TEST(RunFile, OutputMayBeStandardOutput) {
     EXPECT_EQ(read_text(text.text()).output.csv, "-");
 }
 
+TEST(RunFile, AsksForGroupsAndLayers) {
+    RunText text;
+    text.run = "[run]\ngroups = ['plant']\nlayer_heights = [0, 1.5]\n";
+    text.organs += "labels = { plant = 1 }\n";
+    const RunFile run = read_text(text.text());
+    EXPECT_EQ(run.spec.groups, std::vector<std::string>{"plant"});
+    EXPECT_EQ(run.spec.layer_heights, (std::vector<double>{0, 1.5}));
+    const RunFile other = read_text(
+        text.text(), {}, {{"layer_heights", "1,2.5,3", "--layer-heights"}, {"groups", "", "--x"}});
+    EXPECT_EQ(other.spec.layer_heights, (std::vector<double>{1, 2.5, 3}));
+    EXPECT_TRUE(other.spec.groups.empty());
+}
+
+TEST(RunFile, SaysWhatIsWrongWithGroupsAndLayers) {
+    RunText text;
+    text.run = "[run]\ngroups = ['plnat']\nlayer_heights = [1, 0]\n";
+    text.organs += "labels = { plant = 1 }\n";
+    const auto faults = faults_of(text.text());
+    EXPECT_TRUE(mentions(
+        faults,
+        "run.toml:3: groups: no organ has a label 'plnat' (groups are made of the values of a "
+        "label); did you mean 'plant'?"));
+    EXPECT_TRUE(mentions(
+        faults,
+        "run.toml:4: layer_heights: 0 follows 1 (heights are finite numbers that ascend); state "
+        "them from below to above"));
+    text.run = "[run]\nlayer_heights = ['a']\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()),
+        "layer_heights is [\"a\"] (it takes a list of numbers: list of finite numbers)"));
+    text.run = "[run]\nlayer_heights = [0, inf]\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "run.toml:3: [run]: layer_heights is [0, inf]"));
+}
+
+TEST(RunFile, ChoosesWhatIsWritten) {
+    RunText text;
+    text.rest =
+        "[output]\nquantities = ['absorbed_flux', 'sunlit_fraction']\nbands = ['PAR']\n"
+        "groups_csv = 'g.csv'\n";
+    const RunFile run = read_text(text.text());
+    EXPECT_EQ(run.output.quantities.size(), 2U);
+    EXPECT_EQ(run.output.bands, std::vector<std::string>{"PAR"});
+    EXPECT_EQ(run.output.groups_csv, "/run/g.csv");
+    EXPECT_FALSE(run.output.night);
+}
+
+TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
+    RunText text;
+    text.rest =
+        "[output]\nquantities = ['absorbed']\nbands = ['PRA']\ngroups = ['plant']\n"
+        "night = true\nhours = [8, 6]\n";
+    const auto faults = faults_of(text.text());
+    EXPECT_TRUE(mentions(faults, "'absorbed' is not a quantity"));
+    EXPECT_TRUE(mentions(faults, "'PRA' is not a band of the scene; did you mean 'PAR'?"));
+    EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
+    EXPECT_TRUE(mentions(faults, "night without [time] (nights need times)"));
+    EXPECT_TRUE(mentions(faults, "hours runs from 8 to 6"));
+    text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));
+}
+
 TEST(RunFile, RefusesUnknownKeysWithASuggestion) {
     RunText text;
     text.top += "lenght_unit = 'm'\n";

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -144,6 +145,123 @@ TEST(WriteJson, HoldsTheWholeRunFile) {
     EXPECT_EQ(json["format"], "quasimc-result");
 }
 
+/// Two groups, as of a run with groups = ["kind"].
+Result grouped_result() {
+    Result result = small_result();
+    GroupResults& groups = result.groups;
+    groups.groups = {
+        {.by = "all", .value = "", .organs = {0, 1}, .area = 2.5},
+        {.by = "layer",
+         .value = "1",
+         .organs = {1},
+         .area = .5,
+         .low = 0,
+         .high = 2,
+         .plant_area_index = .25,
+         .cumulative_plant_area_index = .75}};
+    groups.bands = 2;
+    groups.ratios = 1;
+    groups.values = result.values;
+    groups.sunlit_fraction = result.sunlit_fraction;
+    groups.sunlit_area = {{1.25, .25, 1, 1.5}, {0, kNan, 0, .05}};
+    groups.ratio_values = result.ratio_values;
+    result.canopy.resize(2);
+    result.canopy[1].incident = 9;
+    result.canopy[1].reflectance = {.125, .01, .1, .15};
+    result.canopy[1].transmittance = {kNan, kNan, kNan, kNan};
+    return result;
+}
+
+std::string groups_text(const RunFile& run) {
+    std::string text;
+    GroupsWriter(run, [&](std::string_view piece) {
+        text += piece;
+    }).add_moment(0, grouped_result());
+    return text;
+}
+
+TEST(WriteGroups, HasARowForEachGroup) {
+    const std::vector<std::string> table = table_of(groups_text(small_run()));
+    ASSERT_EQ(table.size(), 3U);
+    EXPECT_TRUE(table[0].starts_with(
+        "by,value,organs,area,low,high,plant_area_index,cumulative_plant_area_index,"
+        "absorbed_flux_R,absorbed_flux_R_se,absorbed_flux_R_high,"))
+        << table[0];
+    EXPECT_NE(
+        table[0].find(",sunlit_area,sunlit_area_se,sunlit_area_high,ratio_R:FR,"),
+        std::string::npos);
+    EXPECT_TRUE(table[0].ends_with(
+        ",ground_absorptance_FR,ground_absorptance_FR_se,ground_absorptance_FR_high"));
+    EXPECT_TRUE(table[1].starts_with("all,,2,2.5,,,,,0,0,1,2,0.2,3,")) << table[1];
+    EXPECT_NE(table[1].find(",0.125,0.01,0.15,,,,"), std::string::npos) << "R of FR, no T";
+    EXPECT_TRUE(table[2].starts_with("layer,1,1,0.5,0,2,0.25,0.75,0,,0.25,")) << table[2];
+    EXPECT_EQ(
+        std::count(table[0].begin(), table[0].end(), ','),
+        std::count(table[1].begin(), table[1].end(), ','));
+    EXPECT_EQ(
+        std::count(table[0].begin(), table[0].end(), ','),
+        std::count(table[2].begin(), table[2].end(), ','));
+}
+
+TEST(WriteGroups, NamesItsColumns) {
+    const std::vector<std::string> lines = lines_of(groups_text(small_run()));
+    EXPECT_TRUE(mentions(lines, "# column area [cm2]: of one side of all of them"));
+    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [W m-2 cm2]: "));
+    EXPECT_TRUE(mentions(lines, "# column reflectance_BAND [1]: "));
+}
+
+TEST(WriteJson, HoldsGroupsAndFractions) {
+    const auto json = json_of(small_run(), grouped_result());
+    ASSERT_EQ(json["groups"].size(), 2U);
+    EXPECT_EQ(json["groups"][0]["by"], "all");
+    EXPECT_EQ(json["groups"][0]["organs"], 2);
+    EXPECT_FALSE(json["groups"][0].contains("low"));
+    EXPECT_EQ(json["groups"][1]["cumulative_plant_area_index"], .75);
+    EXPECT_EQ(json["groups"][0]["absorbed_flux"]["FR"]["mean"], 1.0);
+    EXPECT_EQ(json["groups"][0]["sunlit_area"]["mean"], 1.25);
+    EXPECT_EQ(json["groups"][0]["ratios"]["R:FR"]["mean"], 1.25);
+    EXPECT_EQ(json["canopy"]["FR"]["incident"], 9.0);
+    EXPECT_EQ(json["canopy"]["FR"]["reflectance"]["standard_error"], .01);
+    EXPECT_TRUE(json["canopy"]["FR"]["transmittance"]["mean"].is_null());
+    EXPECT_FALSE(json_of(small_run(), small_result()).contains("canopy"));
+}
+
+/// The small run, of which only a part is written.
+RunFile chosen_run() {
+    RunFile run = small_run();
+    run.output.quantities = {"incident_upper"};
+    run.output.bands = {"FR"};
+    return run;
+}
+
+TEST(WrittenColumns, AreThoseAskedFor) {
+    std::string text;
+    write_csv(chosen_run(), small_result(), [&](std::string_view piece) { text += piece; });
+    EXPECT_EQ(
+        table_of(text)[0],
+        "id,name,plant,label_area,kind,area,incident_upper_FR,incident_upper_FR_se,"
+        "incident_upper_FR_high,ratio_R:FR,ratio_R:FR_se,ratio_R:FR_high");
+    EXPECT_TRUE(table_of(text)[1].ends_with(",2,5,0.5,6,1.25,0.01,1.3")) << table_of(text)[1];
+    EXPECT_EQ(table_of(groups_text(chosen_run()))[0].find("absorbed_flux"), std::string::npos);
+    const auto json = json_of(chosen_run(), grouped_result());
+    EXPECT_EQ(json["quantities"].size(), 1U);
+    EXPECT_FALSE(json["organs"][0].contains("absorbed_flux"));
+    EXPECT_FALSE(json["organs"][0].contains("sunlit_fraction"));
+    EXPECT_FALSE(json["organs"][0]["incident_upper"].contains("R"));
+    EXPECT_EQ(json["organs"][0]["incident_upper"]["FR"]["mean"], 5.0);
+}
+
+/// A result is compared with another whatever was written of it.
+TEST(WrittenColumns, DoNotChangeTheDigest) {
+    EXPECT_EQ(
+        digest_of_organs(chosen_run(), small_result()),
+        digest_of_organs(small_run(), small_result()));
+    std::string text;
+    EXPECT_EQ(
+        write_json(chosen_run(), small_result(), [&](std::string_view piece) { text += piece; }),
+        digest_of_organs(small_run(), small_result()));
+}
+
 TEST(WriteJson, DigestTellsResultsApart) {
     const RunFile run = small_run();
     Result result = small_result();
@@ -211,6 +329,13 @@ TEST(Summary, TellsThatTheTimeWasUp) {
 }
 
 /// What "auto" chose and why stands in every form of the result.
+TEST(Summary, TellsWhatIsKnownOfTheCanopy) {
+    EXPECT_TRUE(mentions(
+        lines_of(summary(small_run(), grouped_result(), {})),
+        "canopy    FR: reflectance 0.1250 +- 0.01, absorptance"));
+    EXPECT_FALSE(mentions(lines_of(summary(small_run(), small_result(), {})), "canopy"));
+}
+
 TEST(Method, IsToldWithItsReason) {
     RunFile run = small_run();
     run.spec.method = Method::automatic;

@@ -1,0 +1,60 @@
+#include "output_choice.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "io/results/written.h"
+
+namespace {
+
+std::vector<std::string> words_of(std::string_view list) {
+    std::vector<std::string> words;
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(','), list.size());
+        words.emplace_back(list.substr(0, end));
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    return words;
+}
+
+}  // namespace
+
+void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
+    flags.push_back(
+        {.name = "--quantities",
+         .target = &choice.quantities,
+         .summary = "write these alone, separated by commas (quasimc list quantities, "
+                    "sunlit_fraction)",
+         .type_name = "NAMES"});
+    flags.push_back(
+        {.name = "--bands",
+         .target = &choice.bands,
+         .summary = "write these wavebands alone, separated by commas",
+         .type_name = "NAMES"});
+    flags.push_back(
+        {.name = "--night",
+         .target = &choice.night,
+         .summary = "of a run with [time]: write times without light too"});
+}
+
+void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
+    quasimc::OutputSpec stated;
+    stated.quantities = words_of(choice.quantities);
+    stated.bands = words_of(choice.bands);
+    quasimc::Faults wrong;
+    quasimc::check_written(stated, run.scene.bands(), wrong);
+    quasimc::Faults faults;
+    for (quasimc::Fault fault : wrong.all()) {
+        fault.place = "--" + fault.place;
+        faults.add(std::move(fault));
+    }
+    if (choice.night && !run.series) {
+        faults.add({"--night", "the run has no [time]", "nights need times", ""});
+    }
+    faults.throw_if_any();
+    quasimc::OutputSpec& output = run.output;
+    output.quantities = stated.quantities.empty() ? output.quantities : stated.quantities;
+    output.bands = stated.bands.empty() ? output.bands : stated.bands;
+    output.night = output.night || choice.night;
+}
