@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "samplers/sampler.h"
 #include "sums/tally.h"
+#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -18,9 +19,10 @@ namespace quasimc {
 /// Which paths count.
 enum class PathFilter {
     all,
-    /// Only those whose first scattering is by a lobe of one direction; light straight from the
-    /// source is not scored. What tracing from the organs can't find.
-    delta_first,
+    /// Only those that tracing from the organs does not look for: whose first scattering is by a
+    /// sharp lobe, or near a lamp (PathRules::near). Light straight from the source is scored only
+    /// near a lamp.
+    left_out,
 };
 
 /// What all light paths of a block have in common.
@@ -35,6 +37,7 @@ struct PathRules {
     std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
     /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
     const std::stop_token* stop = nullptr;
+    const NearLamps* near = nullptr;      ///< with PathFilter::left_out
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
