@@ -209,6 +209,9 @@ std::vector<Warning> lint_areas(const Survey& survey) {
     DegenerateCount degenerate(scene);
     WarningKind empty("organs or parts of them have no area");
     for (const Organ& organ : scene.organs()) {
+        if (organ.covered_area > 0) {
+            continue;  // what is left of it is said by lint_overlap
+        }
         const std::size_t flat = degenerate.count(organ);
         if (flat == organ.triangle_count) {
             empty.add(words_for(organ), "has no area: nothing falls on it");

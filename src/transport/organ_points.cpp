@@ -33,9 +33,12 @@ void OrganPoints::list_images() {
     }
 }
 
-OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+std::optional<OrganPoint> OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > 0);
+    if (organ.covered_area > 0 && u0 * organ.area >= organ.area - organ.covered_area) {
+        return std::nullopt;
+    }
     const OrganAreas::Pick pick = areas_.pick(organ, u0 * organ.area);
     const double root = std::sqrt(pick.fraction);
     return on_triangle(pick.triangle, root * (1 - u1), root * u1);
