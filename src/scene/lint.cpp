@@ -150,10 +150,7 @@ std::vector<Warning> lint_sizes(const Survey& survey) {
 
 std::vector<Warning> lint_materials(const Survey& survey) {
     const Scene& scene = survey.scene;
-    std::vector<bool> is_used(scene.materials().size());
-    for (const Region& region : scene.regions()) {
-        is_used[region.material.value] = true;
-    }
+    const std::vector<bool> is_used = used_materials(scene);
     WarningKind black("materials are black in every band");
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = scene.materials()[i];

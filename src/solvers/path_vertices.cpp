@@ -45,11 +45,13 @@ void find_keys(
 
 ScatteredShares::ScatteredShares(const PreparedScene& prepared)
     : materials_(prepared.scene().materials().size()) {
+    const std::vector<bool> is_used = used_materials(prepared.scene());
     for (const auto& spectrum : prepared.spectra()) {
-        for (const Material& material : prepared.scene().materials()) {
+        for (std::size_t m = 0; m < materials_; ++m) {
+            const Material& material = prepared.scene().materials()[m];
+            const bool scatters = is_used[m] && !material.is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
-                shares_.push_back(
-                    material.is_transparent() ? 0 : mean_albedo(material.side(side), spectrum));
+                shares_.push_back(scatters ? mean_albedo(material.side(side), spectrum) : 0);
             }
         }
     }
