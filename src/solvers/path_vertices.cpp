@@ -77,6 +77,9 @@ ScatteringPiece scattering_piece(
 void DirectLightScore::add(std::uint32_t triangle, double along, double amount) {
     const std::uint32_t region = prepared_.primitive(triangle).region;
     const SumLayout& layout = tally_.layout();
+    // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is not
+    // stopped does.
+    amount *= prepared_.caster().mesh().exact_share(triangle, beam_.direction);
     const std::int64_t fixed = to_fixed(amount);
     if (prepared_.in_field_of_view(region, std::abs(along))) {
         const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;

@@ -48,8 +48,7 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
     const LocalMesh& mesh = prepared_.caster().mesh();
     const std::uint32_t triangle =
         first_image_.empty() ? scene_triangle : image_at(scene_triangle, u, v);
-    const Vec3 a = mesh.vertex(triangle, 0);
-    const Vec3 up = cross(mesh.vertex(triangle, 1) - a, mesh.vertex(triangle, 2) - a);
+    const Vec3 up = mesh.exact_across(triangle);
     return {mesh.point(triangle, u, v), normalized(up), triangle, prepared_.region(triangle)};
 }
 

@@ -87,10 +87,15 @@ class ParticleTracer {
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
+        const double share = prepared_.caster().mesh().exact_share(surface.triangle, direction_);
+        if (share != 1) [[unlikely]] {
+            let_pass(surface, 1 - share);
+        }
         if (!direct_) {
             const std::size_t bins = layout.scattered(surface.region, surface.side);
-            const double scale = rules_.scales.empty() ? 1 : rules_.scales[surface.region];
-            rules_.scales.empty() ? tally_.add(bins, fixed_) : add_weights(bins, scale);
+            const double scale =
+                share * (rules_.scales.empty() ? 1 : rules_.scales[surface.region]);
+            scale == 1 ? tally_.add(bins, fixed_) : add_weights(bins, scale);
             score_absorbed(
                 prepared_,
                 {surface.region, surface.side, surface.cosine, LightPart::scattered, scale,
@@ -103,16 +108,36 @@ class ParticleTracer {
         }
         tally_.add(
             layout.direct(surface.region, surface.side, path_.light->spectrum),
-            to_fixed(path_.weight));
+            to_fixed(share * path_.weight));
         score_absorbed(
             prepared_,
-            {surface.region, surface.side, surface.cosine, LightPart::direct, path_.weight,
+            {surface.region, surface.side, surface.cosine, LightPart::direct, share * path_.weight,
              path_.light->start_weights},
             tally_);
         if (path_.light->lit_area > 0 && surface.cosine > 0) {
             tally_.add(
                 layout.sunlit(surface.region),
-                to_fixed(path_.weight * path_.light->lit_area / surface.cosine));
+                to_fixed(share * path_.weight * path_.light->lit_area / surface.cosine));
+        }
+    }
+
+    /// Of a thin triangle, whose area rounding changes: what does not fall on the triangle as given
+    /// goes by, and escapes (a negative part: what misses the rounded one).
+    void let_pass(const Surface& surface, double part) {
+        if (rules_.filter != PathFilter::all ||
+            prepared_.material(surface.region).is_transparent()) {
+            return;
+        }
+        const SumLayout& layout = tally_.layout();
+        if (direct_) {
+            tally_.add_signed(
+                layout.escaped_direct() + path_.light->spectrum,
+                to_fixed(path_.weight) - to_fixed((1 - part) * path_.weight));
+            return;
+        }
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            tally_.add_signed(
+                layout.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
         }
     }
 
