@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -45,7 +46,9 @@ Asked asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) 
                          const std::optional<std::string>& stated) {
         if (!flag.empty()) {
             asked.numbers[output] = asked.paths.size();
-            asked.paths.push_back({flag, fmt::format("--{}", key)});
+            std::string name = fmt::format("--{}", key);
+            std::replace(name.begin(), name.end(), '_', '-');
+            asked.paths.push_back({flag, std::move(name)});
         } else if (stated) {
             asked.numbers[output] = asked.paths.size();
             asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});

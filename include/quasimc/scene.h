@@ -35,6 +35,7 @@ using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of o
 class Material;
 class OrganAreas;
 class SceneGeometry;
+struct Coincidences;
 struct SceneDraft;
 template <typename T>
 class Lazy;
@@ -64,6 +65,9 @@ struct Organ {
     /// One-sided, square scene units. 0 is allowed: nothing falls on the organ, its flux and
     /// densities are 0.
     double area = 0;
+    /// How much of that coincides with organs that come before, or with other triangles of this
+    /// one: no light falls there, on either side.
+    double covered_area = 0;
     std::uint32_t first_region = 0, region_count = 0;
     std::uint32_t first_triangle = 0, triangle_count = 0;
 };
@@ -105,7 +109,7 @@ class Scene {
     [[nodiscard]] const std::vector<DetectorSpec>& detectors() const { return detectors_; }
     /// The name of a region's material.
     [[nodiscard]] const std::string& material_name(const Region& region) const;
-    /// The triangles of an organ, z up.
+    /// The triangles of an organ, z up; without what coincides with organs that come before.
     [[nodiscard]] std::vector<Triangle> triangles_of(const Organ& organ) const;
 
     // For the engine; what these give is private.
@@ -131,6 +135,8 @@ class Scene {
     /// The areas of the triangles of each organ, made when they are first asked for. Copies of a
     /// scene share them.
     [[nodiscard]] const OrganAreas& organ_areas() const;
+    /// What lay on each other in one plane, and was cut away where it is not seen.
+    [[nodiscard]] const Coincidences& coincidences() const { return *coincidences_; }
 
   private:
     friend class SceneBuilder;
@@ -142,6 +148,7 @@ class Scene {
     std::vector<Material> materials_;
     std::shared_ptr<const SceneGeometry> geometry_;
     std::shared_ptr<const Lazy<OrganAreas>> areas_;
+    std::shared_ptr<const Coincidences> coincidences_;
     std::vector<RegionIndex> triangle_regions_, instance_regions_;
     std::vector<DetectorSpec> detectors_;
     Cell cell_;

@@ -56,7 +56,87 @@ bool is_beyond_a_side(const Triangle& other, const Triangle& t) {
     return false;
 }
 
+using Polygon = std::vector<Point2>;
+
+/// The plane of a triangle.
+class Plane {
+  public:
+    explicit Plane(const Triangle& t)
+        : origin_(t[0]), frame_(frame_about(normalized(area_vector(t)))) {}
+
+    [[nodiscard]] Polygon flat(const Triangle& t) const {
+        Polygon points;
+        for (const Vec3& corner : t) {
+            const Vec3 p = corner - origin_;
+            points.push_back({dot(p, frame_.s), dot(p, frame_.t)});
+        }
+        return points;
+    }
+    [[nodiscard]] Vec3 point(const Point2& p) const {
+        return origin_ + p.s * frame_.s + p.t * frame_.t;
+    }
+
+  private:
+    Vec3 origin_;
+    Frame frame_;
+};
+
+bool meet(const Polygon& a, const Polygon& b) {
+    const auto is_apart = [&](double Point2::*axis) {
+        const auto less = [&](const Point2& p, const Point2& q) { return p.*axis < q.*axis; };
+        const auto [a_low, a_high] = std::minmax_element(a.begin(), a.end(), less);
+        const auto [b_low, b_high] = std::minmax_element(b.begin(), b.end(), less);
+        return (*a_high).*axis <= (*b_low).*axis || (*b_high).*axis <= (*a_low).*axis;
+    };
+    return !is_apart(&Point2::s) && !is_apart(&Point2::t);
+}
+
+/// Adds the parts of a convex polygon outside of a convex window to `parts`.
+void add_parts_beside(Polygon polygon, const Polygon& window, std::vector<Polygon>& parts) {
+    for (std::size_t i = 0; i < window.size() && polygon.size() >= 3; ++i) {
+        const Point2& a = window[i];
+        const Point2& b = window[(i + 1) % window.size()];
+        Polygon outside = clipped(polygon, b, a);
+        if (area_of(outside) > 0) {
+            parts.push_back(std::move(outside));
+        }
+        polygon = clipped(polygon, a, b);
+    }
+}
+
 }  // namespace
+
+std::vector<Triangle> parts_beside(
+    const Triangle& t, const std::vector<Triangle>& windows, double tolerance) {
+    const Plane plane(t);
+    std::vector<Polygon> parts{plane.flat(t)};
+    for (const Triangle& w : windows) {
+        Polygon window = plane.flat(w);
+        if (area_of(window) < 0) {
+            std::reverse(window.begin(), window.end());
+        }
+        std::vector<Polygon> rest;
+        for (Polygon& part : parts) {
+            if (meet(part, window)) {
+                add_parts_beside(std::move(part), window, rest);
+            } else {
+                rest.push_back(std::move(part));
+            }
+        }
+        parts = std::move(rest);
+    }
+    std::vector<Triangle> triangles;
+    for (const Polygon& part : parts) {
+        for (std::size_t i = 2; i < part.size(); ++i) {
+            const Triangle piece{
+                plane.point(part[0]), plane.point(part[i - 1]), plane.point(part[i])};
+            if (size_of(bounds_of(piece)) > 0 && height(piece) > tolerance) {
+                triangles.push_back(piece);
+            }
+        }
+    }
+    return triangles;
+}
 
 double size_of(const Bounds& bounds) {
     const Vec3 size = bounds.size();

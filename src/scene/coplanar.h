@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "quasimc/mesh.h"
 #include "quasimc/vec3.h"
 
@@ -28,5 +30,10 @@ namespace quasimc {
 /// The fraction of `small` that lies on `large`, both seen along the normal of `large`. Both have
 /// an area.
 [[nodiscard]] double covered_part(const Triangle& small, const Triangle& large);
+
+/// What of `t`, which has an area, is not covered by any of `windows` in its plane: triangles with
+/// its upper side up. Those lower than `tolerance` are left out.
+[[nodiscard]] std::vector<Triangle> parts_beside(
+    const Triangle& t, const std::vector<Triangle>& windows, double tolerance);
 
 }  // namespace quasimc

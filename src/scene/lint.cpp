@@ -102,6 +102,14 @@ std::string words_for(const Organ& organ) {
     return fmt::format("organ '{}' (id {})", organ.name, organ.id);
 }
 
+double part_of_scene(const Survey& survey, std::size_t organ) {
+    const Cell& cell = survey.scene.cell();
+    Vec3 size = survey.scene.bounds().size();
+    size.x = cell.along_x ? cell.size_x : size.x;
+    size.y = cell.along_y ? cell.size_y : size.y;
+    return 2 * survey.organ_bounds[organ].radius() / length(size);
+}
+
 void WarningKind::add(std::string place, std::string text) {
     if (++count_ <= kMostNamed) {
         named_.push_back({std::move(place), std::move(text)});
@@ -124,16 +132,10 @@ bool is_degenerate(const Triangle& t) {
 
 std::vector<Warning> lint_sizes(const Survey& survey) {
     const Scene& scene = survey.scene;
-    const Vec3 size = scene.bounds().size();
-    const double width = scene.cell().along_x ? scene.cell().size_x : size.x;
-    const double depth = scene.cell().along_y ? scene.cell().size_y : size.y;
-    const double whole = length({width, depth, size.z});
-
     std::vector<Warning> warnings = lint_unit(survey);
     WarningKind blurred("organs are too small beside the scene");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
-        constexpr double kSmallestPart = 5e-6;  // single precision moves corners by 1 % of it
-        const double part = 2 * survey.organ_bounds[i].radius() / whole;
+        const double part = part_of_scene(survey, i);
         if (part > 0 && part < kSmallestPart) {
             blurred.add(
                 words_for(scene.organs()[i]),
@@ -150,10 +152,7 @@ std::vector<Warning> lint_sizes(const Survey& survey) {
 
 std::vector<Warning> lint_materials(const Survey& survey) {
     const Scene& scene = survey.scene;
-    std::vector<bool> is_used(scene.materials().size());
-    for (const Region& region : scene.regions()) {
-        is_used[region.material.value] = true;
-    }
+    const std::vector<bool> is_used = used_materials(scene);
     WarningKind black("materials are black in every band");
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = scene.materials()[i];
@@ -209,6 +208,9 @@ std::vector<Warning> lint_areas(const Survey& survey) {
     DegenerateCount degenerate(scene);
     WarningKind empty("organs or parts of them have no area");
     for (const Organ& organ : scene.organs()) {
+        if (organ.covered_area > 0) {
+            continue;  // what is left of it is said by lint_overlap
+        }
         const std::size_t flat = degenerate.count(organ);
         if (flat == organ.triangle_count) {
             empty.add(words_for(organ), "has no area: nothing falls on it");
@@ -226,7 +228,8 @@ std::vector<Warning> lint(const Scene& scene) {
     const Survey survey = survey_of(scene);
     std::vector<Warning> all;
     for (const auto check :
-         {lint_sizes, lint_materials, lint_cell, lint_ground, lint_areas, lint_overlap}) {
+         {lint_sizes, lint_materials, lint_cell, lint_ground, lint_areas, lint_thin,
+          lint_overlap}) {
         std::vector<Warning> found = check(survey);
         std::move(found.begin(), found.end(), std::back_inserter(all));
     }

@@ -25,6 +25,11 @@ struct Survey {
 /// "organ 'leaf 7' (id 7)"
 [[nodiscard]] std::string words_for(const Organ& organ);
 
+/// How large an organ is beside the whole scene.
+[[nodiscard]] double part_of_scene(const Survey& survey, std::size_t organ);
+/// Organs smaller than this are too small for single precision: it moves corners by 1 % of it.
+inline constexpr double kSmallestPart = 5e-6;
+
 /// Of many things that deserve the same warning only the first few are named, the rest is counted.
 class WarningKind {
   public:
@@ -47,6 +52,8 @@ class WarningKind {
 [[nodiscard]] std::vector<Warning> lint_materials(const Survey& survey);
 /// Triangles and organs of no area.
 [[nodiscard]] std::vector<Warning> lint_areas(const Survey& survey);
+/// Organs so thin beside the scene that single precision changes their shape.
+[[nodiscard]] std::vector<Warning> lint_thin(const Survey& survey);
 /// Periodic cells that are small beside the organs.
 [[nodiscard]] std::vector<Warning> lint_cell(const Survey& survey);
 /// A ground that is smaller than the canopy; organs below a horizontal ground.

@@ -48,4 +48,12 @@ RegionIndex Scene::region_of(std::uint32_t triangle) const {
                : instance_regions_[geometry_->ranges().find(triangle)];
 }
 
+std::vector<bool> used_materials(const Scene& scene) {
+    std::vector<bool> is_used(scene.materials().size());
+    for (const Region& region : scene.regions()) {
+        is_used[region.material.value] = true;
+    }
+    return is_used;
+}
+
 }  // namespace quasimc

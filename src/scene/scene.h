@@ -8,3 +8,10 @@
 #include "geometry/scene_geometry.h"
 #include "optics/material.h"
 #include "quasimc/scene.h"
+
+namespace quasimc {
+
+/// Which materials an organ is made of, by MaterialId. The others must change nothing.
+[[nodiscard]] std::vector<bool> used_materials(const Scene& scene);
+
+}  // namespace quasimc

@@ -6,6 +6,7 @@
 #include "base/lazy.h"
 #include "detectors/catalogue.h"
 #include "scene/assembly.h"
+#include "scene/covered.h"
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
 #include "scene/scene_checks.h"
@@ -120,12 +121,13 @@ Scene SceneBuilder::build() && {
         scene.materials_.push_back(make_material(material, bands_.size()));
     }
     DraftAssembly assembly = assemble(std::move(draft), materials);
+    CutGeometry cut = cut_covered(assembly, cell_, scene.materials_);
+    scene.geometry_ = std::move(cut.geometry);
+    scene.coincidences_ = std::make_shared<const Coincidences>(std::move(cut.coincidences));
     scene.organs_ = std::move(assembly.organs);
     scene.regions_ = std::move(assembly.regions);
     scene.triangle_regions_ = std::move(assembly.triangle_regions);
     scene.instance_regions_ = std::move(assembly.instance_regions);
-    scene.geometry_ = std::make_shared<const SceneGeometry>(
-        std::move(assembly.mesh), std::move(assembly.instances));
     scene.areas_ = std::make_shared<const Lazy<OrganAreas>>();
     scene.organs_.back().is_ground = ground_.has_value();
     scene.bands_ = std::move(bands_);

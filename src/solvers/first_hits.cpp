@@ -153,6 +153,14 @@ class FirstHits final : public Solver {
             .stop = &stop_};
     }
 
+    /// How the directions of a task are turned: by three dimensions of its first point.
+    [[nodiscard]] Rotation rotation_of(const Stream& placing, std::uint32_t dimension) const {
+        const auto coordinate = [&](std::uint32_t i) {
+            return sampler_.coordinate(placing, placing.first, dimension + i);
+        };
+        return random_rotation({coordinate(0), coordinate(1), coordinate(2)});
+    }
+
     /// A light's share of one of `count` directions, drawn with `density`.
     [[nodiscard]] Beam beam_of(
         const BoundSource& light,
@@ -174,13 +182,11 @@ class FirstHits final : public Solver {
             return {
                 {&light, *direction, paths_of(light, work.round)}, light.source_sampler->flux()};
         }
-        // All beams of a disk are placed by the same two numbers.
+        // All beams of a disk are placed by the same three numbers.
         const Work first{work.round, work.replicate, work.number - work.task.beam, work.task, 0};
         const Stream placing = stream_of(first, 0);
-        const DrawnDirection from = lattice_direction(
-            light, work.task.beam, work.task.beams,
-            {sampler_.coordinate(placing, placing.first, 3),
-             sampler_.coordinate(placing, placing.first, 4)});
+        const DrawnDirection from =
+            lattice_direction(light, work.task.beam, work.task.beams, rotation_of(placing, 3));
         return beam_of(light, from.direction, from.density, work, work.task.beams);
     }
 
@@ -246,9 +252,7 @@ class FirstHits final : public Solver {
     /// Every so many-th direction of the skies: what is seen of it serves all of them.
     void trace_skies(const Work& work, Scratch& scratch, Tally& tally) const {
         const Stream placing = stream_of(work, 0);
-        const std::array<double, 2> shift{
-            sampler_.coordinate(placing, placing.first, 0),
-            sampler_.coordinate(placing, placing.first, 1)};
+        const Rotation rotation = rotation_of(placing, 0);
         scratch.beams.clear();
         scratch.vertices.clear();
         const std::span<const BoundSource* const> skies = skies_.skies();
@@ -260,7 +264,7 @@ class FirstHits final : public Solver {
         for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
              i += static_cast<std::uint32_t>(work.task.blocks)) {
             throw_if_stopped(stop_);
-            const DrawnDirection from = skies_.direction(i, work.task.count, shift);
+            const DrawnDirection from = skies_.direction(i, work.task.count, rotation);
             draw_pixels(work, placing, i, from.direction, scratch.pixels);
             for (std::size_t k = 0; k < skies.size(); ++k) {
                 const Beam beam =

@@ -193,10 +193,12 @@ class FromOrgans final : public Solver {
         if (organ.area <= 0) {
             return 0;
         }
-        const Point point{
-            organ_points_.place(
-                organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1)),
-            index};
+        const std::optional<OrganPoint> place = organ_points_.place(
+            organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1));
+        if (!place) {
+            return 0;
+        }
+        const Point point{*place, index};
         return score_direct(stream, point, tally) + score_scattered(stream, point, scratch, tally);
     }
 

@@ -236,14 +236,20 @@ std::uint64_t LightTracer::shade(
             const SurfaceSide side = side_facing(static_cast<double>(facing.along[lane]));
             const double lit = light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
             const double cosine = 1 / static_cast<double>(facing.inverse_cosine[lane]);
+            const double share =
+                prepared_.caster().mesh().exact_share(packet.triangle[lane], *beams_[group.source]);
             if (prepared_.in_field_of_view(primitive.region, cosine)) {
                 tally.add_two(
-                    primitive.region, layout.direct(0, side, light.spectrum), to_fixed(1),
-                    layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : lit));
+                    primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),
+                    layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : share * lit));
                 score_absorbed(
                     prepared_,
-                    {primitive.region, side, cosine, LightPart::direct, 1, light.start_weights},
+                    {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},
                     tally);
+            }
+            if (share != 1 && !prepared_.material(primitive.region).is_transparent()) {
+                tally.add_signed(
+                    layout.escaped_direct() + light.spectrum, to_fixed(1) - to_fixed(share));
             }
             if (scratch.u2[group.points[lane]] >=
                 survival[2 * primitive.material + index_of(side)]) {

@@ -45,11 +45,13 @@ void find_keys(
 
 ScatteredShares::ScatteredShares(const PreparedScene& prepared)
     : materials_(prepared.scene().materials().size()) {
+    const std::vector<bool> is_used = used_materials(prepared.scene());
     for (const auto& spectrum : prepared.spectra()) {
-        for (const Material& material : prepared.scene().materials()) {
+        for (std::size_t m = 0; m < materials_; ++m) {
+            const Material& material = prepared.scene().materials()[m];
+            const bool scatters = is_used[m] && !material.is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
-                shares_.push_back(
-                    material.is_transparent() ? 0 : mean_albedo(material.side(side), spectrum));
+                shares_.push_back(scatters ? mean_albedo(material.side(side), spectrum) : 0);
             }
         }
     }
@@ -75,6 +77,9 @@ ScatteringPiece scattering_piece(
 void DirectLightScore::add(std::uint32_t triangle, double along, double amount) {
     const std::uint32_t region = prepared_.primitive(triangle).region;
     const SumLayout& layout = tally_.layout();
+    // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is not
+    // stopped does.
+    amount *= prepared_.caster().mesh().exact_share(triangle, beam_.direction);
     const std::int64_t fixed = to_fixed(amount);
     if (prepared_.in_field_of_view(region, std::abs(along))) {
         const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;

@@ -121,8 +121,10 @@ double gain_of_equal_shares(const Scene& scene) {
 
 double brightest_peak(const Scene& scene) {
     double brightest = 0;
-    for (const Material& material : scene.materials()) {
-        if (!material.is_transparent()) {
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        const Material& material = scene.materials()[m];
+        if (is_used[m] && !material.is_transparent()) {
             brightest = std::max(
                 {brightest, brightest_peak(material.side(SurfaceSide::upper)),
                  brightest_peak(material.side(SurfaceSide::lower))});

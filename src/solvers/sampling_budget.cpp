@@ -20,12 +20,15 @@ constexpr SamplingDensity kBrightDensity{160, 10};
 constexpr double kBrightAlbedo = 0.5;
 
 const SamplingDensity& sampling_density(const PreparedScene& prepared) {
+    const std::vector<bool> is_used = used_materials(prepared.scene());
     for (std::size_t band = 0; band < prepared.bands(); ++band) {
         double largest = 0;
-        for (const Material& material : prepared.scene().materials()) {
+        for (std::size_t m = 0; m < is_used.size(); ++m) {
+            const Material& material = prepared.scene().materials()[m];
             for (const SurfaceSide side : kSurfaceSides) {
                 const double albedo = material.side(side).albedo()[band];
-                largest = std::max(largest, material.is_transparent() ? 0 : albedo);
+                const bool scatters = is_used[m] && !material.is_transparent();
+                largest = std::max(largest, scatters ? albedo : 0);
             }
         }
         if (largest < kBrightAlbedo) {

@@ -50,7 +50,9 @@ class SourceSampler {
     /// nearby starts); u[2] and u[3] choose the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
     /// A direction in which light may enter, drawn from a point of the unit square; nearby points
-    /// give nearby directions. Every source at infinity draws all directions in which it has light.
+    /// give nearby directions. u0 grows from the edge of the sky (of the disk) to the zenith (its
+    /// centre), about which u1 runs once around. Every source at infinity draws all directions in
+    /// which it has light.
     /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
     /// is 0.
     [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;

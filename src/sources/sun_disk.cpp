@@ -88,7 +88,7 @@ class DiskEmitter final : public SourceSampler {
             light * box_.projected_area(direction) / flux()};
     }
     [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
-        return {-cone_.direction(u0, u1), 1 / cone_.solid_angle()};
+        return {-cone_.direction(1 - u0, u1), 1 / cone_.solid_angle()};
     }
     [[nodiscard]] double density(const Vec3& direction) const override {
         return cone_.contains(-direction) ? 1 / cone_.solid_angle() : 0;

@@ -33,9 +33,12 @@ void OrganPoints::list_images() {
     }
 }
 
-OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+std::optional<OrganPoint> OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > 0);
+    if (organ.covered_area > 0 && u0 * organ.area >= organ.area - organ.covered_area) {
+        return std::nullopt;
+    }
     const OrganAreas::Pick pick = areas_.pick(organ, u0 * organ.area);
     const double root = std::sqrt(pick.fraction);
     return on_triangle(pick.triangle, root * (1 - u1), root * u1);
@@ -45,8 +48,7 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
     const LocalMesh& mesh = prepared_.caster().mesh();
     const std::uint32_t triangle =
         first_image_.empty() ? scene_triangle : image_at(scene_triangle, u, v);
-    const Vec3 a = mesh.vertex(triangle, 0);
-    const Vec3 up = cross(mesh.vertex(triangle, 1) - a, mesh.vertex(triangle, 2) - a);
+    const Vec3 up = mesh.exact_across(triangle);
     return {mesh.point(triangle, u, v), normalized(up), triangle, prepared_.region(triangle)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scene/organ_areas.h"
@@ -22,9 +23,10 @@ class OrganPoints {
     explicit OrganPoints(const PreparedScene& prepared);
 
     /// The point of an organ (of some area) for a point of the unit square: u0 picks the triangle
-    /// and is used again inside it. Periodic scenes: on that image of the triangle which has the
-    /// point in the cell.
-    [[nodiscard]] OrganPoint place(std::size_t organ, double u0, double u1) const;
+    /// and is used again inside it. Nothing if it falls on what is covered by other organs
+    /// (Organ::covered_area). Periodic scenes: on that image of the triangle which has the point in
+    /// the cell.
+    [[nodiscard]] std::optional<OrganPoint> place(std::size_t organ, double u0, double u1) const;
 
   private:
     void list_images();

@@ -91,10 +91,14 @@ class ParticleTracer {
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
+        const double share = prepared_.caster().mesh().exact_share(surface.triangle, direction_);
+        if (share != 1) [[unlikely]] {
+            let_pass(surface, 1 - share);
+        }
         if (!direct_) {
             const std::size_t bins = layout.scattered(surface.region, surface.side);
-            const double scale = scale_of(surface.region);
-            rules_.scales.empty() ? tally_.add(bins, fixed_) : add_weights(bins, scale);
+            const double scale = share * scale_of(surface.region);
+            scale == 1 ? tally_.add(bins, fixed_) : add_weights(bins, scale);
             score_absorbed(
                 prepared_,
                 {surface.region, surface.side, surface.cosine, LightPart::scattered, scale,
@@ -106,7 +110,7 @@ class ParticleTracer {
             !rules_.near->lights_near(*path_.light, surface.region, place)) {
             return;
         }
-        const double amount = path_.weight * scale_of(surface.region);
+        const double amount = share * path_.weight * scale_of(surface.region);
         tally_.add(
             layout.direct(surface.region, surface.side, path_.light->spectrum), to_fixed(amount));
         score_absorbed(
@@ -117,7 +121,27 @@ class ParticleTracer {
         if (path_.light->lit_area > 0 && surface.cosine > 0) {
             tally_.add(
                 layout.sunlit(surface.region),
-                to_fixed(path_.weight * path_.light->lit_area / surface.cosine));
+                to_fixed(share * path_.weight * path_.light->lit_area / surface.cosine));
+        }
+    }
+
+    /// Of a thin triangle, whose area rounding changes: what does not fall on the triangle as given
+    /// goes by, and escapes (a negative part: what misses the rounded one).
+    void let_pass(const Surface& surface, double part) {
+        if (rules_.filter != PathFilter::all ||
+            prepared_.material(surface.region).is_transparent()) {
+            return;
+        }
+        const SumLayout& layout = tally_.layout();
+        if (direct_) {
+            tally_.add_signed(
+                layout.escaped_direct() + path_.light->spectrum,
+                to_fixed(path_.weight) - to_fixed((1 - part) * path_.weight));
+            return;
+        }
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            tally_.add_signed(
+                layout.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
         }
     }
 

@@ -89,11 +89,10 @@ void PreparedScene::set_regions() {
         }
         triangle_regions_ = image_regions_;
     }
-    std::vector<bool> is_used(scene.materials().size());
+    const std::vector<bool> is_used = used_materials(scene);
     region_materials_.reserve(scene.regions().size());
     for (const Region& region : scene.regions()) {
         region_materials_.push_back(region.material);
-        is_used[region.material.value] = true;
         ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
     }
     for (std::size_t i = 0; i < is_used.size(); ++i) {

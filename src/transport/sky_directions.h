@@ -9,14 +9,26 @@
 
 namespace quasimc {
 
-/// Direction `i` of `count` that a light draws, well spread: a lattice of the golden ratio, shifted
-/// (Kronecker; each direction alone has the density of SourceSampler::draw_direction).
-/// @param shift  uniform in the unit square
+/// A turn of space about the origin.
+struct Rotation {
+    Vec3 x, y, z;  ///< where it takes the axes
+
+    [[nodiscard]] Vec3 operator()(const Vec3& v) const { return v.x * x + v.y * y + v.z * z; }
+};
+
+/// A rotation, uniform over all of them if `u` is uniform in the unit cube.
+[[nodiscard]] Rotation random_rotation(const std::array<double, 3>& u);
+
+/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio on the
+/// hemisphere, turned, and laid flat by height and azimuth (which keeps areas). Over all rotations
+/// each point is uniform, and how many lie in a cone, a band of heights or a sector varies.
+[[nodiscard]] std::array<double, 2> rotated_lattice(
+    std::uint32_t i, std::uint32_t count, const Rotation& rotation);
+
+/// Direction `i` of `count` that a light draws, well spread; each direction alone has the density
+/// of SourceSampler::draw_direction.
 [[nodiscard]] DrawnDirection lattice_direction(
-    const BoundSource& light,
-    std::uint32_t i,
-    std::uint32_t count,
-    const std::array<double, 2>& shift);
+    const BoundSource& light, std::uint32_t i, std::uint32_t count, const Rotation& rotation);
 
 /// Directions that serve all skies of a scene at once: each sky draws some, in proportion to its
 /// light, and whichever drew a direction, all skies send their light along it, weighted by the
@@ -30,7 +42,7 @@ class SkyDirections {
     [[nodiscard]] double probability() const { return probability_; }
     /// Direction `i` of `count`, with the density with which all skies together draw it.
     [[nodiscard]] DrawnDirection direction(
-        std::uint32_t i, std::uint32_t count, const std::array<double, 2>& shift) const;
+        std::uint32_t i, std::uint32_t count, const Rotation& rotation) const;
 
   private:
     /// Calls `visit(sky, first, last)` with the directions that each draws.

@@ -25,11 +25,6 @@ double scale_to_unit(double half_extent) {
     return std::ldexp(1.0, std::clamp(-exponent, -kLargest, kLargest));
 }
 
-double scale_of(const Bounds& bounds) {
-    const Vec3 half = 0.5 * bounds.size();
-    return scale_to_unit(std::max({half.x, half.y, half.z}));
-}
-
 Bounds bounds_of(const std::vector<Vec3>& points) {
     Bounds bounds;
     for (const Vec3& p : points) {
@@ -87,7 +82,7 @@ class InstanceMaker {
 
     void add_prototype(const std::shared_ptr<const Mesh>& mesh) {
         const Bounds bounds = bounds_of(mesh->vertices);
-        const Frame& frame = frames_.emplace_back(Frame{bounds.center(), scale_of(bounds)});
+        const Frame& frame = frames_.emplace_back(Frame{bounds.center(), local_scale(bounds)});
         LocalPrototype& prototype = mesh_.prototypes.emplace_back();
         prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale);
         prototype.faces = mesh->faces;
@@ -105,17 +100,46 @@ class InstanceMaker {
     std::unordered_map<const Mesh*, std::size_t> known_;
 };
 
+/// Lists the triangles that rounding changes.
+void list_thin(const Mesh& mesh, LocalMesh& local) {
+    constexpr double kMostBlur = 1e-3;
+    for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
+        const auto& [a, b, c] = mesh.faces[i];
+        const Vec3 exact = local.scale * local.scale * area_vector(mesh[i]);
+        const Vec3 corner = local.own_vertex(a);
+        const Vec3 rounded = cross(local.own_vertex(b) - corner, local.own_vertex(c) - corner);
+        const Vec3 off = rounded - exact;
+        if (dot(off, off) > kMostBlur * kMostBlur * dot(rounded, rounded)) {
+            local.thin.emplace(i, exact);
+        }
+    }
+}
+
 /// The part of a local mesh that belongs to no instance.
 /// @param bounds  of the whole scene
 LocalMesh make_own_part(const Mesh& mesh, const Bounds& bounds) {
     LocalMesh local;
     local.origin = bounds.center();
-    local.scale = scale_of(bounds);
+    local.scale = local_scale(bounds);
     local.vertices = to_floats(mesh.vertices, local.origin, local.scale);
+    list_thin(mesh, local);
     return local;
 }
 
 }  // namespace
+
+double LocalMesh::share_of_thin(std::uint32_t triangle, const Vec3& direction) const {
+    const auto found = thin.find(triangle);
+    const double rounded = std::abs(dot(across(triangle), direction));
+    return found == thin.end() || rounded == 0 ? 1
+                                               : std::abs(dot(found->second, direction)) / rounded;
+}
+
+Vec3 LocalMesh::exact_across(std::uint32_t triangle) const {
+    const auto found = thin.find(triangle);
+    const bool is_thin = found != thin.end() && dot(found->second, found->second) > 0;
+    return is_thin ? found->second : across(triangle);
+}
 
 Vec3 LocalMesh::instance_vertex(std::uint32_t triangle, int corner) const {
     const std::uint32_t range = ranges.find(triangle);
@@ -124,6 +148,11 @@ Vec3 LocalMesh::instance_vertex(std::uint32_t triangle, int corner) const {
     const Face& face = prototype.faces[triangle - ranges.first(range)];
     const float* v = &prototype.vertices[std::size_t{3} * face[static_cast<std::size_t>(corner)]];
     return instance.point({v[0], v[1], v[2]});
+}
+
+double local_scale(const Bounds& bounds) {
+    const Vec3 half = 0.5 * bounds.size();
+    return scale_to_unit(std::max({half.x, half.y, half.z}));
 }
 
 LocalMesh make_local_mesh(const std::vector<Triangle>& triangles) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "base/vec3.h"
@@ -80,6 +81,13 @@ struct LocalMesh {
         const Vec3 p = vertex(triangle, 0);
         return cross(vertex(triangle, 1) - p, vertex(triangle, 2) - p);
     }
+    /// How much light along `direction` falls on a triangle, over what falls on its rounded
+    /// corners: 1 but for `thin` ones.
+    [[nodiscard]] double exact_share(std::uint32_t triangle, const Vec3& direction) const {
+        return thin.empty() ? 1 : share_of_thin(triangle, direction);
+    }
+    /// A vector across the triangle as given, not as rounded, on its upper side.
+    [[nodiscard]] Vec3 exact_across(std::uint32_t triangle) const;
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return origin + local / scale; }
 
@@ -95,11 +103,18 @@ struct LocalMesh {
     [[nodiscard]] const Bounds& bounds() const { return box; }
 
     std::uint32_t instance_triangles = 0;  ///< of all instances together
+    /// Triangles whose area rounding changes by more than a thousandth, and what across() would be
+    /// without it. None of an instance.
+    std::unordered_map<std::uint32_t, Vec3> thin;
     Bounds box;
 
   private:
+    [[nodiscard]] double share_of_thin(std::uint32_t triangle, const Vec3& direction) const;
     [[nodiscard]] Vec3 instance_vertex(std::uint32_t triangle, int corner) const;
 };
+
+/// What local coordinates of a scene of such bounds are scaled by.
+[[nodiscard]] double local_scale(const Bounds& bounds);
 
 /// The local mesh of `triangles` about the center of their bounds; at least one triangle, all
 /// finite.

@@ -75,7 +75,7 @@ TEST(SceneInstances, FewOrSmallCopiesAreStoredAsTriangles) {
 TEST(SceneInstances, StandAfterTheTrianglesOfOtherOrgans) {
     SceneBuilder builder = one_band_builder();
     const auto mesh = strip();
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 1; i < 4; ++i) {
         builder.add_organ(copy_of(mesh, moved({0, 0, 1.0 * i})));
     }
     builder.add_organ(one_triangle("leaf", flat_triangle({0, 0, 9})));
@@ -123,9 +123,9 @@ TEST(SceneInstances, TurnWithTheAxesOfTheFile) {
 TEST(SceneInstances, StretchedCopiesHaveTheAreaOfTheirTriangles) {
     SceneBuilder builder = one_band_builder();
     const auto mesh = strip();
-    const Affine stretched{{Vec3{2, 0, 0}, Vec3{0, 3, 0}, Vec3{0, 0, 1}}, {}};
     for (int i = 0; i < 3; ++i) {
-        builder.add_organ(copy_of(mesh, stretched));
+        builder.add_organ(
+            copy_of(mesh, {{Vec3{2, 0, 0}, Vec3{0, 3, 0}, Vec3{0, 0, 1}}, Vec3{0, 0, 1.0 * i}}));
     }
     const Scene scene = std::move(builder).build();
     EXPECT_EQ(scene.triangles().instances().size(), 3U);

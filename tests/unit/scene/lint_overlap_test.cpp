@@ -11,11 +11,11 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr const char* kSame =
-    "has a triangle with the same corners as triangles of organ 'first' (id 1): which of them "
-    "light hits is left to rounding";
+    "has a triangle with the same corners as triangles of organ 'first' (id 1): where they lie on "
+    "each other, light falls on that organ only";
 constexpr const char* kUpon =
-    "has a triangle in one plane with, and overlapping, triangles of organ 'first' (id 1): which "
-    "of them light hits is left to rounding";
+    "has a triangle in one plane with, and overlapping, triangles of organ 'first' (id 1): where "
+    "they lie on each other, light falls on that organ only";
 
 constexpr Triangle kTilted{Vec3{0.3, 0.1, 0.2}, {1.4, 0.2, 0.7}, {0.5, 1.3, 0.4}};
 
@@ -112,8 +112,10 @@ TEST(LintOverlap, FindsALeafThatLiesOnTheGround) {
     builder.set_ground({.material = "soil"});
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{"organ 'ground' (id 3): has a triangle in one plane with, and overlapping, "
-               "triangles of organ 'down' (id 2): which of them light hits is left to rounding"}));
+        (Texts{
+            "organ 'ground' (id 3): has 2 triangles in one plane with, and overlapping, "
+            "triangles of organ 'down' (id 2): where they lie on each other, light falls on that "
+            "organ only"}));
 }
 
 TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
@@ -126,7 +128,8 @@ TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
     EXPECT_EQ(
         warnings_of(std::move(builder)),
         (Texts{"organ 'second' (id 2): has 20 triangles with the same corners as triangles of "
-               "organ 'first' (id 1): which of them light hits is left to rounding"}));
+               "organ 'first' (id 1): where they lie on each other, light falls on that organ "
+               "only"}));
 }
 
 TEST(LintOverlap, NamesAtMostThreePairsOfOrgans) {

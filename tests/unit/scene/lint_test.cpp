@@ -78,6 +78,21 @@ TEST(Lint, NamesOrgansTooSmallForSinglePrecision) {
     EXPECT_EQ(warnings_of(std::move(fine)), Texts{});
 }
 
+Texts warnings_about_needle(double width) {
+    SceneBuilder builder = leaves_builder();
+    builder.add_organ(one_triangle(
+        "needle",
+        {Vec3{1.1, 2.3, 3.7}, {4.3, 5.9, 6.1}, {1.1 + .8 * width, 2.3, 3.7 - .6 * width}}));
+    return warnings_of(std::move(builder));
+}
+
+TEST(Lint, NamesOrgansTooThinForSinglePrecision) {
+    const Texts thin = warnings_about_needle(5e-7);
+    ASSERT_EQ(thin.size(), 1U);
+    EXPECT_EQ(thin[0].substr(0, 57), "organ 'needle' (id 501): is so thin beside the scene that");
+    EXPECT_EQ(warnings_about_needle(1e-4), Texts{});
+}
+
 TEST(Lint, NamesMaterialsThatAreBlackAndInUse) {
     SceneBuilder builder = one_leaf();
     builder.add_material(lambertian("unused", 0, 0));

@@ -47,6 +47,37 @@ Scene leaves() {
     return std::move(builder).build();
 }
 
+/// Dark leaves, and a net, a sensor and a white material that nothing is made of.
+Scene leaves_with_unused_materials() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(net("net", {.9}));
+    builder.add_material(sensor("sensor"));
+    builder.add_material(matt("white", .6, .35));
+    builder.add_material(matt("leaf", .1, .1));
+    builder.add_organ(organ("leaves", "leaf", random_leaves(30, .4, 1, 3)));
+    return std::move(builder).build();
+}
+
+Scene dark_leaves() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    builder.add_organ(organ("leaves", "leaf", random_leaves(30, .4, 1, 3)));
+    return std::move(builder).build();
+}
+
+// Dark leaves among white materials: what the others scatter decides how densely is sampled.
+TEST_P(EverySolver, KnowsNothingOfMaterialsThatNobodyUses) {
+    const Sources sources{sun(30, {1}), sky({1})};
+    const Result with = run(leaves_with_unused_materials(), sources, spec(1024));
+    const Result without = run(dark_leaves(), sources, spec(1024));
+    for (std::size_t q = 0; q < kQuantities; ++q) {
+        const auto quantity = static_cast<Quantity>(q);
+        EXPECT_EQ(with.at(0, quantity, 0).mean, without.at(0, quantity, 0).mean) << q;
+        EXPECT_EQ(with.at(0, quantity, 0).high, without.at(0, quantity, 0).high) << q;
+    }
+    EXPECT_EQ(with.rays, without.rays);
+}
+
 TEST_P(EverySolver, HasARowOfItsOwn) {
     EXPECT_FALSE(solver().summary.empty());
     EXPECT_EQ(find_solver(solver().method), &solver());

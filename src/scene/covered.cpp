@@ -1,0 +1,283 @@
+#include "scene/covered.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "scene/coplanar.h"
+#include "scene/overlap_search.h"
+
+namespace quasimc {
+namespace {
+
+/// Triangle `first` of the scene, moved by `shift`, lies on `second`, and comes before it.
+struct Cover {
+    std::uint32_t first, second;
+    Vec3 shift;
+    bool is_same;
+};
+
+bool operator<(const Cover& a, const Cover& b) {
+    return std::tie(a.second, a.first, a.shift.x, a.shift.y) <
+           std::tie(b.second, b.first, b.shift.x, b.shift.y);
+}
+
+/// Organs and regions of the triangles of an assembly.
+class Owners {
+  public:
+    Owners(const DraftAssembly& scene, const SceneGeometry& geometry)
+        : scene_(scene), geometry_(geometry) {}
+
+    [[nodiscard]] std::uint32_t region(std::uint32_t triangle) const {
+        return triangle < scene_.triangle_regions.size()
+                   ? scene_.triangle_regions[triangle].value
+                   : scene_.instance_regions[geometry_.ranges().find(triangle)].value;
+    }
+    [[nodiscard]] std::uint32_t organ(std::uint32_t triangle) const {
+        return scene_.regions[region(triangle)].organ.value;
+    }
+
+  private:
+    const DraftAssembly& scene_;
+    const SceneGeometry& geometry_;
+};
+
+/// The pairs of a periodic scene, whose images are those of `wrapped`.
+std::vector<Cover> through_borders(
+    const std::vector<Overlap>& pairs,
+    const SceneGeometry& scene,
+    const WrappedGeometry& wrapped,
+    const Cell& cell) {
+    const SceneGeometry& images = *wrapped.geometry;
+    const auto shift_of = [&](std::uint32_t image, std::uint32_t source) {
+        const Vec3 moved = images[image][0] - scene[source][0];
+        return Vec3{
+            cell.along_x ? cell.size_x * std::round(moved.x / cell.size_x) : 0,
+            cell.along_y ? cell.size_y * std::round(moved.y / cell.size_y) : 0, 0};
+    };
+    std::vector<Cover> covers;
+    for (const Overlap& pair : pairs) {
+        const std::uint32_t a = wrapped.source_of(pair.first, images.ranges());
+        const std::uint32_t b = wrapped.source_of(pair.second, images.ranges());
+        covers.push_back({a, b, shift_of(pair.first, a) - shift_of(pair.second, b), pair.is_same});
+    }
+    return covers;
+}
+
+struct FoundCovers {
+    std::vector<Cover> covers;
+    bool is_left_out = false, gave_up = false;
+};
+
+FoundCovers find_pairs(const SceneGeometry& scene, const Cell& cell) {
+    if (!cell.periodic() || scene.size() > kMostToCompare) {
+        const Overlaps found = find_overlaps(scene);
+        FoundCovers all{{}, found.is_left_out, found.gave_up};
+        for (const Overlap& pair : found.pairs) {
+            all.covers.push_back({pair.first, pair.second, {}, pair.is_same});
+        }
+        return all;
+    }
+    const WrappedGeometry wrapped = wrap_into_cell(scene, cell);
+    const Overlaps found = find_overlaps(*wrapped.geometry);
+    return {through_borders(found.pairs, scene, wrapped, cell), found.is_left_out, found.gave_up};
+}
+
+/// Puts that first which comes first in the file; of two images of one triangle, the one further
+/// along. The pairs in order, each once.
+void put_in_order(std::vector<Cover>& covers, const Owners& owners) {
+    for (Cover& cover : covers) {
+        const auto a = std::pair(owners.organ(cover.first), cover.first);
+        const auto b = std::pair(owners.organ(cover.second), cover.second);
+        const bool is_behind = cover.shift.x < 0 || (cover.shift.x == 0 && cover.shift.y < 0);
+        if (b < a || (a == b && is_behind)) {
+            std::swap(cover.first, cover.second);
+            cover.shift = -cover.shift;
+        }
+    }
+    std::sort(covers.begin(), covers.end());
+    const auto is_equal = [](const Cover& a, const Cover& b) { return !(a < b) && !(b < a); };
+    covers.erase(std::unique(covers.begin(), covers.end(), is_equal), covers.end());
+}
+
+Triangle moved(Triangle t, const Vec3& shift) {
+    for (Vec3& corner : t) {
+        corner += shift;
+    }
+    return t;
+}
+
+/// What of triangle `t` is not covered.
+std::vector<Triangle> uncovered(
+    const Triangle& t,
+    std::span<const Cover> covers,
+    const SceneGeometry& scene,
+    double scene_size) {
+    std::vector<Triangle> windows;
+    for (const Cover& cover : covers) {
+        if (cover.is_same) {
+            return {};
+        }
+        windows.push_back(moved(scene[cover.first], cover.shift));
+    }
+    return parts_beside(t, windows, coplanar_tolerance(size_of(bounds_of(t)), scene_size));
+}
+
+/// Makes the mesh anew, organ by organ.
+class Cutter {
+  public:
+    Cutter(DraftAssembly& scene, const SceneGeometry& geometry, std::span<const Cover> covers)
+        : scene_(scene),
+          geometry_(geometry),
+          owners_(scene, geometry),
+          covers_(covers),
+          size_(size_of(bounds_of(geometry))) {}
+
+    std::shared_ptr<const SceneGeometry> run() {
+        const std::size_t owned = scene_.triangle_regions.size();
+        std::vector<Organ*> instanced;
+        for (Organ& organ : scene_.organs) {
+            if (organ.first_triangle >= owned && !is_cut(organ)) {
+                keep_instances(organ);
+                instanced.push_back(&organ);
+            } else {
+                cut(organ);
+            }
+        }
+        for (Organ* organ : instanced) {
+            organ->first_triangle += static_cast<std::uint32_t>(mesh_.size());
+        }
+        order_vertices(mesh_);
+        scene_.triangle_regions = std::move(triangle_regions_);
+        scene_.instance_regions = std::move(instance_regions_);
+        return std::make_shared<const SceneGeometry>(std::move(mesh_), std::move(instances_));
+    }
+
+  private:
+    /// Of an organ whose instances are left as they are.
+    void keep_instances(Organ& organ) {
+        const std::uint32_t end = organ.first_triangle + organ.triangle_count;
+        for (std::uint32_t i = organ.first_triangle; i < end;) {
+            const std::uint32_t k = geometry_.ranges().find(i);
+            instances_.push_back(geometry_.instances()[k]);
+            instance_regions_.push_back(scene_.instance_regions[k]);
+            i += geometry_.ranges().count(k);
+        }
+        organ.first_triangle = instance_triangles_;
+        instance_triangles_ += organ.triangle_count;
+    }
+
+    /// An organ that is covered wholly keeps one triangle of no area.
+    void cut(Organ& organ) {
+        const std::uint32_t begin = organ.first_triangle;
+        const std::uint32_t end = begin + organ.triangle_count;
+        organ.first_triangle = static_cast<std::uint32_t>(mesh_.size());
+        for (std::uint32_t i = begin; i < end; ++i) {
+            organ.covered_area += add(i);
+            triangle_regions_.resize(mesh_.size(), RegionIndex{owners_.region(i)});
+        }
+        if (mesh_.size() == organ.first_triangle) {
+            const Vec3 corner = geometry_[begin][0];
+            mesh_.push_back({corner, corner, corner});
+            triangle_regions_.push_back(RegionIndex{owners_.region(begin)});
+        }
+        organ.triangle_count = static_cast<std::uint32_t>(mesh_.size()) - organ.first_triangle;
+    }
+
+    [[nodiscard]] std::span<const Cover> covers_of(std::uint32_t triangle) const {
+        const auto is_before = [](const Cover& c, std::uint32_t t) { return c.second < t; };
+        const auto is_after = [](std::uint32_t t, const Cover& c) { return t < c.second; };
+        const auto first = std::lower_bound(covers_.begin(), covers_.end(), triangle, is_before);
+        return {first, std::upper_bound(first, covers_.end(), triangle, is_after)};
+    }
+    [[nodiscard]] bool is_cut(const Organ& organ) const {
+        const auto first = std::lower_bound(
+            covers_.begin(), covers_.end(), organ.first_triangle,
+            [](const Cover& c, std::uint32_t t) { return c.second < t; });
+        return first != covers_.end() &&
+               first->second < organ.first_triangle + organ.triangle_count;
+    }
+
+    /// Adds what is left of a triangle. @return the area that was cut away
+    double add(std::uint32_t triangle) {
+        const Triangle whole = geometry_[triangle];
+        const std::span<const Cover> covers = covers_of(triangle);
+        if (covers.empty()) {
+            mesh_.push_back(whole);
+            return 0;
+        }
+        double rest = 0;
+        for (const Triangle& part : uncovered(whole, covers, geometry_, size_)) {
+            mesh_.push_back(part);
+            rest += area(part);
+        }
+        return std::max(0.0, area(whole) - rest);
+    }
+
+    DraftAssembly& scene_;
+    const SceneGeometry& geometry_;
+    Owners owners_;
+    std::span<const Cover> covers_;
+    double size_;
+    Mesh mesh_;
+    std::vector<Instance> instances_;
+    std::vector<RegionIndex> triangle_regions_, instance_regions_;
+    std::uint32_t instance_triangles_ = 0;
+};
+
+/// Counts triangles by pairs of organs, each triangle once.
+std::vector<Coincidence> count_pairs(
+    std::span<const Cover> covers, const Owners& owners, LightGoesTo light) {
+    std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, std::uint32_t> pairs;
+    std::optional<std::uint32_t> last;
+    for (const Cover& cover : covers) {
+        if (last != cover.second) {
+            ++pairs[{!cover.is_same, owners.organ(cover.second), owners.organ(cover.first)}];
+            last = cover.second;
+        }
+    }
+    std::vector<Coincidence> counted;
+    for (const auto& [key, count] : pairs) {
+        const auto& [is_part, second, first] = key;
+        counted.push_back({OrganIndex{first}, OrganIndex{second}, count, !is_part, light});
+    }
+    return counted;
+}
+
+}  // namespace
+
+CutGeometry cut_covered(
+    DraftAssembly& scene, const Cell& cell, const std::vector<Material>& materials) {
+    CutGeometry result;
+    result.geometry =
+        std::make_shared<const SceneGeometry>(std::move(scene.mesh), std::move(scene.instances));
+    const SceneGeometry& geometry = *result.geometry;
+    FoundCovers found = find_pairs(geometry, cell);
+    const Owners owners(scene, geometry);
+    put_in_order(found.covers, owners);
+    const auto is_sensor = [&](std::uint32_t triangle) {
+        return materials[scene.regions[owners.region(triangle)].material.value].is_transparent();
+    };
+    const auto sensors = std::stable_partition(
+        found.covers.begin(), found.covers.end(),
+        [&](const Cover& c) { return !is_sensor(c.first) && !is_sensor(c.second); });
+    const std::span<const Cover> covers(found.covers.begin(), sensors);
+    Coincidences& told = result.coincidences;
+    told = {count_pairs(covers, owners, LightGoesTo::first), found.is_left_out, found.gave_up};
+    for (const Coincidence& pair :
+         count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::either)) {
+        told.pairs.push_back(pair);
+    }
+    if (!covers.empty()) {
+        result.geometry = Cutter(scene, geometry, covers).run();
+    }
+    return result;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/mesh/cell.h"
+#include "geometry/scene_geometry.h"
+#include "optics/material.h"
+#include "quasimc/scene.h"
+#include "scene/assembly.h"
+
+namespace quasimc {
+
+/// Whose the light is where two organs lie on each other.
+enum class LightGoesTo {
+    first,   ///< to the one that comes first; the other is cut away there
+    either,  ///< left to rounding: one of them is a sensor
+};
+
+/// Triangles of one organ that lie on those of another, or of itself, which comes before.
+struct Coincidence {
+    OrganIndex first, second;
+    std::uint32_t triangles = 0;  ///< of the second
+    bool is_same = false;         ///< they have the same corners
+    LightGoesTo light = LightGoesTo::first;
+};
+
+/// What of a scene lies on each other in one plane.
+struct Coincidences {
+    std::vector<Coincidence> pairs;
+    bool is_left_out = false;  ///< there are too many triangles to look
+    bool gave_up = false;      ///< too many lie close together to compare all
+};
+
+/// Triangles of which none lies on another, and what did.
+struct CutGeometry {
+    std::shared_ptr<const SceneGeometry> geometry;
+    Coincidences coincidences;
+};
+
+/// Takes the triangles out of `scene`, and cuts away what coincides with a surface that comes
+/// before it: of triangles that lie on each other in one plane, also through the borders of a
+/// periodic cell, the part that they share stays with the organ that comes first, and the light on
+/// both of its sides is that organ's (docs/develop/decisions/overlapping-triangles.md). Organs keep
+/// their areas; Organ::covered_area tells how much was cut away. Sensors, which let light pass,
+/// neither cover nor are covered.
+[[nodiscard]] CutGeometry cut_covered(
+    DraftAssembly& scene, const Cell& cell, const std::vector<Material>& materials);
+
+}  // namespace quasimc

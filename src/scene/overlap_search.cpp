@@ -1,0 +1,254 @@
+// Coplanar triangles that overlap.
+//
+// Triangles are sorted into grids of cubes, four times finer from level to level; a triangle is at
+// home on the level whose cubes are at least twice its size, and visits the coarser ones. Two
+// triangles that overlap share a cube on the home level of the larger. In a cube they are sorted by
+// a function of the normal that has the same value for both sides, so that only triangles which are
+// nearly parallel are compared.
+
+#include "scene/overlap_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "scene/coplanar.h"
+
+namespace quasimc {
+namespace {
+
+constexpr int kLevels = 9;
+
+/// A triangle in a cube of the grids.
+struct Entry {
+    std::uint64_t cube;
+    float facing;  ///< |cos| of the angle between the normal and kGeneric
+    float blur;    ///< how much `facing` of a coplanar triangle may differ
+    std::uint32_t triangle;
+};
+
+bool operator<(const Entry& a, const Entry& b) {
+    return std::tie(a.cube, a.facing, a.triangle) < std::tie(b.cube, b.facing, b.triangle);
+}
+
+/// A direction that normals of modelled organs are seldom symmetric about.
+constexpr Vec3 kGeneric{0.3518, 0.7143, 0.6049};
+
+class OverlapSearch {
+  public:
+    OverlapSearch(const SceneGeometry& triangles, const Bounds& bounds)
+        : triangles_(triangles),
+          low_(bounds.low),
+          size_(size_of(bounds)),
+          most_comparisons_(1'000'000 + 200 * triangles.size()),
+          same_before_(triangles.size()) {}
+
+    Overlaps run() {
+        enter_all();
+        std::sort(natives_.begin(), natives_.end());
+        std::sort(visitors_.begin(), visitors_.end());
+        auto visitor = visitors_.begin();
+        for (auto first = natives_.begin(); first != natives_.end();) {
+            const std::uint64_t cube = first->cube;
+            const auto in_cube = [&](const Entry& e) { return e.cube == cube; };
+            const auto last = std::find_if_not(first, natives_.end(), in_cube);
+            visitor = std::find_if(
+                visitor, visitors_.end(), [&](const Entry& e) { return e.cube >= cube; });
+            const std::span homes(first, last);
+            for (const Entry& native : homes) {
+                compare(native, homes, Among::natives);
+            }
+            for (; visitor != visitors_.end() && visitor->cube == cube; ++visitor) {
+                compare(*visitor, homes, Among::visitors);
+            }
+            first = last;
+        }
+        sort_found();
+        return {std::move(found_), false, comparisons_ > most_comparisons_};
+    }
+
+  private:
+    /// Natives of a cube meet each other twice, visitors meet them once.
+    enum class Among { natives, visitors };
+
+    [[nodiscard]] double thickness(double triangle_size) const {
+        return coplanar_tolerance(triangle_size, size_);
+    }
+
+    [[nodiscard]] int home_level(double triangle_size) const {
+        return std::clamp(std::ilogb(size_ / triangle_size) / 2, 0, kLevels - 1);
+    }
+
+    void enter_all() {
+        std::vector<std::int16_t> level_of(triangles_.size(), -1);
+        std::array<bool, kLevels> is_home{};
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            const Triangle t = triangles_[i];
+            const double size = size_of(bounds_of(t));
+            // Slivers about as thin as the tolerance lie in no plane in particular.
+            constexpr double kThin = 8;
+            if (size > 0 && height(t) > kThin * thickness(size)) {
+                level_of[i] = static_cast<std::int16_t>(home_level(size));
+                is_home[static_cast<std::size_t>(level_of[i])] = true;
+            }
+        }
+        // What is entered is counted first: growing lists would take several times the memory.
+        std::size_t natives = 0, visitors = 0;
+        const auto for_each_entry = [&](const auto& visit) {
+            for (std::size_t i = 0; i < triangles_.size(); ++i) {
+                for (int level = 0; level <= level_of[i]; ++level) {
+                    if (is_home[static_cast<std::size_t>(level)]) {
+                        visit(static_cast<std::uint32_t>(i), level, level == level_of[i]);
+                    }
+                }
+            }
+        };
+        for_each_entry([&](std::uint32_t i, int level, bool is_native) {
+            (is_native ? natives : visitors) += cubes_of(i, level);
+        });
+        natives_.reserve(natives);
+        visitors_.reserve(visitors);
+        for_each_entry(
+            [&](std::uint32_t i, int level, bool is_native) { enter(i, level, is_native); });
+    }
+
+    /// How many cubes of a level a triangle's bounds reach into.
+    [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
+        const Bounds bounds = bounds_of(triangles_[i]);
+        const double blur = thickness(size_of(bounds));
+        const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
+        const auto along = [&](double from, double to) {
+            return static_cast<std::uint64_t>((to + blur) * cubes) + 1 -
+                   static_cast<std::uint64_t>(std::max(0.0, (from - blur) * cubes));
+        };
+        const Vec3 low = bounds.low - low_;
+        const Vec3 high = bounds.high - low_;
+        return along(low.x, high.x) * along(low.y, high.y) * along(low.z, high.z);
+    }
+
+    void enter(std::uint32_t i, int level, bool is_native) {
+        const Triangle t = triangles_[i];
+        const Bounds bounds = bounds_of(t);
+        const double blur = thickness(size_of(bounds));
+        const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
+        const auto first_cube = [&](double p) {
+            return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * cubes));
+        };
+        const auto cubes_along = [&](double from, double to) {
+            return static_cast<std::uint64_t>((to + blur) * cubes) + 1 - first_cube(from);
+        };
+        const Vec3 low = bounds.low - low_;
+        const Vec3 high = bounds.high - low_;
+        const std::uint64_t nx = cubes_along(low.x, high.x);
+        const std::uint64_t ny = cubes_along(low.y, high.y);
+        const std::uint64_t nz = cubes_along(low.z, high.z);
+        Entry entry{0, 0, 0, i};
+        entry.facing = static_cast<float>(std::abs(dot(normalized(area_vector(t)), kGeneric)));
+        entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
+        for (std::uint64_t n = 0; n < nx * ny * nz; ++n) {
+            entry.cube = static_cast<std::uint64_t>(level);
+            entry.cube = entry.cube << 20 | (first_cube(low.x) + n % nx);
+            entry.cube = entry.cube << 20 | (first_cube(low.y) + n / nx % ny);
+            entry.cube = entry.cube << 20 | (first_cube(low.z) + n / nx / ny);
+            (is_native ? natives_ : visitors_).push_back(entry);
+        }
+    }
+
+    /// Looks among the triangles at home in a cube for those that `entry` lies on.
+    void compare(const Entry& entry, std::span<const Entry> homes, Among among) {
+        const Triangle own = triangles_[entry.triangle];
+        const Bounds bounds = bounds_of(own);
+        const double tolerance = thickness(size_of(bounds));
+        const auto is_before = [](const Entry& e, float facing) { return e.facing < facing; };
+        auto other =
+            std::lower_bound(homes.begin(), homes.end(), entry.facing - entry.blur, is_before);
+        for (; other != homes.end() && other->facing <= entry.facing + entry.blur; ++other) {
+            if (is_piled(entry)) {
+                return;
+            }
+            if (other->triangle == entry.triangle || is_piled(*other)) {
+                continue;
+            }
+            if (++comparisons_ > most_comparisons_) {
+                return;
+            }
+            const Triangle theirs = triangles_[other->triangle];
+            const bool is_small = among == Among::visitors || is_smaller(own, theirs);
+            if (is_small && lies_on(own, bounds, theirs, tolerance)) {
+                const Overlap found{
+                    std::min(entry.triangle, other->triangle),
+                    std::max(entry.triangle, other->triangle), is_same(own, theirs, tolerance)};
+                same_before_[found.second] += found.is_same ? 1 : 0;
+                found_.push_back(found);
+            }
+        }
+    }
+
+    /// Whether a triangle is known to be the same as so many before it that nothing is learnt from
+    /// the others.
+    [[nodiscard]] bool is_piled(const Entry& entry) const {
+        constexpr std::uint8_t kPile = 64;
+        return same_before_[entry.triangle] >= kPile;
+    }
+
+    /// Of two triangles at home on one level; either of two equal ones.
+    static bool is_smaller(const Triangle& a, const Triangle& b) {
+        constexpr double kRounding = 1e-6;
+        return area(a) <= (1 + kRounding) * area(b);
+    }
+
+    /// Triangles meet in several cubes.
+    void sort_found() {
+        const auto key = [](const Overlap& o) { return std::tie(o.first, o.second); };
+        std::sort(found_.begin(), found_.end(), [&](const Overlap& a, const Overlap& b) {
+            return key(a) < key(b);
+        });
+        const auto end = std::unique(
+            found_.begin(), found_.end(),
+            [&](const Overlap& a, const Overlap& b) { return key(a) == key(b); });
+        found_.erase(end, found_.end());
+    }
+
+    /// Whether part of `small` lies on `large`. The quick tests come first.
+    static bool lies_on(
+        const Triangle& small, Bounds bounds, const Triangle& large, double tolerance) {
+        const Vec3 blur{tolerance, tolerance, tolerance};
+        bounds.low -= blur;
+        bounds.high += blur;
+        return meet(bounds, bounds_of(large)) && lies_in_plane(small, large, tolerance) &&
+               !lie_apart(small, large) && covered_part(small, large) > kOverlap;
+    }
+
+    static constexpr double kOverlap =
+        1e-3;  // of the smaller triangle; less is rounding at an edge
+
+    const SceneGeometry& triangles_;
+    Vec3 low_;
+    double size_;
+    std::size_t most_comparisons_;
+    std::vector<Entry> natives_, visitors_;
+    std::vector<std::uint8_t> same_before_;
+    std::vector<Overlap> found_;
+    std::size_t comparisons_ = 0;
+};
+
+}  // namespace
+
+double coplanar_tolerance(double triangle_size, double scene_size) {
+    constexpr double kOfTriangle = 1e-6;
+    constexpr double kSinglePrecision = 0x1p-23;
+    return kOfTriangle * triangle_size + kSinglePrecision * scene_size;
+}
+
+Overlaps find_overlaps(const SceneGeometry& triangles) {
+    if (triangles.size() > kMostToCompare) {
+        return {.pairs = {}, .is_left_out = true};
+    }
+    return OverlapSearch(triangles, bounds_of(triangles)).run();
+}
+
+}  // namespace quasimc

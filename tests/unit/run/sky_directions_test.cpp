@@ -1,0 +1,136 @@
+// Directions of skies, replicate by replicate.
+
+#include "transport/sky_directions.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/angles.h"
+#include "sources/hemisphere.h"
+#include "support/statistics.h"
+
+namespace quasimc::test {
+namespace {
+
+/// How many of a replicate's points lie in a region of the hemisphere, for many replicates.
+template <typename Inside>
+std::vector<double> counts_of(std::uint32_t points, int replicates, const Inside& inside) {
+    std::mt19937_64 bits(11);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<double> counts;
+    for (int r = 0; r < replicates; ++r) {
+        const Rotation rotation = random_rotation({uniform(bits), uniform(bits), uniform(bits)});
+        double count = 0;
+        for (std::uint32_t i = 0; i < points; ++i) {
+            const auto [u0, u1] = rotated_lattice(i, points, rotation);
+            count += inside(hemisphere_direction(kFullTurn * u1, u0)) ? 1 : 0;
+        }
+        counts.push_back(count);
+    }
+    return counts;
+}
+
+/// Mean, variance and skewness.
+struct Moments {
+    double mean = 0, variance = 0, skewness = 0;
+};
+
+Moments moments_of(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    Moments m;
+    for (const double x : values) {
+        m.mean += x / n;
+    }
+    for (const double x : values) {
+        m.variance += std::pow(x - m.mean, 2) / n;
+        m.skewness += std::pow(x - m.mean, 3) / n;
+    }
+    m.skewness = m.variance > 0 ? m.skewness / std::pow(m.variance, 1.5) : 1e9;
+    return m;
+}
+
+struct NamedCone {
+    Vec3 axis;
+    double half_angle_deg;
+};
+
+constexpr int kRotations = 600;
+
+/// The variance of the number of lattice points in a cone goes with the points along its edge; a
+/// number that is the same in nearly all replicates would have none, and a skewness without end.
+TEST(RotatedLattice, FallsIntoAnyConeInVaryingNumbers) {
+    for (const std::uint32_t points : {32U, 64U, 75U, 128U, 256U, 300U}) {
+        for (const NamedCone& cone :
+             {NamedCone{{0, 0, 1}, 25},
+              {{0, 0, 1}, 40},
+              {{0, 0, 1}, 60},
+              {{.6, 0, .8}, 25},
+              {{0, .8, .6}, 30}}) {
+            const double least = std::cos(cone.half_angle_deg * kRadians);
+            const std::vector<double> counts = counts_of(
+                points, kRotations, [&](const Vec3& d) { return dot(d, cone.axis) > least; });
+            const double expected = points * (1 - least);
+            EXPECT_TRUE(agrees(measured(counts), expected, .05 * expected + .1, 1e-8));
+            const Moments m = moments_of(counts);
+            EXPECT_GT(m.variance, .1 * std::sqrt(expected)) << points << " " << expected;
+            EXPECT_LT(std::abs(m.skewness), 1) << points << " " << expected;
+            // It is still a good lattice: far from random points.
+            EXPECT_LT(m.variance, .7 * expected) << points << " " << expected;
+        }
+    }
+}
+
+TEST(RotatedLattice, FallsIntoAnyBandOfHeightsInVaryingNumbers) {
+    for (const std::uint32_t points : {64U, 128U, 256U}) {
+        for (const double low : {0.0, .25, .5, .75}) {
+            const std::vector<double> counts = counts_of(
+                points, kRotations, [&](const Vec3& d) { return d.z > low && d.z <= low + .25; });
+            const Moments m = moments_of(counts);
+            EXPECT_NEAR(m.mean, points / 4.0, 6 * std::sqrt(m.variance / kRotations) + 1e-9);
+            EXPECT_GT(m.variance, .1 * std::sqrt(points / 4.0)) << points << " " << low;
+            EXPECT_LT(std::abs(m.skewness), 1) << points << " " << low;
+        }
+    }
+}
+
+TEST(RotatedLattice, IsUniformOverAllRotations) {
+    std::mt19937_64 bits(4);
+    std::uniform_real_distribution<double> uniform;
+    constexpr int kTries = 2000;
+    std::vector<double> first, second, mixed;
+    for (int n = 0; n < kTries; ++n) {
+        const Rotation rotation = random_rotation({uniform(bits), uniform(bits), uniform(bits)});
+        double a = 0, b = 0, c = 0;
+        for (std::uint32_t i = 0; i < 16; ++i) {
+            const auto [u0, u1] = rotated_lattice(i, 16, rotation);
+            a += u0 / 16;
+            b += u0 * u0 / 16;
+            c += u0 * u1 / 16;
+        }
+        first.push_back(a);
+        second.push_back(b);
+        mixed.push_back(c);
+    }
+    EXPECT_TRUE(agrees(measured(first), .5, .01));
+    EXPECT_TRUE(agrees(measured(second), 1.0 / 3, .01));
+    EXPECT_TRUE(agrees(measured(mixed), .25, .01));
+}
+
+TEST(RandomRotation, KeepsLengthsAndAnglesAndHands) {
+    std::mt19937_64 bits(3);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 100; ++i) {
+        const Rotation r = random_rotation({uniform(bits), uniform(bits), uniform(bits)});
+        EXPECT_NEAR(length(r.x), 1, 1e-14);
+        EXPECT_NEAR(length(r.y), 1, 1e-14);
+        EXPECT_NEAR(dot(r.x, r.y), 0, 1e-14);
+        EXPECT_NEAR(length(cross(r.x, r.y) - r.z), 0, 1e-14);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test
