@@ -134,10 +134,5 @@ TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {
     }
 }
 
-TEST(CheckRun, LightThatReachesNothingIsAnError) {
-    // The leaf lies edge-on to the sun.
-    EXPECT_THROW((void)run(make_leaf_of_bands(), {sun(90, {1})}, {}), InputError);
-}
-
 }  // namespace
 }  // namespace quasimc::test
