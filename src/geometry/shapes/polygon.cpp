@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "base/checks.h"
@@ -94,38 +96,83 @@ std::size_t find_ear(const std::vector<FlatCorner>& rest) {
     return rest.size();
 }
 
+/// Whether two sides cross properly, by more than rounding.
+bool sides_cross(const std::vector<FlatCorner>& corners) {
+    double largest = 0;
+    for (const FlatCorner& p : corners) {
+        largest = std::max({largest, std::abs(p.s), std::abs(p.t)});
+    }
+    constexpr double kRounding = 1e-9;
+    const double least = kRounding * largest * largest;
+    const auto are_apart = [least](double u, double v) {
+        return std::min(std::abs(u), std::abs(v)) > least && (u > 0) != (v > 0);
+    };
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i + 2 < n; ++i) {
+        const FlatCorner &a = corners[i], &b = corners[i + 1];
+        for (std::size_t k = i + 2; k < n; ++k) {
+            const FlatCorner &c = corners[k], &d = corners[(k + 1) % n];
+            if (are_apart(turn(a, b, c), turn(a, b, d)) &&
+                are_apart(turn(c, d, a), turn(c, d, b))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// The triangles from the first corner, without those of no area.
+CutPolygon cut_fan(std::span<const Vec3> corners) {
+    CutPolygon fan;
+    for (std::uint32_t i = 2; i < corners.size(); ++i) {
+        if (length(cross(corners[i - 1] - corners[0], corners[i] - corners[0])) > 0) {
+            fan.faces.push_back({0, i - 1, i});
+            fan.sides_cross = true;
+        }
+    }
+    return fan;
+}
+
 }  // namespace
 
-std::vector<Face> make_polygon_faces(std::span<const Vec3> corners) {
+CutPolygon cut_polygon(std::span<const Vec3> corners) {
     EXPECT(corners.size() >= 3);
     const Vec3 normal = newell_normal(corners);
     if (!(length(normal) > 0)) {
-        return {{0, 1, 2}};
+        CutPolygon fan = cut_fan(corners);  // a bow-tie with equal wings
+        return fan.faces.empty() ? CutPolygon{{{0, 1, 2}}} : fan;
     }
     std::vector<FlatCorner> rest = flatten(corners, normal);
-    std::vector<Face> faces;
+    if (sides_cross(rest)) {
+        return cut_fan(corners);
+    }
+    CutPolygon cut;
     while (rest.size() >= 3) {
         const std::size_t n = rest.size(), i = find_ear(rest);
         if (i == n) {
-            throw InputError(
-                {{"polygon of " + std::to_string(corners.size()) + " corners",
-                  "it can't be cut into triangles", "its sides cross each other",
-                  "give the corners in order around it"}});
+            return cut_fan(corners);
         }
         if (!is_flat(rest, i)) {
             const auto number = [&](std::size_t k) {
                 return static_cast<std::uint32_t>(rest[k % n].index);
             };
-            faces.push_back({number(i + n - 1), number(i), number(i + 1)});
+            cut.faces.push_back({number(i + n - 1), number(i), number(i + 1)});
         }
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    return faces;
+    return cut;
 }
 
 std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
+    const CutPolygon cut = cut_polygon(corners);
+    if (cut.sides_cross) {
+        throw InputError(
+            {{"polygon of " + std::to_string(corners.size()) + " corners",
+              "it can't be cut into triangles", "its sides cross each other",
+              "give the corners in order around it"}});
+    }
     std::vector<Triangle> triangles;
-    for (const auto& [a, b, c] : make_polygon_faces(corners)) {
+    for (const auto& [a, b, c] : cut.faces) {
         triangles.push_back({corners[a], corners[b], corners[c]});
     }
     return triangles;
