@@ -72,8 +72,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.what());
         return status_of(Exit::input_error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "quasimc: not enough memory\n");
-        return status_of(Exit::internal_error);
+        std::fprintf(stderr, "quasimc: there is not enough memory\n");
+        return status_of(Exit::input_error);
     } catch (const std::exception& error) {
         return internal_error(error.what());
     }

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -64,19 +65,23 @@ std::vector<quasimc::InputFile> inputs_of(
     return inputs;
 }
 
-quasimc::StoredRun read_run(const RunArguments& arguments) {
+quasimc::StoredRun read_run(const RunArguments& arguments) try {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
         return {quasimc::read_run_file(arguments.file, overrides), ""};
     }
     return quasimc::read_result_file(arguments.from, overrides);
+} catch (const std::bad_alloc&) {
+    throw quasimc::InputError(
+        {{arguments.from.empty() ? arguments.file : arguments.from,
+          "there is not enough memory for the scene", "for it and the files that it names", ""}});
 }
 
 std::string comparison(
     const RunArguments& arguments,
     const quasimc::StoredRun& stored,
     const std::string& organs_sha256) {
-    if (arguments.from.empty()) {
+    if (arguments.from.empty() || organs_sha256.empty()) {
         return "";
     }
     const bool is_same = organs_sha256 == stored.organs_sha256;
@@ -195,8 +200,38 @@ void print_audit(double chance) {
     }
 }
 
-Exit run(const RunArguments& arguments) {
-    const quasimc::StoredRun stored = read_run(arguments);
+/// What a run needs memory for.
+[[noreturn]] void refuse_size(const quasimc::RunFile& run) {
+    const double bands = static_cast<double>(run.scene.bands().size());
+    const double organs = static_cast<double>(run.scene.organs().size());
+    // Light of two spectra, on two sides in each band.
+    const double sums = 8 * (2 + 2 * bands + 1) * organs * static_cast<double>(run.spec.replicates);
+    constexpr double kMegabyte = 1e6;
+    throw quasimc::InputError(
+        {{run.path, "there is not enough memory for this run",
+          fmt::format(
+              "{} triangles, {} organs, {} bands, {} replicates; the sums alone take {:.0f} MB and "
+              "more",
+              run.scene.triangle_count(), organs, bands, run.spec.replicates, sums / kMegabyte),
+          "use fewer organs, bands, replicates or threads"}});
+}
+
+/// Faults that show only when the run begins are of the run file.
+quasimc::SeriesSummary compute_series(const quasimc::RunFile& file, RunWriters& writers) {
+    try {
+        return quasimc::run_series(
+            file.scene, quasimc::moments_of(file), file.spec, writers.events());
+    } catch (const quasimc::InputError& error) {
+        writers.throw_if_given_up();
+        std::vector<quasimc::Fault> faults = error.faults();
+        for (quasimc::Fault& fault : faults) {
+            fault.place = file.path + ": " + fault.place;
+        }
+        throw quasimc::InputError(std::move(faults));
+    }
+}
+
+Exit compute(const RunArguments& arguments, const quasimc::StoredRun& stored) {
     const quasimc::RunFile& file = stored.run;
     print_warnings(file.warnings);
     if (!arguments.days.empty() && !file.series) {
@@ -204,8 +239,7 @@ Exit run(const RunArguments& arguments) {
             {{"--days", "the run has no [time]", "sums over days need times", ""}});
     }
     RunWriters writers(arguments, file);
-    const quasimc::SeriesSummary summary =
-        quasimc::run_series(file.scene, quasimc::moments_of(file), file.spec, writers.events());
+    const quasimc::SeriesSummary summary = compute_series(file, writers);
     end_progress_line();
     const std::string digest = writers.finish(summary);
     print_audit(summary.audit_chance);
@@ -215,6 +249,15 @@ Exit run(const RunArguments& arguments) {
     writers.throw_if_given_up();
     const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
     return missed ? Exit::target_missed : Exit::done;
+}
+
+Exit run(const RunArguments& arguments) {
+    const quasimc::StoredRun stored = read_run(arguments);
+    try {
+        return compute(arguments, stored);
+    } catch (const std::bad_alloc&) {
+        refuse_size(stored.run);
+    }
 }
 
 /// @throws UsageError
