@@ -86,8 +86,8 @@ int main(int argc, char** argv) {
         tell(stopped.what());
         return kInputError;
     } catch (const std::bad_alloc&) {
-        tell("not enough memory");
-        return kInternalError;
+        tell("there is not enough memory");
+        return kInputError;
     } catch (const std::exception& error) {
         std::fprintf(
             stderr,

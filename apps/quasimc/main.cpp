@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.what());
         return status_of(Exit::input_error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "not enough memory for the input files or for writing results\n");
+        std::fprintf(stderr, "quasimc: there is not enough memory\n");
         return status_of(Exit::input_error);
     } catch (const std::exception& error) {
         return internal_error(error.what());

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,19 +73,23 @@ std::vector<quasimc::InputFile> inputs_of(
     return inputs;
 }
 
-quasimc::StoredRun read_run(const RunArguments& arguments) {
+quasimc::StoredRun read_run(const RunArguments& arguments) try {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
         return {quasimc::read_run_file(arguments.file, overrides), ""};
     }
     return quasimc::read_result_file(arguments.from, overrides);
+} catch (const std::bad_alloc&) {
+    throw quasimc::InputError(
+        {{arguments.from.empty() ? arguments.file : arguments.from,
+          "there is not enough memory for the scene", "for it and the files that it names", ""}});
 }
 
 std::string comparison(
     const RunArguments& arguments,
     const quasimc::StoredRun& stored,
     const std::string& organs_sha256) {
-    if (arguments.from.empty()) {
+    if (arguments.from.empty() || organs_sha256.empty()) {
         return "";
     }
     const bool is_same = organs_sha256 == stored.organs_sha256;
@@ -232,9 +237,19 @@ quasimc::SeriesSummary compute(
             std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr);
         }
     });
-    return quasimc::run_series(
-        file.scene, quasimc::moments_of(file), file.spec, writers.events(progress_lines(arguments)),
-        interrupt.token());
+    try {
+        return quasimc::run_series(
+            file.scene, quasimc::moments_of(file), file.spec,
+            writers.events(progress_lines(arguments)), interrupt.token());
+    } catch (const quasimc::InputError& error) {
+        // Faults that show only when the run begins are of the run file.
+        writers.throw_if_given_up();
+        std::vector<quasimc::Fault> faults = error.faults();
+        for (quasimc::Fault& fault : faults) {
+            fault.place = file.path + ": " + fault.place;
+        }
+        throw quasimc::InputError(std::move(faults));
+    }
 }
 
 Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary) {

@@ -138,7 +138,7 @@ void AtomicFile::sync_place() const {
 
 void AtomicFile::name_temporary() {
     const fs::path name =
-        path_.parent_path() / fmt::format(".{}.{}", path_.filename().string(), ::getpid());
+        folder_of(path_) / fmt::format(".quasimc.{}.{}", ::getpid(), ::fileno(file_));
     const std::string descriptor = fmt::format("/proc/self/fd/{}", ::fileno(file_));
     ::unlink(name.c_str());
     if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
@@ -179,7 +179,7 @@ void AtomicFile::open_unnamed([[maybe_unused]] const fs::path& folder) {
 }
 
 void AtomicFile::open_named(const fs::path& folder) {
-    std::string name = (folder / fmt::format(".{}.XXXXXX", path_.filename().string())).string();
+    std::string name = (folder / ".quasimc.XXXXXX").string();
     const int descriptor = ::mkstemp(name.data());
     if (descriptor < 0) {
         return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <new>
+#include <stdexcept>
 #include <system_error>
 
 #include <fcntl.h>
@@ -80,6 +82,14 @@ std::string read_all(int descriptor, const fs::path& path) {
     }
 }
 
+[[noreturn]] void refuse_size(int descriptor, const fs::path& path) {
+    struct stat status {};
+    const bool is_known = ::fstat(descriptor, &status) == 0 && status.st_size > 0;
+    cannot_read(
+        path, is_known ? fmt::format("there is no memory for its {} bytes", status.st_size)
+                       : "there is no memory for it");
+}
+
 /// A device would never end.
 void refuse_what_is_no_file(const fs::path& path) {
     std::error_code error;
@@ -92,11 +102,39 @@ void refuse_what_is_no_file(const fs::path& path) {
     }
 }
 
+/// Some programs save text so. What is read here begins with letters or, if it is binary, a name.
+void refuse_utf16(std::string_view bytes, const fs::path& path) {
+    const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+    const auto is_letter = [](char c) { return c >= '\t' && c <= '~'; };
+    const bool alternates =
+        bytes.size() >= 4 &&
+        ((is_letter(bytes[0]) && bytes[1] == 0 && is_letter(bytes[2]) && bytes[3] == 0) ||
+         (bytes[0] == 0 && is_letter(bytes[1]) && bytes[2] == 0 && is_letter(bytes[3])));
+    if (has_mark || alternates) {
+        throw InputError(
+            {{path.string() + ":1", "is text in UTF-16", "text is read as UTF-8",
+              "save it as UTF-8"}});
+    }
+}
+
+/// All that comes from a descriptor, whatever fits into the memory.
+std::string read_text(int descriptor, const fs::path& path) {
+    try {
+        std::string bytes = read_all(descriptor, path);
+        refuse_utf16(bytes, path);
+        return bytes;
+    } catch (const std::bad_alloc&) {
+        refuse_size(descriptor, path);
+    } catch (const std::length_error&) {
+        refuse_size(descriptor, path);
+    }
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
     if (path == "-" || path == "/dev/stdin") {
-        return read_all(STDIN_FILENO, "standard input");
+        return read_text(STDIN_FILENO, "standard input");
     }
     refuse_what_is_no_file(path);
     // A pipe that nothing writes into would block for ever.
@@ -104,7 +142,7 @@ std::string read_file(const fs::path& path) {
     if (file.number() < 0) {
         cannot_read(path, std::generic_category().message(errno));
     }
-    return read_all(file.number(), path);
+    return read_text(file.number(), path);
 }
 
 std::string InputFiles::read(const std::string& path) {

@@ -6,13 +6,21 @@ namespace {
 const std::string kPaths = "paths = 256";
 
 /// x.x.x ... = 1
-std::string deep_key() {
-    constexpr int kDeep = 300;
+std::string deep_key(int parts) {
     std::string text = "x";
-    for (int i = 0; i < kDeep; ++i) {
+    for (int i = 0; i < parts; ++i) {
         text += ".x";
     }
     return text + " = 1";
+}
+
+std::string many_bands() {
+    constexpr int kMany = 100000;
+    std::string text = "bands = [\"a\"";
+    for (int i = 1; i < kMany; ++i) {
+        text += ", \"b" + std::to_string(i) + "\"";
+    }
+    return text + "]";
 }
 
 const std::vector<BadInput> kBadDocuments{
@@ -26,7 +34,8 @@ const std::vector<BadInput> kBadDocuments{
          "\xFF\xFE"
          "b\0a\0n\0d\0s\0",
          12),
-     "run.toml:1: "},
+     "run.toml:1: is text in UTF-16 (text is read as UTF-8); save it as UTF-8"},
+    {"Utf16WithoutMark", "", std::string("b\0a\0n\0d\0s\0", 10), "run.toml:1: is text in UTF-16"},
     {"Json", "", "{\"bands\": [\"PAR\"]}", "run.toml:1: "},
     {"TruncatedText", "name = \"third\"", "name = \"third", "run.toml:21: "},
     {"TruncatedList", "corners = [[0, 0, 5], [1, 0, 5], [0, 1, 5]]", "corners = [[0, 0, 5",
@@ -35,7 +44,12 @@ const std::vector<BadInput> kBadDocuments{
     {"DuplicateTable", "[output]", "[run]\n[output]", "run.toml:6: "},
     {"DeepNesting", "format = 1", "x = " + std::string(5000, '[') + std::string(5000, ']'),
      "run.toml:1: "},
-    {"DeepTables", "format = 1", deep_key(), "run.toml"},
+    {"DeepTables", "format = 1", deep_key(300), "run.toml:1: a key of very many parts"},
+    {"VeryDeepTables", "format = 1", deep_key(50000), "run.toml:1: a key of very many parts"},
+    {"VeryDeepHeader", "[run]", "[" + deep_key(50000).substr(0, 100001) + "]",
+     "run.toml:3: a key of very many parts"},
+    {"VeryManyBands", "bands = [\"PAR\"]", many_bands(),
+     "run.toml:2: 100000 bands (a run has 10000"},
     {"Date", "format = 1", "title = 2020-01-01", "run.toml:1: title is a date"},
     {"UnknownKey", "format = 1", "fromat = 1",
      "run.toml:1: unknown key 'fromat'; did you mean 'format'?"},
@@ -57,7 +71,8 @@ const std::vector<BadInput> kBadDocuments{
     {"PathsHuge", kPaths, "paths = 9223372036854775807",
      "run.toml:4: [run]: paths is 9223372036854775807"},
     {"PathsBeyondInteger", kPaths, "paths = 99999999999999999999", "run.toml:4: "},
-    {"PathsReal", kPaths, "paths = 256.0", "run.toml:4: [run]: paths is 256"},
+    {"PathsReal", kPaths, "paths = 256.5", "run.toml:4: [run]: paths is 256.5"},
+    {"PathsRealHuge", kPaths, "paths = 1e300", "run.toml:4: [run]: paths is 1e+300"},
     {"PathsText", kPaths, "paths = \"many\"", "run.toml:4: [run]: paths is 'many'"},
     {"PathsTable", kPaths, "paths = { a = 1 }", "run.toml:4: [run]: paths is a table"},
     {"PathsNoPowerOfTwo", kPaths, "paths = 1000\nsampler = \"korobov\"",
@@ -76,6 +91,10 @@ const std::vector<BadInput> kBadDocuments{
     {"RatioOfOneBand", kPaths, "ratios = [\"PAR\"]", "run.toml:4: ratios: 'PAR' is not a ratio"},
     {"OutputNoText", "csv = \"out.csv\"", "csv = 3", "run.toml:7: [output]: csv is an integer"},
     {"OutputEmpty", "csv = \"out.csv\"", "csv = \"\"", "run.toml:7: [output]: csv is empty"},
+    {"OutputIsTheRunFile", "csv = \"out.csv\"", "csv = \"run.toml\"",
+     "run.toml:7: [output]: csv = 'run.toml' is an input of the run"},
+    {"OutputIsAGeometryFile", "csv = \"out.csv\"", "csv = \"./leaves.tri\"",
+     "run.toml:7: [output]: csv = './leaves.tri' is an input of the run"},
     {"OutputTwice", "csv = \"out.csv\"", "csv = \"out.json\"", "csv and json name the same file"},
     {"OutputFolderMissing", "csv = \"out.csv\"", "csv = \"none/out.csv\"",
      "none/out.csv: can't be written (No such file or directory)"},

@@ -1,6 +1,8 @@
 // The bad inputs: each ends with exit status 1, a message that names the place, nothing on standard
 // output and no file written. Never a crash.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "bad_inputs.h"
@@ -66,6 +68,29 @@ TEST_F(ProgramTest, AllFaultsOfAFileAreReportedAtOnce) {
          {"run.toml:4: ", "run.toml:11: ", "run.toml:15: ", "leaves.tri:1: ", "leaves.tri:2: "}) {
         EXPECT_NE(err.find(place), std::string::npos) << place << "\n" << err;
     }
+}
+
+TEST_F(ProgramTest, AFaultIsToldOnce) {
+    folder_.write(
+        "run.toml",
+        replaced(
+            good_run_file(), "file = \"leaves.tri\"", "file = \"leaves.tri\"\nat = [1, 2, 3]"));
+    const std::string err = run({"run", "run.toml"}).err;
+    EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
+TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers need more address space than the limit leaves";
+#endif
+    const Outcome outcome =
+        shell("truncate -s 60G leaves.tri; ulimit -v 8000000; \"$quasimc\" run run.toml");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(
+        outcome.err.find(
+            "leaves.tri' can't be read (there is no memory for its 64424509440 bytes)"),
+        std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(ProgramTest, AMissingRunFileIsAnInputError) {

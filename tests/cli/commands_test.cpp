@@ -56,7 +56,7 @@ TEST_F(ProgramTest, RepeatsResultsThatHaveTheFormerNameOfTheMethod) {
     const Outcome outcome = run({"run", "--from", "old.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("the same numbers as in old.json"), std::string::npos);
-    EXPECT_NE(outcome.err.find("is now method = \"from_organs\""), std::string::npos);
+    EXPECT_EQ(outcome.err, "");
 }
 
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
@@ -129,6 +129,44 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         EXPECT_EQ(outcome.out, "");
         EXPECT_NE(outcome.err, "");
     }
+}
+
+TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
+    const std::vector<std::pair<Arguments, std::string>> table{
+        {{"run", "run.toml", "--trace-from"}, "--trace-from: its value is missing\n"},
+        {{"run", "run.toml", "--paths"}, "--paths: its value is missing\n"},
+        {{"run", "run.toml", "--paths", "--quiet"}, "--paths: its value is missing\n"},
+        {{"run", "run.toml", "--path", "3"},
+         "--path: there is no such flag; did you mean '--paths'?\n"},
+        {{"run", "run.toml", "--sampeler=sobol"},
+         "--sampeler: there is no such flag; did you mean '--sampler'?\n"},
+        {{"run", "run.toml", "--wings"}, "--wings: there is no such flag\n"},
+        {{"chek", "run.toml"}, "chek: there is no such command; did you mean 'check'?\n"},
+        {{"run", "run.toml", "more.toml"}, "more.toml: is one argument too many\n"}};
+    for (const auto& [arguments, message] : table) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_EQ(outcome.err, message + "Run with --help for more information.\n");
+    }
+}
+
+TEST_F(ProgramTest, WholeNumbersMayBeWrittenAsReals) {
+    EXPECT_EQ(run({"run", "run.toml", "--paths", "1e3"}).status, 0);
+    EXPECT_NE(folder_.read("out.csv").find("paths = 1000"), std::string::npos);
+}
+
+TEST_F(ProgramTest, WarnsOfIrradiancesBeyondAnyLight) {
+    folder_.write(
+        "bright.toml",
+        replaced(good_run_file(), "irradiance_facing = 1", "irradiance_facing = 2e6"));
+    const Outcome outcome = run({"run", "bright.toml"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(
+        outcome.err.find("warning: bright.toml:12: source 'directional': irradiance_facing of band "
+                         "PAR is 2000000 "
+                         "W m-2: "),
+        std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(ProgramTest, HelpAndVersionGoToStandardOutput) {

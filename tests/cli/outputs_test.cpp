@@ -131,7 +131,8 @@ TEST_F(OutputsTest, AreNotEachOther) {
         EXPECT_EQ(outcome.out, "");
     }
     EXPECT_FALSE(fs::exists(folder_.path() / "new.csv"));
-    EXPECT_EQ(run({"run", "bare.toml", "--csv", "/dev/null", "--json", "/dev/../dev/null"}).status, 0);
+    EXPECT_EQ(
+        run({"run", "bare.toml", "--csv", "/dev/null", "--json", "/dev/../dev/null"}).status, 0);
 }
 
 TEST_F(OutputsTest, FollowLinksToWhatIsNotThereYet) {

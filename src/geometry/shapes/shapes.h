@@ -7,7 +7,14 @@
 
 namespace quasimc {
 
-/// The triangles of make_polygon() as numbers of the corners.
-[[nodiscard]] std::vector<Face> make_polygon_faces(std::span<const Vec3> corners);
+/// A polygon cut into triangles, as numbers of its corners.
+struct CutPolygon {
+    std::vector<Face> faces;
+    bool sides_cross = false;
+};
+
+/// Cuts a polygon, convex or not, by clipping ears. One whose sides cross has no inside; it becomes
+/// the fan from its first corner, which is what most programs draw.
+[[nodiscard]] CutPolygon cut_polygon(std::span<const Vec3> corners);
 
 }  // namespace quasimc

@@ -70,17 +70,36 @@ std::vector<Triangle> face_triangles(std::span<const Vec3> corners) {
                                        : make_polygon(corners);
 }
 
-void MeshPart::add_face(
+void CrossedFaces::add(std::string_view word, std::uint64_t number) {
+    first = count++ == 0 ? fmt::format("{} {}", word, number) : first;
+}
+
+void CrossedFaces::warn(Reporter& reporter) const {
+    if (count > 0) {
+        reporter.warnings.push_back(
+            {reporter.file,
+             fmt::format(
+                 "{} faces have sides that cross each other, the first is {}: each is cut into "
+                 "triangles from its first corner",
+                 count, first)});
+    }
+}
+
+bool MeshPart::add_face(
     std::span<const Vec3> corners, std::span<const std::uint32_t> numbers, std::uint32_t line) {
     constexpr std::size_t kTriangle = 3;
+    bool sides_cross = false;
     if (corners.size() == kTriangle) {
         faces.push_back({numbers[0], numbers[1], numbers[2]});
     } else {
-        for (const auto& [a, b, c] : make_polygon_faces(corners)) {
+        const CutPolygon cut = cut_polygon(corners);
+        sides_cross = cut.sides_cross;
+        for (const auto& [a, b, c] : cut.faces) {
             faces.push_back({numbers[a], numbers[b], numbers[c]});
         }
     }
     lines.resize(faces.size(), line);
+    return sides_cross;
 }
 
 namespace {

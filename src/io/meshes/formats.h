@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,9 +25,19 @@ struct MeshPart {
 
     /// Adds the triangles of a face of 3 to kMostCorners corners.
     /// @param numbers  of the corners, among the vertices of the file
-    /// @throws InputError  if its sides cross
-    void add_face(
+    /// @returns whether its sides cross, so that it became a fan from its first corner
+    bool add_face(
         std::span<const Vec3> corners, std::span<const std::uint32_t> numbers, std::uint32_t line);
+};
+
+/// Counts the faces of a file whose sides cross.
+struct CrossedFaces {
+    std::size_t count = 0;
+    std::string first;  ///< "line 12", "face 3"
+
+    void add(std::string_view word, std::uint64_t number);
+    /// Warns of them, if there are any.
+    void warn(Reporter& reporter) const;
 };
 
 /// Faces and lists have no more corners than this.

@@ -57,6 +57,7 @@ class ObjReader {
                 joined.clear();
             }
         }
+        crossed_.warn(context_.reporter);
         mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
     }
@@ -121,11 +122,8 @@ class ObjReader {
                 fmt::format("a face has 3 to {}", kMostCorners));
             return;
         }
-        try {
-            current_part().add_face(corners_, numbers_, line_);
-        } catch (const InputError& error) {
-            const Fault& first = error.faults().front();
-            fault("the face " + first.problem, first.why, first.suggestion);
+        if (current_part().add_face(corners_, numbers_, line_)) {
+            crossed_.add("of line", line_);
         }
     }
 
@@ -217,6 +215,7 @@ class ObjReader {
     std::map<std::pair<std::string, std::string>, std::size_t> groups_;
     MeshPart* part_ = nullptr;
     std::set<std::string> warned_;
+    CrossedFaces crossed_;
     std::uint32_t line_ = 0;
 };
 

@@ -89,6 +89,7 @@ class PlyReader {
         } catch (const Broken& broken) {
             context_.reporter.fault(0, broken.problem, broken.why);
         }
+        crossed_.warn(context_.reporter);
         mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
     }
@@ -185,14 +186,10 @@ class PlyReader {
                 0, fmt::format("face {} has {} corners", number_, corners_.size()), "it needs 3");
             return;
         }
-        try {
-            constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-            part_of(organ, material)
-                .add_face(corners_, numbers_, static_cast<std::uint32_t>(std::min(number_, kMost)));
-        } catch (const InputError& error) {
-            const Fault& first = error.faults().front();
-            context_.reporter.fault(
-                0, fmt::format("face {} {}", number_, first.problem), first.why, first.suggestion);
+        constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+        const auto line = static_cast<std::uint32_t>(std::min(number_, kMost));
+        if (part_of(organ, material).add_face(corners_, numbers_, line)) {
+            crossed_.add("face", number_);
         }
     }
 
@@ -259,6 +256,7 @@ class PlyReader {
     std::vector<Vec3> vertices_, corners_;  // of the file; of a face
     std::vector<std::uint32_t> numbers_;    // of the corners, among the vertices
     std::vector<double> items_;
+    CrossedFaces crossed_;
     std::map<std::optional<std::int64_t>, std::size_t> groups_;
     std::uint64_t number_ = 0;
 };

@@ -73,6 +73,11 @@ bool in_domain(const OptionDomain& domain, const OptionValue& value) {
     return true;
 }
 
+bool is_number(const OptionDomain& domain) {
+    return std::holds_alternative<IntegerDomain>(domain) ||
+           std::holds_alternative<RealDomain>(domain);
+}
+
 const Option* find_in(std::span<const Option> table, std::string_view key) {
     const auto found = std::find_if(
         table.begin(), table.end(), [key](const Option& option) { return option.key == key; });
@@ -128,6 +133,16 @@ std::string domain_text(const Option& option) {
         return "list of finite numbers";
     }
     return fmt::format("list of \"{}\"", std::get<WordsDomain>(option.domain).form);
+}
+
+OptionValue whole_if_integer(const Option& option, OptionValue value) {
+    const auto* real = std::get_if<double>(&value);
+    if (real != nullptr && std::holds_alternative<IntegerDomain>(option.domain)) {
+        if (const auto integer = whole_number(*real)) {
+            return *integer;
+        }
+    }
+    return value;
 }
 
 std::optional<Fault> check_option(const Option& option, const OptionValue& value) {
@@ -201,9 +216,9 @@ OptionValue parse_option(const Option& option, std::string_view text) {
             return *integer;
         }
     }
-    if (std::holds_alternative<RealDomain>(option.domain)) {
+    if (is_number(option.domain)) {
         if (const auto real = parse_real(text)) {
-            return *real;
+            return whole_if_integer(option, *real);
         }
     }
     if (std::holds_alternative<WordsDomain>(option.domain)) {

@@ -74,6 +74,10 @@ struct Option {
 /// What the option takes, in words: "1 to 100", "one of sobol, halton", "list of BAND:BAND".
 [[nodiscard]] std::string domain_text(const Option& option);
 
+/// A whole number of an integer option, however it is written (1e6), as an integer; other values
+/// as they are.
+[[nodiscard]] OptionValue whole_if_integer(const Option& option, OptionValue value);
+
 /// What is wrong with a value for this option; nothing if it may be set. An integer passes for a
 /// real. The fault has no place.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);

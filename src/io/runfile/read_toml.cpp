@@ -77,9 +77,57 @@ Node converted(const toml::node& node, const std::string& file, int depth) {
     return result;
 }
 
+/// Where a string of TOML that begins at `at` ends: behind its last quote.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    const bool is_long = text.substr(at, 3) == std::string(3, quote);
+    const std::string end(is_long ? 3 : 1, quote);
+    for (std::size_t i = at + end.size(); i < text.size(); ++i) {
+        if (text.substr(i).starts_with(end) || (!is_long && text[i] == '\n')) {
+            return text[i] == '\n' ? i : i + end.size();
+        }
+        i += text[i] == '\\' && quote == '"' ? 1 : 0;
+    }
+    return text.size();
+}
+
+bool is_end_of_key(char c) {
+    return std::string_view("=,[]{}\n").find(c) != std::string_view::npos;
+}
+
+/// Refuses keys of very many parts (a.a.a...) before they are parsed: the parser would take one
+/// level of the stack for each.
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+    std::uint32_t line = 1;
+    int dots = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (c == '#') {
+            i = std::min(text.find('\n', i), text.size());
+            continue;
+        }
+        if (c == '"' || c == '\'') {
+            const std::size_t end = end_of_string(text, i);
+            line +=
+                static_cast<std::uint32_t>(std::count(text.data() + i, text.data() + end, '\n'));
+            i = end;
+            continue;
+        }
+        dots = c == '.' ? dots + 1 : is_end_of_key(c) ? 0 : dots;
+        line += c == '\n' ? 1 : 0;
+        if (dots > kDeepestNesting) {
+            throw InputError(
+                {{fmt::format("{}:{}", file, line), "a key of very many parts",
+                  fmt::format("{} levels at most", kDeepestNesting), ""}});
+        }
+        ++i;
+    }
+}
+
 }  // namespace
 
 Node read_toml(std::string_view text, const std::string& file) {
+    refuse_deep_keys(text, file);
     try {
         const toml::table table = toml::parse(text);
         return converted(table, file, 0);

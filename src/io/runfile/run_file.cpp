@@ -46,7 +46,12 @@ std::optional<Scene> build(SceneBuilder builder, Reporter& reporter) {
     try {
         return std::move(builder).build();
     } catch (const InputError& error) {
-        reporter.faults.add(error);
+        for (Fault fault : error.faults()) {
+            // What has no line of a file is of the run file.
+            const bool has_line = fault.place.find(':') != std::string::npos;
+            fault.place = has_line ? fault.place : reporter.file + ": " + fault.place;
+            reporter.faults.add(std::move(fault));
+        }
         return std::nullopt;
     }
 }

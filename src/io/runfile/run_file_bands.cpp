@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/runfile/run_file_sections.h"
 
 namespace quasimc {
 namespace {
+
+constexpr std::size_t kMostWavebands = 10000;
 
 /// The nodes of a value, one per band; empty after a fault.
 std::vector<const Node*> nodes_of_value(
@@ -72,6 +75,16 @@ void check_band_names(TableReader& top, const std::vector<Band>& bands, const No
     }
 }
 
+/// More than lamps and lenses bring, in that unit; of other units nothing is known.
+double brightest_of(const std::string& unit) {
+    constexpr double kBrightest = 1e5;
+    constexpr double kBrightestLux = 1e7;
+    if (unit.starts_with("W") || unit.starts_with("umol")) {
+        return kBrightest;
+    }
+    return unit == "lx" ? kBrightestLux : TableReader::kFinite.high;
+}
+
 }  // namespace
 
 std::vector<Band> read_bands(TableReader& top) {
@@ -93,6 +106,12 @@ std::vector<Band> read_bands(TableReader& top) {
     if (bands.empty() && !top.failed()) {
         top.fault("no band is given", "", "write bands = [\"PAR\"]");
     }
+    if (bands.size() > kMostWavebands) {
+        top.fault_at(
+            named ? *named : *tables.front(), fmt::format("{} bands", bands.size()),
+            fmt::format("a run has {} at most", kMostWavebands), "compute them in several runs");
+        bands.resize(1);
+    }
     if (!bands.empty()) {
         check_band_names(top, bands, named ? *named : *tables.front());
     }
@@ -103,6 +122,23 @@ std::vector<const Node*> nodes_per_band(
     TableReader& table, std::string_view key, const std::vector<Band>& bands) {
     const Node* node = table.any(key);
     return node ? nodes_of_value(table, key, *node, bands) : std::vector<const Node*>();
+}
+
+std::optional<std::vector<double>> read_irradiances(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands) {
+    const auto values = read_per_band(table, key, bands, TableReader::kLight);
+    for (std::size_t b = 0; values && b < bands.size(); ++b) {
+        if ((*values)[b] > brightest_of(bands[b].unit)) {
+            table.warn_at(
+                *table.any(key),
+                fmt::format(
+                    "{} of band {} is {} {}: the sun brings 1361 W m-2 outside the atmosphere, "
+                    "some 6200 umol m-2 s-1; is the unit right?",
+                    key, bands[b].name, shortest((*values)[b]), bands[b].unit));
+            break;
+        }
+    }
+    return values;
 }
 
 std::optional<std::vector<double>> read_per_band(

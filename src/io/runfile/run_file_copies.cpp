@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -62,7 +63,8 @@ std::optional<std::vector<Affine>> read_copies(TableReader& table, const Orienta
         return std::nullopt;
     }
     const auto* list = node->as<Node::List>();
-    if (list == nullptr || list->empty()) {
+    const auto is_list = [](const Node& item) { return item.as<Node::List>() != nullptr; };
+    if (list == nullptr || std::none_of(list->begin(), list->end(), is_list)) {
         table.fault_at(*node, "at is no list of copies", "it must be [[x, y, z], ...]");
         return std::nullopt;
     }

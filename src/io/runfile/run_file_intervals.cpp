@@ -76,7 +76,7 @@ std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t
         }
         for (std::size_t i = 0; i < count; ++i) {
             *part_of(readings[i], name) =
-                table.real_at(name, list ? (*list)[i] : *node, TableReader::kNotNegative);
+                table.real_at(name, list ? (*list)[i] : *node, TableReader::kLight);
         }
     }
     return any ? std::optional(readings) : std::nullopt;

@@ -39,9 +39,8 @@ std::string angles_words(const Vec3& travel, const Orientation& orientation) {
 }
 
 std::optional<Irradiance> read_irradiance(TableReader& table, const std::vector<Band>& bands) {
-    const auto facing = read_per_band(table, "irradiance_facing", bands, TableReader::kNotNegative);
-    const auto horizontal =
-        read_per_band(table, "irradiance_horizontal", bands, TableReader::kNotNegative);
+    const auto facing = read_irradiances(table, "irradiance_facing", bands);
+    const auto horizontal = read_irradiances(table, "irradiance_horizontal", bands);
     const bool has_facing = table.any("irradiance_facing") != nullptr;
     const bool has_horizontal = table.any("irradiance_horizontal") != nullptr;
     if (has_facing == has_horizontal) {

@@ -195,7 +195,7 @@ std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileCo
             return std::nullopt;
         }
         stated = &key;
-        flux = read_per_band(table, key.key, context.bands, TableReader::kNotNegative);
+        flux = read_per_band(table, key.key, context.bands, TableReader::kLight);
     }
     if (stated == nullptr) {
         table.fault(

@@ -84,13 +84,14 @@ bool read_option(TableReader& table, const Option& option, RunOptions& options) 
     const bool is_former = !option.replaced_by.empty();
     const std::string_view key = is_former ? option.replaced_by : option.key;
     options.places[key] = table.reporter().place(stated->line);
-    const std::optional<OptionValue> value = option_value(*stated);
+    std::optional<OptionValue> value = option_value(*stated);
     if (!value) {
         table.fault_at(
             *stated, fmt::format("{} is {}", option.key, stated->type_name()),
             "it takes " + domain_text(option));
         return false;
     }
+    value = whole_if_integer(option, *value);
     if (const std::optional<Fault> fault = check_option(option, *value)) {
         table.fault_at(*stated, fault->problem, fault->why, fault->suggestion);
         return false;

@@ -77,6 +77,9 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 /// The same as numbers.
 [[nodiscard]] std::optional<std::vector<double>> read_per_band(
     TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range);
+/// The same of irradiances. Warns of those that no light reaches.
+[[nodiscard]] std::optional<std::vector<double>> read_irradiances(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands);
 
 // run_file_output.cpp
 [[nodiscard]] OutputSpec read_output(

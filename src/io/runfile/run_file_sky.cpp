@@ -120,8 +120,7 @@ std::optional<NotedSource> read_sky(
     TableReader& table, const std::string& name, const RunFileContext& context) {
     const auto model = table.required("model", table.choice("model", model_names()));
     const auto values = table.required(
-        "irradiance_horizontal",
-        read_per_band(table, "irradiance_horizontal", context.bands, TableReader::kNotNegative));
+        "irradiance_horizontal", read_irradiances(table, "irradiance_horizontal", context.bands));
     if (!model) {
         // Which keys are meant can't be told.
         for (const std::string_view key :

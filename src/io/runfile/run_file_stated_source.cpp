@@ -41,7 +41,7 @@ std::optional<std::vector<double>> read_amount(
     const std::string_view key = kind.amount == SourceAmount::irradiance_facing
                                      ? "irradiance_facing"
                                      : "irradiance_horizontal";
-    return table.required(key, read_per_band(table, key, context.bands, TableReader::kNotNegative));
+    return table.required(key, read_irradiances(table, key, context.bands));
 }
 
 std::string amount_words(

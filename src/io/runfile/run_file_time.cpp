@@ -31,6 +31,12 @@ SeriesRules read_rules(TimeContext& context) {
                      : collapse == "period" ? Collapse::period
                                             : Collapse::none;
     rules.sun_step = 60 * table.real("sun_step_minutes", {0, 1440}).value_or(rules.sun_step / 60);
+    constexpr double kShortestStep = 1;
+    if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
+        table.fault_at(
+            "sun_step_minutes", "sun_step_minutes is less than a second",
+            "each step is a sun to trace", "give 0 for a single sun");
+    }
     return rules;
 }
 
@@ -117,7 +123,9 @@ std::optional<TimeSeries> read_time(
     SeriesRules rules = read_rules(context);
     check_collapse(rules, intervals, table);
     table.finish();
-    if (!context.place && top.any("place") == nullptr) {
+    // Weather that can't be read would have told the place, or where to look for it.
+    const bool is_weather_broken = has_weather && intervals.empty();
+    if (!context.place && top.any("place") == nullptr && !is_weather_broken) {
         top.fault(
             "the place is missing", "the sun's path depends on it",
             "add [place] with latitude_deg and longitude_deg");

@@ -27,10 +27,16 @@ WeatherColumns read_columns(TimeContext& context) {
     if (const auto words = table.texts("missing_values")) {
         columns.missing.insert(words->begin(), words->end());
     }
+    if (const auto year = table.integer("year", {-2000, 6000})) {
+        columns.year = static_cast<int>(*year);
+    }
     if (const Node* node = table.any("columns")) {
         TableReader names(*node, "[time]: columns", table.reporter());
-        columns.time = names.text("time").value_or(columns.time);
-        for (const std::string_view part : reading_names()) {
+        columns.time = names.text("time").value_or("");
+        columns.day_of_year = names.text("day_of_year").value_or("");
+        columns.hour = names.text("hour").value_or("");
+        columns.year_column = names.text("year").value_or("");
+        for (const std::string_view part : weather_light_names()) {
             if (const auto name = names.text(part)) {
                 columns.light[std::string(part)] = *name;
             }

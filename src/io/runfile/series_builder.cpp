@@ -1,11 +1,34 @@
 #include "io/runfile/series_builder.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "io/runfile/civil_time_text.h"
 #include "quasimc/source.h"
 
 namespace quasimc {
+namespace {
+
+/// A question after the unit of light that is so many times too bright.
+std::string_view unit_probably_meant(LightUnit unit, double ratio) {
+    // On a clear day: PPFD in umol m-2 s-1 is twice the irradiance in W m-2, lux a hundred times.
+    constexpr double kMostPpfd = 4, kMostLux = 200, kMostHourly = 5000;
+    const bool is_watts = unit == LightUnit::full_spectrum || unit == LightUnit::par;
+    if (is_watts && ratio < kMostPpfd) {
+        return "is it in umol m-2 s-1 (unit = \"PPFD\") or kJ m-2 an hour (divide by 3.6), or are "
+               "the clock or the stamp wrong?";
+    }
+    if (ratio < kMostLux) {
+        return "is it in lux (unit = \"lux\")?";
+    }
+    if (ratio < kMostHourly) {
+        return "is it in J m-2 an hour (divide by 3600)?";
+    }
+    return "is it in J m-2 a day (divide by 86400)?";
+}
+
+}  // namespace
 
 SeriesBuilder::SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, Reporter& reporter)
     : rules_(rules), lamps_(lamps), reporter_(reporter), gathered_(rules.how.bands.size()) {}
@@ -20,6 +43,9 @@ void SeriesBuilder::add(const Interval& interval) {
     if (light.fault != ReadingFault::none) {
         report(light.fault, path, interval);
         return;
+    }
+    if (interval.reading) {
+        note_brightness(light.daylight, path, interval);
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
     if (rules_.collapse == Collapse::none) {
@@ -40,6 +66,7 @@ TimeSeries SeriesBuilder::finish() {
         sun_too_low_,
         "times have direct light with the sun too low for it: it counts as "
         "diffuse");
+    warn_of_brightness();
     return std::move(series_);
 }
 
@@ -123,6 +150,32 @@ void SeriesBuilder::warn(const Noted& noted, std::string_view text) {
     if (noted.count > 0) {
         reporter_.warnings.push_back({noted.first, fmt::format("{} {}", noted.count, text)});
     }
+}
+
+/// Clouds at the sun's side and clocks a little off make light brighter than outside the
+/// atmosphere, but not by much, and not for long.
+void SeriesBuilder::note_brightness(
+    const Daylight& daylight, const SunPath& path, const Interval& interval) {
+    constexpr double kMuch = 1.25;
+    constexpr double kFaint = 50;
+    const double outside = path.outside() * path.mean_sine();
+    if (!(daylight.global() > kMuch * outside + kFaint)) {
+        return;
+    }
+    too_bright_.first = too_bright_.count++ == 0 ? interval.place : too_bright_.first;
+    if (daylight.global() > brightest_) {
+        brightest_ = daylight.global();
+        brightest_ratio_ = brightest_ / std::max(outside, kFaint);
+    }
+}
+
+void SeriesBuilder::warn_of_brightness() {
+    warn(
+        too_bright_,
+        fmt::format(
+            "times have more light than the sun brings outside the atmosphere, up to {:.3g} times "
+            "as much: {}",
+            brightest_ratio_, unit_probably_meant(rules_.unit, brightest_ratio_)));
 }
 
 void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interval& interval) {

@@ -46,7 +46,9 @@ class SeriesBuilder {
     void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
     void close_gathered();
     void note(ReadingNote note, const Interval& interval);
+    void note_brightness(const Daylight& daylight, const SunPath& path, const Interval& interval);
     void warn(const Noted& noted, std::string_view text);
+    void warn_of_brightness();
     void report(ReadingFault fault, const SunPath& path, const Interval& interval);
     [[nodiscard]] std::size_t day_of(const CivilTime& time);
 
@@ -57,7 +59,9 @@ class SeriesBuilder {
     CollapsedMoment gathered_;
     std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
     std::string first_date_, last_date_;                        // of what is gathered
-    Noted direct_too_large_, sun_too_low_;
+    Noted direct_too_large_, sun_too_low_, too_bright_;
+    double brightest_ = 0;        // W m-2, of the times that are too bright
+    double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
 };
 
 }  // namespace quasimc

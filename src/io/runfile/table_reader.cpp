@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "io/numbers.h"
 
 namespace quasimc {
 namespace {
@@ -132,8 +133,12 @@ std::optional<std::int64_t> TableReader::integer(std::string_view key, Range ran
     if (node == nullptr) {
         return std::nullopt;
     }
-    const auto* integer = node->as<std::int64_t>();
-    if (integer == nullptr) {
+    const auto* stated = node->as<std::int64_t>();
+    const auto* real = node->as<double>();
+    const std::optional<std::int64_t> integer = stated ? std::optional(*stated)
+                                                : real ? whole_number(*real)
+                                                       : std::nullopt;
+    if (!integer) {
         wrong_type(key, *node, "an integer");
         return std::nullopt;
     }

@@ -101,6 +101,8 @@ class TableReader {
 
     static constexpr Range kFinite{-1.7976931348623157e308, 1.7976931348623157e308};
     static constexpr Range kNotNegative{0, kFinite.high};
+    /// Amounts of light: more can't be computed with.
+    static constexpr Range kLight{0, 1e15};
 
   private:
     [[nodiscard]] std::optional<Vec3> vector_of(std::string_view key, const Node& node);

@@ -2,20 +2,20 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "base/range.h"
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
 #include "io/runfile/civil_time_text.h"
 #include "io/weather/weather.h"
+#include "io/weather/weather_header.h"
 
 namespace quasimc {
 namespace {
-
-constexpr std::array<std::string_view, 4> kReadingNames{
-    "global", "direct_horizontal", "beam_normal", "diffuse"};
 
 /// Reads a table of weather row by row.
 class TableOfWeather {
@@ -59,72 +59,98 @@ class TableOfWeather {
         for (const char c : {'\t', ';', ','}) {
             separator_ = scanner_.line().find(c) != std::string_view::npos ? c : separator_;
         }
-        names_ = split_fields(scanner_.line(), separator_);
-        for (std::string& name : names_) {
+        std::vector<std::string> names = split_fields(scanner_.line(), separator_);
+        for (std::string& name : names) {
             name = std::string(trimmed(name));
         }
-        time_ = column(columns_.time);
-        for (const auto& [part, name] : columns_.light) {
-            light_[part] = column(name);
-        }
-        if (columns_.light.empty()) {
-            for (const std::string_view part : kReadingNames) {
-                const auto found = std::find(names_.begin(), names_.end(), part);
-                if (found != names_.end()) {
-                    light_[std::string(part)] = static_cast<std::size_t>(found - names_.begin());
-                }
-            }
-        }
-        if (light_.empty()) {
-            reporter_.fault(
-                scanner_.number(), "no column of light",
-                "one is named global, direct_horizontal, beam_normal or diffuse",
-                "name the columns: columns = { global = \"...\" }");
-        }
+        header_ = find_weather_columns(std::move(names), columns_, reporter_, scanner_.number());
         return reporter_.faults.empty();
     }
 
-    std::size_t column(const std::string& name) {
-        const auto found = std::find(names_.begin(), names_.end(), name);
-        if (found == names_.end()) {
-            const std::vector<std::string_view> names(names_.begin(), names_.end());
-            reporter_.fault(
-                scanner_.number(), fmt::format("no column '{}'", name), "",
-                did_you_mean(name, names));
+    /// The time of a row; nothing after a fault.
+    std::optional<CivilTime> time_of(const std::vector<std::string>& fields) {
+        const std::string place = reporter_.place(scanner_.number());
+        if (header_.time) {
+            return parse_civil_time(
+                fields[*header_.time], columns_.utc_offset_hours, place, reporter_.faults);
         }
-        return static_cast<std::size_t>(found - names_.begin());
+        constexpr double kLastDay = 366, kLastHour = 24, kLastYear = 6000;
+        const auto day = number(fields, *header_.day_of_year, "the day of the year", {1, kLastDay});
+        const auto hour = number(fields, *header_.hour, "the hour", {0, kLastHour});
+        const auto year = header_.year
+                              ? number(fields, *header_.year, "the year", {-2000, kLastYear})
+                              : std::optional<double>(*columns_.year);
+        if (!day || !hour || !year || !whole_number(*day) || !whole_number(*year)) {
+            if (day && hour && year) {
+                reporter_.fault(
+                    scanner_.number(), "a part of a day or a year", "these are whole numbers");
+            }
+            return std::nullopt;
+        }
+        CivilTime first;
+        first.year = static_cast<int>(*year);
+        first.month = 1;
+        first.day = 1;
+        first.utc_offset_hours = *columns_.utc_offset_hours;
+        const CivilTime time = later(first, (*day - 1) * kSecondsADay + *hour * 3600);
+        if (later(first, (*day - 1) * kSecondsADay).year != first.year) {
+            reporter_.fault(
+                scanner_.number(), fmt::format("{} has no day {}", first.year, *day),
+                "it is no leap year", "check year in [time]");
+            return std::nullopt;
+        }
+        return time;
+    }
+
+    /// A number of a field; nothing after a fault.
+    std::optional<double> number(
+        const std::vector<std::string>& fields, std::size_t i, std::string_view what, Range range) {
+        const std::string_view field = trimmed(fields[i]);
+        const auto value = parse_real(field);
+        if (!value || !(*value >= range.low && *value <= range.high)) {
+            reporter_.fault(
+                scanner_.number(), fmt::format("{} is {}", what, shown(field)),
+                fmt::format("it must be a number from {} to {}", range.low, range.high));
+            return std::nullopt;
+        }
+        return value;
     }
 
     void read_row(const std::vector<std::string>& fields) {
-        if (fields.size() != names_.size()) {
+        if (fields.size() != header_.names.size()) {
             reporter_.fault(
                 scanner_.number(), fmt::format("{} fields", fields.size()),
-                fmt::format("there are {} columns", names_.size()));
+                fmt::format("there are {} columns", header_.names.size()));
             return;
         }
         WeatherRecord record;
         record.line = scanner_.number();
-        const auto time = parse_civil_time(
-            fields[time_], columns_.utc_offset_hours, reporter_.place(record.line),
-            reporter_.faults);
+        const auto time = time_of(fields);
         if (!time) {
             return;
         }
         record.start = *time;
-        for (const auto& [part, i] : light_) {
+        std::optional<double> fraction;
+        for (const auto& [part, i] : header_.light) {
             const std::string field(trimmed(fields[i]));
             if (columns_.missing.contains(field)) {
                 record.is_missing = true;
                 continue;
             }
             const auto value = parse_real(field);
-            if (!value || !std::isfinite(*value)) {
+            const double most = part == kDiffuseFraction ? 1 : TableReader::kLight.high;
+            if (!value || !(std::abs(*value) <= most)) {
                 reporter_.fault(
-                    record.line, fmt::format("{} is {}", part, shown(field)), "it must be a number",
+                    record.line, fmt::format("{} is {}", part, shown(field)),
+                    fmt::format("it must be a number, {} at most", most),
                     "or name it in missing_values");
                 return;
             }
-            *part_of(record.reading, part) = *value;
+            (part == kDiffuseFraction ? fraction : *part_of(record.reading, part)) = *value;
+        }
+        // A fraction of nothing says nothing.
+        if (fraction && record.reading.global.value_or(0) > 0) {
+            record.reading.diffuse = *fraction * *record.reading.global;
         }
         file_.records.push_back(record);
     }
@@ -170,9 +196,7 @@ class TableOfWeather {
     const WeatherColumns& columns_;
     Reporter& reporter_;
     char separator_ = ',';
-    std::vector<std::string> names_;
-    std::size_t time_ = 0;
-    std::map<std::string, std::size_t> light_;
+    WeatherHeader header_;
     WeatherFile file_;
 };
 
@@ -194,21 +218,6 @@ std::vector<std::string> split_fields(std::string_view line, char separator) {
         }
     }
     return fields;
-}
-
-std::optional<double>* part_of(Reading& reading, std::string_view name) {
-    const std::array parts{
-        &reading.global, &reading.direct_horizontal, &reading.beam_normal, &reading.diffuse};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (kReadingNames[i] == name) {
-            return parts[i];
-        }
-    }
-    return nullptr;
-}
-
-std::span<const std::string_view> reading_names() {
-    return kReadingNames;
 }
 
 WeatherFile read_weather_csv(

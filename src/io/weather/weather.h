@@ -42,8 +42,13 @@ struct WeatherColumns {
     /// Where the time of a row lies in the time it stands for.
     enum class Stamp { start, middle, end };
 
-    std::string time = "time";
-    /// "global", "direct_horizontal", "beam_normal", "diffuse": the names of their columns.
+    /// Of the column of times; "": "time", or if there is none day of year and hour.
+    std::string time;
+    /// Of the columns that tell the time together; "": as they are usually called.
+    std::string day_of_year, hour, year_column;
+    std::optional<int> year;  ///< of files without a column of years
+    /// "global", "direct_horizontal", "beam_normal", "diffuse", "diffuse_fraction" (of global): the
+    /// names of their columns.
     std::map<std::string, std::string, std::less<>> light;
     std::optional<double> utc_offset_hours;  ///< of times without one
     Stamp stamp = Stamp::end;
@@ -62,5 +67,7 @@ struct WeatherColumns {
 [[nodiscard]] std::optional<double>* part_of(Reading& reading, std::string_view name);
 /// The names of the parts.
 [[nodiscard]] std::span<const std::string_view> reading_names();
+/// The names of what columns of a table may hold: the parts, and the diffuse fraction.
+[[nodiscard]] std::span<const std::string_view> weather_light_names();
 
 }  // namespace quasimc

@@ -230,6 +230,28 @@ TEST(Polygon, WhoseSidesCrossIsRefused) {
     const std::vector<Vec3> pentagram{
         {0, 1, 0}, {0.59, -0.81, 0}, {-0.95, 0.31, 0}, {0.95, 0.31, 0}, {-0.59, -0.81, 0}};
     EXPECT_THROW((void)make_polygon(pentagram), InputError);
+    EXPECT_TRUE(cut_polygon(pentagram).sides_cross);
+    EXPECT_EQ(cut_polygon(pentagram).faces, (std::vector<Face>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+}
+
+// Wings of equal size cancel in the vector area: such a face once became one triangle.
+TEST(Polygon, OfABowTieIsAFan) {
+    const std::vector<Vec3> equal{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<Vec3> unequal{{0, 0, 0}, {1, 1, 0}, {1, 0.2, 0}, {0, 1, 0}};
+    for (const auto& corners : {equal, unequal}) {
+        const CutPolygon cut = cut_polygon(corners);
+        EXPECT_TRUE(cut.sides_cross);
+        EXPECT_EQ(cut.faces, (std::vector<Face>{{0, 1, 2}, {0, 2, 3}}));
+        EXPECT_THROW((void)make_polygon(corners), InputError);
+    }
+}
+
+// A hole, cut open along a bridge that is passed twice: its sides touch, none crosses.
+TEST(Polygon, WhoseSidesTouchIsCutByItsEars) {
+    const std::vector<Vec3> holed{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {0, 0, 0},
+                                  {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}, {1, 1, 0}};
+    EXPECT_FALSE(cut_polygon(holed).sides_cross);
+    EXPECT_NEAR(area(make_polygon(holed)), 8, 1e-12);
 }
 
 }  // namespace

@@ -158,5 +158,17 @@ TEST(Options, TheManualHoldsTheTable) {
         << options_markdown();
 }
 
+TEST(Options, OfWholeNumbersMayBeWrittenAsReals) {
+    const Option& paths = *find_option("paths");
+    EXPECT_EQ(parse_option(paths, "1e5"), OptionValue(std::int64_t{100000}));
+    EXPECT_EQ(parse_option(paths, "256.5"), OptionValue(256.5));
+    EXPECT_TRUE(check_option(paths, parse_option(paths, "256.5")).has_value());
+    EXPECT_TRUE(check_option(paths, parse_option(paths, "1e300")).has_value());
+    RunText text;
+    text.run = "[run]\npaths = 1e5\n";
+    EXPECT_EQ(read_text(text.text()).spec.paths, 100000U);
+    EXPECT_EQ(read_text(text.text(), {}, {{"paths", "1e6", "--paths"}}).spec.paths, 1000000U);
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -83,10 +83,15 @@ TEST(ReadObj, ReportsEveryBadStatement) {
     EXPECT_EQ(read.faults.size(), 12U);
 }
 
-TEST(ReadObj, RefusesAFaceWhoseSidesCross) {
-    const ReadMesh read =
-        read_mesh_text("obj", "v 0 0 0\nv 2 0 0\nv 0.5 1 0\nv 1 1.5 0\nf 1 2 3 4\n");
-    EXPECT_TRUE(mentions(read.faults, "file:5: the face")) << ::testing::PrintToString(read.faults);
+TEST(ReadObj, CutsFacesWhoseSidesCrossIntoFansAndCountsThem) {
+    const ReadMesh read = read_mesh_text(
+        "obj", "v 0 0 0\nv 2 0 0\nv 0.5 1 0\nv 1 1.5 0\nf 1 2 3 4\nf 1 2 4 3\nf 1 4 2 3\n");
+    EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+    ASSERT_EQ(read.warnings.size(), 1U);
+    EXPECT_TRUE(read.warnings[0].starts_with(
+        "file: 2 faces have sides that cross each other, the first is of line 5: "))
+        << read.warnings[0];
+    EXPECT_EQ(triangles_of(read.mesh).size(), 6U);
 }
 
 TEST(ReadObj, WarnsOnceOfSurfacesThatItCanNotRead) {

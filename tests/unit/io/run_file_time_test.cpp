@@ -236,6 +236,54 @@ TEST(RunFileWeather, NoticesAWrongTimeZone) {
     EXPECT_TRUE(mentions(faults, "degrees below the horizon (time zone, place or stamp are wrong"));
 }
 
+/// Warnings of an hour at noon of midsummer with so much light.
+std::vector<std::string> warnings_of_noon(const std::string& global, const std::string& unit) {
+    std::vector<std::string> warnings;
+    const std::string keys = "times = ['2024-06-21T12:00+01:00']\nduration_minutes = 60\n";
+    for (const Warning& warning :
+         read_text(with_time(keys + "global = " + global + "\nunit = '" + unit + "'\n")).warnings) {
+        warnings.push_back(warning.place + ": " + warning.text);
+    }
+    return warnings;
+}
+
+TEST(RunFileTime, WarnsOfMoreLightThanTheSunBringsAndNamesTheUnit) {
+    const auto beyond = "1 times have more light than the sun brings outside the atmosphere";
+    EXPECT_FALSE(mentions(warnings_of_noon("1000", "full_spectrum"), beyond));
+    EXPECT_FALSE(mentions(warnings_of_noon("1900", "PPFD"), beyond));
+    EXPECT_FALSE(mentions(warnings_of_noon("100000", "lux"), beyond));
+    EXPECT_TRUE(mentions(warnings_of_noon("1900", "full_spectrum"), beyond));
+    EXPECT_TRUE(mentions(warnings_of_noon("1900", "full_spectrum"), "umol m-2 s-1"));
+    EXPECT_TRUE(mentions(warnings_of_noon("100000", "full_spectrum"), "is it in lux"));
+    EXPECT_TRUE(mentions(warnings_of_noon("3e6", "full_spectrum"), "is it in J m-2 an hour"));
+    EXPECT_TRUE(mentions(warnings_of_noon("3e7", "full_spectrum"), "is it in J m-2 a day"));
+    EXPECT_TRUE(mentions(warnings_of_noon("100000", "PPFD"), "is it in lux"));
+}
+
+TEST(RunFileWeather, OfDaysOfTheYearNeedsAYearAndAClock) {
+    std::string table = "DOY;Hour;Rg;RdRg\n";
+    for (int hour = 1; hour <= 24; ++hour) {
+        table += fmt::format("172;{};{};0.5\n", hour, hour > 8 && hour < 17 ? 400 : 0);
+    }
+    const std::string keys =
+        "weather = 'w.csv'\nyear = 2006\nutc_offset_hours = 1\n"
+        "columns = { global = 'Rg', diffuse_fraction = 'RdRg' }\n";
+    const TimeSeries series = series_of(keys, {{"w.csv", table}});
+    ASSERT_EQ(series.time_steps.size(), 24U);
+    EXPECT_EQ(series.notes[11].time, "2006-06-21T11:00+01:00");
+    EXPECT_NEAR(series.notes[11].daylight.diffuse, 200, 1e-9);
+    EXPECT_NEAR(series.notes[11].daylight.direct, 200, 1e-9);
+}
+
+TEST(RunFileWeather, ThatIsBrokenIsToldFirst) {
+    RunText text;
+    text.sources = "";
+    text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
+    const auto faults = faults_of(text.text(), {{"w.epw", "hello\n"}});
+    ASSERT_EQ(faults.size(), 1U) << ::testing::PrintToString(faults);
+    EXPECT_TRUE(mentions(faults, "w.epw:1: does not begin with LOCATION"));
+}
+
 TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
     std::string holey = day_table();
     const std::size_t row = holey.find("2024-06-21T12:00");

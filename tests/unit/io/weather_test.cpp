@@ -155,6 +155,72 @@ TEST(WeatherTable, ReportsEveryBadRow) {
     EXPECT_TRUE(mentions(read.faults, "has no time zone"));
 }
 
+/// How a table of days of the year is read.
+WeatherColumns columns_of_days() {
+    WeatherColumns columns;
+    columns.light = {{"global", "Rg"}, {"diffuse_fraction", "RdRg"}};
+    columns.utc_offset_hours = 1;
+    columns.year = 2006;
+    return columns;
+}
+
+TEST(WeatherTable, TakesDaysOfTheYearAndDiffuseFractions) {
+    const ReadWeather read =
+        csv("DOY;Hour;Rg;RdRg;Group\n59;23;0;1;0\n59;24;-1;1;0\n60;1;0.5;0;0\n60;2;500;0.4;0\n",
+            columns_of_days());
+    EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+    ASSERT_EQ(read.file.records.size(), 4U);
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{2006, 2, 28, 22, 0, 0, 1}));
+    EXPECT_EQ(read.file.records[3].start, (CivilTime{2006, 3, 1, 1, 0, 0, 1}));
+    EXPECT_EQ(read.file.records[3].seconds, 3600);
+    EXPECT_EQ(read.file.records[3].reading.global, 500);
+    EXPECT_EQ(read.file.records[3].reading.diffuse, 200);
+    EXPECT_FALSE(read.file.records[1].reading.diffuse.has_value()) << "a part of no light";
+}
+
+TEST(WeatherTable, TakesAColumnOfYears) {
+    WeatherColumns columns;
+    columns.utc_offset_hours = 0;
+    const ReadWeather read = csv("year,doy,hour,global\n2005,365,24,5\n2006,1,1,6\n", columns);
+    EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{2005, 12, 31, 23, 0, 0, 0}));
+    EXPECT_EQ(read.file.records[1].start, (CivilTime{2006, 1, 1, 0, 0, 0, 0}));
+}
+
+TEST(WeatherTable, SaysWhatDaysOfTheYearLack) {
+    const std::string rows = "\n1;1;0;1\n1;2;0;1\n";
+    WeatherColumns columns = columns_of_days();
+    columns.year.reset();
+    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "the year is missing"));
+    columns = columns_of_days();
+    columns.utc_offset_hours.reset();
+    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "the clock is not known"));
+    columns = columns_of_days();
+    EXPECT_TRUE(mentions(
+        csv("DOY;Hour;Rg;RdRg\n366;1;0;1\n", columns).faults, "w.csv:2: 2006 has no day 366"));
+    EXPECT_TRUE(
+        mentions(csv("DOY;Hour;Rg;RdRg\n1;25;0;1\n", columns).faults, "w.csv:2: the hour is '25'"));
+    EXPECT_TRUE(mentions(
+        csv("DOY;Hour;Rg;RdRg\n1;1;5;1.5\n", columns).faults, "diffuse_fraction is '1.5'"));
+    columns.light = {{"diffuse_fraction", "RdRg"}};
+    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "goes with global alone"));
+}
+
+TEST(WeatherTable, RefusesColumnsThatAreThereTwice) {
+    const std::string row = "\n2024-06-21T12:00Z,1,2\n2024-06-21T13:00Z,1,2\n";
+    EXPECT_TRUE(mentions(
+        csv("time,global,global" + row).faults, "w.csv:1: two columns are named 'global'"));
+    WeatherColumns same;
+    same.light = {{"global", "Rg"}, {"diffuse", "Rg"}};
+    EXPECT_TRUE(mentions(csv("time,Rg,x" + row, same).faults, "are the same column 'Rg'"));
+    EXPECT_TRUE(csv("time,global,wind" + row).faults.empty());
+}
+
+TEST(WeatherTable, RefusesAmountsBeyondAnyLight) {
+    EXPECT_TRUE(mentions(
+        csv("time,global\n2024-06-21T12:00Z,1e308\n").faults, "w.csv:2: global is '1e308'"));
+}
+
 TEST(WeatherTable, RefusesTimesThatGoBack) {
     const ReadWeather autumn =
         csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:45+02:00,1\n"
