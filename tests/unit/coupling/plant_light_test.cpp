@@ -172,7 +172,9 @@ TEST_F(PlantLightTest, TakesAnyNumberOfSensors) {
 TEST_F(PlantLightTest, ReachesATargetError) {
     PlantLight light(
         specification(
-            "target error: 0.02 1\nnumber of rays: 256\nsampling method: monte carlo\n", kept_),
+            "target error: 0.02 1\nnumber of rays: 256\nsampling method: monte carlo\n"
+            "method: light_tracing\n",
+            kept_),
         kept_.notices);
     static_cast<void>(answers_of(light, flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 0.5)));
     EXPECT_EQ(light.last().results.front().stop, StopReason::target_reached);
@@ -249,6 +251,13 @@ TEST_F(PlantLightTest, AnswersAlikeByEveryMethod) {
             }
         }
     }
+}
+
+TEST_F(PlantLightTest, KnowsDirectLightWellEvenWithFewRays) {
+    // 16 scan lines left an error of .002.
+    constexpr double kFewPartsInTenThousand = 5e-4;
+    const std::string text = "leaf material (top): 0 0 0 0\nnumber of rays: 64\nreturn type: D\n";
+    EXPECT_NEAR(first(text, flat(0, "P(1,2)", 1)), 1, kFewPartsInTenThousand);
 }
 
 TEST_F(PlantLightTest, GivesTheSameLightAgainAndOtherNoiseAtEachStep) {
