@@ -192,6 +192,9 @@ struct SumUnits {
     std::vector<double> flux_per_find;
     /// The same of scattered light, where UnoccludedLight is summed; otherwise empty.
     std::vector<double> scattered_flux_per_find = {};
+    /// The same of a light path that is followed along with a sample, whatever region it meets;
+    /// empty if there are none.
+    std::vector<double> flux_per_light_path = {};
     double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
     double sunlit_area_per_find = 0;
     std::vector<double> region_scale = {};  ///< per region; empty: 1

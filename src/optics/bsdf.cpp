@@ -1,6 +1,8 @@
 #include "optics/bsdf.h"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace quasimc {
 
@@ -16,6 +18,20 @@ double Bsdf::bsdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const {
     }
     const double shape = pdf(n, wi, wo) / cosine;
     return has_constant_albedo() ? shape : relative_albedo(std::abs(dot(wi, n))) * shape;
+}
+
+double peak_brightness(const Bsdf& lobe) {
+    if (lobe.is_delta()) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const Vec3 n{0, 0, 1};
+    const double away = lobe.hemisphere() == Hemisphere::reflected ? 1 : -1;
+    return std::numbers::pi * lobe.pdf(n, -n, away * n);
+}
+
+bool is_sharp(const Bsdf& lobe) {
+    constexpr double kSharp = 25;  // Phong: an exponent of 49
+    return peak_brightness(lobe) >= kSharp;
 }
 
 }  // namespace quasimc

@@ -60,4 +60,12 @@ class Bsdf {
     Hemisphere hemisphere_;
 };
 
+/// How much brighter a lobe is at its peak than the cosine law, light arriving straight on:
+/// infinite for one of one direction.
+[[nodiscard]] double peak_brightness(const Bsdf& lobe);
+
+/// Whether a lobe is so narrow that one of many directions to a light that are drawn without regard
+/// to it hardly ever lies within it. Such lobes are followed, not looked through.
+[[nodiscard]] bool is_sharp(const Bsdf& lobe);
+
 }  // namespace quasimc

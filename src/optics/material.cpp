@@ -95,12 +95,12 @@ std::optional<Material::Gathered> Material::gather(
     if (!row.alone) {
         LobeMix mix(table, weights);
         for (const LobeTable::Row& other : table.rows()) {
-            if (other.shares(row)) {
+            if (other.shares(row) && other.sharp == row.sharp) {
                 const auto [value, density] = backwards(other, n, wi, wo);
                 mix.add(other, value, density);
             }
         }
-        return mix.apply(choice.total) ? std::optional(Gathered{wi, false}) : std::nullopt;
+        return mix.apply(choice.total) ? std::optional(Gathered{wi, row.sharp}) : std::nullopt;
     }
 
     const double ratio = backwards_ratio(row, n, wi, wo);
@@ -108,7 +108,7 @@ std::optional<Material::Gathered> Material::gather(
         return std::nullopt;  // exactly along the surface, where no light is
     }
     table.follow(row, ratio * choice.scale, weights);
-    return Gathered{wi, row.delta};
+    return Gathered{wi, row.sharp};
 }
 
 // NOLINTNEXTLINE(readability-function-size): seven arguments, none of which belong together.
@@ -124,7 +124,7 @@ void Material::add_reflected(
     const double cosine = dot(wi, n);
     const double sign = cosine < 0 ? 1 : -1;
     for (const LobeTable::Row& row : table.rows()) {
-        if (row.delta || row.sign != sign) {
+        if (row.sharp || row.sign != sign) {
             continue;
         }
         const double bsdf =

@@ -38,10 +38,11 @@ class Material {
     /// that light travels, and weights have become
     /// w_b * BSDF_b(wi, wo) |dot(wi, n)| / density of wi, in which q_k are formed with the lobes
     /// that lead to this side: those reflected on it and those transmitted through from the other
-    /// (their sum may exceed 1: survival is then certain and the weights grow).
+    /// (their sum may exceed 1: survival is then certain and the weights grow). Sharp lobes are not
+    /// weighed against others, so that what comes by them and what does not are told apart.
     struct Gathered {
         Vec3 wi;
-        bool delta = false;
+        bool sharp = false;  ///< by a lobe that add_reflected() leaves out
     };
     [[nodiscard]] std::optional<Gathered> gather(
         const Vec3& n,
@@ -50,7 +51,7 @@ class Material {
         const Draw& draw,
         std::span<double> weights) const;
 
-    /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, lobes of one direction left out: the radiance
+    /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, sharp lobes left out: the radiance
     /// along `wo` on the side with normal `n` (`side` tells which) per irradiance on a plane
     /// facing light that travels along `wi`, from either side. Adds factor * that * weights[b] to
     /// out[b].

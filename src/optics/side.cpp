@@ -40,6 +40,7 @@ Side::Side(const std::vector<Lobe>& lobes, std::size_t bands)
     : lobes_(merged(lobes)), table_(lobes_, bands), albedo_(bands), absorptance_(bands) {
     for (const Lobe& lobe : lobes_) {
         has_delta_ = has_delta_ || lobe.shape->is_delta();
+        has_sharp_ = has_sharp_ || is_sharp(*lobe.shape);
         for (std::size_t b = 0; b < bands; ++b) {
             albedo_[b] += lobe.albedo[b];
         }
@@ -96,6 +97,17 @@ Side::Scattered Side::scatter_by(
     }
     table_.follow(row, choice.scale * row.relative_albedo(n, wi), weights);
     return scattered;
+}
+
+Side::Scattered Side::scatter_by_alone(
+    const LobeTable::Choice& choice,
+    const Vec3& n,
+    const Vec3& wi,
+    double u1,
+    std::span<double> weights) const {
+    const LobeTable::Row& row = *choice.row;
+    table_.follow(row, choice.scale * row.relative_albedo(n, wi), weights);
+    return {row.sample(n, wi, choice.u, u1), row.delta};
 }
 
 }  // namespace quasimc

@@ -40,6 +40,8 @@ class Side {
     }
     /// Whether some lobe is of one direction.
     [[nodiscard]] bool has_delta() const { return has_delta_; }
+    /// Whether some lobe is sharp: see is_sharp().
+    [[nodiscard]] bool has_sharp() const { return has_sharp_; }
 
     /// What follows a hit.
     struct Scattered {
@@ -73,11 +75,19 @@ class Side {
         double u1,
         std::span<double> weights) const;
 
+    /// The same of the light that goes by the chosen lobe alone, not weighed against others.
+    [[nodiscard]] Scattered scatter_by_alone(
+        const LobeTable::Choice& choice,
+        const Vec3& n,
+        const Vec3& wi,
+        double u1,
+        std::span<double> weights) const;
+
   private:
     std::vector<Lobe> lobes_;
     LobeTable table_;
     std::vector<double> albedo_, absorptance_;
-    bool has_delta_ = false;
+    bool has_delta_ = false, has_sharp_ = false;
 };
 
 }  // namespace quasimc

@@ -15,7 +15,11 @@ SingleFind operator*(const SingleFind& find, double factor) {
 }
 
 /// Of light straight from the sources, of which a side got `found` and could have got `unoccluded`.
-SingleFind direct_find(double found, double unoccluded, double tries) {
+/// Where it could have got none from the points, light paths may have found it.
+SingleFind direct_find(double found, double unoccluded, double tries, double by_light_path) {
+    if (unoccluded == 0) {
+        return {by_light_path, found == 0 ? 0 : by_light_path};
+    }
     const double find = unoccluded / tries;
     return {found == unoccluded ? 0 : find, found == 0 ? 0 : find};
 }
@@ -41,9 +45,10 @@ OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
         mean.unoccluded_lower += in.unoccluded_lower / count;
     }
     const double tries = count * reader.samples();
-    direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries);
-    direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries);
-    const double scattered = reader.scattered_flux_per_find(band) / count;
+    const double by_path = reader.flux_per_light_path(band) / count;
+    direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries, by_path);
+    direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries, by_path);
+    const double scattered = std::hypot(reader.scattered_flux_per_find(band) / count, by_path);
     scattered_.upper = {scattered, mean.scattered_upper == 0 ? 0 : scattered};
     scattered_.lower = {scattered, mean.scattered_lower == 0 ? 0 : scattered};
 }

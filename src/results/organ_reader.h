@@ -102,6 +102,11 @@ class OrganReader {
     [[nodiscard]] double scattered_flux_per_find(std::size_t band) const {
         return organ_.area > 0 ? units_.scattered_flux_per_find(organ_.first_region, band) : 0;
     }
+    /// The same of a light path; 0 if there are none.
+    [[nodiscard]] double flux_per_light_path(std::size_t band) const {
+        const auto& flux = sums_.units.flux_per_light_path;
+        return organ_.area > 0 && !flux.empty() ? flux[band] / samples() : 0;
+    }
     /// Samples of a replicate.
     [[nodiscard]] double samples() const { return static_cast<double>(sums_.samples); }
     [[nodiscard]] std::uint32_t replicates() const {

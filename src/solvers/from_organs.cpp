@@ -1,11 +1,11 @@
 // Tracing from the organs: points on every organ look for light.
 //
 // At a point of the organ, and at every hit of a path that starts there, one direction to a light
-// is drawn and tested (next-event estimation). Light that comes by a lobe of one direction
-// can't be found so. From a sky it is found by the paths that a mirror sends there; from a sun or a
-// lamp only from its own side, so a light path follows each point's where a scene has such lobes
-// (PathFilter::delta_first). The two sets of paths are disjoint by their first scattering and
-// together complete.
+// is drawn and tested (next-event estimation). Light that comes by a sharp lobe, or a mirror, is
+// hardly ever found so. From a sky it is found by the paths that the lobe sends there; from a sun
+// or a lamp from its own side, so a light path follows each point's where a scene has such lobes.
+// So does what falls on something next to a lamp (NearLamps). The two sets of paths are disjoint by
+// where and how light meets its first surface, and together complete (PathFilter::left_out).
 
 #include "solvers/from_organs.h"
 
@@ -20,6 +20,7 @@
 #include "solvers/block_runner.h"
 #include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
+#include "transport/near_lamps.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
 #include "transport/particle.h"
@@ -55,16 +56,31 @@ MeasuredArea measured_area(const Scene& scene) {
     return measured;
 }
 
+/// Whether points do not look for all light.
+bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
+    const auto& lights = prepared.lights();
+    const bool is_small = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+        return !light.is_extended();
+    });
+    return near.any() || (is_small && prepared.has_sharp());
+}
+
 /// The most that a material of the scene sends to one of its sides, of light that falls on it:
 /// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
-/// pi, 2 for the choice of a side).
+/// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
+/// as its peak; sharp ones are not looked through.
 double brightest(const PreparedScene& prepared, std::size_t band) {
+    constexpr double kUsual = 0.5;
     double most = 0;
     for (const Material& material : prepared.scene().materials()) {
         for (const SurfaceSide side : kSurfaceSides) {
             std::array<double, 2> sum{};
             for (const Lobe& lobe : material.side(side).lobes()) {
-                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] += lobe.albedo[band];
+                const double peak = is_sharp(*lobe.shape)
+                                        ? 1
+                                        : std::max(1.0, kUsual * peak_brightness(*lobe.shape));
+                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
+                    peak * lobe.albedo[band];
             }
             most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
         }
@@ -82,13 +98,13 @@ class FromOrgans final : public Solver {
               input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
           measured_(measured_area(input.prepared.scene())),
           organ_points_(input.prepared),
-          next_event_(input.prepared, input.sampler, kGain * measured_.area),
+          near_(input.prepared),
+          next_event_(input.prepared, input.sampler, near_, kGain * measured_.area),
           runner_(input) {
         const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
         points_per_organ_ = std::bit_floor(share);
         for (const BoundSource& light : prepared_.lights()) {
             if (!light.is_extended()) {
-                hides_from_mirrors_ = true;
                 start_dimensions_ = light.source_sampler->beam_direction() ? start_dimensions_ : 4U;
             }
         }
@@ -156,9 +172,7 @@ class FromOrgans final : public Solver {
     [[nodiscard]] std::uint64_t points(std::uint64_t paths) const {
         return paths / spec_.paths * points_per_organ_;
     }
-    [[nodiscard]] bool needs_companion() const {
-        return hides_from_mirrors_ && prepared_.has_delta();
-    }
+    [[nodiscard]] bool needs_companion() const { return needs_light_paths(prepared_, near_); }
 
     [[nodiscard]] double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
@@ -186,6 +200,7 @@ class FromOrgans final : public Solver {
         const Sight sight = next_event_.look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
         if (cosine == 0 || sight.factor == 0 ||
+            near_.lights_near(*sight.light, point.region, point.place) ||
             !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
             return 0;
         }
@@ -205,7 +220,7 @@ class FromOrgans final : public Solver {
         if (sight.light->sun_share > 0) {
             tally.add(
                 layout.sunlit(point.region),
-                to_fixed(kGain * sight.light->sun_share / sight.light->probability));
+                to_fixed(kGain * sight.light->sun_share / sight.probability));
         }
         return 1;
     }
@@ -250,18 +265,18 @@ class FromOrgans final : public Solver {
         Scratch& scratch) const {
         Vec3 place = point.place;
         std::uint32_t triangle = point.triangle;
-        bool by_delta = false;
+        bool by_sharp = false;
         std::uint64_t rays = 0;
         for (std::uint32_t depth = 1;;) {
-            // After the last hit that counts only the sky does, if a mirror shows it.
+            // After the last hit that counts only the sky does, if a sharp lobe shows it.
             const bool is_last = depth == spec_.max_depth;
-            if (is_last && !by_delta) {
+            if (is_last && !by_sharp) {
                 return rays;
             }
             const CastHit at = prepared_.caster().cast(place, away, triangle);
             ++rays;
             if (at.end != RayEnd::hit) {
-                if (by_delta && at.end == RayEnd::escaped) {
+                if (by_sharp && at.end == RayEnd::escaped) {
                     next_event_.add_sky(away, scratch.path);
                 }
                 return rays;
@@ -289,13 +304,13 @@ class FromOrgans final : public Solver {
             }
             dimension += 2;
             ++depth;
-            by_delta = from->delta;
+            by_sharp = from->sharp;
             away = -from->wi;
         }
     }
 
-    /// A light path for what points can't find: light of a sun or a lamp whose first scattering is
-    /// in one direction.
+    /// A light path for what points do not look for: light of a sun or a lamp whose first
+    /// scattering is by a sharp lobe, or that falls on something near the lamp.
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Scratch& scratch, Tally& tally) const {
         const double u0 = coordinate(stream, index, 0);
@@ -309,17 +324,13 @@ class FromOrgans final : public Solver {
             coordinate(stream, index, 1), is_beam ? 0 : coordinate(stream, index, 2),
             is_beam ? 0 : coordinate(stream, index, 3)};
         const Emission emission = light.source_sampler->emit(u);
-        const PathRules rules{
-            &prepared_,
-            &sampler_,
-            stream,
-            start_dimensions_,
-            spec_.max_depth,
-            roulette_threshold_,
-            PathFilter::delta_first,
-            companion_scale_};
+        const PathRules rules{&prepared_,           &sampler_,        stream,
+                              start_dimensions_,    spec_.max_depth,  roulette_threshold_,
+                              PathFilter::left_out, companion_scale_, &near_};
         const CastHit at =
-            prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
+            light.source->is_lamp()
+                ? prepared_.caster().cast_from_lamp(emission.origin, emission.direction)
+                : prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         return 1 + trace_particle(
                        rules, {&light, index, emission.direction, emission.weight}, at,
                        FirstHit::to_score, scratch.companion, tally);
@@ -332,10 +343,10 @@ class FromOrgans final : public Solver {
     MeasuredArea measured_;
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
+    NearLamps near_;
     NextEvent next_event_;
     BlockRunner<Scratch> runner_;
     std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
-    bool hides_from_mirrors_ = false;      // some source is a sun or a lamp
     std::vector<double> companion_scale_;  // by region: from flux per light path to units
 };
 
@@ -361,6 +372,12 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         }
         units.flux_per_find.push_back(irradiance * kGain);
         units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * irradiance * kGain);
+    }
+    if (needs_light_paths(prepared, NearLamps(prepared))) {
+        for (const double flux : prepared.flux()) {
+            units.flux_per_light_path.push_back(
+                flux / static_cast<double>(measured_area(scene).organs.size()));
+        }
     }
     units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
     units.sunlit_area_per_find = 0;

@@ -172,7 +172,9 @@ std::uint64_t LightTracer::trace_single(
         }
         tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
         const CastHit at =
-            prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
+            light.source->is_lamp()
+                ? prepared_.caster().cast_from_lamp(emission.origin, emission.direction)
+                : prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
         rays += 1 + trace_particle(
                         block.rules, {&light, point, emission.direction, emission.weight}, at,
                         FirstHit::to_score, scratch.particle, tally);

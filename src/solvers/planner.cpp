@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -29,8 +28,8 @@ constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
 /// Mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
-/// The most that shiny surfaces take from the gain: what a mirror does, whose light has paths of
-/// its own.
+/// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
+/// has paths of its own.
 constexpr double kMostLostToGloss = 12;
 
 /// What the sources are, dark ones left out.
@@ -74,20 +73,12 @@ double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// How much brighter a lobe is at its peak than the cosine law, light arriving straight on.
-double sharpness(const Bsdf& lobe) {
-    if (lobe.is_delta()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const Vec3 n{0, 0, 1};
-    const double away = lobe.hemisphere() == Hemisphere::reflected ? 1 : -1;
-    return std::numbers::pi * lobe.pdf(n, -n, away * n);
-}
-
 double brightest_peak(const Side& side) {
     double brightest = 0;
     for (const Lobe& lobe : side.lobes()) {
-        brightest = std::max(brightest, sharpness(*lobe.shape) * mean(lobe.albedo));
+        const double peak = is_sharp(*lobe.shape) ? std::numeric_limits<double>::infinity()
+                                                  : peak_brightness(*lobe.shape);
+        brightest = std::max(brightest, peak * mean(lobe.albedo));
     }
     return brightest;
 }

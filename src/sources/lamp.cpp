@@ -157,15 +157,19 @@ class LampStarts {
 
 class LampEmitter final : public SourceSampler {
   public:
-    LampEmitter(LampStarts starts, double world_area)
-        : SourceSampler(starts.fraction() / world_area), starts_(std::move(starts)) {}
+    LampEmitter(LampStarts starts, const LampPlace& place, double world_area)
+        : SourceSampler(starts.fraction() / world_area),
+          starts_(std::move(starts)),
+          place_(place) {}
 
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         return starts_.emit(u);
     }
+    [[nodiscard]] std::optional<LampPlace> lamp_place() const override { return place_; }
 
   private:
     LampStarts starts_;
+    LampPlace place_;
 };
 
 class Lamp final : public Source {
@@ -187,8 +191,11 @@ class Lamp final : public Source {
         local.opening.length *= projection.scale();
         local.opening.width *= projection.scale();
         local.opening.radius *= projection.scale();
+        const bool is_bounded = body_.opening.kind != Opening::Kind::point &&
+                                body_.opening.kind != Opening::Kind::disk && !by_area_;
         auto sampler = std::make_unique<LampEmitter>(
-            LampStarts(local, pattern_, projection), projection.world_area());
+            LampStarts(local, pattern_, projection),
+            LampPlace{{local.center, local.radius()}, is_bounded}, projection.world_area());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {

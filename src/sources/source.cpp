@@ -12,6 +12,10 @@ double SourceSampler::density(const Vec3&) const {
     return 0;
 }
 
+std::optional<LampPlace> SourceSampler::lamp_place() const {
+    return std::nullopt;
+}
+
 void SourceSampler::beam_origins(
     std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const {
     EXPECT(beam_direction().has_value());

@@ -24,6 +24,14 @@ struct DrawnDirection {
     double density = 0;  ///< per steradian
 };
 
+/// Where a lamp is, local coordinates.
+struct LampPlace {
+    Ball body;  ///< about its centre, holds its opening
+    /// Whether illuminate() draws so that what it brings to a place is bounded however near that
+    /// is.
+    bool has_bounded_irradiance = false;
+};
+
 /// A source that has been told what scene it lights: draws the starts of paths. Const, shared by
 /// all threads.
 class SourceSampler {
@@ -56,6 +64,9 @@ class SourceSampler {
     /// Of a beam: the origins of emit({u0[i], u1[i]}), faster.
     virtual void beam_origins(
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
+
+    /// Of a lamp: where it is.
+    [[nodiscard]] virtual std::optional<LampPlace> lamp_place() const;
 
   private:
     double flux_;

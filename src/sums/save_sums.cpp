@@ -119,6 +119,7 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     visit(layout.absorbed_light), visit(layout.unoccluded_light), visit(layout.detectors);
     auto& units = sums.units;
     visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
+    visit(units.flux_per_light_path);
     visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
     visit(sums.spectra), visit(sums.emitted_flux);
     visit(sums.measured), visit(sums.escaped);

@@ -1,15 +1,67 @@
 #include "transport/next_event.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "base/distribution.h"
 
 namespace quasimc {
 
-NextEvent::NextEvent(const PreparedScene& prepared, const Sampler& sampler, double scale)
-    : prepared_(prepared), sampler_(sampler), scale_(scale) {
+NextEvent::NextEvent(
+    const PreparedScene& prepared, const Sampler& sampler, const NearLamps& near, double scale)
+    : prepared_(prepared), sampler_(sampler), near_(near), scale_(scale) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
+    constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
+    const bool has_lamp = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+        return light.source->is_lamp();
+    });
+    if (has_lamp && lights.size() > 1 && lights.size() <= kMost) {
+        for (const BoundSource& light : lights) {
+            lamps_.push_back(light.source_sampler->lamp_place().value_or(LampPlace{}));
+        }
+    }
+}
+
+/// About the irradiance that a light would bring to a place, mean over the bands; of a lamp as if
+/// it shone alike in all directions.
+double NextEvent::worth(std::size_t index, const Vec3& place) const {
+    const BoundSource& light = prepared_.lights()[index];
+    const double spectrum = light.probability / light.source_sampler->flux();
+    if (!light.source->is_lamp()) {
+        return spectrum;
+    }
+    const Ball& body = lamps_[index].body;
+    constexpr double kNearest = 1e-6;
+    const Vec3 offset = place - body.center;
+    const double square = std::max(dot(offset, offset), body.radius * body.radius);
+    return spectrum / (4 * std::numbers::pi * prepared_.world_area() * (square + kNearest));
+}
+
+/// A fifth by the flux of the lights, so that none is left out that is worth more than it seems.
+NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
+    const auto& lights = prepared_.lights();
+    if (lamps_.empty()) {
+        const BoundSource& light = lights[prepared_.pick_light(u)];
+        return {
+            &light, std::clamp((u - light.before) / light.probability, 0.0, kBelowOne),
+            light.probability};
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        sum += worth(i, place);
+    }
+    constexpr double kByFlux = 0.2;
+    double before = 0;
+    for (std::size_t i = 0;; ++i) {
+        const double probability =
+            kByFlux * lights[i].probability + (1 - kByFlux) * worth(i, place) / sum;
+        if (u < before + probability || i + 1 == lights.size()) {
+            return {
+                &lights[i], std::clamp((u - before) / probability, 0.0, kBelowOne), probability};
+        }
+        before += probability;
+    }
 }
 
 Sight NextEvent::look(
@@ -20,12 +72,13 @@ Sight NextEvent::look(
         u0 = sampler_.coordinate(stream, point, dimension);
         u1 = sampler_.coordinate(stream, point, dimension + 1);
     }
-    const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
-    u0 = std::clamp((u0 - light.before) / light.probability, 0.0, kBelowOne);
-    const Illumination seen = light.source->illuminate(prepared_.to_world(place), u0, u1);
+    const Pick picked = pick(u0, place);
+    const BoundSource& light = *picked.light;
+    const Illumination seen = light.source->illuminate(prepared_.to_world(place), picked.u, u1);
+    const double rarer = lamps_.empty() ? 1 : light.probability / picked.probability;
     return {
-        &light, seen.to_light, seen.weight * scale_of(light),
-        seen.distance * prepared_.caster().mesh().scale};
+        &light, seen.to_light, seen.weight * scale_of(light) * rarer,
+        seen.distance * prepared_.caster().mesh().scale, picked.probability};
 }
 
 std::uint64_t NextEvent::add_light(
@@ -38,6 +91,7 @@ std::uint64_t NextEvent::add_light(
     const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
     const Material& material = prepared_.material(surface.region);
     if (material.side(arrival).lobes().empty() || sight.factor == 0 ||
+        near_.scatters_near(*sight.light, place) ||
         !prepared_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
         return 0;
     }

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "samplers/sampler.h"
+#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -16,7 +17,8 @@ struct Sight {
     const BoundSource* light = nullptr;
     Vec3 to_light;
     double factor = 0;
-    double distance = 0;  ///< local units
+    double distance = 0;     ///< local units
+    double probability = 1;  ///< with which the light was picked
 };
 
 /// A path that runs backwards, kept by each worker so that nothing is allocated on the way.
@@ -36,11 +38,14 @@ class NextEvent {
   public:
     /// @param scale  irradiance counts in units of the flux of all lights over this area (square
     /// scene units)
-    NextEvent(const PreparedScene& prepared, const Sampler& sampler, double scale);
+    /// @param near  which light is not looked for
+    NextEvent(
+        const PreparedScene& prepared, const Sampler& sampler, const NearLamps& near, double scale);
 
     /// Numbers that look() draws: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
-    /// Picks a light and a direction to it.
+    /// Picks a light, and a direction to it. Where there are lamps, each light mostly by what it
+    /// would bring to the place.
     /// @param place  local coordinates
     [[nodiscard]] Sight look(
         const Stream& stream,
@@ -61,6 +66,15 @@ class NextEvent {
     void add_sky(const Vec3& to_light, GatherScratch& path) const;
 
   private:
+    /// A light that a number picks.
+    struct Pick {
+        const BoundSource* light = nullptr;
+        double u = 0;  ///< what is left of the number
+        double probability = 1;
+    };
+    [[nodiscard]] Pick pick(double u, const Vec3& place) const;
+    [[nodiscard]] double worth(std::size_t light, const Vec3& place) const;
+
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
         return scale_ / (light.source_sampler->flux() * prepared_.world_area());
@@ -68,8 +82,10 @@ class NextEvent {
 
     const PreparedScene& prepared_;
     const Sampler& sampler_;
+    const NearLamps& near_;
     double scale_;
     std::uint32_t dimensions_;
+    std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
 };
 
 }  // namespace quasimc

@@ -63,17 +63,17 @@ class ParticleTracer {
         for (; at->end == RayEnd::hit; ++rays) {
             const Surface surface = surface_at(prepared_, at->hit, direction_);
             const Material& material = prepared_.material(surface.region);
+            const Vec3 place = place_of(prepared_, at->hit);
             if (to_score) {
-                score(surface);
+                score(surface, place);
             }
             to_score = true;
             if (!material.is_transparent()) {
                 ++depth;
-                if (!scatter(material.side(surface.side), surface, depth)) {
+                if (!scatter(material.side(surface.side), surface, place, depth)) {
                     return rays;
                 }
             }
-            const Vec3 place = place_of(prepared_, at->hit);
             next = prepared_.caster().cast(place, direction_, surface.triangle);
             at = &next;
         }
@@ -82,14 +82,14 @@ class ParticleTracer {
     }
 
     /// Adds what falls on the surface.
-    void score(const Surface& surface) {
+    void score(const Surface& surface, const Vec3& place) {
         const SumLayout& layout = tally_.layout();
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
         if (!direct_) {
             const std::size_t bins = layout.scattered(surface.region, surface.side);
-            const double scale = rules_.scales.empty() ? 1 : rules_.scales[surface.region];
+            const double scale = scale_of(surface.region);
             rules_.scales.empty() ? tally_.add(bins, fixed_) : add_weights(bins, scale);
             score_absorbed(
                 prepared_,
@@ -98,15 +98,16 @@ class ParticleTracer {
                 tally_);
             return;
         }
-        if (rules_.filter == PathFilter::delta_first) {
+        if (rules_.filter == PathFilter::left_out &&
+            !rules_.near->lights_near(*path_.light, surface.region, place)) {
             return;
         }
+        const double amount = path_.weight * scale_of(surface.region);
         tally_.add(
-            layout.direct(surface.region, surface.side, path_.light->spectrum),
-            to_fixed(path_.weight));
+            layout.direct(surface.region, surface.side, path_.light->spectrum), to_fixed(amount));
         score_absorbed(
             prepared_,
-            {surface.region, surface.side, surface.cosine, LightPart::direct, path_.weight,
+            {surface.region, surface.side, surface.cosine, LightPart::direct, amount,
              path_.light->start_weights},
             tally_);
         if (path_.light->lit_area > 0 && surface.cosine > 0) {
@@ -117,7 +118,7 @@ class ParticleTracer {
     }
 
     /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
-    bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
+    bool scatter(const Side& side, const Surface& surface, const Vec3& place, std::uint32_t depth) {
         if (direct_) {
             set_start_weights(path_, weights_);
         }
@@ -126,19 +127,23 @@ class ParticleTracer {
             return false;
         }
         const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
-        const bool only_delta = direct_ && rules_.filter == PathFilter::delta_first;
-        if (only_delta && !side.has_delta()) {
+        const bool only_sharp = direct_ && rules_.filter == PathFilter::left_out &&
+                                !rules_.near->scatters_near(*path_.light, place);
+        if (only_sharp && !side.has_sharp()) {
             return false;
         }
         const Draw draw{
             rules_.sampler->coordinate(rules_.stream, path_.point, dimension), 0,
             rules_.roulette_threshold};
         const LobeTable::Choice choice = side.choose(surface.normal, direction_, draw, weights_);
-        if (choice.row == nullptr || (only_delta && !choice.row->delta)) {
+        if (choice.row == nullptr || (only_sharp && !choice.row->sharp)) {
             return false;
         }
         const double u1 = rules_.sampler->coordinate(rules_.stream, path_.point, dimension + 1);
-        direction_ = side.scatter_by(choice, surface.normal, direction_, u1, weights_).wo;
+        direction_ =
+            (only_sharp ? side.scatter_by_alone(choice, surface.normal, direction_, u1, weights_)
+                        : side.scatter_by(choice, surface.normal, direction_, u1, weights_))
+                .wo;
         score_scattered();
         return true;
     }
@@ -164,7 +169,7 @@ class ParticleTracer {
     /// The path has left the scene, or is lost between the layers of a periodic one.
     void end_path(RayEnd end) {
         const SumLayout& layout = tally_.layout();
-        if (rules_.filter == PathFilter::delta_first) {
+        if (rules_.filter == PathFilter::left_out) {
             return;
         }
         if (!direct_) {
@@ -188,6 +193,10 @@ class ParticleTracer {
         for (std::size_t i = 0; i < detectors.size(); ++i) {
             detectors[i]->on_escape(direction_, fixed_, tally_.layout().detector(i), tally_);
         }
+    }
+
+    [[nodiscard]] double scale_of(std::uint32_t region) const {
+        return rules_.scales.empty() ? 1 : rules_.scales[region];
     }
 
     void add_weights(std::size_t cells, double factor) {

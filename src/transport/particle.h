@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "samplers/sampler.h"
 #include "sums/tally.h"
+#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -17,9 +18,10 @@ namespace quasimc {
 /// Which paths count.
 enum class PathFilter {
     all,
-    /// Only those whose first scattering is by a lobe of one direction; light straight from the
-    /// source is not scored. What tracing from the organs can't find.
-    delta_first,
+    /// Only those that tracing from the organs does not look for: whose first scattering is by a
+    /// sharp lobe, or near a lamp (PathRules::near). Light straight from the source is scored only
+    /// near a lamp.
+    left_out,
 };
 
 /// What all light paths of a block have in common.
@@ -32,6 +34,7 @@ struct PathRules {
     double roulette_threshold = 1;        ///< Draw::roulette_threshold
     PathFilter filter = PathFilter::all;
     std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
+    const NearLamps* near = nullptr;      ///< with PathFilter::left_out
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is

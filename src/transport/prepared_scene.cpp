@@ -1,9 +1,11 @@
 #include "transport/prepared_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "detectors/catalogue.h"
+#include "geometry/cast/rounding.h"
 
 namespace quasimc {
 namespace {
@@ -95,8 +97,8 @@ void PreparedScene::set_regions() {
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = scene.materials()[i];
         has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
-        has_delta_ = has_delta_ || (is_used[i] && (material.side(SurfaceSide::upper).has_delta() ||
-                                                   material.side(SurfaceSide::lower).has_delta()));
+        has_sharp_ = has_sharp_ || (is_used[i] && (material.side(SurfaceSide::upper).has_sharp() ||
+                                                   material.side(SurfaceSide::lower).has_sharp()));
         has_constant_albedos_ =
             has_constant_albedos_ && (!is_used[i] || material.has_constant_albedo());
     }
@@ -154,6 +156,21 @@ void PreparedScene::set_lights(const Sources& sources) {
 }
 
 bool PreparedScene::reaches(
+    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
+    if (std::isfinite(distance)) {
+        // A lamp may lie on a surface: what is next to it is looked for from there.
+        const double most = distance - static_cast<double>(kTouch);
+        if (most > 0 && !is_open(place, direction, most, self)) {
+            return false;
+        }
+        const Hit at = caster_->hit_at_lamp(
+            place + distance * direction, -direction, distance - static_cast<double>(kNear), self);
+        return !at.found() || material(region(at.triangle)).is_transparent();
+    }
+    return is_open(place, direction, distance, self);
+}
+
+bool PreparedScene::is_open(
     const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
     if (!has_transparent_) {
         return !caster_->occluded(place, direction, self, distance);

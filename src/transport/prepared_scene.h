@@ -107,14 +107,16 @@ class PreparedScene {
     [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
         return detectors_;
     }
-    /// Whether some material scatters in one direction.
-    [[nodiscard]] bool has_delta() const { return has_delta_; }
+    /// Whether some material scatters in one direction, or nearly: see is_sharp().
+    [[nodiscard]] bool has_sharp() const { return has_sharp_; }
     /// Whether no albedo depends on the angle of the light.
     [[nodiscard]] bool has_constant_albedos() const { return has_constant_albedos_; }
     /// Whether some material is a sensor that light passes.
     [[nodiscard]] bool has_transparent() const { return has_transparent_; }
 
   private:
+    [[nodiscard]] bool is_open(
+        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     void set_regions();
     void set_fields_of_view();
     void set_lights(const Sources& sources);
@@ -134,7 +136,7 @@ class PreparedScene {
     double sun_area_ = 0;
     std::size_t ground_regions_ = 0;
     std::vector<double> least_cosine_;  // by region; empty if no sensor is narrow
-    bool has_delta_ = false, has_transparent_ = false, has_narrow_ = false;
+    bool has_sharp_ = false, has_transparent_ = false, has_narrow_ = false;
     bool has_constant_albedos_ = true;
 };
 

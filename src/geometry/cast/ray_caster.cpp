@@ -34,6 +34,53 @@ Hit closest_past(
     return hit;
 }
 
+/// Whether a lamp at `origin` lies in the plane of a triangle, as well as single precision, in
+/// which the corners are kept, can tell.
+bool is_in_plane(const LocalMesh& mesh, const Vec3& origin, std::uint32_t triangle) {
+    constexpr double kPrecision = 0x1p-25;
+    const Vec3 corner = mesh.vertex(triangle, 0);
+    const Vec3 normal = cross(mesh.vertex(triangle, 1) - corner, mesh.vertex(triangle, 2) - corner);
+    return std::abs(dot(corner - origin, normal)) <= kPrecision * length(normal);
+}
+
+/// The first hit of `ray` that is neither with `self` nor with what the lamp at `lamp` lies in, and
+/// beyond exact.near in double precision. Both rays are the same but for where they begin to count.
+Hit closest_from_lamp(
+    const Intersector& engine,
+    const LocalMesh& mesh,
+    Ray ray,
+    const Ray& exact,
+    const Vec3& lamp,
+    std::uint32_t self) {
+    Hit hit = engine.closest(ray);
+    while (hit.found() &&
+           (is_start(mesh, exact, self, hit) || is_in_plane(mesh, lamp, hit.triangle)))
+        [[unlikely]] {
+            ray.near = std::nextafter(std::max(ray.near, hit.t), INFINITY);
+            hit = engine.closest(ray);
+        }
+    return hit;
+}
+
+/// What light from a lamp meets before `end`, at most kTouch away, looked at in double precision:
+/// the ray is started behind the lamp, further than rounding moves it.
+Hit touching(
+    const Intersector& engine,
+    const LocalMesh& mesh,
+    const Vec3& lamp,
+    const Vec3& direction,
+    double end,
+    std::uint32_t self) {
+    constexpr float kBehind = 4 * kNear;
+    const Ray exact{lamp - static_cast<double>(kBehind) * direction, direction, kBehind};
+    Ray ray = exact;
+    ray.near = kBehind - kNear;
+    ray.far = kBehind + static_cast<float>(std::min(end, static_cast<double>(kTouch)));
+    Hit hit = closest_from_lamp(engine, mesh, ray, exact, lamp, self);
+    hit.t = std::max(0.0F, hit.t - kBehind);
+    return hit;
+}
+
 /// @param cell  local coordinates
 Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
     Tile tile{mesh.bounds(), cell.along_x, cell.along_y};
@@ -204,6 +251,26 @@ CastHit RayCaster::cast(const Vec3& origin, const Vec3& direction, std::uint32_t
         result.end = RayEnd::hit;
     }
     return result;
+}
+
+CastHit RayCaster::cast_from_lamp(const Vec3& origin, const Vec3& direction) const {
+    if (impl_->periodic()) {
+        return cast(origin, direction, kNoTriangle);
+    }
+    Ray ray{origin, direction};
+    ray.near = kNear;
+    const Intersector& engine = *impl_->engine;
+    const LocalMesh& mesh = impl_->mesh;
+    const Hit far = closest_from_lamp(engine, mesh, ray, ray, origin, kNoTriangle);
+    const Hit near = touching(engine, mesh, origin, direction, 4 * kNear, kNoTriangle);
+    const Hit& first = near.found() && !(far.found() && far.t < near.t) ? near : far;
+    return {first.found() ? RayEnd::hit : RayEnd::escaped, first};
+}
+
+Hit RayCaster::hit_at_lamp(
+    const Vec3& origin, const Vec3& direction, double end, std::uint32_t self) const {
+    EXPECT(!impl_->periodic());
+    return touching(*impl_->engine, impl_->mesh, origin, direction, end, self);
 }
 
 bool RayCaster::occluded(

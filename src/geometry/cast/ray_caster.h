@@ -66,6 +66,15 @@ class RayCaster {
         std::uint32_t self,
         double distance = std::numeric_limits<double>::infinity()) const;
 
+    /// The first hit of a ray that leaves a lamp at `origin`, which may lie as near to a surface as
+    /// single precision can tell; one in whose plane it lies is not met.
+    [[nodiscard]] CastHit cast_from_lamp(const Vec3& origin, const Vec3& direction) const;
+
+    /// What such a ray meets within kTouch of the lamp and before `end`, other than `self`. Not in
+    /// periodic scenes.
+    [[nodiscard]] Hit hit_at_lamp(
+        const Vec3& origin, const Vec3& direction, double end, std::uint32_t self) const;
+
     /// First hits of sixteen rays close to each other and alike in direction, which start outside
     /// the scene: `packet` gives origins and directions (near and far are set here), and takes the
     /// hits. `ends` says how each ended. Idle lanes are marked by `count`: lanes [count, 16) are

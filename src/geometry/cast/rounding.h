@@ -10,6 +10,10 @@ namespace quasimc {
 /// single precision when it is traced.
 inline constexpr float kNear = 0x1p-22F;
 
+/// What is nearer to a lamp than this, in local units, is looked for from the lamp: seen from
+/// elsewhere at a small angle, a surface in whose plane the lamp lies may seem to stand in its way.
+inline constexpr float kTouch = 0x1p-14F;
+
 /// Hits nearer than this are looked at again in double precision. A ray that starts in a triangle's
 /// plane and leaves it at a small angle can meet it only because it starts a rounding error behind
 /// it.

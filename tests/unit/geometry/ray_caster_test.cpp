@@ -51,6 +51,29 @@ TEST(RayCaster, SaysWhetherARayEscapes) {
     EXPECT_EQ(caster.cast(above, {1, 0, 0}, kNoTriangle).end, RayEnd::escaped);
 }
 
+/// A lamp next to a plate: light of one side meets it, of a lamp in its plane no light does.
+TEST(RayCaster, TellsOnWhichSideOfAPlateALampIs) {
+    const std::vector<Triangle> plate{{Vec3{-1, -1, .3}, Vec3{1, -1, .3}, Vec3{0, 1, .3}}};
+    for (const Engine engine : {Engine::embree, Engine::brute_force}) {
+        const RayCaster caster(plate, Cell{}, engine);
+        Random random(44);
+        for (const double gap : {-1e-3, -1e-5, -1e-6, -2e-7, 0.0, 2e-7, 1e-6, 1e-5, 1e-3}) {
+            const Vec3 lamp = caster.mesh().to_local({.1, .1, .3}) + Vec3{0, 0, gap};
+            for (int i = 0; i < 1000; ++i) {
+                const Vec3 d = normalized(random.direction());
+                const bool is_towards = gap * d.z < 0 && std::abs(d.z) > .1;
+                const bool is_away = gap * d.z >= 0;
+                const CastHit at = caster.cast_from_lamp(lamp, d);
+                const Hit near = caster.hit_at_lamp(lamp, d, 1, kNoTriangle);
+                EXPECT_FALSE(is_towards && at.end != RayEnd::hit) << gap << ' ' << d.z;
+                EXPECT_FALSE(is_away && at.end == RayEnd::hit) << gap << ' ' << d.z;
+                EXPECT_FALSE(is_towards && std::abs(gap) < 2e-6 && !near.found()) << gap;
+                EXPECT_FALSE(is_away && near.found()) << gap << ' ' << d.z;
+            }
+        }
+    }
+}
+
 TEST(RayCaster, TrianglesWithoutAreaAreNeverMet) {
     const Vec3 p{0, 0, 0}, q{1, 0, 0};
     const RayCaster caster({{p, q, q}, {p, p, p}, {p, q, 0.5 * (p + q)}}, Cell{}, Engine::embree);

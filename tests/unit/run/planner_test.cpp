@@ -97,7 +97,8 @@ TEST(Planner, NeverChoosesOrgansWhenNoneIsMeasured) {
 }
 
 TEST(Planner, KnowsThatShinyLeavesHideTheSun) {
-    for (const MaterialSpec& leaf : {glossy("mirror", 0), glossy("phong", 2000)}) {
+    for (const MaterialSpec& leaf :
+         {glossy("mirror", 0), glossy("phong", 2000), glossy("phong", 60)}) {
         const StandSpec shiny{.measured = 2, .leaf = leaf};
         EXPECT_EQ(plan(shiny, {sun(0, {1})}).method, Method::first_hits);
         EXPECT_EQ(plan(shiny, {sky({1})}).method, Method::from_organs);
@@ -132,10 +133,11 @@ TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
 TEST(Planner, MeasuresLobesByTheirPeaks) {
     // The leaf reflects and transmits a tenth each.
     EXPECT_DOUBLE_EQ(brightest_peak(make_stand(StandSpec{})), .1);
-    EXPECT_DOUBLE_EQ(brightest_peak(make_stand({.leaf = glossy("phong", 99)})), 5);
-    EXPECT_EQ(
-        brightest_peak(make_stand({.leaf = glossy("mirror", 0)})),
-        std::numeric_limits<double>::infinity());
+    EXPECT_DOUBLE_EQ(brightest_peak(make_stand({.leaf = glossy("phong", 29)})), 1.5);
+    for (const auto& leaf : {glossy("mirror", 0), glossy("phong", 60)}) {
+        EXPECT_EQ(
+            brightest_peak(make_stand({.leaf = leaf})), std::numeric_limits<double>::infinity());
+    }
     EXPECT_EQ(brightest_peak(make_stand({.leaf = sensor("leaf")})), 0);
 }
 

@@ -1,0 +1,116 @@
+#include "transport/near_lamps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "transport/surface.h"
+
+namespace quasimc {
+namespace {
+
+/// Trial paths that tell how far the things are that a lamp lights: of all lamps, and of one.
+constexpr std::size_t kAllTrials = 1U << 17U;
+constexpr std::size_t kLeastTrials = 64, kMostTrials = 1024;
+
+/// The point `i` of an additive recurrence with the root of x^5 = x + 1 (Roberts 2018).
+std::array<double, 4> trial_point(int i) {
+    constexpr double kRoot = 1.1673039782614187;
+    std::array<double, 4> u{};
+    double step = 1;
+    for (double& x : u) {
+        step /= kRoot;
+        const double turns = 0.5 + step * (i + 1);
+        x = turns - std::floor(turns);
+    }
+    return u;
+}
+
+bool is_within(const Vec3& place, const Vec3& center, double radius) {
+    const Vec3 offset = place - center;
+    return dot(offset, offset) < radius * radius;
+}
+
+}  // namespace
+
+NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
+    constexpr double kPartOfOrgan = 0.5;
+    lamps_.reserve(prepared.lights().size());
+    for (const Region& region : prepared.scene().regions()) {
+        const double area = prepared.scene().organs()[region.organ.value].area;
+        organ_size_.push_back(std::sqrt(area / prepared.world_area()));
+    }
+    for (const BoundSource& light : prepared.lights()) {
+        Lamp& lamp = lamps_.emplace_back();
+        const auto place = light.source_sampler->lamp_place();
+        if (!place) {
+            continue;
+        }
+        lamp.body = place->body;
+        const std::vector<Trial> trials = trials_of(light, place->body.center);
+        lamp.scatter_radius = radius_about(trials, *place);
+        lamp.organ_part = place->has_bounded_irradiance ? 0 : kPartOfOrgan;
+        const bool is_near = std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+            return lights_near(light, trial.region, trial.place);
+        });
+        lamp.organ_part = is_near ? lamp.organ_part : 0;
+        any_ = any_ || lamp.scatter_radius > 0 || lamp.organ_part > 0;
+    }
+}
+
+/// What trial paths of a lamp met, the nearest first.
+std::vector<NearLamps::Trial> NearLamps::trials_of(
+    const BoundSource& light, const Vec3& center) const {
+    std::vector<Trial> trials;
+    const std::size_t count =
+        std::clamp(kAllTrials / prepared_.lights().size(), kLeastTrials, kMostTrials);
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        const Emission start = light.source_sampler->emit(trial_point(i));
+        const CastHit at = prepared_.caster().cast_from_lamp(start.origin, start.direction);
+        if (at.end == RayEnd::hit) {
+            const Vec3 place = place_of(prepared_, at.hit);
+            trials.push_back({length(place - center), place, prepared_.region(at.hit.triangle)});
+        }
+    }
+    std::sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+        return a.distance < b.distance;
+    });
+    return trials;
+}
+
+/// A fiftieth of the scene, or a quarter of the distance within which the lamp lights nine tenths
+/// of what it lights; 0 where nothing it lights is so near. A large lamp of bounded radiance has
+/// no place next to it that is brighter than others.
+double NearLamps::radius_about(const std::vector<Trial>& trials, const LampPlace& place) const {
+    constexpr double kPartOfScene = 0.02;
+    constexpr double kPartOfReach = 0.25;
+    constexpr double kReach = 0.9;
+    if (trials.empty()) {
+        return 0;
+    }
+    const auto reach = static_cast<std::size_t>(kReach * static_cast<double>(trials.size() - 1));
+    const double scene = length(prepared_.projection().entry_box().bounds.size());
+    double radius = std::max(kPartOfScene * scene, kPartOfReach * trials[reach].distance);
+    if (place.has_bounded_irradiance) {
+        radius = radius > place.body.radius ? radius : 0;
+    } else {
+        radius += 1.5 * place.body.radius;
+    }
+    return trials.front().distance < radius ? radius : 0;
+}
+
+bool NearLamps::scatters_near(const BoundSource& light, const Vec3& place) const {
+    const Lamp& lamp = lamp_of(light);
+    return lamp.scatter_radius > 0 && is_within(place, lamp.body.center, lamp.scatter_radius);
+}
+
+bool NearLamps::lights_near(
+    const BoundSource& light, std::uint32_t region, const Vec3& place) const {
+    const Lamp& lamp = lamp_of(light);
+    return lamp.organ_part > 0 &&
+           is_within(
+               place, lamp.body.center,
+               1.5 * lamp.body.radius + lamp.organ_part * organ_size_[region]);
+}
+
+}  // namespace quasimc

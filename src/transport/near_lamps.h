@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// Which light of a lamp is followed from the lamp, because it falls on something near, where the
+/// light grows as 1 / distance^2: few directions drawn elsewhere find such a place, and what they
+/// find has a variance without bound. A function of the lamp and of the place where its light falls
+/// first, so that what is looked for and what is followed are disjoint and together complete.
+class NearLamps {
+  public:
+    explicit NearLamps(const PreparedScene& prepared);
+
+    /// Whether some light falls so near its lamp that it is followed.
+    [[nodiscard]] bool any() const { return any_; }
+    /// Whether light that a surface scatters at `place` is near: the first it meets. Local
+    /// coordinates.
+    [[nodiscard]] bool scatters_near(const BoundSource& light, const Vec3& place) const;
+    /// Whether light that falls on a region at `place` is near.
+    [[nodiscard]] bool lights_near(
+        const BoundSource& light, std::uint32_t region, const Vec3& place) const;
+
+  private:
+    struct Lamp {
+        Ball body;
+        double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
+        double organ_part = 0;      ///< of the size of an organ, within which light on it is
+                                    ///< near; 0: none is
+    };
+    [[nodiscard]] const Lamp& lamp_of(const BoundSource& light) const {
+        return lamps_[static_cast<std::size_t>(&light - prepared_.lights().data())];
+    }
+    /// What a path from a lamp met.
+    struct Trial {
+        double distance = 0;  ///< from the lamp's centre
+        Vec3 place;
+        std::uint32_t region = 0;
+    };
+    [[nodiscard]] std::vector<Trial> trials_of(const BoundSource& light, const Vec3& center) const;
+    [[nodiscard]] double radius_about(
+        const std::vector<Trial>& trials, const LampPlace& place) const;
+
+    const PreparedScene& prepared_;
+    std::vector<Lamp> lamps_;         // one for each light
+    std::vector<double> organ_size_;  // by region: root of its organ's area, local units
+    bool any_ = false;
+};
+
+}  // namespace quasimc

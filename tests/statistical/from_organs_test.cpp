@@ -1,0 +1,243 @@
+// Where paths from the organs hardly ever find the light: sharp lobes, lamps next to surfaces, suns
+// that graze. Against closed forms, or against light followed from its sources.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/vec3.h"
+#include "geometry/shapes/shapes.h"
+#include "quasimc/source.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+using std::numbers::pi;
+
+MaterialSpec glossy(const std::string& model, double exponent) {
+    SideOptics side{.reflectance = .6};
+    side.reflection_model = model;
+    side.reflection_parameters = {{"exponent", exponent}};
+    return {"glossy", {side}, {side}};
+}
+
+/// A glossy floor and a black wall beside it, which the light of a western sun reaches by way of
+/// the floor alone: its lower side faces the floor.
+Scene make_glossy_corner(const MaterialSpec& material) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(material);
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("floor", "glossy", floor_of(-1, 1, -1, 1, 0)));
+    builder.add_organ(
+        organ("leaf", "black", make_parallelogram({1, -.5, .2}, {-.3, 0, .3}, {0, 1, 0})));
+    return std::move(builder).build();
+}
+
+std::shared_ptr<const Source> lamp_at(
+    const Vec3& place, const Opening& opening, const Pattern& pattern, const Vec3& aim) {
+    LampSpec spec;
+    spec.name = "lamp";
+    spec.position = place;
+    spec.axes = lamp_axes(aim, {1, 0, 0});
+    spec.opening = opening;
+    spec.pattern = pattern;
+    spec.flux = {1};
+    return make_lamp(std::move(spec));
+}
+
+struct Light {
+    std::string name;
+    std::shared_ptr<const Source> source;
+};
+
+std::vector<Light> lights_for_gloss() {
+    const double x = std::sin(pi / 4);
+    return {
+        {"sun", sun(45, {1})},
+        {"sun disk", make_sun_disk("sun", {-x, 0, x}, .27, {1})},
+        {"sky", sky({1})},
+        {"point lamp", lamp_at({-1, 0, 1.5}, {}, isotropic_pattern(), {0, 0, -1})},
+        {"panel", lamp_at(
+                      {-1, 0, 1.5}, {.kind = Opening::Kind::rectangle, .length = .4, .width = .4},
+                      cosine_pattern(), {1, 0, -1})}};
+}
+
+/// What the floor sends to the leaf is what light tracing finds there.
+TEST(SharpLobes, SendFromTheOrgansWhatTheySendFromTheSources) {
+    for (const auto& [model, exponent] :
+         {std::pair{"phong", 40.0}, std::pair{"phong", 100.0}, std::pair{"phong", 1e4},
+          std::pair{"blinn_phong", 300.0}, std::pair{"blinn_phong", 1e6}}) {
+        const Scene scene = make_glossy_corner(glossy(model, exponent));
+        for (const Light& light : lights_for_gloss()) {
+            const auto incident = [&](Method method, std::uint64_t paths) {
+                const Result result = run(scene, {light.source}, spec_of(method, paths));
+                return measured(result.at(1, Quantity::incident_scattered, 0), kReplicates);
+            };
+            const Measured truth = incident(Method::light_tracing, 1 << 13);
+            EXPECT_TRUE(
+                agrees(incident(Method::from_organs, 1 << 13), truth, .3 * truth.mean, kLevel / 25))
+                << model << ' ' << exponent << ' ' << light.name;
+        }
+    }
+}
+
+/// A disk of radius 1 that faces down to a black one, a metre below. @param rho  of the upper one
+Scene make_two_disks(double rho) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("housing", rho, 0));
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("housing", "housing", make_disk({0, 0, 1}, {0, 0, -1}, 1, 512)));
+    builder.add_organ(organ("disk", "black", make_disk({0, 0, 0}, {0, 0, 1}, 1, 512)));
+    return std::move(builder).build();
+}
+
+/// Of the light of a small flat spot in the middle of the upper disk, that which falls on the lower
+/// one: sin^2 of 45 degrees.
+constexpr double kScattered = .5;
+
+class LampsAtSurfaces : public ::testing::TestWithParam<Method> {
+  protected:
+    /// What the lower disk absorbs.
+    [[nodiscard]] Estimate absorbed(double rho, const std::shared_ptr<const Source>& lamp) const {
+        return run(make_two_disks(rho), {lamp}, spec_of(GetParam(), 1 << 13))
+            .at(1, Quantity::absorbed_flux, 0);
+    }
+};
+
+/// Half of the light falls on the housing right beside the lamp.
+TEST_P(LampsAtSurfaces, APointJustBelowItsHousingLightsItAndTheRest) {
+    for (const double gap : {1e-3, 1e-4, 1e-5, 1e-6, 3e-7, 1e-7}) {
+        // The light that passes the rim of the housing, and where light falls on it.
+        const double up = .5 * (1 - gap / std::hypot(gap, 1));
+        const double expected =
+            .5 * (1 - (1 - gap) / std::hypot(1 - gap, 1)) + .8 * up * kScattered;
+        EXPECT_TRUE(holds(
+            {fmt::format("a point lamp {} below a grey disk: light on the disk below", gap),
+             expected, .004, 12},
+            absorbed(.8, lamp_at({0, 0, 1 - gap}, {}, isotropic_pattern(), {0, 0, -1}))));
+    }
+}
+
+/// A light-emitting diode in the plane of its housing shines away from it, unhindered.
+TEST_P(LampsAtSurfaces, ADiskInThePlaneOfItsHousingShinesAway) {
+    const Opening opening{.kind = Opening::Kind::disk, .radius = .01};
+    const Opening square{.kind = Opening::Kind::rectangle, .length = .01, .width = .01};
+    for (const double gap : {0.0, 1e-7, 1e-6}) {
+        for (const Opening& led : {opening, square}) {
+            EXPECT_TRUE(holds(
+                {fmt::format("a small flat lamp {} below its housing", gap), kScattered, .003, 12},
+                absorbed(.8, lamp_at({0, 0, 1 - gap}, led, cosine_pattern(), {0, 0, -1}))));
+        }
+    }
+}
+
+/// One that shines at the housing from close by lights a spot of its own size.
+TEST_P(LampsAtSurfaces, ADiskThatShinesAtItsHousingLightsASpot) {
+    const Opening opening{.kind = Opening::Kind::disk, .radius = .01};
+    const Opening square{.kind = Opening::Kind::rectangle, .length = .01, .width = .01};
+    for (const double gap : {1e-6, 1e-4}) {
+        for (const Opening& led : {opening, square}) {
+            EXPECT_TRUE(holds(
+                {fmt::format("a small flat lamp that shines at its housing, {} below it", gap),
+                 .8 * kScattered, .005, 8},
+                absorbed(.8, lamp_at({0, 0, 1 - gap}, led, cosine_pattern(), {0, 0, 1}))));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BothWays,
+    LampsAtSurfaces,
+    ::testing::Values(Method::light_tracing, Method::from_organs),
+    name_of);
+
+/// A leaf of a square metre with a point lamp a little above its middle: its share of the solid
+/// angle.
+TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("leaf", "black", floor_of(-.5, .5, -.5, .5, 0)));
+    const Scene scene = std::move(builder).build();
+    for (const double d : {1e-4, 1e-3, .01, .1, .3, 1.0}) {
+        const double expected = std::atan(.25 / (d * std::sqrt(.5 + d * d))) / pi;
+        const auto lamp = lamp_at({.013, .008, d}, {}, isotropic_pattern(), {0, 0, -1});
+        const Result result = run(scene, {lamp}, spec_of(Method::from_organs, 1 << 13));
+        if (d < .02) {
+            EXPECT_TRUE(holds(
+                {fmt::format("a point lamp {} above a leaf", d), expected, .01 * expected, 6},
+                result.at(0, Quantity::absorbed_flux, 0)));
+        }
+    }
+}
+
+/// Leaves of which a few are measured, and lamps amid them, some near to leaves.
+TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .4, .3));
+    const std::vector<Triangle> leaves = random_leaves(40, .3, 1, 3);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        OrganSpec leaf = organ("", "leaf", {leaves[i]});
+        leaf.measured = i < 3;
+        builder.add_organ(leaf);
+    }
+    const Scene scene = std::move(builder).build();
+    Sources lamps;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Triangle& t = leaves[i];
+        const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+        const Vec3 up = normalized(cross(t[1] - t[0], t[2] - t[0]));
+        lamps.push_back(lamp_at(
+            middle + std::pow(10.0, -1 - .5 * static_cast<double>(i)) * up, {}, isotropic_pattern(),
+            {0, 0, -1}));
+    }
+    const Result truth = run(scene, lamps, spec_of(Method::light_tracing, 1 << 15));
+    const Result result = run(scene, lamps, spec_of(Method::from_organs, 1 << 13));
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const Quantity quantity :
+             {Quantity::incident_upper, Quantity::incident_lower, Quantity::incident_scattered}) {
+            const Measured expected = measured(truth.at(i, quantity, 0), kReplicates);
+            EXPECT_TRUE(agrees(
+                measured(result.at(i, quantity, 0), kReplicates), expected, .35 * expected.mean,
+                kLevel / 9))
+                << i << ' ' << quantity_table()[static_cast<std::size_t>(quantity)].name;
+        }
+    }
+}
+
+/// A sun that grazes endless rows lights few spots of most leaves: the intervals hold them.
+TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    for (const Triangle& t : random_leaves(60, .35, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {t}));
+    }
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    const Scene scene = std::move(builder).build();
+    const Sources light{sun(84, {1})};
+    RunSpec fine = spec_of(Method::first_hits, 1 << 15);
+    const Result truth = run(scene, light, fine);
+    int right = 0;
+    int all = 0;
+    for (int seed = 1; seed <= 20; ++seed) {
+        RunSpec spec;
+        spec.method = Method::from_organs;
+        spec.threads = 1;
+        spec.seed = static_cast<std::uint64_t>(seed);
+        spec.paths = 16 * scene.organs().size();
+        const Result result = run(scene, light, spec);
+        for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
+            const Estimate& e = result.at(i, Quantity::incident_direct, 0);
+            const Estimate& exact = truth.at(i, Quantity::incident_direct, 0);
+            right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+        }
+    }
+    EXPECT_GE(right, .93 * all) << right << " of " << all;
+}
+
+}  // namespace
+}  // namespace quasimc::test
