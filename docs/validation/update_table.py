@@ -21,6 +21,8 @@ TITLES = {
     "Solids": "Closed bodies",
     "UnderSkies": "Skies and the disk of the sun",
     "Lamps": "Lamps",
+    "LampsAtSurfaces": "Lamps in and next to their housing",
+    "LampsNearOrgans": "Lamps next to organs",
     "PeriodicLamps": "Lamps over periodic scenes",
     "Day": "Days",
     "Canopies": "Black and white canopies",
