@@ -45,10 +45,22 @@ class OverlapSearch {
           low_(bounds.low),
           size_(size_of(bounds)),
           most_comparisons_(1'000'000 + 200 * triangles.size()),
+          passes_(triangles.instances().empty() ? 1 : 8),
           same_before_(triangles.size()) {}
 
     Overlaps run() {
-        enter_all();
+        for (pass_ = 0; pass_ < passes_; ++pass_) {
+            natives_.clear();
+            visitors_.clear();
+            enter_all();
+            compare_all();
+        }
+        sort_found();
+        return {std::move(found_), false, comparisons_ > most_comparisons_};
+    }
+
+  private:
+    void compare_all() {
         std::sort(natives_.begin(), natives_.end());
         std::sort(visitors_.begin(), visitors_.end());
         auto visitor = visitors_.begin();
@@ -67,11 +79,8 @@ class OverlapSearch {
             }
             first = last;
         }
-        sort_found();
-        return {std::move(found_), false, comparisons_ > most_comparisons_};
     }
 
-  private:
     /// Natives of a cube meet each other twice, visitors meet them once.
     enum class Among { natives, visitors };
 
@@ -110,11 +119,22 @@ class OverlapSearch {
         for_each_entry([&](std::uint32_t i, int level, bool is_native) {
             (is_native ? natives : visitors) += cubes_of(i, level);
         });
-        natives_.reserve(natives);
-        visitors_.reserve(visitors);
+        constexpr double kUneven = 1.2;
+        const auto of_pass = [&](std::size_t count) {
+            return passes_ == 1
+                       ? count
+                       : static_cast<std::size_t>(
+                             kUneven * static_cast<double>(count) / static_cast<double>(passes_)) +
+                             64;
+        };
+        natives_.reserve(of_pass(natives));
+        visitors_.reserve(of_pass(visitors));
         for_each_entry(
             [&](std::uint32_t i, int level, bool is_native) { enter(i, level, is_native); });
     }
+
+    /// Spreads the numbers of cubes evenly.
+    static std::uint64_t mixed(std::uint64_t cube) { return (cube * 0x9e3779b97f4a7c15U) >> 40; }
 
     /// How many cubes of a level a triangle's bounds reach into.
     [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
@@ -154,7 +174,9 @@ class OverlapSearch {
             entry.cube = entry.cube << 20 | (first_cube(low.x) + n % nx);
             entry.cube = entry.cube << 20 | (first_cube(low.y) + n / nx % ny);
             entry.cube = entry.cube << 20 | (first_cube(low.z) + n / nx / ny);
-            (is_native ? natives_ : visitors_).push_back(entry);
+            if (passes_ == 1 || mixed(entry.cube) % passes_ == pass_) {
+                (is_native ? natives_ : visitors_).push_back(entry);
+            }
         }
     }
 
@@ -182,7 +204,9 @@ class OverlapSearch {
                 const Overlap found{
                     std::min(entry.triangle, other->triangle),
                     std::max(entry.triangle, other->triangle), is_same(own, theirs, tolerance)};
-                same_before_[found.second] += found.is_same ? 1 : 0;
+                if (found.is_same) {
+                    ++same_before_[found.second];
+                }
                 found_.push_back(found);
             }
         }
@@ -231,6 +255,9 @@ class OverlapSearch {
     double size_;
     std::size_t most_comparisons_;
     std::vector<Entry> natives_, visitors_;
+    // Copies of meshes take little memory: their cubes are looked at in several lots.
+    std::uint64_t passes_;
+    std::uint64_t pass_ = 0;
     std::vector<std::uint8_t> same_before_;
     std::vector<Overlap> found_;
     std::size_t comparisons_ = 0;

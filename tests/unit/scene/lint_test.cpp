@@ -192,8 +192,15 @@ TEST(Lint, NamesAGroundSmallerThanTheCell) {
             "organ 'ground' (id 2): covers 3 of the cell's 4 along y: light escapes beside it"}));
 }
 
+/// A leaf whose images do not lie in one plane.
+SceneBuilder one_slope() {
+    SceneBuilder builder = one_band_builder();
+    builder.add_organ(one_triangle("leaf", {Vec3{0, 0, 1}, {1, 0, 1.3}, {0, 1, 1}}));
+    return builder;
+}
+
 TEST(Lint, NamesOrgansManyTimesWiderThanTheCell) {
-    SceneBuilder builder = one_leaf();
+    SceneBuilder builder = one_slope();
     Cell cell;
     cell.along_x = true;
     cell.size_x = 0.25;
@@ -205,7 +212,7 @@ TEST(Lint, NamesOrgansManyTimesWiderThanTheCell) {
 }
 
 TEST(Lint, LetsOrgansReachOverTheCell) {
-    SceneBuilder builder = one_leaf();
+    SceneBuilder builder = one_slope();
     Cell cell;
     cell.along_x = true;
     cell.low_x = 70;

@@ -1,5 +1,6 @@
 #include "scene/scene_builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -113,15 +114,18 @@ RC_GTEST_PROP(SceneBuilder, GivesEveryTriangleOneElementOfItsOrgan, ()) {
     SceneBuilder builder = one_band_builder();
     const auto organs = *rc::gen::inRange<std::size_t>(1, 6);
     std::size_t triangles = 0;
+    double height = 0;  // none coincide
+    const auto at_own_height = [&] { return flat_triangle({0, 0, height += 1}); };
     for (std::size_t i = 0; i < organs; ++i) {
-        OrganSpec organ = one_triangle("", flat_triangle({0, 0, 1}));
+        OrganSpec organ = one_triangle("", at_own_height());
         ++triangles;
         for (auto parts = *rc::gen::inRange(0, 5); parts > 0; --parts) {
             const auto count = *rc::gen::inRange<std::size_t>(0, 3);
             triangles += count;
+            std::vector<Triangle> more(count);
+            std::generate(more.begin(), more.end(), at_own_height);
             const std::string material = *rc::gen::element<std::string>("leaf", "soil");
-            organ.parts.push_back(
-                {material, std::vector<Triangle>(count, flat_triangle({0, 0, 2}))});
+            organ.parts.push_back({material, more});
         }
         builder.add_organ(std::move(organ));
     }
