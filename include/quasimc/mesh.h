@@ -98,7 +98,7 @@ struct Flatness {
     const Vec3& base, const Vec3& length_vector, const Vec3& up, double width);
 /// A simple polygon (convex or not) by ear clipping; at least three corners, counter-clockwise seen
 /// from the upper side. Corners may lie on a straight side, repeat their neighbour, or be not quite
-/// in one plane. Throws InputError if sides cross each other so that no triangles can be cut off.
+/// in one plane. Throws InputError if sides cross each other.
 [[nodiscard]] std::vector<Triangle> make_polygon(std::span<const Vec3> corners);
 /// A surface of one or several patches, tessellated on the surface itself, without cracks inside a
 /// patch and along sides that patches share (the same four control points). At most 1024 steps

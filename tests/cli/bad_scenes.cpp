@@ -10,6 +10,7 @@ const std::string kDirection = "direction = [0, 0, -1]";
 const std::string kIrradiance = "irradiance_facing = 1";
 const std::string kCorners = "corners = [[0, 0, 5], [1, 0, 5], [0, 1, 5]]";
 const std::string kFile = "file = \"leaves.tri\"";
+const std::string kPlaceAndTime = "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\n";
 const std::string kShape = "shape = \"triangle\"";
 
 const std::vector<BadInput> kBadScenes{
@@ -121,6 +122,17 @@ const std::vector<BadInput> kBadScenes{
     {"LampOutOfReach", "type = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1",
      "type = \"point\"\nposition = [0, 0, 1e308]\npower = 5",
      "run.toml: sources: no light reaches the scene"},
+    {"WeatherWithAColumnTwice", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+     "w.csv:1: two columns are named 'global'", "w.csv",
+     "time,global,global\n2024-06-21T12:00Z,1,2\n2024-06-21T13:00Z,1,2\n"},
+    {"WeatherBeyondNumbers", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+     "w.csv:2: global is '1e308'", "w.csv", "time,global\n2024-06-21T12:00Z,1e308\n"},
+    {"WeatherOfDaysWithoutAYear", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+     "w.csv:1: the year is missing", "w.csv", "DOY;Hour;global\n1;1;0\n1;2;0\n"},
+    {"WeatherThatIsNoEpw", "[run]", "[time]\nweather = \"w.epw\"\nday = \"2024-06-21\"\n[run]",
+     "w.epw:1: does not begin with LOCATION", "w.epw", "hello\n"},
+    {"WeatherInUtf16", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+     "w.csv:1: is text in UTF-16", "w.csv", std::string("\xFF\xFEt\0i\0m\0", 8)},
     {"SunStepsTooShort", "[run]",
      "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
      "sun_step_minutes = 1e-300\n[run]",
