@@ -1,5 +1,6 @@
 #include "results/organ_finds.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quasimc {
@@ -34,9 +35,16 @@ OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
         return;
     }
     Incident mean;
+    // Light paths have many finds, and their replicates tell, where each replicate has some.
+    std::uint32_t upper_seen = 0;
+    std::uint32_t lower_seen = 0;
+    std::uint32_t seen = 0;
     const auto count = static_cast<double>(reader.replicates());
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
         const Incident in = reader.incident(r, band);
+        upper_seen += in.scattered_upper > 0 ? 1 : 0;
+        lower_seen += in.scattered_lower > 0 ? 1 : 0;
+        seen += in.scattered_upper > 0 || in.scattered_lower > 0 ? 1 : 0;
         mean.direct_upper += in.direct_upper / count;
         mean.direct_lower += in.direct_lower / count;
         mean.scattered_upper += in.scattered_upper / count;
@@ -46,18 +54,25 @@ OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
     }
     const double tries = count * reader.samples();
     const double by_path = reader.flux_per_light_path(band) / count;
-    direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries, by_path);
-    direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries, by_path);
-    const double scattered = std::hypot(reader.scattered_flux_per_find(band) / count, by_path);
-    scattered_.upper = {scattered, mean.scattered_upper == 0 ? 0 : scattered};
-    scattered_.lower = {scattered, mean.scattered_lower == 0 ? 0 : scattered};
+    const double upper_path = upper_seen < reader.replicates() ? by_path : 0;
+    const double lower_path = lower_seen < reader.replicates() ? by_path : 0;
+    // Where the points can't see a source, light paths may bring its light.
+    const bool is_hidden = mean.unoccluded_upper == 0 && mean.unoccluded_lower == 0;
+    const double direct_path = is_hidden ? by_path : 0;
+    direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries, direct_path);
+    direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries, direct_path);
+    const double scattered = reader.scattered_flux_per_find(band) / count;
+    const double upper = std::hypot(scattered, upper_path);
+    const double lower = std::hypot(scattered, lower_path);
+    scattered_.upper = {upper, mean.scattered_upper == 0 ? 0 : upper};
+    scattered_.lower = {lower, mean.scattered_lower == 0 ? 0 : lower};
+    // A sample looks for scattered light on one of the two sides.
+    const double either = std::hypot(scattered, seen < reader.replicates() ? by_path : 0);
+    on_either_ = {either, seen == 0 ? 0 : either};
 }
 
 SingleFind OrganFinds::find(Quantity quantity) const {
     const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
-    // A sample looks for scattered light on one of the two sides.
-    const SingleFind scattered{
-        scattered_.upper.more, std::max(scattered_.upper.less, scattered_.lower.less)};
     switch (quantity) {
         case Quantity::incident_upper:
             return both(direct_.upper, scattered_.upper);
@@ -66,9 +81,9 @@ SingleFind OrganFinds::find(Quantity quantity) const {
         case Quantity::incident_direct:
             return on_both_sides(direct_);
         case Quantity::incident_scattered:
-            return scattered;
+            return on_either_;
         default:
-            return both(on_both_sides(direct_), scattered) * absorptance_;
+            return both(on_both_sides(direct_), on_either_) * absorptance_;
     }
 }
 

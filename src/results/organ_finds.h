@@ -31,6 +31,7 @@ class OrganFinds {
     double absorptance_;
     double bound_;  ///< where unoccluded light is not known: a find, in one replicate
     Kind direct_, scattered_;
+    SingleFind on_either_;  ///< scattered light, whichever side
 };
 
 }  // namespace quasimc

@@ -73,13 +73,18 @@ bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
 /// as its peak; sharp ones are not looked through.
 double brightest(const PreparedScene& prepared, std::size_t band) {
     constexpr double kUsual = 0.5;
+    // By a sharp lobe points find a sky and nothing else.
+    const auto& lights = prepared.lights();
+    const bool has_sky = std::any_of(
+        lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
+    const double by_sharp = has_sky ? 1 : 0;
     double most = 0;
     for (const Material& material : prepared.scene().materials()) {
         for (const SurfaceSide side : kSurfaceSides) {
             std::array<double, 2> sum{};
             for (const Lobe& lobe : material.side(side).lobes()) {
                 const double peak = is_sharp(*lobe.shape)
-                                        ? 1
+                                        ? by_sharp
                                         : std::max(1.0, kUsual * peak_brightness(*lobe.shape));
                 sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
                     peak * lobe.albedo[band];

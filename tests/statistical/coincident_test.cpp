@@ -13,12 +13,12 @@
 namespace quasimc::test {
 namespace {
 
-constexpr double kRho = .3, kTau = .2;
-constexpr double kTakes = 1 - kRho - kTau;
+constexpr double kReflectance = .3, kTransmittance = .2;
+constexpr double kTakes = 1 - kReflectance - kTransmittance;
 
 SceneBuilder make_matt_builder() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", kRho, kTau));
+    builder.add_material(matt("leaf", kReflectance, kTransmittance));
     builder.add_material(matt("soil", .2, 0));
     builder.add_material(matt("black", 0, 0));
     return builder;

@@ -77,7 +77,7 @@ void refuse_groups(TableReader& table) {
 }
 
 std::optional<std::array<double, 2>> read_hours(TableReader& table) {
-    constexpr double kDay = 24;
+    constexpr double kHours = 24;
     const Node* node = table.any("hours");
     if (node == nullptr) {
         return std::nullopt;
@@ -87,8 +87,8 @@ std::optional<std::array<double, 2>> read_hours(TableReader& table) {
         table.fault_at(*node, "hours is no list of two numbers", "", "write hours = [6, 20]");
         return std::nullopt;
     }
-    const auto from = table.real_at("hours", (*list)[0], {0, kDay});
-    const auto to = table.real_at("hours", (*list)[1], {0, kDay});
+    const auto from = table.real_at("hours", (*list)[0], {0, kHours});
+    const auto to = table.real_at("hours", (*list)[1], {0, kHours});
     if (from && to && !(*from < *to)) {
         table.fault_at(
             *node, fmt::format("hours runs from {} to {}", *from, *to),
