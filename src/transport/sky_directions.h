@@ -9,26 +9,22 @@
 
 namespace quasimc {
 
-/// A turn of space about the origin.
-struct Rotation {
-    Vec3 x, y, z;  ///< where it takes the axes
+/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio, laid with a
+/// shift on the hemisphere as about a horizontal axis of some azimuth, in one of two ways, and flat
+/// on the square again by height and azimuth. All of it keeps areas, so that over all placements
+/// the points together are uniform; and how many lie in a cone, a band of heights or a sector
+/// varies.
+/// @param placing  uniform in the unit cube: shift along and about the axis, and its azimuth
+[[nodiscard]] std::array<double, 2> hemisphere_lattice(
+    std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing);
 
-    [[nodiscard]] Vec3 operator()(const Vec3& v) const { return v.x * x + v.y * y + v.z * z; }
-};
-
-/// A rotation, uniform over all of them if `u` is uniform in the unit cube.
-[[nodiscard]] Rotation random_rotation(const std::array<double, 3>& u);
-
-/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio on the
-/// hemisphere, turned, and laid flat by height and azimuth (which keeps areas). Over all rotations
-/// each point is uniform, and how many lie in a cone, a band of heights or a sector varies.
-[[nodiscard]] std::array<double, 2> rotated_lattice(
-    std::uint32_t i, std::uint32_t count, const Rotation& rotation);
-
-/// Direction `i` of `count` that a light draws, well spread; each direction alone has the density
-/// of SourceSampler::draw_direction.
+/// Direction `i` of `count` that a light draws, well spread; all together have the density of
+/// SourceSampler::draw_direction. @param placing  as in hemisphere_lattice()
 [[nodiscard]] DrawnDirection lattice_direction(
-    const BoundSource& light, std::uint32_t i, std::uint32_t count, const Rotation& rotation);
+    const BoundSource& light,
+    std::uint32_t i,
+    std::uint32_t count,
+    const std::array<double, 3>& placing);
 
 /// Directions that serve all skies of a scene at once: each sky draws some, in proportion to its
 /// light, and whichever drew a direction, all skies send their light along it, weighted by the
@@ -42,7 +38,7 @@ class SkyDirections {
     [[nodiscard]] double probability() const { return probability_; }
     /// Direction `i` of `count`, with the density with which all skies together draw it.
     [[nodiscard]] DrawnDirection direction(
-        std::uint32_t i, std::uint32_t count, const Rotation& rotation) const;
+        std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) const;
 
   private:
     /// Calls `visit(sky, first, last)` with the directions that each draws.
