@@ -35,7 +35,7 @@ struct RunControl {
     /// of the rounds that were complete (Result::stop).
     std::stop_token stop = {};
     /// Seconds beyond RunSpec::max_seconds that the first few paths may take, so that there is a
-    /// result at all; by default half a second or 3 % of it.
+    /// result at all; by default a quarter of a second or 3 % of it.
     std::optional<double> grace_seconds = {};
 };
 

@@ -152,7 +152,7 @@ double seconds_without_audit(const RunSpec& spec) {
 
 /// Time beyond the limit in which the first few paths may end.
 double grace_seconds(const RunSpec& spec, const RunControl& control) {
-    constexpr double kLeast = 0.5;
+    constexpr double kLeast = 0.25;
     constexpr double kPart = 0.03;
     return control.grace_seconds.value_or(std::max(kLeast, kPart * spec.max_seconds));
 }

@@ -179,7 +179,7 @@ class SeriesRun {
         if (spec_.max_seconds == 0 || time_steps_.size() == 1) {
             return;
         }
-        constexpr double kGrace = 0.5;
+        constexpr double kGrace = 0.25;
         constexpr double kLeast = 1e-3;
         const double left = std::max(spec_.max_seconds - seconds(), kLeast);
         spec.max_seconds = left / static_cast<double>(traces_left_);

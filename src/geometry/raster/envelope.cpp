@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/stop.h"
+
 namespace quasimc {
 namespace {
 
@@ -15,7 +17,13 @@ double crossing_of(
 
 }  // namespace
 
-void Envelope::find(std::span<const LinePiece> segments, std::vector<LinePiece>& out) {
+void Envelope::find(
+    std::span<const LinePiece> segments, std::vector<LinePiece>& out, const std::stop_token* stop) {
+    const auto check_stop = [stop] {
+        if (stop != nullptr) {
+            throw_if_stopped(*stop);
+        }
+    };
     out.clear();
     out_ = &out;
     front_ = nullptr;
@@ -24,6 +32,7 @@ void Envelope::find(std::span<const LinePiece> segments, std::vector<LinePiece>&
         if (!(segment.low < segment.high)) {
             continue;
         }
+        check_stop();
         const double x = segment.low;
         while (front_ != nullptr && until_ <= x) {
             go_on();
@@ -40,6 +49,7 @@ void Envelope::find(std::span<const LinePiece> segments, std::vector<LinePiece>&
         }
     }
     while (front_ != nullptr) {
+        check_stop();
         go_on();
     }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace quasimc {
@@ -31,7 +32,11 @@ class Envelope {
   public:
     /// Sets `out` to what is seen of segments in order of `low`; those without length are passed
     /// over.
-    void find(std::span<const LinePiece> segments, std::vector<LinePiece>& out);
+    /// @throws StopRequested  if `stop`, where there is one, says so
+    void find(
+        std::span<const LinePiece> segments,
+        std::vector<LinePiece>& out,
+        const std::stop_token* stop = nullptr);
 
     /// Appends to `out` what is seen of `segment` in front of pieces in order; nothing if it has no
     /// length.

@@ -12,8 +12,11 @@ bool begins_before(const LinePiece& a, const LinePiece& b) {
     return a.low < b.low;
 }
 
-/// Sorts what is nearly sorted.
+/// Sorts what is nearly sorted; what turns out not to be, as where light comes in low and lines are
+/// far apart, in the same order, in n log n.
 void sort_again(std::vector<LinePiece>& pieces) {
+    constexpr std::size_t kMostMovesEach = 16;
+    std::size_t moves_left = kMostMovesEach * pieces.size();
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         if (!begins_before(pieces[i], pieces[i - 1])) {
             continue;
@@ -24,6 +27,11 @@ void sort_again(std::vector<LinePiece>& pieces) {
             pieces[to] = pieces[to - 1];
         }
         pieces[to] = moved;
+        if (i - to > moves_left) {
+            std::stable_sort(pieces.begin(), pieces.end(), begins_before);
+            return;
+        }
+        moves_left -= i - to;
     }
 }
 
@@ -121,6 +129,7 @@ bool ScanLines::may_be_cut(double from, double to) const {
 void ScanLines::sort_into_strips() {
     first_in_strip_.assign(std::size_t{strips(spec_.lines)} + 1, 0);
     for (const Image& image : images_) {
+        scene_.check_stop();
         for (std::uint32_t strip = image.first_strip; strip <= image.last_strip; ++strip) {
             ++first_in_strip_[strip + 1];
         }
@@ -129,8 +138,9 @@ void ScanLines::sort_into_strips() {
         first_in_strip_[strip] += first_in_strip_[strip - 1];
     }
     in_strip_.resize(first_in_strip_.back());
-    std::vector<std::uint32_t> place(first_in_strip_.begin(), first_in_strip_.end() - 1);
+    std::vector<std::size_t> place(first_in_strip_.begin(), first_in_strip_.end() - 1);
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
+        scene_.check_stop();
         for (std::uint32_t s = images_[i].first_strip; s <= images_[i].last_strip; ++s) {
             in_strip_[place[s]++] = i;
         }
@@ -162,7 +172,7 @@ void ScanLines::begin(std::uint32_t strip) {
     seen_.clear();
     slices_.clear();
     order_.clear();
-    for (std::uint32_t i = first_in_strip_[strip]; i < first_in_strip_[strip + 1]; ++i) {
+    for (std::size_t i = first_in_strip_[strip]; i < first_in_strip_[strip + 1]; ++i) {
         // What is seen at less than this cosine, or has no area, is seen edge-on: corners are told
         // apart in single precision.
         constexpr double kEdgeOn = 0x1p-24;
@@ -193,7 +203,7 @@ bool ScanLines::next() {
     cut_again(opaque_);
     cut_again(sensors_);
     add_new_cuts();
-    envelope_.find(opaque_, pieces_);
+    envelope_.find(opaque_, pieces_, scene_.stop);
     before_.clear();
     for (const LinePiece& sensor : sensors_) {
         Envelope::seen_before(sensor, pieces_, before_);

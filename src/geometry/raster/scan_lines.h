@@ -98,9 +98,9 @@ class ScanLines {
     Spec spec_;
     std::optional<ProjectionPlane> plane_;
     double pitch_ = 0, area_ = 0;
-    std::vector<Image> images_;                  // what touches the lines
-    std::vector<std::uint32_t> first_in_strip_;  // of strip i: in_strip_[first[i]] to first[i + 1]
-    std::vector<std::uint32_t> in_strip_;        // images
+    std::vector<Image> images_;                // what touches the lines
+    std::vector<std::size_t> first_in_strip_;  // of strip i: in_strip_[first[i]] to first[i + 1]
+    std::vector<std::uint32_t> in_strip_;      // images
 
     // The strip at hand.
     std::vector<Item> items_;

@@ -287,10 +287,11 @@ std::string Summary::series_quality() const {
     const double middle = medians[medians.size() / 2].first;
     const auto& [worst, moment] = medians.back();
     text += line(
-        "errors", fmt::format(
-                      "relative standard error of the absorbed flux, median of the organs: {:.2g} "
-                      "% at the middle time, {:.2g} % at the worst ({})",
-                      100 * middle, 100 * worst, run_.series->notes[moment].time));
+        "errors",
+        fmt::format(
+            "relative standard error of the absorbed flux, median of the organs: {} at "
+            "the middle time, {} at the worst ({})",
+            percent_words(middle), percent_words(worst), run_.series->notes[moment].time));
     if (badly_known_ > 0) {
         text += line(
             "errors",

@@ -70,6 +70,12 @@ ErrorStatistics error_statistics(const Scene& scene, const Result& result) {
     return errors;
 }
 
+std::string percent_words(double part) {
+    constexpr double kWhole = 10;  // percent from which on there are no decimals
+    const double percent = 100 * part;
+    return percent < kWhole ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
 std::string advice_on_error(double median) {
     constexpr double kLarge = 0.1;
     if (!(median > kLarge)) {
@@ -85,12 +91,13 @@ std::string error_words(const ErrorStatistics& errors) {
         return "no organ has a standard error of the light it absorbs";
     }
     std::string text = fmt::format(
-        "relative standard error of the absorbed flux: median {:.2g} %", 100 * errors.median);
-    text += errors.badly_known > 0
-                ? fmt::format(
-                      "; {} of {} organs are known to no better than {:.0f} % (worst: organ {})",
-                      errors.badly_known, errors.organs, 100 * kBadlyKnown, errors.worst_id)
-                : fmt::format(", worst {:.2g} % (organ {})", 100 * errors.worst, errors.worst_id);
+        "relative standard error of the absorbed flux: median {}", percent_words(errors.median));
+    text +=
+        errors.badly_known > 0
+            ? fmt::format(
+                  "; {} of {} organs are known to no better than {:.0f} % (worst: organ {})",
+                  errors.badly_known, errors.organs, 100 * kBadlyKnown, errors.worst_id)
+            : fmt::format(", worst {} (organ {})", percent_words(errors.worst), errors.worst_id);
     if (errors.unknown > 0) {
         text +=
             fmt::format("; {} organs without one (black sides, or nothing hit)", errors.unknown);

@@ -29,6 +29,8 @@ inline constexpr double kBadlyKnown = 0.5;
 [[nodiscard]] ErrorStatistics error_statistics(const Scene& scene, const Result& result);
 /// The errors in words, and how to get them down if they are large.
 [[nodiscard]] std::string error_words(const ErrorStatistics& errors);
+/// A part of 1 as percent, in words: "0.52 %", "43 %", "120 %".
+[[nodiscard]] std::string percent_words(double part);
 /// How to get a median error down; empty if it is small.
 [[nodiscard]] std::string advice_on_error(double median);
 
