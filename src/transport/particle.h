@@ -37,7 +37,7 @@ struct PathRules {
     std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
     /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
     const std::stop_token* stop = nullptr;
-    const NearLamps* near = nullptr;      ///< with PathFilter::left_out
+    const NearLamps* near = nullptr;  ///< with PathFilter::left_out
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
