@@ -22,7 +22,8 @@ class TableRow {
         const double projected = projected_area();
         const double sunlit = sunlit_area();
         // By its sampling error the sunlit area may be more than all there is.
-        const double shaded = std::max(0.0, projected - sunlit);
+        const double rest = projected - sunlit;
+        const double shaded = rest < 0 ? 0 : rest;  // unknown stays so
         std::string row = fmt::format("{:g} {:g} {:g} {:g}", area(), projected, sunlit, shaded);
         const double on_horizontal = view_.lighting.on_horizontal();
         const std::size_t bands = view_.spec.band_count();

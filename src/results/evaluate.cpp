@@ -16,8 +16,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kOrgansPerBlock = 256;
-/// What a fraction of 1 comes out as, or more.
-constexpr double kFullyLit = 1 - 1e-12;
 
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {

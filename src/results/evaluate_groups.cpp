@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "results/groups.h"
+#include "results/organ_finds.h"
 #include "results/organ_reader.h"
 #include "sums/statistics.h"
 
@@ -26,10 +27,16 @@ void add_incident(Incident& sum, const Incident& part) {
     sum.absorbed += part.absorbed;
 }
 
-/// What one more find would have brought to a group: to that of its organs to which it brings most.
+/// What one find more would bring to a group, or one less would take: to that of its organs to
+/// which it brings most.
 struct GroupFind {
-    double incident = 0, absorbed = 0, sunlit_area = 0;
+    double incident = 0, absorbed = 0, sunlit_area = 0;  ///< more, to a single replicate
+    std::array<SingleFind, kQuantities> known{};         ///< where it is known what can be found
 };
+
+SingleFind largest(const SingleFind& a, const SingleFind& b) {
+    return {std::max(a.more, b.more), std::max(a.less, b.less)};
+}
 
 /// Turns the sums of groups into estimates.
 class GroupEvaluator {
@@ -67,8 +74,7 @@ class GroupEvaluator {
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
-            const Estimate sunlit =
-                estimate_seen_or_bound(sums.sunlit, find_of(group, 0).sunlit_area);
+            const Estimate sunlit = sunlit_area(group, sums.sunlit);
             results_.sunlit_area[group] = sunlit;
             results_.sunlit_fraction[group] = scaled(sunlit, area > 0 ? 1 / area : 0);
         }
@@ -76,6 +82,24 @@ class GroupEvaluator {
 
   private:
     [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
+
+    /// Whether it is known what light could have been found.
+    [[nodiscard]] bool knows_unoccluded() const {
+        return sums_.layout.unoccluded_light == UnoccludedLight::summed;
+    }
+
+    [[nodiscard]] Estimate sunlit_area(
+        std::size_t group, const std::vector<double>& per_replicate) const {
+        const double most = find_of(group, 0).sunlit_area;
+        if (!knows_unoccluded()) {
+            return estimate_seen_or_bound(per_replicate, most);
+        }
+        const double all = kFullyLit * results_.groups[group].area;
+        const bool is_all = std::all_of(
+            per_replicate.begin(), per_replicate.end(), [&](double lit) { return lit >= all; });
+        const double find = most / static_cast<double>(per_replicate.size());
+        return estimate_finds(per_replicate, {.more = is_all ? 0 : find, .less = find});
+    }
 
     [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
         return {sums_, scene_, spec_, scene_.organs()[organ]};
@@ -89,6 +113,13 @@ class GroupEvaluator {
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
             most.sunlit_area = std::max(most.sunlit_area, reader.sunlit_area_per_find());
+            if (knows_unoccluded()) {
+                const OrganFinds finds(reader, band);
+                for (const QuantityEntry& entry : quantity_table()) {
+                    SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
+                    known = largest(known, finds.find(entry.quantity));
+                }
+            }
         }
         return most;
     }
@@ -117,13 +148,15 @@ class GroupEvaluator {
                 in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower);
         }
         for (const QuantityEntry& entry : quantity_table()) {
+            const double unit = entry.is_flux ? 1 : per_area;
             const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
                                      entry.quantity == Quantity::absorbed_flux_density;
-            const double most =
-                (is_absorbed ? find.absorbed : find.incident) * (entry.is_flux ? 1 : per_area);
+            const double most = (is_absorbed ? find.absorbed : find.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
+            const SingleFind known{find.known[q].more * unit, find.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
-                estimate_seen_or_bound(samples[q], most);
+                knows_unoccluded() ? estimate_finds(samples[q], known)
+                                   : estimate_seen_or_bound(samples[q], most);
         }
         return incident;
     }

@@ -91,7 +91,8 @@ Estimate OrganFinds::estimate(
     const QuantityEntry& entry, double per_area, std::span<const double> values) const {
     const double unit = entry.is_flux ? 1 : per_area;
     if (knows_unoccluded_) {
-        return estimate_finds(values, find(entry.quantity) * unit);
+        const SingleFind one = find(entry.quantity);
+        return estimate_finds(values, {one.more * unit, one.less * unit});
     }
     const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
                              entry.quantity == Quantity::absorbed_flux_density;

@@ -20,12 +20,15 @@ class OrganFinds {
     [[nodiscard]] Estimate estimate(
         const QuantityEntry& entry, double per_area, std::span<const double> values) const;
 
+    /// A find of a quantity, as flux. To be asked where it is known what could have been found
+    /// (OrganReader::knows_unoccluded).
+    [[nodiscard]] SingleFind find(Quantity quantity) const;
+
   private:
     /// One kind of light.
     struct Kind {
         SingleFind upper, lower;
     };
-    [[nodiscard]] SingleFind find(Quantity quantity) const;
 
     bool knows_unoccluded_;
     double absorptance_;

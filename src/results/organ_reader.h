@@ -20,6 +20,9 @@ struct Incident {
     double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 };
 
+/// What a fraction of 1 comes out as, or more.
+inline constexpr double kFullyLit = 1 - 1e-12;
+
 /// What sums mean, band by band: the units of Sums after all its samples.
 class Units {
   public:

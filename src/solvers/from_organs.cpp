@@ -79,7 +79,8 @@ double brightest(const PreparedScene& prepared, std::size_t band) {
         lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
     const double by_sharp = has_sky ? 1 : 0;
     double most = 0;
-    for (const Material& material : prepared.scene().materials()) {
+    for (std::uint32_t region = 0; region < prepared.scene().regions().size(); ++region) {
+        const Material& material = prepared.material(region);
         for (const SurfaceSide side : kSurfaceSides) {
             std::array<double, 2> sum{};
             for (const Lobe& lobe : material.side(side).lobes()) {

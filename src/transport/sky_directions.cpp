@@ -14,16 +14,24 @@ namespace quasimc {
 std::array<double, 2> hemisphere_lattice(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) {
     const auto part = [](double x) { return x - std::floor(x); };
-    double first = (i + placing[0]) / count;
-    double second = part(i * (std::numbers::phi - 1) + placing[1]);
-    if (placing[2] < 0.5) {
+    double first = static_cast<double>(i) / count;
+    double second = i * (std::numbers::phi - 1);
+    const double choice = 4 * placing[2];
+    const auto way = static_cast<int>(choice);
+    if (way == 1) {
         std::swap(first, second);
+    } else if (way == 2) {
+        second += first;
+    } else if (way == 3) {
+        first += second;
     }
+    first = part(first + placing[0]);
+    second = part(second + placing[1]);
     const double along = 2 * first - 1;
     const double about = std::numbers::pi * second;
     const double radius = std::sqrt(std::max(0.0, (1 - along) * (1 + along)));
     const double around =
-        part(std::atan2(radius * std::cos(about), along) / kFullTurn + 2 * placing[2]);
+        part(std::atan2(radius * std::cos(about), along) / kFullTurn + part(choice));
     constexpr double kAboveZero = 0x1p-53;  // on the horizon no sky has light
     return {
         std::clamp(radius * std::sin(about), kAboveZero, kBelowOne), std::min(around, kBelowOne)};

@@ -9,12 +9,13 @@
 
 namespace quasimc {
 
-/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio, laid with a
-/// shift on the hemisphere as about a horizontal axis of some azimuth, in one of two ways, and flat
-/// on the square again by height and azimuth. All of it keeps areas, so that over all placements
-/// the points together are uniform; and how many lie in a cone, a band of heights or a sector
-/// varies.
-/// @param placing  uniform in the unit cube: shift along and about the axis, and its azimuth
+/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio, sheared in
+/// one of four ways and shifted, laid on the hemisphere as about a horizontal axis of some azimuth,
+/// and flat on the square again by height and azimuth. All of it keeps areas, so that over all
+/// placements the points together are uniform; and how many lie in a cone, a band of heights or a
+/// sector varies.
+/// @param placing  uniform in the unit cube: shift along and about the axis, and its azimuth with
+///        the way of shearing
 [[nodiscard]] std::array<double, 2> hemisphere_lattice(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing);
 

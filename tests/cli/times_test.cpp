@@ -190,8 +190,8 @@ TEST_F(TimesTest, OfNightsAloneAreZeros) {
         text, "[[source]]\ntype = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1\n",
         "");
     folder_.write("night.toml", text);
-    const Outcome outcome =
-        run({"run", "night.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    const Outcome outcome = run(
+        {"run", "night.toml", "--night", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);

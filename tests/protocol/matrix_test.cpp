@@ -147,7 +147,7 @@ void grow_in_the_dark(Conversing& c, const std::string& words, int status) {
 
 TEST_F(Matrix, RefusedSpecification) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, "number of days: 4\n");
+        Conversing c(talk, "number of rays: none\n");
         c.start();
         grow_in_the_dark(c, "light.qmc:1", 1);
     }));

@@ -106,7 +106,7 @@ TEST(Formats, ObjPutsTheTrianglesOfAMaterialTogether) {
     text.materials += "[[material]]\nname = 'soil'\nreflectance = 0.2\n";
     text.organs =
         "[[geometry]]\nfile = 'a.obj'\nmaterials = { a = 'leaf', b = 'soil' }\norgans = 'one'\n";
-    const std::string corners = "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 2 1\n";
+    const std::string corners = "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 0 2 2\n";
     const std::string faces = "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\nusemtl a\nf 2 3 4\n";
     const Scene scene = read_text(text.text(), {{"a.obj", corners + faces}}).scene;
     ASSERT_EQ(scene.organs().size(), 1U);
@@ -115,8 +115,8 @@ TEST(Formats, ObjPutsTheTrianglesOfAMaterialTogether) {
     const std::string face = "f -3 -2 -1";
     EXPECT_NE(
         obj.find(
-            "usemtl leafv 0 0 1v 1 0 1v 0 1 1" + face + "v 1 0 1v 0 1 1v 0 2 1" + face +
-            "usemtl soilv 0 0 1v 1 0 1v 0 2 1" + face),
+            "usemtl leafv 0 0 1v 1 0 1v 0 1 1" + face + "v 1 0 1v 0 1 1v 0 2 2" + face +
+            "usemtl soilv 0 0 1v 1 0 1v 0 2 2" + face),
         std::string::npos)
         << obj;
 }
