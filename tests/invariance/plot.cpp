@@ -156,11 +156,12 @@ Sources plot_sources(const PlotSpec& spec) {
     return ::testing::AssertionSuccess();
 }
 
-::testing::AssertionResult are_nearly_identical(const Result& a, const Result& b, double relative) {
+::testing::AssertionResult are_nearly_identical(
+    const Result& a, const Result& b, double relative, const std::vector<Quantity>& compared) {
     double differences = 0;
     double amounts = 0;
     for (std::size_t organ = 0; organ < a.organs(); ++organ) {
-        for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
+        for (const Quantity q : compared) {
             for (std::size_t band = 0; band < a.bands; ++band) {
                 differences += std::abs(a.at(organ, q, band).mean - b.at(organ, q, band).mean);
                 amounts += a.at(organ, q, band).mean;

@@ -44,7 +44,10 @@ struct PlotSpec {
 /// Whether two runs of the same paths give nearly the same: the sum over the organs of the
 /// differences of what falls on them is at most `relative` times that of the amounts.
 [[nodiscard]] ::testing::AssertionResult are_nearly_identical(
-    const Result& a, const Result& b, double relative);
+    const Result& a,
+    const Result& b,
+    double relative,
+    const std::vector<Quantity>& compared = {Quantity::incident_upper, Quantity::incident_lower});
 
 /// The same result with bands[i] as its band i.
 [[nodiscard]] Result with_bands(const Result& result, const std::vector<std::size_t>& bands);

@@ -53,13 +53,18 @@ TEST_P(Space, APowerOfTwoInTheUnitOfLengthChangesNoBit) {
 }
 
 /// The same paths, but for those that pass an edge within rounding; and in whatever the paths
-/// agree, so do the errors.
+/// agree, so do the errors. Of first hits the same direct light: a pixel that turns out otherwise
+/// moves all path vertices behind it on, to other numbers.
 TEST_P(Space, MillimetresAndKilometresGiveTheSameLight) {
+    std::vector<Quantity> compared{Quantity::incident_direct};
+    if (GetParam() != Method::first_hits) {
+        compared.push_back(Quantity::incident_scattered);
+    }
     for (const bool periodic : {false, true}) {
         const Result metres = trace_plot({.periodic = periodic}, 1 << 12);
         for (const double scale : {1e-3, 1e3}) {
             const Result other = trace_plot({.periodic = periodic, .scale = scale}, 1 << 12);
-            EXPECT_TRUE(are_nearly_identical(metres, other, 2e-3)) << scale;
+            EXPECT_TRUE(are_nearly_identical(metres, other, 2e-3, compared)) << scale;
             Comparison comparison(1);
             EXPECT_TRUE(comparison.organs_agree(metres, other)) << scale;
         }
