@@ -13,7 +13,7 @@ from pathlib import Path
 
 PAGE = Path(__file__).resolve().parent / "index.md"
 BEGIN, END = "<!-- measured: begin -->\n", "<!-- measured: end -->\n"
-DIRECTIONS = ("Sources", "LitSurfaces", "Organs")
+METHODS = ("light_tracing", "first_hits", "from_organs")
 TITLES = {
     "FlatSurfaces": "Flat surfaces",
     "TrianglePair": "Two triangles face to face",
@@ -33,16 +33,16 @@ PARTS_OF = {"Well": "FlatSurfaces", "UnderTheOtherSkies": "UnderSkies"}
 
 
 def claims(xml):
-    """(suite, claim, one of DIRECTIONS, expected, mean, standard error, resolution) of every test."""
+    """(suite, claim, one of METHODS, expected, mean, standard error, resolution) of every test."""
     for case in ElementTree.parse(xml).iter("testcase"):
         suite = case.get("classname").split("/")[-1]
         suite = PARTS_OF.get(suite, suite)
-        # What has no direction in its name is traced from the organs.
-        ending = case.get("name").rsplit("From", 1)[-1]
-        direction = ending if ending in DIRECTIONS else "Organs"
+        # What has no method in its name is traced from the organs.
+        name = case.get("name")
+        method = next((m for m in METHODS if name.endswith(m)), "from_organs")
         for item in case.iter("property"):
             numbers = [float(x) for x in item.get("value").split()]
-            yield (suite, item.get("name"), direction, *numbers)
+            yield (suite, item.get("name"), method, *numbers)
 
 
 def with_error(mean, error):
@@ -56,20 +56,20 @@ def with_error(mean, error):
 
 
 def table(rows):
-    """Lines of the table of one suite: {claim: {direction: numbers}}."""
+    """Lines of the table of one suite: {claim: {method: numbers}}."""
     yield "| Case | Expected | `light_tracing` | `first_hits` | `from_organs` | Resolution |\n"
     yield "|---|---|---|---|---|---|\n"
     for claim, found in rows.items():
         numbers = list(found.values())
-        cells = [with_error(*found[d][1:3]) if d in found else "" for d in DIRECTIONS]
+        cells = [with_error(*found[m][1:3]) if m in found else "" for m in METHODS]
         resolution = ", ".join(dict.fromkeys(f"{n[3]:.2g}" for n in numbers))
         yield f"| {claim} | {numbers[0][0]:.6g} | {' | '.join(cells)} | {resolution} |\n"
 
 
 def main():
     suites = {}
-    for suite, claim, direction, *numbers in claims(sys.argv[1]):
-        suites.setdefault(suite, {}).setdefault(claim, {})[direction] = numbers
+    for suite, claim, method, *numbers in claims(sys.argv[1]):
+        suites.setdefault(suite, {}).setdefault(claim, {})[method] = numbers
     text = "".join(
         f"\n### {title}\n\n" + "".join(table(suites[suite])) for suite, title in TITLES.items()
     )

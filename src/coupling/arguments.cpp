@@ -43,6 +43,10 @@ void read_key(Words& words, Arguments& arguments) {
     if (!key) {
         throw UsageError(fmt::format("-k {}: it must be a whole number", word));
     }
+    if (*key == 0) {
+        // Semaphores of key 0 (IPC_PRIVATE) are those of one process alone; 0 is no port either.
+        throw UsageError("-k 0: the simulator can't be found by this key; start it again");
+    }
     arguments.key = static_cast<long>(*key);
 }
 

@@ -170,6 +170,7 @@ class Environment {
             },
             [&](std::uint64_t step, const std::exception_ptr& fault) {
                 faults_.tell_step(step, fault);
+                light_->set_step(step + 1);
             });
     }
 

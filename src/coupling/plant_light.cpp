@@ -139,7 +139,10 @@ std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
         }
         OrganShape shape =
             is_sensor(query) ? shapes_.make_sensor(pass, query) : shapes_.make(pass, query);
-        if (!shape.triangles.empty()) {
+        const bool has_area = std::any_of(
+            shape.triangles.begin(), shape.triangles.end(),
+            [](const auto& triangle) { return length(area_vector(triangle)) > 0; });
+        if (has_area) {
             placed.push_back({i, is_sensor(query), std::move(shape)});
         }
     }

@@ -36,6 +36,9 @@ class PlantLight {
     /// How often an acceleration structure had to be built.
     [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
 
+    /// The number of the step to come, counted from 0: steps that could not be read count too.
+    void set_step(std::uint64_t step) { steps_ = step; }
+
   private:
     void apply_settings(const Pass& pass);
     void set_day(std::span<const double> parameters);
@@ -74,7 +77,7 @@ class PlantLight {
     Lighting lighting_;
     Simulator simulator_, unshaded_simulator_;
     StepLight light_, unshaded_;
-    std::uint64_t steps_ = 0;
+    std::uint64_t steps_ = 0;  ///< of the step to come
 };
 
 }  // namespace quasimc

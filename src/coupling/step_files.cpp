@@ -82,6 +82,9 @@ class TableRow {
     /// The ratio of both bands; its variance as if they were independent (to first order).
     [[nodiscard]] std::string ratio_text() const {
         const Estimate a = view_.returned(query_, 0), b = view_.returned(query_, 1);
+        if (b.mean == 0) {
+            return " nan 0";
+        }
         const double ratio = a.mean / b.mean;
         const double relative_error =
             std::hypot(a.standard_error / a.mean, b.standard_error / b.mean);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "base/checks.h"
@@ -129,9 +130,31 @@ void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
         });
 }
 
+/// Mean flux that a measured organ absorbs, per band.
+std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    std::vector<double> flux(sums.layout.bands);
+    double count = 0;
+    for (const Organ& organ : scene.organs()) {
+        if (is_measured(sums, organ)) {
+            const OrganReader reader(sums, scene, spec, organ);
+            count += static_cast<double>(sums.replicates.size());
+            for (std::uint32_t r = 0; r < sums.replicates.size(); ++r) {
+                for (std::size_t b = 0; b < flux.size(); ++b) {
+                    flux[b] += reader.incident(r, b).absorbed;
+                }
+            }
+        }
+    }
+    for (double& sum : flux) {
+        sum /= std::max(count, 1.0);
+    }
+    return flux;
+}
+
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
-/// any light is.
-bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
+/// any light is. Where nothing was found, if what may be there is little beside what others get.
+bool is_at_target(
+    const Sums& sums, const OrganReader& reader, double target, const std::vector<double>& usual) {
     std::vector<double> absorbed(sums.replicates.size());
     for (std::size_t b = 0; b < sums.layout.bands; ++b) {
         for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
@@ -139,7 +162,10 @@ bool is_at_target(const Sums& sums, const OrganReader& reader, double target) {
         }
         const QuantityEntry& quantity = quantity_table().front();
         const Estimate estimate = OrganFinds(reader, b).estimate(quantity, 0, absorbed);
-        if (!(estimate.standard_error <= target * estimate.mean)) {
+        const bool is_unlit = std::isnan(estimate.standard_error);
+        const bool is_known = is_unlit ? estimate.high <= target * usual[b]
+                                       : estimate.standard_error <= target * estimate.mean;
+        if (!is_known) {
             return false;
         }
     }
@@ -195,11 +221,14 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
 double fraction_at_target(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     std::atomic<std::size_t> reached{0};
+    const std::vector<double> usual = usual_flux(sums, scene, spec);
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Organ& organ = scene.organs()[i];
-            const bool is_done = !is_measured(sums, organ) ||
-                                 is_at_target(sums, OrganReader(sums, scene, spec, organ), target);
+            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
+            const bool is_done =
+                !is_measured(sums, organ) || is_covered ||
+                is_at_target(sums, OrganReader(sums, scene, spec, organ), target, usual);
             reached += is_done ? 1 : 0;
         }
     });

@@ -132,11 +132,17 @@ std::vector<Triangle> uncovered(
 /// Makes the mesh anew, organ by organ.
 class Cutter {
   public:
-    Cutter(DraftAssembly& scene, const SceneGeometry& geometry, std::span<const Cover> covers)
+    /// @param lifted  triangles of sensors that lie on surfaces, ascending
+    Cutter(
+        DraftAssembly& scene,
+        const SceneGeometry& geometry,
+        std::span<const Cover> covers,
+        const std::vector<std::uint32_t>& lifted)
         : scene_(scene),
           geometry_(geometry),
           owners_(scene, geometry),
           covers_(covers),
+          lifted_(lifted),
           size_(size_of(bounds_of(geometry))) {}
 
     std::shared_ptr<const SceneGeometry> run() {
@@ -190,6 +196,14 @@ class Cutter {
         organ.triangle_count = static_cast<std::uint32_t>(mesh_.size()) - organ.first_triangle;
     }
 
+    /// To the upper side, by more than hits are told apart (geometry/cast/rounding.h).
+    [[nodiscard]] Vec3 lift(const Triangle& t) const {
+        constexpr double kLift = 4e-6;
+        const Vec3 up = cross(t[1] - t[0], t[2] - t[0]);
+        const double size = length(up);
+        return size > 0 ? kLift * size_ / size * up : Vec3{};
+    }
+
     [[nodiscard]] std::span<const Cover> covers_of(std::uint32_t triangle) const {
         const auto is_before = [](const Cover& c, std::uint32_t t) { return c.second < t; };
         const auto is_after = [](std::uint32_t t, const Cover& c) { return t < c.second; };
@@ -207,6 +221,10 @@ class Cutter {
     /// Adds what is left of a triangle. @return the area that was cut away
     double add(std::uint32_t triangle) {
         const Triangle whole = geometry_[triangle];
+        if (std::binary_search(lifted_.begin(), lifted_.end(), triangle)) {
+            mesh_.push_back(moved(whole, lift(whole)));
+            return 0;
+        }
         const std::span<const Cover> covers = covers_of(triangle);
         if (covers.empty()) {
             mesh_.push_back(whole);
@@ -224,6 +242,7 @@ class Cutter {
     const SceneGeometry& geometry_;
     Owners owners_;
     std::span<const Cover> covers_;
+    const std::vector<std::uint32_t>& lifted_;
     double size_;
     Mesh mesh_;
     std::vector<Instance> instances_;
@@ -250,6 +269,21 @@ std::vector<Coincidence> count_pairs(
     return counted;
 }
 
+/// The triangles of sensors that lie on surfaces, ascending.
+template <typename IsSensor>
+std::vector<std::uint32_t> sensors_on_surfaces(
+    std::span<const Cover> covers, const IsSensor& is_sensor) {
+    std::vector<std::uint32_t> lifted;
+    for (const Cover& cover : covers) {
+        if (is_sensor(cover.first) != is_sensor(cover.second)) {
+            lifted.push_back(is_sensor(cover.first) ? cover.first : cover.second);
+        }
+    }
+    std::sort(lifted.begin(), lifted.end());
+    lifted.erase(std::unique(lifted.begin(), lifted.end()), lifted.end());
+    return lifted;
+}
+
 }  // namespace
 
 CutGeometry cut_covered(
@@ -271,11 +305,13 @@ CutGeometry cut_covered(
     Coincidences& told = result.coincidences;
     told = {count_pairs(covers, owners, LightGoesTo::first), found.is_left_out, found.gave_up};
     for (const Coincidence& pair :
-         count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::either)) {
+         count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::both)) {
         told.pairs.push_back(pair);
     }
-    if (!covers.empty()) {
-        result.geometry = Cutter(scene, geometry, covers).run();
+    const std::vector<std::uint32_t> lifted =
+        sensors_on_surfaces({sensors, found.covers.end()}, is_sensor);
+    if (!covers.empty() || !lifted.empty()) {
+        result.geometry = Cutter(scene, geometry, covers, lifted).run();
     }
     return result;
 }

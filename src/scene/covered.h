@@ -14,8 +14,8 @@ namespace quasimc {
 
 /// Whose the light is where two organs lie on each other.
 enum class LightGoesTo {
-    first,   ///< to the one that comes first; the other is cut away there
-    either,  ///< left to rounding: one of them is a sensor
+    first,  ///< to the one that comes first; the other is cut away there
+    both,   ///< one is a sensor: it stands just above, on its upper side, and lets light pass
 };
 
 /// Triangles of one organ that lie on those of another, or of itself, which comes before.
@@ -44,7 +44,8 @@ struct CutGeometry {
 /// periodic cell, the part that they share stays with the organ that comes first, and the light on
 /// both of its sides is that organ's (docs/develop/decisions/overlapping-triangles.md). Organs keep
 /// their areas; Organ::covered_area tells how much was cut away. Sensors, which let light pass,
-/// neither cover nor are covered.
+/// neither cover nor are covered: where one lies on a surface it is lifted a little to its own
+/// upper side, so that light meets both.
 [[nodiscard]] CutGeometry cut_covered(
     DraftAssembly& scene, const Cell& cell, const std::vector<Material>& materials);
 

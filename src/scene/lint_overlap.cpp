@@ -21,8 +21,8 @@ std::string words_for(const Scene& scene, const Coincidence& pair) {
                                   : "triangles of " + words_for(scene.organs()[pair.first.value]);
     const std::string number =
         pair.triangles == 1 ? "a triangle" : fmt::format("{} triangles", pair.triangles);
-    const char* light = pair.light == LightGoesTo::either
-                            ? "which of them light hits is left to rounding"
+    const char* light = pair.light == LightGoesTo::both
+                            ? "the sensor is taken to stand just above, on its upper side"
                         : is_own ? "light falls on one of them, where they lie on each other"
                                  : "where they lie on each other, light falls on that organ only";
     return fmt::format(

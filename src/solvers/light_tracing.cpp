@@ -1,5 +1,7 @@
 #include "solvers/light_tracing.h"
 
+#include <algorithm>
+
 #include "solvers/block_runner.h"
 #include "solvers/light_tracer.h"
 
@@ -33,12 +35,17 @@ std::unique_ptr<Solver> make_light_tracing(const SolverInput& input) {
 }
 
 SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) {
+    // A path of a sun that is seldom picked stands for many.
+    double largest = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        largest = std::max(largest, light.lit_area);
+    }
     return {
         .units = {
             .flux = prepared.flux(),
             .flux_per_find = prepared.flux(),
             .sunlit_area = prepared.sun_area(),
-            .sunlit_area_per_find = prepared.sun_area()}};
+            .sunlit_area_per_find = prepared.sun_area() * largest}};
 }
 
 }  // namespace quasimc

@@ -25,7 +25,6 @@ struct Thresholds {
 // direct, the more organs must gain elsewhere.
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
-constexpr Thresholds kLamps{2, 5};
 /// Mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
@@ -90,33 +89,70 @@ std::string_view name_of(const Lighting& lighting) {
     return lighting.sun ? "the sun" : "the sky";
 }
 
-/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
-/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
+/// The gain of equal shares from which on organs are better. From organs the light of a sun
+/// that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
 double gain_asked(const Scene& scene, const Lighting& lighting) {
-    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
+    const Thresholds& table = lighting.sun ? kSun : kSky;
     const double gain = mean_albedo(scene) < kBright ? table.dark : table.bright;
-    const bool is_small = lighting.sun || lighting.lamp;
-    return is_small ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
-                    : gain;
+    return lighting.sun ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
+                        : gain;
+}
+
+/// The middle one of the areas of the organs that are measured; 0 if none is.
+double median_area(const Scene& scene) {
+    std::vector<double> measured;
+    for (const Organ& organ : scene.organs()) {
+        if (organ.measured && organ.area > 0) {
+            measured.push_back(organ.area);
+        }
+    }
+    if (measured.empty()) {
+        return 0;
+    }
+    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
+    std::nth_element(measured.begin(), middle, measured.end());
+    return *middle;
+}
+
+/// About how many of the scan lines across the scene meet a typical organ.
+double lines_per_organ(const Scene& scene, std::uint64_t paths) {
+    constexpr double kPathsPerLine = 80, kFewestLines = 128;
+    const double lines = std::max(kFewestLines, static_cast<double>(paths) / kPathsPerLine);
+    return lines * std::sqrt(median_area(scene)) / length(scene.bounds().size());
+}
+
+/// How many times as large as its organs the scene looks from the mean direction (Cauchy: a quarter
+/// of the surface of its box, of leaves half their area; of an endless stand its cell), where
+/// organs are so small in it that lines miss them; else 1. Most light that comes to such a scene
+/// meets nothing.
+double emptiness(const Scene& scene, std::uint64_t paths) {
+    constexpr double kFewLines = 2;
+    double organs = 0;
+    for (const Organ& organ : scene.organs()) {
+        organs += 0.5 * organ.area;
+    }
+    const Cell& cell = scene.cell();
+    if (!(organs > 0) || cell.along_x != cell.along_y ||
+        lines_per_organ(scene, paths) >= kFewLines) {
+        return 1;
+    }
+    const Vec3 size = scene.bounds().size();
+    const double surface = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+    const double seen = cell.periodic() ? cell.size_x * cell.size_y : surface / 4;
+    return std::max(1.0, seen / organs);
 }
 
 }  // namespace
 
 double gain_of_equal_shares(const Scene& scene) {
     double all = 0;
-    std::vector<double> measured;
+    double measured = 0;
     for (const Organ& organ : scene.organs()) {
         all += organ.area;
-        if (organ.measured && organ.area > 0) {
-            measured.push_back(organ.area);
-        }
+        measured += organ.measured && organ.area > 0 ? 1 : 0;
     }
-    if (measured.empty()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
-    std::nth_element(measured.begin(), middle, measured.end());
-    return all / (static_cast<double>(measured.size()) * *middle);
+    return measured > 0 ? all / (measured * median_area(scene))
+                        : std::numeric_limits<double>::infinity();
 }
 
 double brightest_peak(const Scene& scene) {
@@ -141,12 +177,11 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
         return {spec.method, "asked for"};
     }
     const Lighting lighting = lighting_of(sources);
-    const double gain = gain_of_equal_shares(scene);
-    // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
+    const double gain = emptiness(scene, spec.paths) * gain_of_equal_shares(scene);
+    // Next to lamps points of organs find too little of their light, and don't know it. Light that
     // escapes is not followed from organs.
-    const bool can_start_from_organs = std::isfinite(gain) &&
-                                       !(lighting.lamp && scene.cell().periodic()) &&
-                                       !need_escaped_light(scene.detectors());
+    const bool can_start_from_organs =
+        std::isfinite(gain) && !lighting.lamp && !need_escaped_light(scene.detectors());
     if (can_start_from_organs && gain >= gain_asked(scene, lighting)) {
         return {
             Method::from_organs,

@@ -83,11 +83,32 @@ TEST(Planner, TracesLampsFromThemselves) {
 
 TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
     const StandSpec few{.measured = 2};
-    for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
+    for (const auto& source : {sun(0, {1}), sky({1})}) {
         EXPECT_EQ(plan(few, {source}).method, Method::from_organs) << source->name();
     }
+    EXPECT_EQ(plan(few, {lamp()}).method, Method::light_tracing)
+        << "next to lamps points find too little of their light";
+    EXPECT_EQ(plan(few, {lamp(), sun(0, {1})}).method, Method::first_hits);
     EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
     EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::first_hits);
+}
+
+/// Leaves in a row, so far apart that hardly any of the light which enters meets one.
+TEST(Planner, TracesFromTheOrgansWhereASceneIsNearlyEmpty) {
+    const auto row = [](double apart) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .2, .2));
+        for (int i = 0; i < 100; ++i) {
+            const double x = i * apart;
+            builder.add_organ(organ("", "leaf", floor_of(x, x + .5, 0, .5, .1 * (i % 2))));
+        }
+        return std::move(builder).build();
+    };
+    RunSpec spec;
+    spec.method = Method::automatic;
+    EXPECT_EQ(plan_method(row(.6), {sun(0, {1})}, spec).method, Method::first_hits);
+    EXPECT_EQ(plan_method(row(9), {sun(0, {1})}, spec).method, Method::from_organs);
+    EXPECT_EQ(plan_method(row(9), {sky({1})}, spec).method, Method::from_organs);
 }
 
 TEST(Planner, NeverChoosesOrgansWhenNoneIsMeasured) {

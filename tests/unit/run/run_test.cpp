@@ -205,5 +205,26 @@ TEST_P(RunBothWays, ABandWithoutLightIsDark) {
 
 QUASIMC_BOTH_WAYS(RunBothWays);
 
+/// A leaf that lies on another, one under a roof and one edge-on to the sun get nothing: no paths
+/// are enough to see any light there.
+TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
+    for (const Method method : {Method::light_tracing, Method::first_hits, Method::from_organs}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", 0, 0));
+        builder.add_organ(organ("roof", "leaf", floor_of(0, 1, 0, 1, 1)));
+        builder.add_organ(organ("on roof", "leaf", floor_of(0, 1, 0, 1, 1)));
+        builder.add_organ(organ("below", "leaf", floor_of(.4, .6, .4, .6, 0)));
+        builder.add_organ(organ("edge-on", "leaf", {{Vec3{2, 0, 0}, {2, 1, 0}, {2, 0, 1}}}));
+        RunSpec spec = spec_of(method, 256);
+        spec.target_error = .05;
+        spec.target_fraction = 1;
+        spec.max_paths = 1 << 18;
+        const Result result = run(std::move(builder).build(), {sun(0, {1})}, spec);
+        EXPECT_EQ(result.stop, StopReason::target_reached) << static_cast<int>(method);
+        EXPECT_EQ(result.at(1, Quantity::absorbed_flux, 0).mean, 0);
+        EXPECT_EQ(result.at(2, Quantity::absorbed_flux, 0).mean, 0);
+    }
+}
+
 }  // namespace
 }  // namespace quasimc::test

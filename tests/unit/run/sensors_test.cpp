@@ -76,6 +76,30 @@ TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
         all.at(0, Quantity::incident_scattered, 0).mean);
 }
 
+/// A sensor on a leaf sees the light that falls there, and the leaf shades what is below as before,
+/// whichever of them comes first.
+TEST_P(Sensors, OnALeafLeaveItsShadeAsItIs) {
+    for (const bool is_first : {true, false}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(sensor("sensor"));
+        builder.add_material(matt("leaf", 0, 0));
+        const OrganSpec on_leaf = organ("on leaf", "sensor", floor_of(.4, .6, .4, .6, 1));
+        if (is_first) {
+            builder.add_organ(on_leaf);
+        }
+        builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 1)));
+        if (!is_first) {
+            builder.add_organ(on_leaf);
+        }
+        builder.add_organ(organ("below", "sensor", floor_of(.45, .55, .45, .55, 0)));
+        const Result result =
+            run(std::move(builder).build(), {sun(0, {1})}, spec_of(GetParam(), 1 << 12));
+        const std::uint32_t on = is_first ? 0 : 1;
+        EXPECT_NEAR(result.at(on, Quantity::incident_upper, 0).mean, 1, .05) << is_first;
+        EXPECT_EQ(result.at(2, Quantity::incident_upper, 0).mean, 0) << is_first;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     BothWays, Sensors, ::testing::Values(Method::light_tracing, Method::from_organs), name_of);
 

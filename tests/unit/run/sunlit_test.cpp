@@ -85,5 +85,25 @@ TEST_P(Sunlit, ASphereIsSunlitOnOneHalf) {
 
 QUASIMC_BOTH_WAYS(Sunlit);
 
+/// One path of a sun that is picked once in a hundred times stands for a hundred.
+TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
+    const auto bound = [](double sky_irradiance) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", 0, 0));
+        builder.add_organ(organ("roof", "leaf", floor_of(0, 1, 0, 1, 1)));
+        builder.add_organ(organ("below", "leaf", floor_of(.45, .55, .45, .55, 0)));
+        Sources sources{sun(0, {1})};
+        if (sky_irradiance > 0) {
+            sources.push_back(sky({sky_irradiance}));
+        }
+        const Result result =
+            run(std::move(builder).build(), sources, spec_of(Method::light_tracing, 256));
+        EXPECT_EQ(result.sunlit_fraction[1].mean, 0);
+        return result.sunlit_fraction[1].high;
+    };
+    EXPECT_GT(bound(0), 0);
+    EXPECT_GT(bound(100), 50 * bound(0));
+}
+
 }  // namespace
 }  // namespace quasimc::test
