@@ -11,6 +11,18 @@
 namespace quasimc::test {
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
 std::vector<BadInput> all_bad_inputs() {
     std::vector<BadInput> all = bad_documents();
     for (const std::vector<BadInput>& more : {bad_scenes(), bad_geometry_files()}) {
@@ -80,9 +92,9 @@ TEST_F(ProgramTest, AFaultIsToldOnce) {
 }
 
 TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    GTEST_SKIP() << "sanitizers need more address space than the limit leaves";
-#endif
+    if (kIsSanitized) {
+        GTEST_SKIP() << "sanitizers need more address space than the limit leaves";
+    }
     const Outcome outcome =
         shell("truncate -s 60G leaves.tri; ulimit -v 8000000; \"$quasimc\" run run.toml");
     EXPECT_EQ(outcome.status, 1);
