@@ -1,7 +1,6 @@
 #include "sums/tally.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "base/checks.h"
 #include "base/parallel.h"
@@ -40,7 +39,10 @@ void Tally::add_signed(std::size_t bin, std::int64_t amount) {
 void Tally::move_into(ExactBins& total) {
     EXPECT(total.size() == layout_.bins());
     if (written_ < 0) {
-        throw std::overflow_error("a sum of light has wrapped around");
+        throw InputError(
+            {{"sources", "light too strong to be summed",
+              "single paths bring thousands of times their share, as of a sun that grazes a cell",
+              "use light_tracing or first_hits"}});
     }
     for (std::size_t i = 0; i < own_.size(); ++i) {
         total.add(shared_bins_ + i, own_[i]);

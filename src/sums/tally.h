@@ -76,7 +76,8 @@ class Tally {
     [[nodiscard]] bool is_full() const { return (written_ & ExactBins::kCarry) != 0; }
 
     /// Adds this worker's own bins to `total` (layout.bins() bins) and sets them to zero.
-    /// @throws std::overflow_error  if some bin has wrapped around since the last call
+    /// @throws InputError  if some bin has wrapped around since the last call: of amounts that each
+    ///         could be summed, but bring too much together
     void move_into(ExactBins& total);
     /// Lets the shared bins be those of another array.
     void share(std::span<std::int64_t> shared) { shared_ = shared; }
