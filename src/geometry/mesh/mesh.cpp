@@ -1,6 +1,8 @@
 #include "geometry/mesh/mesh.h"
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -14,7 +16,8 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Whether two points have the same digits, signs of zeros included.
 bool has_same_bits(const Vec3& a, const Vec3& b) {
-    return std::memcmp(&a, &b, sizeof(Vec3)) == 0;
+    using Bits = std::array<std::uint64_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 /// Whether order_vertices() would change nothing.
