@@ -179,10 +179,16 @@ void bench_pipe(benchmark::State& state) {
         Notices silent([](const std::string&) {});
         PlantLight light(specification(paths, 1, static_cast<Shining>(state.range(2))), silent);
         const auto stream = make_pipe_stream(to.ends[0], from.ends[1]);
+        stream->announce();
         serve(
             *stream, usual_format(),
             [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
                 light.answer(pass, check, answers);
+            },
+            [](std::uint64_t, const std::exception_ptr& fault) {
+                if (fault) {
+                    std::rethrow_exception(fault);
+                }
             });
     });
     const std::string even = leaves_message(leaves, 0), odd = leaves_message(leaves, 1);
