@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,13 +16,13 @@ class OutOfMemory : public std::bad_alloc {
     /// @param what_for  "the sums of 8 replicates"
     /// @param bytes  that it takes, about
     OutOfMemory(const std::string& what_for, double bytes)
-        : words_(fmt::format(
-              "not enough memory for {}: about {:.0f} MB", what_for, bytes / kBytesOfMegabyte)) {}
-    [[nodiscard]] const char* what() const noexcept override { return words_.what(); }
+        : words_(std::make_shared<const std::string>(fmt::format(
+              "not enough memory for {}: about {:.0f} MB", what_for, bytes / kBytesOfMegabyte))) {}
+    [[nodiscard]] const char* what() const noexcept override { return words_->c_str(); }
 
   private:
     static constexpr double kBytesOfMegabyte = 1e6;
-    std::runtime_error words_;  // copying it never throws
+    std::shared_ptr<const std::string> words_;  // copying it never throws
 };
 
 /// Makes something big.

@@ -50,7 +50,13 @@ class ByteStream {
     virtual void check() = 0;
     /// The answer to the order to exit, with the last sign where there is one, in one piece. A
     /// simulator that has closed the line meanwhile has all it wants: nothing is thrown for it.
-    virtual void send_last(std::string_view message) = 0;
+    virtual void send_last(std::string_view message) {
+        try {
+            send(message, Continuation::done);
+        } catch (const PeerDisconnected&) {
+            return;  // it has said that it goes
+        }
+    }
     /// For an end that the simulator has not ordered: answers what it asks with nothing, and what
     /// it will ask as well where the line keeps that (semaphores). May be called from another
     /// thread while this one is in receive(), await_request() or check().

@@ -169,8 +169,8 @@ class Environment {
                 tell_if_unlit();
             },
             [&](std::uint64_t step, const std::exception_ptr& fault) {
-                faults_.tell_step(step, fault);
                 light_->set_step(step + 1);
+                faults_.tell_step(step, fault);
             });
     }
 

@@ -104,13 +104,6 @@ class FileStream final : public ByteStream {
     }
     void await_request() override { semaphores_.wait_for_master(); }
     void check() override { semaphores_.check(); }
-    void send_last(std::string_view message) override {
-        try {
-            send(message, Continuation::done);
-        } catch (const PeerDisconnected&) {
-            return;  // it has said that it goes
-        }
-    }
     void resign() noexcept override {
         prepare_for_our_end();
         semaphores_.post_forever();

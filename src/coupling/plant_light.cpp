@@ -18,19 +18,6 @@ namespace {
 constexpr std::uint64_t kBetweenBands = std::uint64_t{1} << 40U;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Counts a step at its end, whether or not it could be computed: the numbers of files are those of
-/// the simulator's steps.
-class StepCount {
-  public:
-    explicit StepCount(std::uint64_t& steps) : steps_(steps) {}
-    ~StepCount() { ++steps_; }
-    StepCount(const StepCount&) = delete;
-    StepCount& operator=(const StepCount&) = delete;
-
-  private:
-    std::uint64_t& steps_;
-};
-
 /// Whether a module sets something, and is no organ.
 bool is_setting(const Query& query) {
     return query.organ == "Q" || query.organ == "J";
@@ -52,7 +39,6 @@ bool PlantLight::is_dark() const {
 }
 
 void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
-    const StepCount count(steps_);
     apply_settings(pass);
     std::vector<PlacedShape> shapes = place_shapes(pass);
     if (is_dark()) {

@@ -36,7 +36,8 @@ class PlantLight {
     /// How often an acceleration structure had to be built.
     [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
 
-    /// The number of the step to come, counted from 0: steps that could not be read count too.
+    /// The number of the step to come, counted from 0 (its seed and its files follow from it):
+    /// steps that could not be read or answered count too.
     void set_step(std::uint64_t step) { steps_ = step; }
 
   private:

@@ -73,7 +73,7 @@ class OrganEvaluator {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
-            sample(r, reader.incident(r, band), per_area);
+            put_sample(r, reader.incident(r, band), per_area, samples_);
             incident_[band][r] = sample_of(Quantity::incident_direct)[r] +
                                  sample_of(Quantity::incident_scattered)[r];
         }
@@ -86,16 +86,6 @@ class OrganEvaluator {
     }
 
     std::vector<double>& sample_of(Quantity q) { return samples_[static_cast<std::size_t>(q)]; }
-
-    void sample(std::uint32_t replicate, const Incident& in, double per_area) {
-        const auto put = [&](Quantity q, double value) { sample_of(q)[replicate] = value; };
-        put(Quantity::absorbed_flux, in.absorbed);
-        put(Quantity::absorbed_flux_density, in.absorbed * per_area);
-        put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
-        put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
-        put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
-        put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
-    }
 
     [[nodiscard]] Estimate sunlit_fraction(const OrganReader& reader, const Organ& organ) {
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
@@ -114,41 +104,60 @@ class OrganEvaluator {
     const Sums& sums_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
-    std::vector<double> values_;                            // per replicate
-    std::array<std::vector<double>, kQuantities> samples_;  // per replicate
-    std::vector<std::vector<double>> incident_;             // per band and replicate, per area
+    std::vector<double> values_;  // per replicate
+    QuantitySamples samples_;
+    std::vector<std::vector<double>> incident_;  // per band and replicate, per area
 };
+
+std::size_t blocks_of(const Scene& scene) {
+    return (scene.organs().size() + kOrgansPerBlock - 1) / kOrgansPerBlock;
+}
 
 /// Runs work(first, last) for all organs, some at a time, on all threads.
 template <typename Work>
 void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
     const std::size_t n = scene.organs().size();
-    parallel_blocks(
-        (n + kOrgansPerBlock - 1) / kOrgansPerBlock, threads, [&](std::uint64_t block, unsigned) {
-            const std::size_t first = block * kOrgansPerBlock;
-            work(first, std::min(n, first + kOrgansPerBlock));
-        });
+    parallel_blocks(blocks_of(scene), threads, [&](std::uint64_t block, unsigned) {
+        const std::size_t first = block * kOrgansPerBlock;
+        work(first, std::min(n, first + kOrgansPerBlock));
+    });
 }
 
-/// Mean flux that a measured organ absorbs, per band.
+/// Adds what an organ absorbs, per band, on the mean over the replicates.
+void add_absorbed(const Sums& sums, const OrganReader& reader, std::vector<double>& flux) {
+    const auto replicates = static_cast<std::uint32_t>(sums.replicates.size());
+    for (std::size_t b = 0; b < flux.size(); ++b) {
+        double sum = 0;
+        for (std::uint32_t r = 0; r < replicates; ++r) {
+            sum += reader.incident(r, b).absorbed;
+        }
+        flux[b] += sum / replicates;
+    }
+}
+
+/// Mean flux that a measured organ absorbs, per band: the same on any number of threads.
 std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    std::vector<double> flux(sums.layout.bands);
-    double count = 0;
-    for (const Organ& organ : scene.organs()) {
-        if (is_measured(sums, organ)) {
-            const OrganReader reader(sums, scene, spec, organ);
-            count += static_cast<double>(sums.replicates.size());
-            for (std::uint32_t r = 0; r < sums.replicates.size(); ++r) {
-                for (std::size_t b = 0; b < flux.size(); ++b) {
-                    flux[b] += reader.incident(r, b).absorbed;
-                }
+    const std::size_t bands = sums.layout.bands;
+    std::vector<std::vector<double>> of_block(blocks_of(scene));
+    std::atomic<std::size_t> count{0};
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        std::vector<double>& flux = of_block[first / kOrgansPerBlock];
+        flux.resize(bands);
+        for (std::size_t i = first; i < last; ++i) {
+            const Organ& organ = scene.organs()[i];
+            if (is_measured(sums, organ)) {
+                add_absorbed(sums, OrganReader(sums, scene, spec, organ), flux);
+                ++count;
             }
         }
+    });
+    std::vector<double> mean(bands);
+    for (const std::vector<double>& flux : of_block) {
+        for (std::size_t b = 0; b < bands; ++b) {
+            mean[b] += flux[b] / std::max(static_cast<double>(count), 1.0);
+        }
     }
-    for (double& sum : flux) {
-        sum /= std::max(count, 1.0);
-    }
-    return flux;
+    return mean;
 }
 
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb

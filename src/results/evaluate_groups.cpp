@@ -30,8 +30,8 @@ void add_incident(Incident& sum, const Incident& part) {
 /// What one find more would bring to a group, or one less would take: to that of its organs to
 /// which it brings most.
 struct GroupFind {
-    double incident = 0, absorbed = 0, sunlit_area = 0;  ///< more, to a single replicate
-    std::array<SingleFind, kQuantities> known{};         ///< where it is known what can be found
+    double incident = 0, absorbed = 0;            ///< more, to a single replicate
+    std::array<SingleFind, kQuantities> known{};  ///< where it is known what can be found
 };
 
 SingleFind largest(const SingleFind& a, const SingleFind& b) {
@@ -90,7 +90,10 @@ class GroupEvaluator {
 
     [[nodiscard]] Estimate sunlit_area(
         std::size_t group, const std::vector<double>& per_replicate) const {
-        const double most = find_of(group, 0).sunlit_area;
+        double most = 0;
+        for (const std::uint32_t index : results_.groups[group].organs) {
+            most = std::max(most, reader_of(index).sunlit_area_per_find());
+        }
         if (!knows_unoccluded()) {
             return estimate_seen_or_bound(per_replicate, most);
         }
@@ -112,7 +115,6 @@ class GroupEvaluator {
             const double find = reader.flux_per_find(band);
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
-            most.sunlit_area = std::max(most.sunlit_area, reader.sunlit_area_per_find());
             if (knows_unoccluded()) {
                 const OrganFinds finds(reader, band);
                 for (const QuantityEntry& entry : quantity_table()) {
@@ -131,19 +133,12 @@ class GroupEvaluator {
         const double per_area = area > 0 ? 1 / area : 0;
         const GroupFind find = find_of(group, band);
         const std::size_t replicates = sums_.replicates.size();
-        std::array<std::vector<double>, kQuantities> samples;
+        QuantitySamples samples;
+        samples.fill(std::vector<double>(replicates));
         std::vector<double> incident;
         for (std::size_t r = 0; r < replicates; ++r) {
             const Incident& in = sums.light[band * replicates + r];
-            const auto put = [&](Quantity q, double value) {
-                samples[static_cast<std::size_t>(q)].push_back(value);
-            };
-            put(Quantity::absorbed_flux, in.absorbed);
-            put(Quantity::absorbed_flux_density, in.absorbed * per_area);
-            put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
-            put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
-            put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
-            put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
+            put_sample(r, in, per_area, samples);
             incident.push_back(
                 in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower);
         }

@@ -44,19 +44,6 @@ const std::string* label_of(const Organ& organ, std::string_view key) {
     return found == organ.labels.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string_view> keys_of_labels(const Scene& scene) {
-    std::vector<std::string_view> keys;
-    std::unordered_set<std::string_view> seen;
-    for (const Organ& organ : scene.organs()) {
-        for (const auto& [key, value] : organ.labels) {
-            if (seen.insert(key).second) {
-                keys.push_back(key);
-            }
-        }
-    }
-    return keys;
-}
-
 /// The keys that "plant+kind" joins; a key that has a '+' itself stands alone.
 std::vector<std::string_view> joined_keys(
     std::string_view text, const std::vector<std::string_view>& known) {
@@ -209,7 +196,7 @@ void add_layers(
 }
 
 void check_labels(const Scene& scene, const GroupSpec& spec, Faults& faults) {
-    const std::vector<std::string_view> known = keys_of_labels(scene);
+    const std::vector<std::string_view> known = label_keys(scene);
     for (const std::string& text : spec.labels) {
         for (const std::string_view key : joined_keys(text, known)) {
             if (std::find(known.begin(), known.end(), key) == known.end()) {
@@ -263,6 +250,19 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 
 }  // namespace
 
+std::vector<std::string_view> label_keys(const Scene& scene) {
+    std::vector<std::string_view> keys;
+    std::unordered_set<std::string_view> seen;
+    for (const Organ& organ : scene.organs()) {
+        for (const auto& [key, value] : organ.labels) {
+            if (seen.insert(key).second) {
+                keys.push_back(key);
+            }
+        }
+    }
+    return keys;
+}
+
 void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     check_labels(scene, spec, faults);
     check_layers(scene, spec, faults);
@@ -270,7 +270,7 @@ void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 
 std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec) {
     std::vector<OrganGroup> groups{group_of_all(scene)};
-    const std::vector<std::string_view> known = keys_of_labels(scene);
+    const std::vector<std::string_view> known = label_keys(scene);
     for (const std::string& text : spec.labels) {
         add_groups_of_labels(scene, text, joined_keys(text, known), groups);
     }

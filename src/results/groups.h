@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "quasimc/error.h"
@@ -9,6 +10,9 @@
 #include "scene/scene.h"
 
 namespace quasimc {
+
+/// Every key of a label, in the order in which they first appear; valid as long as the scene is.
+[[nodiscard]] std::vector<std::string_view> label_keys(const Scene& scene);
 
 /// Adds a fault for each key that no organ's labels have, heights that do not ascend, and layers of
 /// a scene without height.

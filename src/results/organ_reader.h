@@ -3,6 +3,7 @@
 // What the sums of a run say of an organ, replicate by replicate.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,6 +20,24 @@ struct Incident {
     double absorbed = 0;
     double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 };
+
+/// What each replicate says of each quantity.
+using QuantitySamples = std::array<std::vector<double>, kQuantities>;
+
+/// Puts the quantities that follow from the light which a replicate saw.
+/// @param per_area  1 / area of what it fell on; 0 for no area, which receives nothing
+inline void put_sample(
+    std::uint32_t replicate, const Incident& in, double per_area, QuantitySamples& samples) {
+    const auto put = [&](Quantity q, double value) {
+        samples[static_cast<std::size_t>(q)][replicate] = value;
+    };
+    put(Quantity::absorbed_flux, in.absorbed);
+    put(Quantity::absorbed_flux_density, in.absorbed * per_area);
+    put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
+    put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
+    put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
+    put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
+}
 
 /// What a fraction of 1 comes out as, or more.
 inline constexpr double kFullyLit = 1 - 1e-12;

@@ -17,6 +17,19 @@ constexpr int kBlock = kSobolBlock;
 /// Digits contributed by each value of each nibble of the index.
 using NibbleTable = std::array<std::array<std::uint32_t, 16>, kNibbles>;
 
+/// What the earlier direction numbers of a row say of the next one, m[k] (Bratley & Fox 1988, eq.
+/// 3).
+constexpr std::uint32_t next_direction(
+    const SobolDirection& row, const std::array<std::uint32_t, kDigits>& m, int k) {
+    std::uint32_t next = m[k - row.degree] ^ (m[k - row.degree] << row.degree);
+    for (int j = 1; j < row.degree; ++j) {
+        if ((row.polynomial >> (row.degree - 1 - j) & 1U) != 0) {
+            next ^= m[k - j] << j;
+        }
+    }
+    return next;
+}
+
 /// The columns of a generator matrix, first digit in bit 0.
 constexpr std::array<std::uint32_t, kDigits> generator_columns(std::uint32_t dimension) {
     std::array<std::uint32_t, kDigits> columns{};
@@ -29,16 +42,7 @@ constexpr std::array<std::uint32_t, kDigits> generator_columns(std::uint32_t dim
     const SobolDirection& row = kSobolDirections[dimension - 1];
     std::array<std::uint32_t, kDigits> m{};
     for (int k = 0; k < kDigits; ++k) {
-        if (k < row.degree) {
-            m[k] = row.first[k];
-        } else {
-            m[k] = m[k - row.degree] ^ (m[k - row.degree] << row.degree);
-            for (int j = 1; j < row.degree; ++j) {
-                if ((row.polynomial >> (row.degree - 1 - j) & 1U) != 0) {
-                    m[k] ^= m[k - j] << j;
-                }
-            }
-        }
+        m[k] = k < row.degree ? row.first[k] : next_direction(row, m, k);
         columns[k] = reverse_bits(m[k] << (kDigits - 1 - k));
     }
     return columns;

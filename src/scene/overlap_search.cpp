@@ -92,6 +92,23 @@ class OverlapSearch {
         return std::clamp(std::ilogb(size_ / triangle_size) / 2, 0, kLevels - 1);
     }
 
+    /// Calls visit(triangle, level, whether it is a native there) for all levels that triangles
+    /// belong to and that are home to some.
+    /// @param level_of  each triangle's home; negative: it belongs to none
+    template <typename Visit>
+    static void for_each_entry(
+        std::span<const std::int16_t> level_of,
+        const std::array<bool, kLevels>& is_home,
+        const Visit& visit) {
+        for (std::size_t i = 0; i < level_of.size(); ++i) {
+            for (int level = 0; level <= level_of[i]; ++level) {
+                if (is_home[static_cast<std::size_t>(level)]) {
+                    visit(static_cast<std::uint32_t>(i), level, level == level_of[i]);
+                }
+            }
+        }
+    }
+
     void enter_all() {
         std::vector<std::int16_t> level_of(triangles_.size(), -1);
         std::array<bool, kLevels> is_home{};
@@ -107,16 +124,7 @@ class OverlapSearch {
         }
         // What is entered is counted first: growing lists would take several times the memory.
         std::size_t natives = 0, visitors = 0;
-        const auto for_each_entry = [&](const auto& visit) {
-            for (std::size_t i = 0; i < triangles_.size(); ++i) {
-                for (int level = 0; level <= level_of[i]; ++level) {
-                    if (is_home[static_cast<std::size_t>(level)]) {
-                        visit(static_cast<std::uint32_t>(i), level, level == level_of[i]);
-                    }
-                }
-            }
-        };
-        for_each_entry([&](std::uint32_t i, int level, bool is_native) {
+        for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
             (is_native ? natives : visitors) += cubes_of(i, level);
         });
         constexpr double kUneven = 1.2;
@@ -129,8 +137,9 @@ class OverlapSearch {
         };
         natives_.reserve(of_pass(natives));
         visitors_.reserve(of_pass(visitors));
-        for_each_entry(
-            [&](std::uint32_t i, int level, bool is_native) { enter(i, level, is_native); });
+        for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
+            enter(i, level, is_native);
+        });
     }
 
     /// Spreads the numbers of cubes evenly.

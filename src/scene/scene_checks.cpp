@@ -151,6 +151,15 @@ bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
            std::all_of(copies.begin(), copies.end(), is_small);
 }
 
+/// Widens bounds by the faces of a part that stand in the draft's own mesh.
+void add_faces(const SceneDraft& draft, const DraftPart& part, Bounds& bounds) {
+    for (std::size_t k = 0; k < part.face_count; ++k) {
+        for (const Vec3& corner : draft.mesh[part.first_face + k]) {
+            bounds.add(corner);
+        }
+    }
+}
+
 }  // namespace
 
 std::string place_of(const SceneDraft& draft, std::size_t organ) {
@@ -293,11 +302,7 @@ Bounds check_triangles(
             if (part.copy != DraftPart::kNoCopy) {
                 bounds.include(copies[part.copy]);
             }
-            for (std::size_t k = 0; k < part.face_count; ++k) {
-                for (const Vec3& corner : draft.mesh[part.first_face + k]) {
-                    bounds.add(corner);
-                }
-            }
+            add_faces(draft, part, bounds);
         }
     }
     return bounds;

@@ -196,8 +196,7 @@ class FirstHits final : public Solver {
         const Stream placing = stream_of(work, 0);
         set_lines(work, beam, placing, scratch);
         ScanLines& lines = scratch.lines;
-        SurfaceBeam share = beam;
-        share.paths = share_of_block(beam.paths, work);
+        const SurfaceBeam share{beam.light, beam.direction, share_of_block(beam.paths, work)};
         scratch.beams.assign(1, share);
         scratch.vertices.clear();
         const double per_length = beam.paths * lines.area() / beam.area;

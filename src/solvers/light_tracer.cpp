@@ -252,7 +252,7 @@ std::uint64_t LightTracer::shade(
                     layout.escaped_direct() + light.spectrum, to_fixed(1) - to_fixed(share));
             }
             if (scratch.u2[group.points[lane]] >=
-                survival[2 * primitive.material + index_of(side)]) {
+                survival[std::size_t{2} * primitive.material + index_of(side)]) {
                 continue;
             }
             at.hit = hit_of(packet, lane);

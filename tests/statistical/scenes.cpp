@@ -103,4 +103,15 @@ std::string name_of(const ::testing::TestParamInfo<Method>& info) {
     return solver == nullptr ? "auto" : std::string(solver->name);
 }
 
+Scene leaf_over_ground(double rho, double tau) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", rho, tau));
+    builder.add_material(matt("soil", .3, 0));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
+    GroundSpec soil = ground("soil");
+    soil.extent = {{-1, -1, 2, 2}};
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
 }  // namespace quasimc::test

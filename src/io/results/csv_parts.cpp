@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -53,22 +52,9 @@ void append_csv(std::string& out, const Estimate& estimate) {
     append_csv(out, estimate.high);
 }
 
-std::vector<std::string> label_keys(const Scene& scene) {
-    std::vector<std::string> keys;
-    std::unordered_set<std::string_view> seen;
-    for (const Organ& organ : scene.organs()) {
-        for (const auto& [key, value] : organ.labels) {
-            if (seen.insert(key).second) {
-                keys.push_back(key);
-            }
-        }
-    }
-    return keys;
-}
-
 std::string csv_header(
     const std::vector<std::string>& first,
-    const std::vector<std::string>& labels,
+    const std::vector<std::string_view>& labels,
     const std::vector<std::string>& columns) {
     std::vector<std::string> taken = first;
     taken.insert(taken.end(), {"id", "name", "area"});
@@ -80,9 +66,9 @@ std::string csv_header(
         line += name + ",";
     }
     line += "id,name";
-    for (const std::string& label : labels) {
+    for (const std::string_view label : labels) {
         const bool clashes = std::find(taken.begin(), taken.end(), label) != taken.end();
-        line += "," + csv_field(clashes ? "label_" + label : label);
+        line += "," + csv_field(clashes ? fmt::format("label_{}", label) : std::string(label));
     }
     line += ",area";
     for (const std::string& column : columns) {
@@ -92,9 +78,10 @@ std::string csv_header(
     return line + "\n";
 }
 
-void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels) {
+void append_organ(
+    std::string& out, const Organ& organ, const std::vector<std::string_view>& labels) {
     fmt::format_to(std::back_inserter(out), "{},{}", organ.id, csv_field(organ.name));
-    for (const std::string& key : labels) {
+    for (const std::string_view key : labels) {
         const auto found = std::find_if(
             organ.labels.begin(), organ.labels.end(),
             [&](const auto& l) { return l.first == key; });

@@ -7,6 +7,7 @@
 #include "io/results/series_words.h"
 #include "io/results/written.h"
 #include "quasimc/file.h"
+#include "results/groups.h"
 
 namespace quasimc {
 namespace {

@@ -6,6 +6,7 @@
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
 #include "quasimc/file.h"
+#include "results/groups.h"
 
 namespace quasimc {
 

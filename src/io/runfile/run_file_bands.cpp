@@ -126,7 +126,7 @@ std::vector<const Node*> nodes_per_band(
 
 std::optional<std::vector<double>> read_irradiances(
     TableReader& table, std::string_view key, const std::vector<Band>& bands) {
-    const auto values = read_per_band(table, key, bands, TableReader::kLight);
+    auto values = read_per_band(table, key, bands, TableReader::kLight);
     for (std::size_t b = 0; values && b < bands.size(); ++b) {
         if ((*values)[b] > brightest_of(bands[b].unit)) {
             table.warn_at(

@@ -156,6 +156,7 @@ class OrganAdder {
             return;
         }
         std::vector<std::shared_ptr<const Mesh>> shared;
+        shared.reserve(meshes.size());
         for (Mesh& mesh : meshes) {
             shared.push_back(std::make_shared<const Mesh>(std::move(mesh)));
         }

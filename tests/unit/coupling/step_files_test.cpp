@@ -90,7 +90,8 @@ TEST_F(StepFilesTest, AreNumberedAfterTheFirst) {
             "number of rays: 64\noutput file: yes " + (folder_.path() / "v.dat").string() + "\n",
             kept_),
         kept_.notices);
-    for (int step = 0; step < 3; ++step) {
+    for (std::uint64_t step = 0; step < 3; ++step) {
+        light.set_step(step);
         static_cast<void>(answers_of(light, flat(0, "P(1,2)", 1)));
     }
     for (const char* name : {"v.dat", "v0001.dat", "v0002.dat"}) {

@@ -13,18 +13,6 @@
 namespace quasimc::test {
 namespace {
 
-/// A grey leaf above a grey ground.
-Scene make_leaf(double rho = .4, double tau = .2) {
-    SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, tau));
-    builder.add_material(matt("soil", .3, 0));
-    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
-    GroundSpec soil = ground("soil");
-    soil.extent = {{-1, -1, 2, 2}};
-    builder.set_ground(soil);
-    return std::move(builder).build();
-}
-
 /// A uniform sky in which every 512th look takes three milliseconds.
 class TiredSky final : public Source {
   public:
@@ -72,14 +60,14 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
         before = progress.fraction;
         ++calls;
     };
-    (void)run(make_leaf(), {std::make_shared<TiredSky>()}, long_run(), listen);
+    (void)run(leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), listen);
     EXPECT_GT(calls, 0);
 }
 
 TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
     const auto listen = [](const Progress&) { throw std::runtime_error("enough"); };
     EXPECT_THROW(
-        (void)run(make_leaf(), {std::make_shared<TiredSky>()}, long_run(), listen),
+        (void)run(leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), listen),
         std::runtime_error);
 }
 
@@ -87,7 +75,7 @@ TEST(Run, StopsWhenTheTargetIsReached) {
     RunSpec spec = spec_of(Method::light_tracing, 256);
     spec.target_error = .01;
     spec.target_fraction = 1;
-    const Result result = run(make_leaf(), {sky({1})}, spec);
+    const Result result = run(leaf_over_ground(), {sky({1})}, spec);
     EXPECT_EQ(result.stop, StopReason::target_reached);
     EXPECT_EQ(result.fraction_at_target, 1);
     EXPECT_GT(result.paths, 256U);
@@ -101,12 +89,12 @@ TEST(Run, SaysWhyItMissedTheTarget) {
     RunSpec spec = spec_of(Method::light_tracing, 256);
     spec.target_error = 1e-9;
     spec.max_paths = 1000;
-    Result result = run(make_leaf(), {sky({1})}, spec);
+    Result result = run(leaf_over_ground(), {sky({1})}, spec);
     EXPECT_EQ(result.stop, StopReason::path_limit);
     EXPECT_EQ(result.paths, 512U);
     spec.max_seconds = 1e-9;
     spec.max_paths = 0;
-    result = run(make_leaf(), {sky({1})}, spec);
+    result = run(leaf_over_ground(), {sky({1})}, spec);
     EXPECT_EQ(result.stop, StopReason::time_is_up);
     EXPECT_EQ(result.paths, 256U);
 }
@@ -117,11 +105,11 @@ class RunBothWays : public BothWays {};
 TEST_P(RunBothWays, RoundsAddUp) {
     RunSpec spec = spec_of(GetParam(), 512);
     spec.max_paths = 8192;
-    const Result rounds = run(make_leaf(), {sun(20, {1}), sky({1})}, spec);
+    const Result rounds = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
     EXPECT_EQ(rounds.paths, 8192U);
     spec.paths = 8192;
     spec.seed = 2;
-    const Result once = run(make_leaf(), {sun(20, {1}), sky({1})}, spec);
+    const Result once = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
     for (const std::size_t organ : {0U, 1U}) {
         const Estimate& a = rounds.at(organ, Quantity::incident_scattered, 0);
         const Estimate& b = once.at(organ, Quantity::incident_scattered, 0);
@@ -134,16 +122,18 @@ TEST_P(RunBothWays, RoundsAddUp) {
 
 TEST_P(RunBothWays, ThreadsAreAsManyAsTheMachineHasUnlessToldOtherwise) {
     RunSpec spec = spec_of(GetParam(), 1024);
-    const Estimate one = run(make_leaf(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
+    const Estimate one =
+        run(leaf_over_ground(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
     spec.threads = 0;
-    const Estimate all = run(make_leaf(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
+    const Estimate all =
+        run(leaf_over_ground(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
     EXPECT_EQ(one.mean, all.mean);
     EXPECT_EQ(one.standard_error, all.standard_error);
 }
 
 TEST_P(RunBothWays, AnotherSeedGivesOtherNumbers) {
     RunSpec spec = spec_of(GetParam(), 1024);
-    const Scene scene = make_leaf();
+    const Scene scene = leaf_over_ground();
     const double first = run(scene, {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0).mean;
     EXPECT_EQ(first, run(scene, {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0).mean);
     spec.seed = 2;
@@ -153,7 +143,7 @@ TEST_P(RunBothWays, AnotherSeedGivesOtherNumbers) {
 TEST_P(RunBothWays, WithADepthOfOneNothingIsScattered) {
     RunSpec spec = spec_of(GetParam(), 1024);
     spec.max_depth = 1;
-    const Result result = run(make_leaf(), {sun(0, {1})}, spec);
+    const Result result = run(leaf_over_ground(), {sun(0, {1})}, spec);
     for (const std::size_t organ : {0U, 1U}) {
         EXPECT_EQ(result.at(organ, Quantity::incident_scattered, 0).mean, 0);
         EXPECT_GT(result.at(organ, Quantity::incident_direct, 0).mean, 0);
@@ -164,7 +154,7 @@ TEST_P(RunBothWays, WithADepthOfOneNothingIsScattered) {
 TEST(Run, ReportsWhatADepthOfOneCutsOff) {
     RunSpec spec = spec_of(Method::light_tracing, 1024);
     spec.max_depth = 1;
-    const Result result = run(make_leaf(.4, .2), {sun(0, {1})}, spec);
+    const Result result = run(leaf_over_ground(.4, .2), {sun(0, {1})}, spec);
     const BandBudget& budget = result.budget[0];
     EXPECT_NEAR(
         budget.cut_off.mean,

@@ -16,18 +16,6 @@
 namespace quasimc::test {
 namespace {
 
-/// A grey leaf above a grey ground.
-Scene leaf_over_ground() {
-    SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
-    builder.add_material(matt("soil", .3, 0));
-    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
-    GroundSpec soil = ground("soil");
-    soil.extent = {{-1, -1, 2, 2}};
-    builder.set_ground(soil);
-    return std::move(builder).build();
-}
-
 /// A uniform sky that requests a stop at a look.
 class StoppingSky final : public Source {
   public:
