@@ -147,7 +147,7 @@ void DescriptorStream::send_last(std::string_view message) {
 void DescriptorStream::resign() noexcept {
     pollfd end{out_, POLLOUT, 0};
     if (::poll(&end, 1, 0) > 0 && (end.revents & POLLOUT) != 0) {
-        static_cast<void>(!::write(out_, kEmptyAnswer.data(), kEmptyAnswer.size()));
+        static_cast<void>(::write(out_, kEmptyAnswer.data(), kEmptyAnswer.size()) < 0);
     }
 }
 

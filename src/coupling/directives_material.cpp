@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "coupling/directive_table.h"
+#include "io/line_scanner.h"
 
 namespace quasimc {
 namespace {

@@ -105,6 +105,7 @@ void check_written(const OutputSpec& output, const std::vector<Band>& bands, Fau
     }
     quantities.push_back(kSunlit);
     std::vector<std::string_view> names;
+    names.reserve(bands.size());
     for (const Band& band : bands) {
         names.push_back(band.name);
     }
