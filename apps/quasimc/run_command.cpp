@@ -32,7 +32,8 @@ struct RunArguments {
 
 /// The files that a run may write, in the order in which they get their names: the result that has
 /// everything is the last.
-enum Output : std::size_t { kCsv, kDays, kGroups, kGroupDays, kJson, kOutputs };
+using Output = std::size_t;
+constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kJson = 4, kOutputs = 5;
 
 /// Which of them a run writes, and where.
 struct Asked {

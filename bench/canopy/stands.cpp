@@ -67,9 +67,9 @@ double leaf_area(std::uint32_t leaves) {
     return kLeafAreaIndex * kSide * kSide / leaves;
 }
 
-void add(SceneBuilder& builder, std::string material, std::vector<Triangle> triangles) {
+void add(SceneBuilder& builder, std::string material, const std::vector<Triangle>& triangles) {
     OrganSpec organ;
-    organ.parts.push_back({std::move(material), std::move(triangles)});
+    organ.parts.push_back({std::move(material), triangles});
     builder.add_organ(std::move(organ));
 }
 

@@ -40,12 +40,12 @@ bool PlantLight::is_dark() const {
 
 void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
     apply_settings(pass);
-    std::vector<PlacedShape> shapes = place_shapes(pass);
+    const std::vector<PlacedShape> shapes = place_shapes(pass);
     if (is_dark()) {
         notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
     } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
-        light_ = trace(pass, std::move(shapes), simulator_, check);
+        light_ = trace(pass, shapes, simulator_, check);
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
@@ -140,7 +140,7 @@ std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
 
 StepLight PlantLight::trace(
     const Pass& pass,
-    std::vector<PlacedShape> shapes,
+    std::span<const PlacedShape> shapes,
     Simulator& simulator,
     const std::function<void()>& check) {
     StepLight light;
@@ -160,20 +160,20 @@ StepLight PlantLight::trace(
     }
     std::vector<std::size_t> bands(spec_.band_count());
     std::iota(bands.begin(), bands.end(), std::size_t{0});
-    const auto trace_some = [&](std::span<const std::size_t> some, std::vector<PlacedShape> parts) {
+    const auto trace_some = [&](std::span<const std::size_t> some) {
         const Sources& sources = lighting_.sources[light.results.size()];
-        light.scene.emplace(build_plant_scene(spec_, some, pass, std::move(parts)));
+        light.scene.emplace(build_plant_scene(spec_, some, pass, shapes));
         light.results.push_back(
             simulator.run(*light.scene, sources, run, [&](const Progress&) { check(); }));
     };
     if (spec_.one_ray_per_spectrum) {
-        trace_some(bands, std::move(shapes));
+        trace_some(bands);
         return light;
     }
     for (const std::size_t& band : bands) {
         run.seed += kBetweenBands;
         if (spec_.irradiance[band] > 0) {
-            trace_some({&band, 1}, shapes);
+            trace_some({&band, 1});
         } else {
             light.results.emplace_back();
         }
@@ -190,7 +190,7 @@ StepLight PlantLight::trace_unshaded(
         shapes.begin(), shapes.end(), std::back_inserter(sensors),
         [](const PlacedShape& shape) { return shape.is_sensor; });
     return is_asked && !sensors.empty()
-               ? trace(pass, std::move(sensors), unshaded_simulator_, check)
+               ? trace(pass, sensors, unshaded_simulator_, check)
                : unshaded_;
 }
 

@@ -55,7 +55,7 @@ class PlantLight {
     [[nodiscard]] std::vector<PlacedShape> place_shapes(const Pass& pass);
     [[nodiscard]] StepLight trace(
         const Pass& pass,
-        std::vector<PlacedShape> shapes,
+        std::span<const PlacedShape> shapes,
         Simulator& simulator,
         const std::function<void()>& check);
     /// Sensors alone: what they would see with nothing in the way.

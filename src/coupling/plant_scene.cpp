@@ -62,7 +62,7 @@ Scene build_plant_scene(
     const Specification& spec,
     std::span<const std::size_t> bands,
     const Pass& pass,
-    std::vector<PlacedShape> shapes) {
+    std::span<const PlacedShape> shapes) {
     std::vector<Band> names;
     names.reserve(bands.size());
     for (const std::size_t band : bands) {
@@ -70,7 +70,7 @@ Scene build_plant_scene(
     }
     SceneBuilder builder(std::move(names), plant_orientation());
     SceneMaterials materials(spec, bands);
-    for (PlacedShape& placed : shapes) {
+    for (const PlacedShape& placed : shapes) {
         OrganSpec organ;
         organ.id = static_cast<std::int64_t>(placed.query) + 1;
         organ.name = pass.queries[placed.query].organ;
@@ -85,7 +85,7 @@ Scene build_plant_scene(
         organ.parts.push_back(
             {placed.is_sensor ? materials.sensor(builder)
                               : materials.name_of(placed.shape.materials, builder),
-             std::move(placed.shape.triangles)});
+             placed.shape.triangles});
         builder.add_organ(std::move(organ));
     }
     if (spec.ground) {

@@ -22,6 +22,6 @@ struct PlacedShape {
     const Specification& spec,
     std::span<const std::size_t> bands,
     const Pass& pass,
-    std::vector<PlacedShape> shapes);
+    std::span<const PlacedShape> shapes);
 
 }  // namespace quasimc

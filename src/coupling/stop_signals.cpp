@@ -37,7 +37,7 @@ StopSignals::StopSignals(std::function<void(int)> on_signal) : on_signal_(std::m
 
 StopSignals::~StopSignals() {
     const std::uint64_t one = 1;
-    static_cast<void>(!::write(end_, &one, sizeof one));
+    static_cast<void>(::write(end_, &one, sizeof one) < 0);
     thread_.join();
     ::close(end_);
     ::close(signals_);
