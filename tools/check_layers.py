@@ -31,6 +31,7 @@ FENCES = {
 # header.  The one of all of them is for users alone.
 PUBLIC_HEADERS = {
     "error.h": "base",
+    "share.h": "base",
     "vec3.h": "base",
     "version.h": "base",
     "mesh.h": "geometry",

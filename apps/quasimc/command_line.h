@@ -27,7 +27,8 @@ using FlagTarget = std::variant<
     double*,
     std::string*,
     std::optional<double>*,
-    std::optional<std::string>*>;
+    std::optional<std::string>*,
+    std::vector<std::string>*>;  ///< of an argument: one or several
 
 /// A flag or an argument of a command: one row of the command's table.
 struct Flag {

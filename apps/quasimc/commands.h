@@ -4,6 +4,7 @@
 
 // The commands of the program, one file each.
 [[nodiscard]] Command run_command();
+[[nodiscard]] Command merge_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command list_command();

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "interrupt.h"
 #include "io/output_files.h"
 #include "io/results/audit_words.h"
+#include "io/results/part_file.h"
 #include "option_flags.h"
 #include "output_choice.h"
 #include "progress.h"
@@ -25,6 +27,8 @@ namespace {
 /// What the command line of `quasimc run` says.
 struct RunArguments {
     std::string file, from, csv, json, days, groups_csv, groups_days;
+    std::string part, sums;          // of `run` alone
+    std::vector<std::string> parts;  // of `merge` alone: files
     OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
@@ -70,6 +74,9 @@ std::vector<quasimc::InputFile> inputs_of(
     std::vector<quasimc::InputFile> inputs = run.inputs;
     if (!arguments.from.empty()) {
         inputs.push_back({arguments.from, arguments.from, "", 0, false});
+    }
+    for (const std::string& part : arguments.parts) {
+        inputs.push_back({part, part, "", 0, false});
     }
     return inputs;
 }
@@ -230,27 +237,91 @@ ProgressLines progress_lines(const RunArguments& arguments) {
     return arguments.progress ? ProgressLines::always : ProgressLines::on_terminal;
 }
 
-/// Computes the run, which Ctrl-C stops.
-quasimc::SeriesSummary compute(
-    const RunArguments& arguments, const quasimc::RunFile& file, RunWriters& writers) {
-    const InterruptWatch interrupt([&] {
+InterruptWatch interrupt_watch(const RunArguments& arguments) {
+    return InterruptWatch([&arguments] {
         if (!arguments.quiet) {
             std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr);
         }
     });
+}
+
+/// Faults that show only when a run begins are of the run file.
+[[noreturn]] void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file) {
+    std::vector<quasimc::Fault> faults = error.faults();
+    for (quasimc::Fault& fault : faults) {
+        fault.place = file.path + ": " + fault.place;
+    }
+    throw quasimc::InputError(std::move(faults));
+}
+
+/// Computes the run, which Ctrl-C stops.
+quasimc::SeriesSummary compute(
+    const RunArguments& arguments,
+    const quasimc::RunFile& file,
+    RunWriters& writers,
+    quasimc::PartFiles* parts) {
+    const InterruptWatch interrupt = interrupt_watch(arguments);
+    quasimc::SeriesEvents events = writers.events(progress_lines(arguments));
+    if (parts != nullptr) {
+        events.sums_of = [parts](std::size_t moment) { return parts->next(moment); };
+    }
     try {
         return quasimc::run_series(
-            file.scene, quasimc::moments_of(file), file.spec,
-            writers.events(progress_lines(arguments)), interrupt.token());
+            file.scene, quasimc::moments_of(file), file.spec, events, interrupt.token());
     } catch (const quasimc::InputError& error) {
-        // Faults that show only when the run begins are of the run file.
         writers.throw_if_given_up();
-        std::vector<quasimc::Fault> faults = error.faults();
-        for (quasimc::Fault& fault : faults) {
-            fault.place = file.path + ": " + fault.place;
+        if (parts != nullptr) {
+            throw;
         }
-        throw quasimc::InputError(std::move(faults));
+        rethrow_of_file(error, file);
     }
+}
+
+/// "canopy.3of16.part" in the current folder for canopy.toml.
+std::string usual_part_name(const std::string& run_file, const quasimc::PartNumber& number) {
+    const std::string stem =
+        run_file == "-" ? "run" : std::filesystem::path(run_file).stem().string();
+    return fmt::format("{}.{}of{}.part", stem, number.part, number.parts);
+}
+
+/// Computes a part of the run, and writes its sums.
+Exit run_part(const RunArguments& arguments) {
+    const quasimc::PartNumber number = quasimc::read_part_number(arguments.part, "--part");
+    const quasimc::StoredRun stored = read_run(arguments);
+    const quasimc::RunFile& file = stored.run;
+    if (!arguments.quiet) {
+        print_warnings(file.warnings);
+    }
+    const std::string name =
+        arguments.sums.empty() ? usual_part_name(file.path, number) : arguments.sums;
+    quasimc::OutputFiles output({{name, "--sums"}}, inputs_of(arguments, file));
+    quasimc::PartWriter writer(file, number, output.sink(0));
+    const InterruptWatch interrupt = interrupt_watch(arguments);
+    try {
+        quasimc::trace_share(
+            file.scene, quasimc::moments_of(file), file.spec,
+            quasimc::share_of(number.part, number.parts),
+            [&](std::size_t moment, const quasimc::Sums& sums) {
+                end_progress_line();
+                writer.add(moment, sums);
+            },
+            {.on_progress = progress_line(progress_lines(arguments)), .stop = interrupt.token()});
+    } catch (const quasimc::InputError& error) {
+        output.throw_if_given_up();
+        rethrow_of_file(error, file);
+    }
+    end_progress_line();
+    writer.finish();
+    output.commit();
+    output.throw_if_given_up();
+    if (!arguments.quiet) {
+        std::fprintf(
+            output.uses_standard_output() ? stderr : stdout,
+            "part %llu of %llu: %s; put all together with: quasimc merge PART...\n",
+            static_cast<unsigned long long>(number.part),
+            static_cast<unsigned long long>(number.parts), name.c_str());
+    }
+    return Exit::done;
 }
 
 Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary) {
@@ -290,8 +361,8 @@ void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
     faults.throw_if_any();
 }
 
-Exit run(const RunArguments& arguments) {
-    quasimc::StoredRun stored = read_run(arguments);
+Exit run(
+    const RunArguments& arguments, quasimc::StoredRun stored, quasimc::PartFiles* parts = nullptr) {
     apply_choice(arguments.choice, stored.run);
     const quasimc::RunFile& file = stored.run;
     if (!arguments.quiet) {
@@ -299,8 +370,11 @@ Exit run(const RunArguments& arguments) {
     }
     require_times(arguments, file);
     RunWriters writers(arguments, file);
-    const quasimc::SeriesSummary summary = compute(arguments, file, writers);
+    const quasimc::SeriesSummary summary = compute(arguments, file, writers, parts);
     end_progress_line();
+    if (parts != nullptr) {
+        parts->expect_end();
+    }
     const std::string digest = writers.finish(summary);
     print_unlit(summary, file.series.has_value());
     print_audit(summary.audit_chance);
@@ -311,18 +385,30 @@ Exit run(const RunArguments& arguments) {
     return exit_of(file, summary);
 }
 
-/// @throws UsageError
-void check_usage(const RunArguments& arguments) {
-    if (arguments.file.empty() && arguments.from.empty()) {
-        throw UsageError("FILE or --from RESULT is required");
-    }
-    const std::array<std::pair<std::string_view, const std::string*>, 5> files{{
+Exit run(const RunArguments& arguments) {
+    return arguments.part.empty() ? run(arguments, read_run(arguments)) : run_part(arguments);
+}
+
+Exit merge(const RunArguments& arguments) {
+    quasimc::PartFiles parts(arguments.parts);
+    return run(arguments, parts.read_run(), &parts);
+}
+
+/// The flags that name files to be written, and those files.
+std::array<std::pair<std::string_view, const std::string*>, 5> outputs_of(
+    const RunArguments& arguments) {
+    return {{
         {"--csv", &arguments.csv},
         {"--json", &arguments.json},
         {"--days", &arguments.days},
         {"--groups-csv", &arguments.groups_csv},
         {"--groups-days", &arguments.groups_days},
     }};
+}
+
+/// @throws UsageError
+void check_outputs(const RunArguments& arguments) {
+    const auto files = outputs_of(arguments);
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             if (!files[i].second->empty() && *files[i].second == *files[j].second) {
@@ -333,16 +419,26 @@ void check_usage(const RunArguments& arguments) {
     }
 }
 
-std::vector<Flag> flags_of(RunArguments& arguments) {
+/// @throws UsageError
+void check_usage(const RunArguments& arguments) {
+    if (arguments.file.empty() && arguments.from.empty()) {
+        throw UsageError("FILE or --from RESULT is required");
+    }
+    if (arguments.part.empty() && !arguments.sums.empty()) {
+        throw UsageError("--sums: is the file of a --part");
+    }
+    for (const auto& [flag, path] : outputs_of(arguments)) {
+        if (!arguments.part.empty() && !path->empty()) {
+            throw UsageError(
+                fmt::format("{}: a --part has no results; `quasimc merge` writes them", flag));
+        }
+    }
+    check_outputs(arguments);
+}
+
+/// Of what is written and told.
+std::vector<Flag> output_flags(RunArguments& arguments) {
     std::vector<Flag> flags{
-        {.name = "FILE",
-         .target = &arguments.file,
-         .summary = "run file (docs/formats/run-file.md); - is standard input",
-         .excludes = "--from"},
-        {.name = "--from",
-         .target = &arguments.from,
-         .summary = "repeat the run of this JSON result instead",
-         .type_name = "RESULT"},
         {.name = "--csv",
          .target = &arguments.csv,
          .summary = "write the table of organs here; - is standard output",
@@ -368,7 +464,44 @@ std::vector<Flag> flags_of(RunArguments& arguments) {
         {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
         {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
     add_choice_flags(arguments.choice, flags);
+    return flags;
+}
+
+std::vector<Flag> flags_of_run(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "FILE",
+         .target = &arguments.file,
+         .summary = "run file (docs/formats/run-file.md); - is standard input",
+         .excludes = "--from"},
+        {.name = "--from",
+         .target = &arguments.from,
+         .summary = "repeat the run of this JSON result instead",
+         .type_name = "RESULT"},
+        {.name = "--part",
+         .target = &arguments.part,
+         .summary = "compute this part of the run alone, 3/16 the third of sixteen, for "
+                    "`quasimc merge`",
+         .type_name = "K/N"},
+        {.name = "--sums",
+         .target = &arguments.sums,
+         .summary = "write the part here; by default NAME.KofN.part in the current folder",
+         .type_name = "FILE"}};
+    for (Flag& flag : output_flags(arguments)) {
+        flags.push_back(std::move(flag));
+    }
     arguments.flags.add_to(flags);
+    return flags;
+}
+
+std::vector<Flag> flags_of_merge(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "PART",
+         .target = &arguments.parts,
+         .summary = "files of `quasimc run --part`: all parts of one run, in any order",
+         .required = true}};
+    for (Flag& flag : output_flags(arguments)) {
+        flags.push_back(std::move(flag));
+    }
     return flags;
 }
 
@@ -377,6 +510,14 @@ std::vector<Flag> flags_of(RunArguments& arguments) {
 Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
     return {
-        "run", "compute the light on every organ of a scene", flags_of(*arguments),
+        "run", "compute the light on every organ of a scene", flags_of_run(*arguments),
         [arguments] { return run(*arguments); }, [arguments] { check_usage(*arguments); }};
+}
+
+Command merge_command() {
+    const auto arguments = std::make_shared<RunArguments>();
+    return {
+        "merge", "put the parts of a run together, which other machines have computed",
+        flags_of_merge(*arguments), [arguments] { return merge(*arguments); },
+        [arguments] { check_outputs(*arguments); }};
 }

@@ -17,6 +17,7 @@
 #include "quasimc/run_spec.h"
 #include "quasimc/scene.h"
 #include "quasimc/series.h"
+#include "quasimc/share.h"
 #include "quasimc/source.h"
 #include "quasimc/sums.h"
 #include "quasimc/sun.h"

@@ -15,6 +15,7 @@
 #include "quasimc/result.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/scene.h"
+#include "quasimc/share.h"
 #include "quasimc/source.h"
 #include "quasimc/sums.h"
 
@@ -37,6 +38,8 @@ struct RunControl {
     /// Seconds beyond RunSpec::max_seconds that the first few paths may take, so that there is a
     /// result at all; by default a quarter of a second or 3 % of it.
     std::optional<double> grace_seconds = {};
+    /// Sums of all paths of this run, put together from shares elsewhere: nothing is traced.
+    const Sums* sums = nullptr;
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.
@@ -108,6 +111,16 @@ class Simulator {
     /// @throws InputError  as run() does
     [[nodiscard]] Sums sums(
         const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first = 0);
+    /// The sums of a share of that round.
+    /// @param control  who hears of it, and may stop it
+    /// @throws Stopped  if it was stopped
+    [[nodiscard]] Sums sums(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        std::uint64_t first,
+        const Share& share,
+        const RunControl& control = {});
 
     /// How often an acceleration structure had to be built.
     [[nodiscard]] std::size_t builds() const;

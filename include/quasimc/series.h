@@ -46,6 +46,9 @@ struct SeriesEvents {
         on_time_step;
     std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
     std::function<void(const Progress&)> on_progress;
+    /// Where the sums of a traced moment come from if shares of them were traced elsewhere
+    /// (trace_share); asked in the order of moments. Empty: everything is traced here.
+    std::function<Sums(std::size_t time_step)> sums_of = {};
     bool wants_total = true;  ///< whether SeriesSummary::total is computed
 };
 
@@ -103,5 +106,19 @@ SeriesSummary run_series(
     const RunSpec& spec,
     const SeriesEvents& events = {},
     const std::stop_token& stop = {});
+
+/// Traces a share of every moment of a series that run_series would trace.
+/// @param on_sums  is told of the sums of each, in the order of moments
+/// @param control  its on_progress is told of all moments together
+/// @throws InputError  as run_series(), and for a specification whose end a share can't know: with
+///         a target, or limits of time or paths
+/// @throws Stopped  if it was stopped
+void trace_share(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const Share& share,
+    const std::function<void(std::size_t time_step, const Sums& sums)>& on_sums,
+    const RunControl& control = {});
 
 }  // namespace quasimc

@@ -234,6 +234,9 @@ struct Sums {
     /// @throws std::invalid_argument  if the two are not of one run: layout, units, number of
     ///         replicates or digest differ
     Sums& operator+=(const Sums& other);
+    /// Adds the sums of another share of the same paths.
+    /// @throws std::invalid_argument  if the two are not of one run, or not of as many paths
+    Sums& add_share(const Sums& other);
 
     friend bool operator==(const Sums&, const Sums&) = default;
 };

@@ -9,9 +9,10 @@ namespace quasimc {
 
 void Executor::run(
     std::uint64_t tasks, const std::function<void(std::uint64_t task, unsigned worker)>& work) {
-    parallel_blocks(tasks, workers_, [&](std::uint64_t task, unsigned worker) {
+    const auto [begin, end] = share_.range(tasks);
+    parallel_blocks(end - begin, workers_, [&](std::uint64_t task, unsigned worker) {
         throw_if_stopped(stop_);
-        work(task, worker);
+        work(begin + task, worker);
         finish_task(worker);
     });
 }

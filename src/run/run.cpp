@@ -179,6 +179,28 @@ Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& a
         estimates * sizeof(Estimate), [&] { return evaluate(sums, scene, asked); });
 }
 
+/// Tells how far a single round is.
+std::function<void(double)> round_progress(
+    const std::function<void(const Progress&)>& tell, Clock::time_point start) {
+    if (!tell) {
+        return {};
+    }
+    return [&tell, start](double part) {
+        const double seconds = seconds_since(start);
+        tell({part, seconds, seconds / part, 0});
+    };
+}
+
+/// @throws InputError  if sums from elsewhere are not those of the run
+void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec& spec) {
+    const bool is_this_run = sums.digest == digest_of(prepared, spec) && sums.paths == spec.paths &&
+                             sums.replicates.size() == spec.replicates;
+    if (!is_this_run) {
+        throw InputError(
+            {{"sums", "they are of another run", "scene, sources, options or version differ", ""}});
+    }
+}
+
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
     if (why == StopReason::interrupted) {
         return {why, "stopped before the first round of paths was complete: there is no result"};
@@ -260,24 +282,35 @@ void Simulator::State::add_audit(
 }
 
 Sums Simulator::State::sums(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    std::uint64_t first,
+    const Share& share,
+    const RunControl& control) try {
     Faults faults;
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
     RunSpec planned = spec;
     planned.method = plan_method(scene, sources, spec).method;
     check_first_path(sampler_for(spec.sampler), spec, first);
-    const PreparedScene prepared = prepare(scene, sources, planned);
+    const Clock::time_point start = Clock::now();
+    const PreparedScene prepared = prepare(scene, sources, planned, control.stop);
     Sums sums = empty_sums(prepared, planned);
     sums.digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {
         sums.paths = sums.samples = planned.paths;
         return sums;
     }
-    Executor executor(thread_count(planned.threads));
-    make_solver({prepared, sampler_for(planned.sampler), planned})
+    Executor executor(
+        thread_count(planned.threads), round_progress(control.on_progress, start), control.stop,
+        share);
+    make_solver({prepared, sampler_for(planned.sampler), planned, control.stop})
         ->solve({first, planned.paths}, executor, sums);
     return sums;
+} catch (const StopRequested&) {
+    throw Stopped(
+        StopReason::interrupted, "stopped before all paths were traced: there are no sums");
 }
 
 PreparedScene Simulator::State::prepare(
@@ -300,6 +333,11 @@ Result Simulator::State::trace(
         return unlit_result(scene, spec);
     }
     const double build_seconds = seconds_since(start);
+    if (control.sums != nullptr) {
+        check_given(*control.sums, prepared, spec);
+        return make_result(
+            *control.sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
+    }
 
     const double cpu_before = cpu_seconds();
     Reporter reporter(control.on_progress, start);

@@ -20,18 +20,10 @@
 #include "results/groups.h"
 #include "run/series_sum.h"
 #include "run/simulator.h"
-#include "samplers/hash.h"
+#include "run/trace_seed.h"
 
 namespace quasimc {
 namespace {
-
-/// A seed for each trace (SplitMix64: Steele, Lea and Flood 2014).
-std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
-    if (trace == 0) {
-        return seed;
-    }
-    return mix64(seed + trace * 0x9E3779B97F4A7C15U);
-}
 
 /// Traces a series, moment by moment.
 class SeriesRun {
@@ -149,9 +141,14 @@ class SeriesRun {
 
     Result trace_one(std::size_t i) {
         RunSpec spec = spec_;
-        spec.seed = seed_of(spec_.seed, summary_.traced);
+        spec.seed = trace_seed(spec_.seed, summary_.traced);
         RunControl control{.on_progress = progress_of(i), .stop = stop_};
         share_time(spec, control);
+        std::optional<Sums> given;
+        if (events_.sums_of) {
+            given = events_.sums_of(i);
+            control.sums = &*given;
+        }
         Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
         --traces_left_;
         ++summary_.traced;

@@ -27,7 +27,17 @@ Result Simulator::run(
 
 Sums Simulator::sums(
     const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
-    return state_->sums(scene, sources, spec, first);
+    return state_->sums(scene, sources, spec, first, {}, {});
+}
+
+Sums Simulator::sums(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    std::uint64_t first,
+    const Share& share,
+    const RunControl& control) {
+    return state_->sums(scene, sources, spec, first, share, control);
 }
 
 std::size_t Simulator::builds() const {

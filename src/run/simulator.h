@@ -23,7 +23,12 @@ class Simulator::State {
     [[nodiscard]] Result run(
         const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
     [[nodiscard]] Sums sums(
-        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first);
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        std::uint64_t first,
+        const Share& share,
+        const RunControl& control);
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:

@@ -4,19 +4,37 @@
 
 namespace quasimc {
 
-Sums& Sums::operator+=(const Sums& other) {
-    const bool is_same_run = layout == other.layout && units == other.units &&
-                             spectra == other.spectra && emitted_flux == other.emitted_flux &&
-                             measured == other.measured && escaped == other.escaped &&
-                             replicates.size() == other.replicates.size() && digest == other.digest;
+namespace {
+
+/// Adds the bins of sums of one run.
+void add_replicates(Sums& sums, const Sums& other) {
+    const bool is_same_run =
+        sums.layout == other.layout && sums.units == other.units && sums.spectra == other.spectra &&
+        sums.emitted_flux == other.emitted_flux && sums.measured == other.measured &&
+        sums.escaped == other.escaped && sums.replicates.size() == other.replicates.size() &&
+        sums.digest == other.digest;
     if (!is_same_run) {
         throw std::invalid_argument("sums of different runs can't be added");
     }
-    for (std::size_t r = 0; r < replicates.size(); ++r) {
-        replicates[r] += other.replicates[r];
+    for (std::size_t r = 0; r < sums.replicates.size(); ++r) {
+        sums.replicates[r] += other.replicates[r];
     }
+}
+
+}  // namespace
+
+Sums& Sums::operator+=(const Sums& other) {
+    add_replicates(*this, other);
     paths += other.paths;
     samples += other.samples;
+    return *this;
+}
+
+Sums& Sums::add_share(const Sums& other) {
+    if (paths != other.paths || samples != other.samples) {
+        throw std::invalid_argument("shares of different numbers of paths can't be added");
+    }
+    add_replicates(*this, other);
     return *this;
 }
 

@@ -1,10 +1,12 @@
 #include "base/executor.h"
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -30,6 +32,28 @@ TEST_P(Executors, RunNoTaskOnceAStopIsRequested) {
     EXPECT_THROW(executor.run(kTasks, stop_at_the_tenth), StopRequested);
     EXPECT_GE(begun, 10U);
     EXPECT_LT(begun, 10U + GetParam());
+}
+
+TEST_P(Executors, OfSharesRunEveryTaskOnce) {
+    for (const std::uint64_t parts : {1U, 3U, 7U, 1000U, 1300U}) {
+        std::vector<std::atomic<int>> runs(kTasks);
+        for (std::uint64_t part = 1; part <= parts; ++part) {
+            Executor executor(GetParam(), {}, {}, share_of(part, parts));
+            executor.run(kTasks, [&](std::uint64_t task, unsigned) { ++runs[task]; });
+        }
+        EXPECT_TRUE(std::all_of(runs.begin(), runs.end(), [](const auto& n) { return n == 1; }));
+    }
+}
+
+TEST(Share, OfHugeNumbersOfTasksLeavesNoneOut) {
+    constexpr std::uint64_t kMost = ~std::uint64_t{0};
+    std::uint64_t next = 0;
+    for (std::uint64_t part = 1; part <= 999'999; part += 1) {
+        const auto [begin, end] = share_of(part, 999'999).range(kMost);
+        ASSERT_EQ(begin, next);
+        next = end;
+    }
+    EXPECT_EQ(next, kMost);
 }
 
 TEST_P(Executors, RunAllTasksWithoutAStop) {

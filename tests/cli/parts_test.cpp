@@ -1,0 +1,163 @@
+// Parts of a run, computed apart and put together.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+class PartsTest : public ProgramTest {
+  protected:
+    /// Computes parts 1 to `parts` of a run file into p1, p2, ...; each on other threads.
+    void compute_parts(int parts, const std::vector<std::string>& options = {}) const {
+        for (int part = 1; part <= parts; ++part) {
+            std::vector<std::string> words{
+                "run",    options.empty() ? "run.toml" : options[0],
+                "--part", std::to_string(part) + "/" + std::to_string(parts),
+                "--sums", "p" + std::to_string(part)};
+            words.insert(words.end(), options.begin() + (options.empty() ? 0 : 1), options.end());
+            words.insert(words.end(), {"--threads", std::to_string(1 + part % 2)});
+            const Outcome outcome = run(words);
+            EXPECT_EQ(outcome.status, 0) << outcome.err;
+        }
+    }
+    /// A table without the lines on how it was made.
+    [[nodiscard]] std::string rows(const std::string& name) const {
+        const std::string table = folder_.read(name);
+        return table.substr(table.find("id,name"));
+    }
+};
+
+class PartsOfMethodsTest : public PartsTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(PartsOfMethodsTest, GiveTheNumbersOfTheWholeInAnyOrder) {
+    compute_parts(3, {"run.toml", "--method", GetParam()});
+    const Outcome merged = run({"merge", "p3", "p1", "p2", "--csv", "merged.csv"});
+    EXPECT_EQ(merged.status, 0) << merged.err;
+    ASSERT_EQ(run({"run", "run.toml", "--method", GetParam(), "--csv", "whole.csv"}).status, 0);
+    EXPECT_EQ(rows("merged.csv"), rows("whole.csv"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryMethod,
+    PartsOfMethodsTest,
+    ::testing::Values("light_tracing", "first_hits", "from_organs", "auto"));
+
+TEST_F(PartsTest, OfTimesGiveTheirNumbersAndSums) {
+    folder_.write(
+        "day.toml", good_run_file() +
+                        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                        "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\n"
+                        "utc_offset_hours = 1\nhours = [3, 6]\nsky = \"uniform\"\n");
+    compute_parts(2, {"day.toml"});
+    ASSERT_EQ(
+        run({"merge", "p1", "p2", "--csv", "m.csv", "--days", "md.csv", "--json", "m.json"}).status,
+        0);
+    ASSERT_EQ(run({"run", "day.toml", "--csv", "w.csv", "--days", "wd.csv"}).status, 0);
+    EXPECT_EQ(rows("m.csv"), rows("w.csv"));
+    EXPECT_EQ(rows("md.csv"), rows("wd.csv"));
+    const Outcome again = run({"run", "--from", "m.json"});
+    EXPECT_NE(again.out.find("the same numbers as in m.json"), std::string::npos) << again.out;
+}
+
+TEST_F(PartsTest, MayBeMoreThanThereIsWork) {
+    compute_parts(41, {"run.toml", "--paths", "64", "--replicates", "2"});
+    std::vector<std::string> words{"merge", "--csv", "m.csv"};
+    for (int part = 1; part <= 41; ++part) {
+        words.push_back("p" + std::to_string(part));
+    }
+    EXPECT_EQ(run(words).status, 0);
+    ASSERT_EQ(
+        run({"run", "run.toml", "--paths", "64", "--replicates", "2", "--csv", "w.csv"}).status, 0);
+    EXPECT_EQ(rows("m.csv"), rows("w.csv"));
+}
+
+TEST_F(PartsTest, HaveANameOfTheirOwnUnlessItIsStated) {
+    EXPECT_EQ(run({"run", "run.toml", "--part", "2/3"}).status, 0);
+    EXPECT_EQ(new_files(), std::vector<std::string>{"run.2of3.part"});
+}
+
+TEST_F(PartsTest, ThatMissOverlapOrAreOfAnotherRunAreRefused) {
+    compute_parts(3);
+    const auto refusal = [&](const std::vector<std::string>& parts) {
+        std::vector<std::string> words{"merge", "--csv", "m.csv"};
+        words.insert(words.end(), parts.begin(), parts.end());
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.status, 1);
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; name its file as well\n");
+    EXPECT_NE(
+        refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is there twice"),
+        std::string::npos);
+    EXPECT_NE(refusal({"p1", "p2", "p3", "p3x"}).find("p3x: can't be read"), std::string::npos);
+    EXPECT_NE(refusal({"p1", "run.toml"}).find("run.toml: is no part of a run"), std::string::npos);
+
+    ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--sums", "q2", "--seed", "9"}).status, 0);
+    EXPECT_NE(
+        refusal({"p1", "q2", "p3"})
+            .find("q2: is of another run than p1 (run.run.seed: 1 there, 9 here)"),
+        std::string::npos)
+        << refusal({"p1", "q2", "p3"});
+    ASSERT_EQ(run({"run", "run.toml", "--part", "2/4", "--sums", "q2"}).status, 0);
+    EXPECT_NE(refusal({"p1", "q2", "p3"}).find("q2: is one of 4 parts"), std::string::npos);
+
+    folder_.write("leaves.tri", replaced(good_leaves(), "0", "0.25"));
+    ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--sums", "q2"}).status, 0);
+    EXPECT_NE(refusal({"p1", "q2", "p3"}).find("inputs.leaves.tri"), std::string::npos)
+        << refusal({"p1", "q2", "p3"});
+    EXPECT_NE(refusal({"p1", "p2", "p3"}).find("has changed"), std::string::npos)
+        << refusal({"p1", "p2", "p3"});
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "p1"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "m.csv"));
+}
+
+TEST_F(PartsTest, ThatAreDamagedAreRefused) {
+    compute_parts(2);
+    const std::string whole = folder_.read("p2");
+    const auto refusal = [&](const std::string& bytes) {
+        folder_.write("p2", bytes);
+        const Outcome outcome = run({"merge", "p1", "p2"});
+        EXPECT_EQ(outcome.status, 1);
+        return outcome.err;
+    };
+    for (const std::size_t size : {0UL, 10UL, 30UL, 60UL, whole.size() / 2, whole.size() - 1}) {
+        EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("p2: is ")) << size;
+    }
+    std::string changed = whole;
+    changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
+    EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
+}
+
+TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
+    const Outcome outcome =
+        run({"run", "run.toml", "--part", "1/2", "--target-error", "0.1", "--audit", "0.5"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(
+        outcome.err.find("run.toml: target_error: a part of a run can't keep to it"),
+        std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("audit"), std::string::npos);
+    for (const char* wrong : {"0/2", "3/2", "1/", "/2", "1", "1/2x", "-1/2", "1/99999999"}) {
+        const Outcome refused = run({"run", "run.toml", "--part", wrong});
+        EXPECT_EQ(refused.status, 1) << wrong;
+        EXPECT_NE(refused.err.find("is no part of a run"), std::string::npos) << refused.err;
+    }
+    EXPECT_EQ(run({"run", "run.toml", "--part", "1/2", "--csv", "a.csv"}).status, 2);
+    EXPECT_EQ(run({"run", "run.toml", "--sums", "a"}).status, 2);
+    EXPECT_EQ(new_files(), std::vector<std::string>{});
+}
+
+TEST_F(PartsTest, AreNoOutputOfTheirMerger) {
+    compute_parts(1);
+    const std::string before = folder_.read("p1");
+    EXPECT_EQ(run({"merge", "p1", "--csv", "p1"}).status, 1);
+    EXPECT_EQ(folder_.read("p1"), before);
+}
+
+}  // namespace
+}  // namespace quasimc::test
