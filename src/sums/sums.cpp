@@ -1,5 +1,6 @@
 #include "quasimc/sums.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace quasimc {
@@ -8,7 +9,8 @@ Sums& Sums::operator+=(const Sums& other) {
     const bool is_same_run = layout == other.layout && units == other.units &&
                              spectra == other.spectra && emitted_flux == other.emitted_flux &&
                              measured == other.measured && escaped == other.escaped &&
-                             replicates.size() == other.replicates.size() && digest == other.digest;
+                             replicates.size() == other.replicates.size() &&
+                             per_find.size() == other.per_find.size() && digest == other.digest;
     if (!is_same_run) {
         throw std::invalid_argument("sums of different runs can't be added");
     }
@@ -17,6 +19,9 @@ Sums& Sums::operator+=(const Sums& other) {
     }
     paths += other.paths;
     samples += other.samples;
+    for (std::size_t i = 0; i < per_find.size(); ++i) {
+        per_find[i] = std::max(per_find[i], other.per_find[i]);
+    }
     return *this;
 }
 
