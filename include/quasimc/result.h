@@ -74,7 +74,7 @@ struct QuantityEntry {
 /// less what it took: its mean is 0. Tracing from organs gives emitted and absorbed; escaped is
 /// then the rest, and says so.
 struct BandBudget {
-    double emitted = 0;
+    Estimate emitted;  ///< of skies and lamps a sum over what was drawn, with its error
     Estimate absorbed_by_organs, absorbed_by_ground, escaped, cut_off, roulette;
     /// |emitted + roulette - absorbed - escaped - cut off| / emitted.
     double closure_error = 0;

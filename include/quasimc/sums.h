@@ -63,7 +63,8 @@ enum class UnoccludedLight { left_out, summed };
 /// For each region (a part of an organ that is of one material) the bins stand together, because a
 /// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, and where absorbed
 /// light is summed absorbed_direct[band] and absorbed_scattered[band], and where unoccluded light
-/// is summed unoccluded[side][spectrum]; then those of the run: emitted[spectrum],
+/// is summed unoccluded[side][spectrum], and of kinds of lights whose finds are counted
+/// squares[kind][side]; then those of the run: emitted[spectrum],
 /// escaped_direct[spectrum], escaped_scattered[band], scattered_out[band], cut_off[band], rays;
 /// then those of detectors.
 struct SumLayout {
@@ -73,6 +74,7 @@ struct SumLayout {
     AbsorbedLight absorbed_light = AbsorbedLight::inferred;
     UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
     std::vector<DetectorBins> detectors = {};
+    std::size_t counted_kinds = 0;  ///< SumUnits::kinds, the first so many of them
 
     [[nodiscard]] std::size_t absorbed_bands() const {
         return absorbed_light == AbsorbedLight::summed ? bands : 0;
@@ -81,7 +83,8 @@ struct SumLayout {
         return unoccluded_light == UnoccludedLight::summed ? spectra : 0;
     }
     [[nodiscard]] std::size_t stride() const {
-        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands() + 2 * unoccluded_spectra();
+        return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands() + 2 * unoccluded_spectra() +
+               2 * counted_kinds;
     }
     [[nodiscard]] std::size_t direct(
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
@@ -102,6 +105,13 @@ struct SumLayout {
     [[nodiscard]] std::size_t unoccluded(
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
         return absorbed_scattered(region) + absorbed_bands() + index_of(side) * spectra + spectrum;
+    }
+    /// Of the light that each find of a kind brought, the square, in squares of the most it could
+    /// (LightKind::step).
+    [[nodiscard]] std::size_t squares(
+        std::size_t region, SurfaceSide side, std::size_t kind) const {
+        return unoccluded(region, SurfaceSide::upper, 0) + 2 * unoccluded_spectra() + 2 * kind +
+               index_of(side);
     }
     [[nodiscard]] std::size_t emitted() const { return regions * stride(); }
     [[nodiscard]] std::size_t escaped_direct() const { return emitted() + spectra; }
@@ -182,6 +192,26 @@ class ExactBins {
     std::vector<std::int64_t> carries_;  // empty: 0
 };
 
+/// How the direct light of some lights is found: each path is a find, or all that comes along a
+/// scan line, or a direction of the skies.
+enum class FoundBy { paths, lines, directions };
+
+/// Lights whose direct light is found in one way. What a run may have overlooked is told kind by
+/// kind: one find brings more or less, and what the sun lights the sky may not have found.
+struct LightKind {
+    FoundBy found_by = FoundBy::paths;
+    bool has_suns = false;
+    std::vector<std::size_t> spectra;  ///< of these lights, and of no others
+    std::vector<double> flux;          ///< per band, as SumUnits::flux: of the brightest spectrum
+    /// By side of a region (2 * region + side): how much of the light of one find it can get, 0
+    /// where it faces none of the lights. Of lines: a length, in local units. Empty: all.
+    std::vector<double> reach = {};
+    std::vector<double> sunlit_reach = {};  ///< of suns, by region: the same of the area lit
+    double step = 1;                        ///< light of a find in the first round, in units
+
+    friend bool operator==(const LightKind&, const LightKind&) = default;
+};
+
 /// What a bin's unit stands for, made once for a run. After n samples (Sums::samples) a sum x of
 /// region r stands for the flux x * flux[band] * region_scale[r] / n; of direct light, which is
 /// summed per spectrum, times the spectrum's weight in the band.
@@ -190,7 +220,7 @@ struct SumUnits {
     /// The same for what a single sample would have brought to a region, had it found light: the
     /// upper bound for a region that received nothing is made of it.
     std::vector<double> flux_per_find;
-    /// The same of scattered light, where UnoccludedLight is summed; otherwise empty.
+    /// The same of scattered light; empty: the same.
     std::vector<double> scattered_flux_per_find = {};
     /// The same of a light path that is followed along with a sample, whatever region it meets;
     /// empty if there are none.
@@ -198,6 +228,8 @@ struct SumUnits {
     double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
     double sunlit_area_per_find = 0;
     std::vector<double> region_scale = {};  ///< per region; empty: 1
+    /// Of all lights, those first whose finds are counted. Empty: a find is flux_per_find.
+    std::vector<LightKind> kinds = {};
 
     [[nodiscard]] double scale(std::size_t region) const {
         return region_scale.empty() ? 1 : region_scale[region];
@@ -228,7 +260,9 @@ struct Sums {
     std::vector<ExactBins> replicates;
     std::uint64_t paths = 0;    ///< done, per replicate
     std::uint64_t samples = 0;  ///< the same as the units count them: points of an organ, or paths
-    std::uint64_t digest = 0;   ///< of what was asked: scene, sources, specification; 0: not known
+    /// By kind of lights: units of light that a find brought, where it was most in a round.
+    std::vector<double> per_find = {};
+    std::uint64_t digest = 0;  ///< of what was asked: scene, sources, specification; 0: not known
 
     /// Adds the sums of other paths of the same run.
     /// @throws std::invalid_argument  if the two are not of one run: layout, units, number of

@@ -27,12 +27,15 @@ std::vector<BandBudget> evaluate_budget(const BandFlows& all_flows) {
                 f.emitted + f.roulette - f.organs - f.ground - f.escaped - f.cut_off;
             worst = std::max(worst, f.emitted > 0 ? std::abs(open) / f.emitted : 0);
         }
+        const auto amount = [&](double Flows::*part) {
+            return not_negative(estimate_of(flows, part));
+        };
         budget.push_back(
-            {.emitted = estimate_of(flows, &Flows::emitted).mean,
-             .absorbed_by_organs = estimate_of(flows, &Flows::organs),
-             .absorbed_by_ground = estimate_of(flows, &Flows::ground),
-             .escaped = estimate_of(flows, &Flows::escaped),
-             .cut_off = estimate_of(flows, &Flows::cut_off),
+            {.emitted = amount(&Flows::emitted),
+             .absorbed_by_organs = amount(&Flows::organs),
+             .absorbed_by_ground = amount(&Flows::ground),
+             .escaped = amount(&Flows::escaped),
+             .cut_off = amount(&Flows::cut_off),
              .roulette = estimate_of(flows, &Flows::roulette),
              .closure_error = worst});
     }

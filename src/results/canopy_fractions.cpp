@@ -57,7 +57,7 @@ class FractionMaker {
             std::all_of(amounts.begin(), amounts.end(), [](double x) { return x == 0; });
         return is_unseen
                    ? estimate_unseen(static_cast<double>(amounts.size()), per_find / incident())
-                   : estimate_ratio(amounts, incident_);
+                   : not_negative(estimate_ratio(amounts, incident_));
     }
 
     [[nodiscard]] double incident() const { return estimate_mean(incident_).mean; }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/checks.h"
 #include "base/parallel.h"
@@ -43,8 +44,8 @@ class OrganEvaluator {
             evaluate_band(reader, organ, index, b, result);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
-            result.ratio_values[index * ratios.size() + i] =
-                estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]);
+            result.ratio_values[index * ratios.size() + i] = not_negative(
+                estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]));
         }
         if (!result.sunlit_fraction.empty()) {
             result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
@@ -94,6 +95,12 @@ class OrganEvaluator {
         }
         const bool is_all = std::all_of(
             values_.begin(), values_.end(), [](double fraction) { return fraction >= kFullyLit; });
+        if (sums_.layout.unoccluded_light == UnoccludedLight::left_out && reader.kinds() > 0) {
+            const double mean = std::accumulate(values_.begin(), values_.end(), 0.0) /
+                                static_cast<double>(values_.size());
+            const SingleFind one = OrganFinds::sunlit_find(reader, mean * organ.area);
+            return estimate_finds(values_, {one.more * per_area, one.less * per_area});
+        }
         const double find =
             reader.sunlit_area_per_find() * per_area / static_cast<double>(values_.size());
         return sums_.layout.unoccluded_light == UnoccludedLight::summed

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "base/parallel.h"
@@ -28,15 +29,12 @@ void add_incident(Incident& sum, const Incident& part) {
 }
 
 /// What one find more would bring to a group, or one less would take: to that of its organs to
-/// which it brings most.
+/// which it brings most. Where kinds of light are known, each organ may lack one of its own.
 struct GroupFind {
-    double incident = 0, absorbed = 0;            ///< more, to a single replicate
-    std::array<SingleFind, kQuantities> known{};  ///< where it is known what can be found
+    double incident = 0, absorbed = 0, sunlit_area = 0;  ///< more, to a single replicate
+    std::array<SingleFind, kQuantities> known{};         ///< where it is known what can be found
+    SingleFind sunlit;                                   ///< the same
 };
-
-SingleFind largest(const SingleFind& a, const SingleFind& b) {
-    return {std::max(a.more, b.more), std::max(a.less, b.less)};
-}
 
 /// Turns the sums of groups into estimates.
 class GroupEvaluator {
@@ -69,8 +67,8 @@ class GroupEvaluator {
             incident.push_back(evaluate_band(group, b, sums));
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
-            results_.ratio_values[group * results_.ratios + i] =
-                estimate_ratio(incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]);
+            results_.ratio_values[group * results_.ratios + i] = not_negative(
+                estimate_ratio(incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]));
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
@@ -88,14 +86,18 @@ class GroupEvaluator {
         return sums_.layout.unoccluded_light == UnoccludedLight::summed;
     }
 
+    /// Whether it is known what a find may bring.
+    [[nodiscard]] bool knows_finds() const {
+        return knows_unoccluded() || !sums_.units.kinds.empty();
+    }
+
     [[nodiscard]] Estimate sunlit_area(
         std::size_t group, const std::vector<double>& per_replicate) const {
-        double most = 0;
-        for (const std::uint32_t index : results_.groups[group].organs) {
-            most = std::max(most, reader_of(index).sunlit_area_per_find());
-        }
+        const GroupFind one = find_of(group, 0);
+        const double most = one.sunlit_area;
         if (!knows_unoccluded()) {
-            return estimate_seen_or_bound(per_replicate, most);
+            return knows_finds() ? estimate_finds(per_replicate, one.sunlit)
+                                 : estimate_seen_or_bound(per_replicate, most);
         }
         const double all = kFullyLit * results_.groups[group].area;
         const bool is_all = std::all_of(
@@ -108,6 +110,21 @@ class GroupEvaluator {
         return {sums_, scene_, spec_, scene_.organs()[organ]};
     }
 
+    /// Of what one sample finds, the most that it brings to an organ; else each organ's own.
+    [[nodiscard]] SingleFind together(const SingleFind& a, const SingleFind& b) const {
+        return knows_unoccluded()
+                   ? SingleFind{std::max(a.more, b.more), std::max(a.less, b.less)}
+                   : SingleFind{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
+    }
+
+    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader) {
+        double area = 0;
+        for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+            area += reader.sunlit_area(r) / reader.replicates();
+        }
+        return OrganFinds::sunlit_find(reader, area);
+    }
+
     [[nodiscard]] GroupFind find_of(std::size_t group, std::size_t band) const {
         GroupFind most;
         for (const std::uint32_t index : results_.groups[group].organs) {
@@ -115,12 +132,16 @@ class GroupEvaluator {
             const double find = reader.flux_per_find(band);
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
-            if (knows_unoccluded()) {
-                const OrganFinds finds(reader, band);
-                for (const QuantityEntry& entry : quantity_table()) {
+            most.sunlit_area = std::max(most.sunlit_area, reader.sunlit_area_per_find());
+            const OrganFinds finds(reader, band);
+            for (const QuantityEntry& entry : quantity_table()) {
+                if (finds.knows_finds()) {
                     SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
-                    known = largest(known, finds.find(entry.quantity));
+                    known = together(known, finds.find(entry.quantity));
                 }
+            }
+            if (has_sun() && knows_finds()) {
+                most.sunlit = together(most.sunlit, sunlit_find(reader));
             }
         }
         return most;
@@ -150,8 +171,8 @@ class GroupEvaluator {
             const auto q = static_cast<std::size_t>(entry.quantity);
             const SingleFind known{find.known[q].more * unit, find.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
-                knows_unoccluded() ? estimate_finds(samples[q], known)
-                                   : estimate_seen_or_bound(samples[q], most);
+                knows_finds() ? estimate_finds(samples[q], known)
+                              : estimate_seen_or_bound(samples[q], most);
         }
         return incident;
     }

@@ -15,6 +15,23 @@ SingleFind operator*(const SingleFind& find, double factor) {
     return {find.more * factor, find.less * factor};
 }
 
+SingleFind larger(const SingleFind& a, const SingleFind& b) {
+    return {std::max(a.more, b.more), std::max(a.less, b.less)};
+}
+
+/// From so many finds in each replicate on the replicates tell.
+constexpr double kManyFinds = 5;
+
+/// Of light that so many finds of all replicates brought. @param most  that a find may bring
+SingleFind find_among(double mean, double finds, double most, double replicates) {
+    if (mean == 0) {
+        return {most, 0};
+    }
+    const double few = std::max(0.0, 1 - finds / (kManyFinds * replicates));
+    const double usual = mean / finds;
+    return {few * std::max(usual, most / (finds + 1)), few * usual};
+}
+
 /// Of light straight from the sources, of which a side got `found` and could have got `unoccluded`.
 /// Where it could have got none from the points, light paths may have found it.
 SingleFind direct_find(double found, double unoccluded, double tries, double by_light_path) {
@@ -29,11 +46,17 @@ SingleFind direct_find(double found, double unoccluded, double tries, double by_
 
 OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
     : knows_unoccluded_(reader.knows_unoccluded()),
+      knows_kinds_(!knows_unoccluded_ && reader.kinds() > 0),
       absorptance_(reader.largest_absorptance(band)),
       bound_(reader.flux_per_find(band)) {
-    if (!knows_unoccluded_) {
-        return;
+    if (knows_unoccluded_) {
+        set_unoccluded(reader, band);
+    } else if (knows_kinds_) {
+        set_kinds(reader, band);
     }
+}
+
+void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
     Incident mean;
     // Light paths have many finds, and their replicates tell, where each replicate has some.
     std::uint32_t upper_seen = 0;
@@ -71,7 +94,74 @@ OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
     on_either_ = {either, seen == 0 ? 0 : either};
 }
 
+void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
+    const auto count = static_cast<double>(reader.replicates());
+    for (std::size_t i = 0; i < reader.kinds(); ++i) {
+        const double flux = reader.flux_per_unit(i, band) / count;
+        const bool is_path = reader.kind(i).found_by == FoundBy::paths;
+        for (const SurfaceSide side : kSurfaceSides) {
+            const OrganReader::Found found = reader.found(i, side);
+            const double finds = found.units * found.units / found.squares;
+            const SingleFind find =
+                find_among(found.units * flux, finds, reader.units_per_find(i, side) * flux, count);
+            Kind& kind = is_path ? by_path_ : direct_;
+            SingleFind& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
+            sum = is_path ? larger(sum, find) : both(sum, find);
+        }
+    }
+    double upper = 0;
+    double lower = 0;
+    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+        const Incident in = reader.incident(r, band);
+        upper += in.scattered_upper / count;
+        lower += in.scattered_lower / count;
+    }
+    const double most = reader.scattered_flux_per_find(band) / count;
+    const auto scattered = [&](double mean) { return find_among(mean, mean / most, most, count); };
+    scattered_ = {scattered(upper), scattered(lower)};
+    on_either_ = scattered(upper + lower);
+}
+
 SingleFind OrganFinds::find(Quantity quantity) const {
+    return knows_unoccluded_ ? find_among_points(quantity) : find_among_kinds(quantity);
+}
+
+/// Paths are finds whatever they bring: one more may bring direct light, or scattered.
+SingleFind OrganFinds::find_among_kinds(Quantity quantity) const {
+    const SingleFind by_path = larger(by_path_.upper, by_path_.lower);
+    switch (quantity) {
+        case Quantity::incident_upper:
+            return both(direct_.upper, larger(by_path_.upper, scattered_.upper));
+        case Quantity::incident_lower:
+            return both(direct_.lower, larger(by_path_.lower, scattered_.lower));
+        case Quantity::incident_direct:
+            return both(both(direct_.upper, direct_.lower), by_path);
+        case Quantity::incident_scattered:
+            return on_either_;
+        default:
+            return both(both(direct_.upper, direct_.lower), larger(by_path, on_either_)) *
+                   absorptance_;
+    }
+}
+
+SingleFind OrganFinds::sunlit_find(const OrganReader& reader, double area) {
+    const auto count = static_cast<double>(reader.replicates());
+    SingleFind sum;
+    for (std::size_t i = 0; i < reader.kinds(); ++i) {
+        if (reader.kind(i).has_suns) {
+            const OrganReader::Found upper = reader.found(i, SurfaceSide::upper);
+            const OrganReader::Found lower = reader.found(i, SurfaceSide::lower);
+            const double units = upper.units + lower.units;
+            const double most = reader.sunlit_per_find(i) * reader.sunlit_area_per_find() / count;
+            sum = both(
+                sum,
+                find_among(area, units * units / (upper.squares + lower.squares), most, count));
+        }
+    }
+    return sum;
+}
+
+SingleFind OrganFinds::find_among_points(Quantity quantity) const {
     const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
     switch (quantity) {
         case Quantity::incident_upper:
@@ -90,7 +180,7 @@ SingleFind OrganFinds::find(Quantity quantity) const {
 Estimate OrganFinds::estimate(
     const QuantityEntry& entry, double per_area, std::span<const double> values) const {
     const double unit = entry.is_flux ? 1 : per_area;
-    if (knows_unoccluded_) {
+    if (knows_finds()) {
         const SingleFind one = find(entry.quantity);
         return estimate_finds(values, {one.more * unit, one.less * unit});
     }

@@ -20,20 +20,31 @@ class OrganFinds {
     [[nodiscard]] Estimate estimate(
         const QuantityEntry& entry, double per_area, std::span<const double> values) const;
 
-    /// A find of a quantity, as flux. To be asked where it is known what could have been found
-    /// (OrganReader::knows_unoccluded).
+    /// Whether it is known what could have been found: all light that nothing stands in the way of,
+    /// or what a find of each kind of light may bring.
+    [[nodiscard]] bool knows_finds() const { return knows_unoccluded_ || knows_kinds_; }
+    /// A find of a quantity, as flux. To be asked where knows_finds().
     [[nodiscard]] SingleFind find(Quantity quantity) const;
 
+    /// A find of the sunlit area of an organ. @param area  mean of the replicates
+    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader, double area);
+
   private:
+    void set_unoccluded(const OrganReader& reader, std::size_t band);
+    void set_kinds(const OrganReader& reader, std::size_t band);
+    [[nodiscard]] SingleFind find_among_points(Quantity quantity) const;
+    [[nodiscard]] SingleFind find_among_kinds(Quantity quantity) const;
+
     /// One kind of light.
     struct Kind {
         SingleFind upper, lower;
     };
 
-    bool knows_unoccluded_;
+    bool knows_unoccluded_, knows_kinds_;
     double absorptance_;
     double bound_;  ///< where unoccluded light is not known: a find, in one replicate
     Kind direct_, scattered_;
+    Kind by_path_;          ///< direct light of which each path is a find, where kinds are known
     SingleFind on_either_;  ///< scattered light, whichever side
 };
 

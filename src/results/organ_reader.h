@@ -55,7 +55,9 @@ class Units {
         return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
     }
     [[nodiscard]] double scattered_flux_per_find(std::size_t region, std::size_t band) const {
-        return sums_.units.scattered_flux_per_find[band] * sums_.units.scale(region) / samples_;
+        const auto& own = sums_.units.scattered_flux_per_find;
+        return (own.empty() ? sums_.units.flux_per_find : own)[band] * sums_.units.scale(region) /
+               samples_;
     }
     [[nodiscard]] double sunlit_area(std::size_t region) const {
         return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
@@ -145,7 +147,64 @@ class OrganReader {
         return units_.sunlit_area_per_find(organ_.first_region);
     }
 
+    /// Kinds of lights of which it is known what one find brings; 0: see flux_per_find().
+    [[nodiscard]] std::size_t kinds() const { return sums_.units.kinds.size(); }
+    [[nodiscard]] const LightKind& kind(std::size_t i) const { return sums_.units.kinds[i]; }
+    /// What all replicates together found of a kind of light on a side.
+    struct Found {
+        double units = 0;    ///< of light
+        double squares = 0;  ///< sum of squares of what each find brought
+    };
+    [[nodiscard]] Found found(std::size_t kind, SurfaceSide side) const {
+        Found sum;
+        const SumLayout& layout = sums_.layout;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const std::uint32_t region = organ_.first_region + i;
+            const double step = reach_of(region, kind, side) * this->kind(kind).step;
+            for (const ExactBins& bins : sums_.replicates) {
+                double units = 0;
+                for (const std::size_t spectrum : this->kind(kind).spectra) {
+                    units += bins.value(layout.direct(region, side, spectrum));
+                }
+                sum.units += units;
+                sum.squares += kind < layout.counted_kinds
+                                   ? bins.value(layout.squares(region, side, kind)) * step * step
+                                   : units;
+            }
+        }
+        return sum;
+    }
+    /// The most units of light that one find of a kind may bring to a side.
+    [[nodiscard]] double units_per_find(std::size_t kind, SurfaceSide side) const {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            sum += reach_of(organ_.first_region + i, kind, side);
+        }
+        return organ_.area > 0 ? sum * sums_.per_find[kind] : 0;
+    }
+    /// The same of area lit by suns, units of sunlit_area_per_find().
+    [[nodiscard]] double sunlit_per_find(std::size_t kind) const {
+        const auto& reach = this->kind(kind).sunlit_reach;
+        double sum = reach.empty() ? 1 : 0;
+        for (std::uint32_t i = 0; !reach.empty() && i < organ_.region_count; ++i) {
+            sum += reach[organ_.first_region + i];
+        }
+        return sum * sums_.per_find[kind];
+    }
+    /// Flux in `band` of a unit of light of a kind; 0 where direct light does not count.
+    [[nodiscard]] double flux_per_unit(std::size_t kind, std::size_t band) const {
+        return spec_.direct_light == DirectLight::counted
+                   ? this->kind(kind).flux[band] * sums_.units.scale(organ_.first_region) /
+                         samples()
+                   : 0;
+    }
+
   private:
+    [[nodiscard]] double reach_of(std::uint32_t region, std::size_t kind, SurfaceSide side) const {
+        const auto& reach = this->kind(kind).reach;
+        return reach.empty() ? (region == organ_.first_region ? 1 : 0)
+                             : reach[2 * region + index_of(side)];
+    }
     [[nodiscard]] const Material& material_of(std::uint32_t region) const {
         return scene_.material(scene_.regions()[region]);
     }

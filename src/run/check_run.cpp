@@ -113,6 +113,22 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
+/// Less light than that is given up: the squares of its errors are no numbers any more, and it
+/// would seem to have none.
+constexpr double kLeastIrradiance = 1e-60;
+
+void check_irradiance(const Source& source, double x, Faults& faults) {
+    const std::string place = fmt::format("source '{}'", source.name());
+    if (!(x >= 0) || !std::isfinite(x)) {
+        faults.add({place, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
+    } else if (x > 0 && x < kLeastIrradiance) {
+        faults.add(
+            {place, fmt::format("irradiance {} is too small", shortest(x)),
+             "its errors would be lost to rounding",
+             fmt::format("give 0, or at least {}", shortest(kLeastIrradiance))});
+    }
+}
+
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
         faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
@@ -127,11 +143,7 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
                  fmt::format("the scene has {} bands", scene.bands().size()), ""});
         }
         for (const double x : spectrum) {
-            if (!(x >= 0) || !std::isfinite(x)) {
-                faults.add(
-                    {fmt::format("source '{}'", source->name()),
-                     fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
-            }
+            check_irradiance(*source, x, faults);
             dark = dark && x == 0;
         }
     }

@@ -262,10 +262,10 @@ Result scaled(const Result& result, double factor) {
         band.incident *= factor;
     }
     for (BandBudget& band : copy.budget) {
-        band.emitted *= factor;
         for (Estimate BandBudget::*part :
-             {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
-              &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
+             {&BandBudget::emitted, &BandBudget::absorbed_by_organs,
+              &BandBudget::absorbed_by_ground, &BandBudget::escaped, &BandBudget::cut_off,
+              &BandBudget::roulette}) {
             band.*part = scaled(band.*part, factor);
         }
     }

@@ -52,7 +52,7 @@ Estimate SeriesAdder::estimate_of(const Cell& cell) {
         std::clamp(cell.variance * cell.variance / cell.spread, 1.0, kMostFreedom);
     const double error = std::sqrt(cell.variance);
     const double half = interval_quantile(static_cast<unsigned>(freedom)) * error;
-    return {cell.mean, error, cell.mean - half, cell.mean + half + cell.unseen};
+    return not_negative({cell.mean, error, cell.mean - half, cell.mean + half + cell.unseen});
 }
 
 SeriesSum SeriesAdder::sum(

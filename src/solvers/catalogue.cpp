@@ -26,7 +26,7 @@ std::span<const SolverEntry> solver_catalogue() {
         SolverEntry{
             Method::first_hits, "first_hits",
             "what the sources light first is found by geometry, paths start there", make_first_hits,
-            light_tracing_meaning},
+            first_hits_meaning},
         SolverEntry{
             Method::from_organs, "from_organs", "points on every organ look for light",
             make_from_organs, from_organs_meaning, EscapedLight::remainder},
@@ -73,8 +73,12 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
         .absorbed_light =
             prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed,
         .unoccluded_light = meaning.unoccluded_light,
-        .detectors = std::move(detectors)};
+        .detectors = std::move(detectors),
+        .counted_kinds = meaning.counted_kinds};
     sums.units = std::move(meaning.units);
+    for (const LightKind& kind : sums.units.kinds) {
+        sums.per_find.push_back(kind.found_by == FoundBy::paths ? 1 : 0);
+    }
     sums.spectra = prepared.spectra();
     sums.emitted_flux = prepared.flux();
     sums.measured = meaning.measured;

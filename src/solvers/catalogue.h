@@ -13,6 +13,7 @@ struct SumMeaning {
     SumUnits units;
     MeasuredOrgans measured = MeasuredOrgans::all;
     UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
+    std::size_t counted_kinds = 0;  ///< SumLayout::counted_kinds
 };
 
 /// One row of the catalogue: a way of computing.

@@ -21,7 +21,9 @@
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
 #include "solvers/block_runner.h"
+#include "solvers/light_kinds.h"
 #include "solvers/light_tracer.h"
+#include "solvers/light_tracing.h"
 #include "solvers/sampling_budget.h"
 #include "solvers/vertex_tracer.h"
 
@@ -54,6 +56,15 @@ TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& 
     return traced;
 }
 
+/// The kind of lights that a task looks at: place in units.kinds.
+std::size_t kind_of(const VisibilityTask& task, const SumUnits& units) {
+    const FoundBy by = task.is_sky ? FoundBy::directions : FoundBy::lines;
+    const auto kind = std::find_if(
+        units.kinds.begin(), units.kinds.end(),
+        [&](const LightKind& each) { return each.found_by == by; });
+    return static_cast<std::size_t>(kind - units.kinds.begin());
+}
+
 class FirstHits final : public Solver {
   public:
     explicit FirstHits(const SolverInput& input)
@@ -82,11 +93,23 @@ class FirstHits final : public Solver {
         const bool is_traced = std::find(traced_.begin(), traced_.end(), true) != traced_.end();
         const std::uint64_t traced_blocks = is_traced ? LightTracer::blocks(round) : 0;
         executor.announce((blocks + traced_blocks) * sums.replicates.size());
+        for (const VisibilityTask& task : tasks) {
+            const double brought = budget_.light_per_look(task, round);
+            double& most = sums.per_find[kind_of(task, sums.units)];
+            most = std::max(most, brought);
+        }
         runner_.run(
             blocks, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
                 const std::uint32_t i = task_of_block(tasks, block);
-                const Work work{round, replicate, i, tasks[i], block - tasks[i].first_block};
+                const Work work{
+                    round,
+                    replicate,
+                    i,
+                    tasks[i],
+                    sums.units,
+                    kind_of(tasks[i], sums.units),
+                    block - tasks[i].first_block};
                 tasks[i].is_sky ? trace_skies(work, scratch, tally)
                                 : trace_lines(work, scratch, tally);
             });
@@ -105,6 +128,8 @@ class FirstHits final : public Solver {
         std::uint32_t replicate;
         std::uint32_t number;  ///< of the task
         const VisibilityTask& task;
+        const SumUnits& units;
+        std::size_t kind;     ///< of the light, in units.kinds
         std::uint64_t block;  ///< of the task
     };
     /// A beam and the area across it, through which its light enters; local units squared.
@@ -184,7 +209,9 @@ class FirstHits final : public Solver {
                 {&light, *direction, paths_of(light, work.round)}, light.source_sampler->flux()};
         }
         // All beams of a disk are placed by the same three numbers.
-        const Work first{work.round, work.replicate, work.number - work.task.beam, work.task, 0};
+        const Work first{work.round, work.replicate, work.number - work.task.beam,
+                         work.task,  work.units,     work.kind,
+                         0};
         const Stream placing = stream_of(first, 0);
         const DrawnDirection from =
             lattice_direction(light, work.task.beam, work.task.beams, placing_of(placing, 3));
@@ -216,15 +243,30 @@ class FirstHits final : public Solver {
                     [&](double f) { return lines.place(piece, f); }, scratch.vertices);
             }
         }
-        DirectLightScore direct(prepared_, share, tally);
-        for (const ScanLines::Item& item : lines.items()) {
-            if (item.length > 0) {
-                direct.add(item.triangle, item.cosine, per_length * item.length);
-            }
-        }
-        direct.add_escaped();
+        score_lines(work, share, per_length, lines, tally);
         trace_from_vertices(
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
+    }
+
+    /// Scores what a strip of lines found.
+    void score_lines(
+        const Work& work,
+        const SurfaceBeam& share,
+        double per_length,
+        const ScanLines& lines,
+        Tally& tally) const {
+        DirectLightScore direct(prepared_, share, tally);
+        const double most = std::min(work.task.count, ScanLines::kStrip);
+        FindCounter finds(prepared_, work.units, work.kind, most, tally);
+        for (const ScanLines::Item& item : lines.items()) {
+            if (item.length > 0) {
+                const double amount = per_length * item.length;
+                direct.add(item.triangle, item.cosine, amount);
+                finds.add(item.triangle, item.cosine, amount, item.pieces);
+            }
+        }
+        finds.finish();
+        direct.add_escaped();
     }
 
     void set_lines(
@@ -266,17 +308,36 @@ class FirstHits final : public Solver {
             throw_if_stopped(stop_);
             const DrawnDirection from = skies_.direction(i, work.task.count, lattice);
             draw_pixels(work, placing, i, from.direction, scratch.pixels);
+            double paths = 0;
             for (std::size_t k = 0; k < skies.size(); ++k) {
                 const Beam beam =
                     beam_of(*skies[k], from.direction, from.density, work, work.task.count);
                 if (beam.paths > 0) {
+                    paths += beam.paths;
                     scratch.beams.push_back(beam);
                     light_pixels(beam, placements[k], scratch, tally);
                 }
             }
+            count_finds(work, from.direction, paths, scratch.pixels, tally);
         }
         trace_from_vertices(
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
+    }
+
+    /// Counts what is lit along a direction that brings so many paths' light of all skies.
+    void count_finds(
+        const Work& work,
+        const Vec3& direction,
+        double paths,
+        const ItemBuffer& pixels,
+        Tally& tally) const {
+        const double area = prepared_.projection().entry_box().projected_area(direction);
+        const double amount = paths * pixels.pixel_area() / area;
+        FindCounter finds(prepared_, work.units, work.kind, 1, tally);
+        for (const ItemBuffer::Item& item : pixels.items()) {
+            finds.add(item.triangle, item.cosine, amount * item.pixels);
+        }
+        finds.finish();
     }
 
     /// What is seen along direction `i` of the skies.
@@ -337,7 +398,63 @@ class FirstHits final : public Solver {
     BlockRunner<LightTracer::Scratch> trace_runner_;
 };
 
+/// A path that starts where light falls stands for as much scattered light as others, of which each
+/// band has its part.
+std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
+    std::vector<double> largest(prepared.bands());
+    const std::vector<bool> is_used = used_materials(prepared.scene());
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        const Material& material = prepared.scene().materials()[m];
+        for (const SurfaceSide side : kSurfaceSides) {
+            for (std::size_t b = 0; is_used[m] && b < largest.size(); ++b) {
+                const double albedo = material.side(side).albedo()[b];
+                largest[b] = std::max(largest[b], material.is_transparent() ? 0 : albedo);
+            }
+        }
+    }
+    for (std::size_t b = 0; b < largest.size(); ++b) {
+        largest[b] *= prepared.flux()[b];
+    }
+    return largest;
+}
+
 }  // namespace
+
+SumMeaning first_hits_meaning(const PreparedScene& prepared, const RunSpec& spec) {
+    SumMeaning meaning = light_tracing_meaning(prepared, spec);
+    const SkyDirections skies(prepared);
+    const std::vector<VisibilityRole> roles = visibility_roles(prepared);
+    const ProjectedScene seen{
+        &prepared.caster().mesh(), prepared.projection().cell(), roles,
+        prepared.projection().outline(), nullptr};
+    const SamplingBudget budget(prepared, skies, seen, spec.paths);
+    const Round first{0, spec.paths};
+    std::vector<LightKind> counted;
+    double of_line = 0;
+    for (const VisibilityTask& task : budget.tasks(first)) {
+        const double step = budget.light_per_look(task, first);
+        if (task.is_sky) {
+            counted.push_back(kind_by_direction(prepared, step));
+        } else {
+            of_line = std::max(of_line, step);
+        }
+    }
+    if (of_line > 0) {
+        counted.push_back(kind_by_line(prepared, budget.lights_with_lines(), of_line));
+    }
+    std::vector<LightKind>& kinds = meaning.units.kinds;
+    std::erase_if(kinds, [&](const LightKind& kind) {
+        return std::any_of(counted.begin(), counted.end(), [&](const LightKind& each) {
+            return each.spectra == kind.spectra;
+        });
+    });
+    meaning.counted_kinds = counted.size();
+    if (kinds.empty()) {
+        meaning.units.scattered_flux_per_find = scattered_flux_per_path(prepared);
+    }
+    kinds.insert(kinds.begin(), counted.begin(), counted.end());
+    return meaning;
+}
 
 std::unique_ptr<Solver> make_first_hits(const SolverInput& input) {
     return std::make_unique<FirstHits>(input);

@@ -4,8 +4,10 @@
 
 namespace quasimc {
 
-/// Direct light by geometry, and paths from where it falls (docs/theory/first-hits.md). Sums mean
-/// the same as those of light tracing.
+/// Direct light by geometry, and paths from where it falls (docs/theory/first-hits.md).
 [[nodiscard]] std::unique_ptr<Solver> make_first_hits(const SolverInput& input);
+
+/// A unit is the light of one path, as in light tracing. Finds along lines and directions count.
+[[nodiscard]] SumMeaning first_hits_meaning(const PreparedScene& prepared, const RunSpec& spec);
 
 }  // namespace quasimc

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solvers/block_runner.h"
+#include "solvers/light_kinds.h"
 #include "solvers/light_tracer.h"
 
 namespace quasimc {
@@ -45,7 +46,8 @@ SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) 
             .flux = prepared.flux(),
             .flux_per_find = prepared.flux(),
             .sunlit_area = prepared.sun_area(),
-            .sunlit_area_per_find = prepared.sun_area() * largest}};
+            .sunlit_area_per_find = prepared.sun_area() * largest,
+            .kinds = kinds_by_path(prepared)}};
 }
 
 }  // namespace quasimc

@@ -128,6 +128,21 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
     return tasks;
 }
 
+double SamplingBudget::light_per_look(const VisibilityTask& task, const Round& round) const {
+    const auto paths = static_cast<double>(round.count);
+    if (task.is_sky) {
+        return skies_.probability() * paths / task.count;
+    }
+    const BoundSource& light = prepared_.lights()[task.light];
+    const EntryBox& box = prepared_.projection().entry_box();
+    const SourceSampler& sampler = *light.source_sampler;
+    const double area = sampler.beam_direction()
+                            ? sampler.flux()
+                            : box.projected_area(sampler.draw_direction(0.5, 0.5).direction);
+    // Lines stand no further apart than the scene is wide over their number.
+    return light.probability * paths / task.beams * length(box.bounds.size()) / (task.count * area);
+}
+
 VisibilityTask SamplingBudget::lines_of(const BoundSource& light, double paths) const {
     const std::uint32_t beams = beams_of(light);
     const bool is_disk = beams > 1;

@@ -44,6 +44,13 @@ class SamplingBudget {
     /// one. Takes time in proportion to the suns.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round) const;
 
+    /// By light; as has_lines() says.
+    [[nodiscard]] const std::vector<bool>& lights_with_lines() const { return has_lines_; }
+
+    /// What a task's looks bring, in paths' light: a direction of the skies all that comes along
+    /// it, a scan line so much for each unit of its length, local units, at most.
+    [[nodiscard]] double light_per_look(const VisibilityTask& task, const Round& round) const;
+
   private:
     [[nodiscard]] bool are_lines_cheap(
         const BoundSource& light, const LineCost& cost, std::uint64_t paths) const;

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x32534D5553434D51;  // "QMCSUMS2", read as a little-endian number
+constexpr std::uint64_t kMark = 0x33534D5553434D51;  // "QMCSUMS3", read as a little-endian number
 
 std::uint64_t checksum(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -22,6 +22,12 @@ std::uint64_t checksum(std::string_view bytes) {
 
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <typename Visit, typename KindOrConst>
+void visit_kind(Visit& visit, KindOrConst& kind) {
+    visit(kind.found_by), visit(kind.has_suns), visit(kind.spectra), visit(kind.flux);
+    visit(kind.reach), visit(kind.sunlit_reach), visit(kind.step);
+}
 
 class Writer {
   public:
@@ -43,6 +49,7 @@ class Writer {
     void operator()(const DetectorBins& detector) {
         (*this)(detector.name), (*this)(detector.bins);
     }
+    void operator()(const LightKind& kind) { visit_kind(*this, kind); }
     void operator()(const ExactBins& bins) {
         (*this)(std::uint64_t{bins.size()});
         for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -79,6 +86,7 @@ class Reader {
         }
     }
     void operator()(DetectorBins& detector) { (*this)(detector.name), (*this)(detector.bins); }
+    void operator()(LightKind& kind) { visit_kind(*this, kind); }
     void operator()(ExactBins& bins) {
         bins = ExactBins(length(2 * sizeof(std::int64_t)));
         for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -117,14 +125,16 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     auto& layout = sums.layout;
     visit(layout.regions), visit(layout.spectra), visit(layout.bands);
     visit(layout.absorbed_light), visit(layout.unoccluded_light), visit(layout.detectors);
+    visit(layout.counted_kinds);
     auto& units = sums.units;
     visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
     visit(units.flux_per_light_path);
     visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
+    visit(units.kinds);
     visit(sums.spectra), visit(sums.emitted_flux);
     visit(sums.measured), visit(sums.escaped);
     visit(sums.replicates);
-    visit(sums.paths), visit(sums.samples), visit(sums.digest);
+    visit(sums.paths), visit(sums.samples), visit(sums.per_find), visit(sums.digest);
 }
 
 void check_sizes(const Sums& sums) {

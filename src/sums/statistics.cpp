@@ -35,7 +35,7 @@ Estimate estimate_seen_or_bound(std::span<const double> values, double per_find)
     if (per_find > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
         return estimate_unseen(static_cast<double>(values.size()), per_find);
     }
-    return estimate_mean(values);
+    return not_negative(estimate_mean(values));
 }
 
 Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
@@ -45,9 +45,13 @@ Estimate estimate_finds(std::span<const double> values, const SingleFind& find) 
         return e;
     }
     const double half = e.high - e.mean;
-    return {
-        e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
-        e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)};
+    return not_negative(
+        {e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
+         e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)});
+}
+
+Estimate not_negative(const Estimate& e) {
+    return {e.mean, e.standard_error, e.high < 0 ? e.low : std::max(e.low, 0.0), e.high};
 }
 
 double student_t_quantile(double p, unsigned df) {

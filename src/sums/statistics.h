@@ -15,13 +15,19 @@ namespace quasimc {
 /// NaN where the denominator is 0.
 [[nodiscard]] Estimate estimate_ratio(std::span<const double> a, std::span<const double> b);
 
+/// The estimate of an amount that can't be negative: of its interval what is not below 0, which
+/// holds the truth as often as all of it. The mean stays what it is. An interval that lies below 0
+/// throughout stays too: it misses the truth.
+[[nodiscard]] Estimate not_negative(const Estimate& e);
+
 /// An amount of which nothing was seen in `events` independent tries, each of which could have
 /// brought `most`: 0, with the upper 95 % limit 3 most / events (rule of three: Hanley and
 /// Lippman-Hand 1983).
 [[nodiscard]] Estimate estimate_unseen(double events, double most);
 
-/// The mean of the numbers of independent replicates; where all of them are 0 and a single find
-/// would have brought `per_find` > 0 to one of them, the bound of estimate_unseen().
+/// The mean of amounts that independent replicates found; where all of them are 0 and a single find
+/// would have brought `per_find` > 0 to one of them, the bound of estimate_unseen(). Nothing of the
+/// interval is below 0.
 [[nodiscard]] Estimate estimate_seen_or_bound(std::span<const double> values, double per_find);
 
 /// What the samples of a run may have overlooked: by how much one find more, or one less, would
@@ -30,12 +36,12 @@ struct SingleFind {
     double more = 0, less = 0;
 };
 
-/// The mean of the numbers of independent replicates, each of which rests on finds of a size that
-/// is known. The variance is that of the replicates and of one find more, which is what a number of
-/// finds leaves open that is Poisson distributed (k finds: (k + 1) squares; the posterior of an
-/// even prior). The 95 % interval reaches hypot(t s, 3 finds) to either side: of no finds the rule
-/// of three, of many Student's t. Where no find was made and `find.more` > 0: that of
-/// estimate_unseen(). See docs/theory/statistics.md.
+/// The mean of amounts that independent replicates found, each of which rests on finds of a size
+/// that is known. The variance is that of the replicates and of one find more, which is what a
+/// number of finds leaves open that is Poisson distributed (k finds: (k + 1) squares; the posterior
+/// of an even prior). The 95 % interval reaches hypot(t s, 3 finds) to either side: of no finds the
+/// rule of three, of many Student's t. Where no find was made and `find.more` > 0: that of
+/// estimate_unseen(). Nothing of the interval is below 0. See docs/theory/statistics.md.
 [[nodiscard]] Estimate estimate_finds(std::span<const double> values, const SingleFind& find);
 
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.

@@ -29,6 +29,7 @@ std::vector<SumBlock> SumLayout::blocks() const {
         of_regions(
             "unoccluded_lower", unoccluded(0, SurfaceSide::upper, 0) + unoccluded_spectra(),
             unoccluded_spectra()),
+        of_regions("squares", squares(0, SurfaceSide::upper, 0), 2 * counted_kinds),
         of_run("emitted", emitted(), spectra),
         of_run("escaped_direct", escaped_direct(), spectra),
         of_run("escaped_scattered", escaped_scattered(), bands),

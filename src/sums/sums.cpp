@@ -1,5 +1,6 @@
 #include "quasimc/sums.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace quasimc {
@@ -12,12 +13,15 @@ void add_replicates(Sums& sums, const Sums& other) {
         sums.layout == other.layout && sums.units == other.units && sums.spectra == other.spectra &&
         sums.emitted_flux == other.emitted_flux && sums.measured == other.measured &&
         sums.escaped == other.escaped && sums.replicates.size() == other.replicates.size() &&
-        sums.digest == other.digest;
+        sums.per_find.size() == other.per_find.size() && sums.digest == other.digest;
     if (!is_same_run) {
         throw std::invalid_argument("sums of different runs can't be added");
     }
     for (std::size_t r = 0; r < sums.replicates.size(); ++r) {
         sums.replicates[r] += other.replicates[r];
+    }
+    for (std::size_t i = 0; i < sums.per_find.size(); ++i) {
+        sums.per_find[i] = std::max(sums.per_find[i], other.per_find[i]);
     }
 }
 

@@ -146,15 +146,26 @@ void PreparedScene::set_lights(const Sources& sources, const std::stop_token& st
             light.lit_area = light.sun_share / light.probability * light.source_sampler->flux() *
                              world_area() / sun_area_ / radiance;
         }
-        const auto same = std::find_if(spectra_.begin(), spectra_.end(), [&](const auto& spectrum) {
-            return equal_to_rounding(spectrum, light.start_weights);
-        });
-        light.spectrum = static_cast<std::size_t>(same - spectra_.begin());
-        if (same == spectra_.end()) {
-            spectra_.push_back(light.start_weights);
-        } else {
-            light.start_weights = *same;
-        }
+        set_spectrum(light);
+    }
+}
+
+/// Lights of one kind with equal start weights have a spectrum in common.
+void PreparedScene::set_spectrum(BoundSource& light) {
+    const auto is_alike = [&](const BoundSource& other) {
+        return other.source->is_sun() == light.source->is_sun() &&
+               other.source->is_lamp() == light.source->is_lamp() &&
+               equal_to_rounding(other.start_weights, light.start_weights);
+    };
+    const BoundSource* end = &light;
+    const BoundSource* same =
+        std::find_if(static_cast<const BoundSource*>(lights_.data()), end, is_alike);
+    if (same == end) {
+        light.spectrum = spectra_.size();
+        spectra_.push_back(light.start_weights);
+    } else {
+        light.spectrum = same->spectrum;
+        light.start_weights = same->start_weights;
     }
 }
 

@@ -23,8 +23,8 @@ struct BoundSource {
     double probability = 0;             ///< of being picked, over all lights
     double before = 0;                  ///< sum of the probabilities of the lights before
     std::vector<double> start_weights;  ///< per band
-    std::size_t spectrum = 0;           ///< lights with equal start weights share one
-    double sun_share = 0;  ///< share in the irradiance of all directional lights; 0 for others
+    std::size_t spectrum = 0;  ///< suns with equal start weights share one, so do skies, lamps
+    double sun_share = 0;      ///< share in the irradiance of all directional lights; 0 for others
     double lit_area =
         0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
     double usual_irradiance = 1;  ///< for a spectrum of 1; of a lamp: spread over the scene's box
@@ -123,6 +123,7 @@ class PreparedScene {
     void set_regions();
     void set_fields_of_view();
     void set_lights(const Sources& sources, const std::stop_token& stop);
+    void set_spectrum(BoundSource& light);
 
     const Scene* scene_;
     std::shared_ptr<const RayCaster> caster_;

@@ -14,13 +14,13 @@ namespace {
 
 void expect_closed(const Result& result) {
     for (const BandBudget& budget : result.budget) {
-        EXPECT_GT(budget.emitted, 0);
+        EXPECT_GT(budget.emitted.mean, 0);
         EXPECT_LE(budget.closure_error, 1e-12);
         // The five numbers that are reported close as well as each replicate.
-        const double rest = budget.emitted + budget.roulette.mean - budget.absorbed_by_organs.mean -
-                            budget.absorbed_by_ground.mean - budget.escaped.mean -
-                            budget.cut_off.mean;
-        EXPECT_LE(std::abs(rest), 1e-12 * budget.emitted);
+        const double rest = budget.emitted.mean + budget.roulette.mean -
+                            budget.absorbed_by_organs.mean - budget.absorbed_by_ground.mean -
+                            budget.escaped.mean - budget.cut_off.mean;
+        EXPECT_LE(std::abs(rest), 1e-12 * budget.emitted.mean);
     }
 }
 
@@ -34,8 +34,8 @@ void expect_consistent(const Scene& scene, const Result& result) {
                 result.at(i, Quantity::absorbed_flux, b).mean;
         }
         const BandBudget& budget = result.budget[b];
-        EXPECT_NEAR(organs, budget.absorbed_by_organs.mean, 1e-12 * budget.emitted);
-        EXPECT_NEAR(ground, budget.absorbed_by_ground.mean, 1e-12 * budget.emitted);
+        EXPECT_NEAR(organs, budget.absorbed_by_organs.mean, 1e-12 * budget.emitted.mean);
+        EXPECT_NEAR(ground, budget.absorbed_by_ground.mean, 1e-12 * budget.emitted.mean);
     }
 }
 
@@ -107,7 +107,7 @@ TEST(Energy, RouletteGivesAsMuchAsItTakes) {
     for (const BandBudget& budget : result.budget) {
         EXPECT_GT(budget.roulette.standard_error, 0);
         EXPECT_TRUE(agrees(
-            measured(budget.roulette, kReplicates), 0, .03 * budget.emitted,
+            measured(budget.roulette, kReplicates), 0, .03 * budget.emitted.mean,
             sidak_level(kLevel, kPlotBands)));
     }
 }
@@ -121,8 +121,8 @@ TEST(Energy, EscapedIsTheRemainderSeenFromTheOrgans) {
     expect_closed(backward);
     expect_consistent(scene, backward);
     for (std::size_t b = 0; b < kPlotBands; ++b) {
-        const double emitted = backward.budget[b].emitted;
-        EXPECT_NEAR(emitted, forward.budget[b].emitted, 1e-2 * emitted);
+        const double emitted = backward.budget[b].emitted.mean;
+        EXPECT_NEAR(emitted, forward.budget[b].emitted.mean, 1e-2 * emitted);
         EXPECT_TRUE(agrees(
             measured(backward.budget[b].escaped, kReplicates),
             measured(forward.budget[b].escaped, kReplicates), .1 * emitted,

@@ -56,7 +56,8 @@ bool same_bits(const Estimate& a, const Estimate& b) {
 std::vector<Estimate> budget_of(const Result& result) {
     std::vector<Estimate> all;
     for (const BandBudget& b : result.budget) {
-        all.push_back({b.emitted, b.closure_error, 0, 0});
+        all.push_back(b.emitted);
+        all.push_back({b.closure_error, 0, 0, 0});
         all.insert(
             all.end(),
             {b.absorbed_by_organs, b.absorbed_by_ground, b.escaped, b.cut_off, b.roulette});

@@ -32,7 +32,7 @@ class Space : public BothWays {
         }
     }
     for (BandBudget& budget : b.budget) {
-        budget.emitted /= scale * scale;
+        budget.emitted = scaled(budget.emitted, 1 / (scale * scale));
         for (Estimate* e :
              {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped,
               &budget.cut_off, &budget.roulette}) {

@@ -130,7 +130,7 @@ TEST(Digest, ChangesWithTheLastBitOfAnyNumber) {
         {"high", [](Result& r) { r.values[1].high = next(r.values[1].high); }},
         {"sunlit", [](Result& r) { r.sunlit_fraction[0].mean = next(r.sunlit_fraction[0].mean); }},
         {"ratio", [](Result& r) { r.ratio_values[0].mean = next(r.ratio_values[0].mean); }},
-        {"emitted", [](Result& r) { r.budget[1].emitted = next(r.budget[1].emitted); }},
+        {"emitted", [](Result& r) { r.budget[1].emitted.mean = next(r.budget[1].emitted.mean); }},
         {"escaped",
          [](Result& r) {
              r.budget[0].escaped.standard_error = next(r.budget[0].escaped.standard_error);

@@ -244,8 +244,8 @@ TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
     EXPECT_TRUE(holds(
         {"white canopy LAI 5, white soil, R", 1, resolution(1e-5, 5e-3)},
         Measured{
-            budget.escaped.mean / budget.emitted, budget.escaped.standard_error / budget.emitted,
-            kReplicates}));
+            budget.escaped.mean / budget.emitted.mean,
+            budget.escaped.standard_error / budget.emitted.mean, kReplicates}));
 }
 
 /// Where nothing is absorbed, a uniform sky fills every place with its own radiance.

@@ -38,7 +38,7 @@ class Coincident : public BothWays {
         EXPECT_GE(budget.escaped.mean, -6 * budget.escaped.standard_error - 1e-9);
         EXPECT_LE(
             budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean,
-            budget.emitted + 6 * budget.absorbed_by_organs.standard_error + 1e-9);
+            budget.emitted.mean + 6 * budget.absorbed_by_organs.standard_error + 1e-9);
     }
     /// All organs of a scene against those of another, of which `b` has the first few only; the
     /// others are covered.
@@ -142,7 +142,7 @@ TEST_P(Coincident, AFloorThatLapsOverItselfThroughTheBorderTakesTheLightOnce) {
         const Scene scene = SceneBuilder(builder).build();
         const Result result = trace(scene, sources, 1 << 13);
         expect_closed(result);
-        const double light = result.budget[0].emitted;
+        const double light = result.budget[0].emitted.mean;
         EXPECT_TRUE(holds(
             {"floor over a border", kTakes * light, .02 * light},
             result.at(0, Quantity::absorbed_flux, 0)));

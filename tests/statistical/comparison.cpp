@@ -73,7 +73,7 @@ double nine_in_ten(std::vector<double> values) {
     for (std::size_t band = 0; band < a.bands; ++band) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
             const Pair pair{a.budget[band].*part, b.budget[band].*part};
-            total_widths_.push_back(limit * pair.standard_error() / a.budget[band].emitted);
+            total_widths_.push_back(limit * pair.standard_error() / a.budget[band].emitted.mean);
             const auto result = describe(pair, band, limit);
             if (!result) {
                 verdict = result;

@@ -180,7 +180,7 @@ void ScanLines::begin(std::uint32_t strip) {
         const Image& image = images_[in_strip_[i]];
         const double cosine = scene_.cosine(image.triangle, spec_.direction);
         if (std::abs(cosine) > kEdgeOn) {
-            items_.push_back({image.triangle, cosine, 0});
+            items_.push_back({image.triangle, 0, cosine, 0});
             seen_.push_back(seen(image));
             slices_.push_back(slice_of(seen_.back()));
             order_.emplace_back(slices_.back().whole.t, static_cast<std::uint32_t>(order_.size()));
@@ -210,7 +210,9 @@ bool ScanLines::next() {
     }
     pieces_.insert(pieces_.end(), before_.begin(), before_.end());
     for (const LinePiece& piece : pieces_) {
-        items_[piece.segment].length += piece.length();
+        Item& item = items_[piece.segment];
+        item.length += piece.length();
+        ++item.pieces;
     }
     return true;
 }

@@ -37,8 +37,9 @@ class ScanLines {
     /// A triangle that lines of the strip may cut; in a periodic scene, one of its images.
     struct Item {
         std::uint32_t triangle = 0;  ///< of the mesh
+        std::uint32_t pieces = 0;    ///< lit so far, of all lines of the strip
         double cosine = 0;           ///< dot(unit normal of the upper side, direction of the beam)
-        double length = 0;           ///< lit so far, along all lines of the strip
+        double length = 0;           ///< of these pieces together
     };
 
     /// Lines that are walked one after the other.

@@ -23,7 +23,8 @@ void write_budget(
     JsonStream& json, const std::string& unit, const BandBudget& budget, JsonLayout layout) {
     json.begin_object(layout);
     json.text("unit", unit);
-    json.real("emitted", budget.emitted);
+    json.real("emitted", budget.emitted.mean);
+    json.real("emitted_standard_error", budget.emitted.standard_error);
     json_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
     json_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
     json_estimate(json, "escaped", budget.escaped, layout);

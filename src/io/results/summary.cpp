@@ -111,10 +111,9 @@ std::string energy_lines(
 
 /// Adds what a flux brings in so many seconds.
 void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
-    sum.emitted += seconds * flux.emitted;
     for (Estimate BandBudget::*part :
-         {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground, &BandBudget::escaped,
-          &BandBudget::cut_off, &BandBudget::roulette}) {
+         {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
+          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
         (sum.*part).mean += seconds * (flux.*part).mean;
     }
 }

@@ -107,12 +107,12 @@ std::string error_words(const ErrorStatistics& errors) {
 
 std::string energy_words(
     const BandBudget& budget, const std::string& unit, bool escaped_is_remainder) {
-    const PartFormat number(budget.emitted);
+    const PartFormat number(budget.emitted.mean);
     std::string text = fmt::format("[{}]: {} emitted", unit, number(budget.emitted));
     if (std::isnan(budget.escaped.mean)) {
         return text + "; not all organs are measured";
     }
-    const double whole = budget.emitted + budget.roulette.mean;
+    const double whole = budget.emitted.mean + budget.roulette.mean;
     if (budget.roulette.mean != 0) {
         text += fmt::format(
             " {} {} by roulette = {}", budget.roulette.mean < 0 ? "-" : "+",

@@ -43,7 +43,7 @@ Result small_result() {
     result.sunlit_fraction = {{0.5, 0.1, 0.4, 0.6}, {0, kNan, 0, 0.1}};
     result.ratio_values = {{1.25, 0.01, 1.2, 1.3}, {kNan, kNan, kNan, kNan}};
     result.budget.resize(2);
-    result.budget[1].emitted = 7;
+    result.budget[1].emitted = {7, .5, 6, 8};
     result.paths = 4;
     result.replicates = 8;
     return result;
@@ -135,6 +135,7 @@ TEST(WriteJson, HoldsTheOrgansWithTheirEstimates) {
     EXPECT_TRUE(json["organs"][1]["absorbed_flux"]["R"]["standard_error"].is_null());
     EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["high"], 0.1);
     EXPECT_EQ(json["energy"]["FR"]["emitted"], 7.0);
+    EXPECT_EQ(json["energy"]["FR"]["emitted_standard_error"], .5);
 }
 
 TEST(WriteJson, HoldsTheWholeRunFile) {
@@ -275,7 +276,7 @@ TEST(WriteJson, DigestTellsResultsApart) {
 TEST(Summary, IsShortAndTellsTheEnergy) {
     const std::string text = summary(small_run(), small_result(), {"a.csv"});
     EXPECT_LE(lines_of(text).size(), 12U) << text;
-    EXPECT_NE(text.find("FR [W m-2 cm2]: 7 emitted"), std::string::npos) << text;
+    EXPECT_NE(text.find("FR [W m-2 cm2]: 7 +- 0.5 emitted"), std::string::npos) << text;
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
@@ -283,7 +284,7 @@ TEST(Summary, IsShortAndTellsTheEnergy) {
 TEST(Summary, TellsOfEnergyThatAddsUp) {
     Result result = small_result();
     BandBudget& budget = result.budget[0];
-    budget.emitted = 20.5;
+    budget.emitted = {20.5, 0, 20.5, 20.5};
     budget.roulette.mean = -.0016;
     budget.absorbed_by_organs = {1.86, .01, 1.8, 1.9};
     budget.absorbed_by_ground = {2, 0, 2, 2};

@@ -82,7 +82,7 @@ TEST(Series, TracesProportionalMomentsOnce) {
         EXPECT_EQ(results[4].values[i].mean, 0);
         EXPECT_EQ(results[4].values[i].standard_error, 0) << "darkness is certain";
     }
-    EXPECT_DOUBLE_EQ(results[2].budget[0].emitted, .5 * results[0].budget[0].emitted);
+    EXPECT_DOUBLE_EQ(results[2].budget[0].emitted.mean, .5 * results[0].budget[0].emitted.mean);
     EXPECT_TRUE(results[4].sunlit_fraction.empty());
 }
 

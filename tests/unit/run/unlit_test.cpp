@@ -33,7 +33,7 @@ void expect_unlit(const Result& result) {
     }
     ASSERT_EQ(result.sunlit_fraction.size(), 1U);
     expect_zero(result.sunlit_fraction[0], "sunlit");
-    EXPECT_EQ(result.budget[0].emitted, 0);
+    EXPECT_EQ(result.budget[0].emitted.mean, 0);
     EXPECT_EQ(result.budget[0].closure_error, 0);
     expect_zero(result.budget[0].escaped, "escaped");
     EXPECT_EQ(result.paths, 0U);

@@ -45,12 +45,27 @@ TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
 }
 
 TEST(EstimateFinds, KeepsTheMeanAndAddsOneFindToTheVariance) {
-    const Estimate e = estimate_finds(Values{1, 2, 3, 4}, {.more = .25, .less = .5});
-    EXPECT_EQ(e.mean, 2.5);
+    const Estimate e = estimate_finds(Values{11, 12, 13, 14}, {.more = .25, .less = .5});
+    EXPECT_EQ(e.mean, 12.5);
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12 + .25));
     const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
-    EXPECT_NEAR(e.low, 2.5 - std::hypot(half, 1.5), 1e-12);
-    EXPECT_NEAR(e.high, 2.5 + std::hypot(half, .75), 1e-12);
+    EXPECT_NEAR(e.low, 12.5 - std::hypot(half, 1.5), 1e-12);
+    EXPECT_NEAR(e.high, 12.5 + std::hypot(half, .75), 1e-12);
+}
+
+/// Of what can't be negative: the mean and its error as they are, of the interval what is not.
+TEST(NotNegative, LeavesOutWhatCantBe) {
+    const Estimate e = not_negative({1, 2, -3, 5});
+    EXPECT_EQ(e.mean, 1);
+    EXPECT_EQ(e.standard_error, 2);
+    EXPECT_EQ(e.low, 0);
+    EXPECT_EQ(e.high, 5);
+    EXPECT_EQ(not_negative({1, 2, .5, 5}).low, .5);
+    EXPECT_EQ(not_negative({-4, 1, -6, -2}).low, -6) << "it misses the truth, and says so";
+    EXPECT_TRUE(std::isnan(not_negative(estimate_mean(Values{3})).low));
+    EXPECT_EQ(estimate_finds(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).low, 0);
+    EXPECT_EQ(estimate_seen_or_bound(Values{0, 0, 0, 8}, 1).low, 0);
+    EXPECT_LT(estimate_mean(Values{0, 0, 0, 8}).low, 0) << "a control";
 }
 
 TEST(EstimateFinds, BoundsWhatWasNeverAndWhatWasAlwaysFound) {

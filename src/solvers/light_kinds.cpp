@@ -1,0 +1,174 @@
+// What one find may bring to each side of the regions: docs/theory/statistics.md.
+
+#include "solvers/light_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec3.h"
+
+namespace quasimc {
+namespace {
+
+bool is_sun(const BoundSource& light) {
+    return light.source->is_sun();
+}
+bool is_lamp(const BoundSource& light) {
+    return light.source->is_lamp();
+}
+
+/// A kind of the lights that are `wanted`, found by paths.
+template <typename Wanted>
+LightKind kind_of(const PreparedScene& prepared, const Wanted& wanted) {
+    LightKind kind;
+    kind.flux.assign(prepared.bands(), 0);
+    std::vector<bool> has(prepared.spectra().size());
+    for (const BoundSource& light : prepared.lights()) {
+        if (!wanted(light)) {
+            continue;
+        }
+        kind.has_suns = kind.has_suns || is_sun(light);
+        if (!has[light.spectrum]) {
+            has[light.spectrum] = true;
+            kind.spectra.push_back(light.spectrum);
+        }
+        for (std::size_t b = 0; b < kind.flux.size(); ++b) {
+            kind.flux[b] = std::max(kind.flux[b], prepared.flux()[b] * light.start_weights[b]);
+        }
+    }
+    return kind;
+}
+
+/// Calls `visit(triangle, region, area vector)` for each triangle once, not for its images.
+template <typename Visit>
+void for_each_triangle(const PreparedScene& prepared, const Visit& visit) {
+    const RayCaster& caster = prepared.caster();
+    const bool repeats = prepared.scene().cell().periodic();
+    for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
+        if (!repeats || i == 0 || caster.source(i) != caster.source(i - 1)) {
+            visit(i, prepared.region(i), caster.mesh().across(i) / 2);
+        }
+    }
+}
+
+/// By region, the diameter of a box around it.
+std::vector<double> diameters(const PreparedScene& prepared) {
+    std::vector<Bounds> boxes(prepared.scene().regions().size());
+    for_each_triangle(prepared, [&](std::uint32_t i, std::uint32_t region, const Vec3&) {
+        for (int corner = 0; corner < 3; ++corner) {
+            boxes[region].add(prepared.caster().mesh().vertex(i, corner));
+        }
+    });
+    std::vector<double> all;
+    all.reserve(boxes.size());
+    for (const Bounds& box : boxes) {
+        all.push_back(box.low.x <= box.high.x ? length(box.size()) : 0);
+    }
+    return all;
+}
+
+/// A direction of the middle of a sun.
+Vec3 direction_of(const BoundSource& sun) {
+    const SourceSampler& sampler = *sun.source_sampler;
+    return sampler.beam_direction() ? *sampler.beam_direction()
+                                    : sampler.draw_direction(0.5, 0.5).direction;
+}
+
+/// How large a region looks to a sun, and its area.
+struct Look {
+    double seen = 0, area = 0;
+};
+
+}  // namespace
+
+std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
+    std::vector<LightKind> kinds{
+        kind_of(prepared, is_sun),
+        kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); }),
+        kind_of(prepared, is_lamp)};
+    std::erase_if(kinds, [](const LightKind& kind) { return kind.spectra.empty(); });
+    return kinds;
+}
+
+/// Of the light along a direction a region gets the part that it takes of the box around the scene,
+/// as seen along it: at most what it is along one of the axes, since both are sums over these.
+LightKind kind_by_direction(const PreparedScene& prepared, double step) {
+    LightKind kind =
+        kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
+    kind.found_by = FoundBy::directions;
+    kind.step = step;
+    std::vector<Vec3> up(prepared.scene().regions().size());
+    std::vector<Vec3> down(up.size());
+    for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
+        const Vec3 sideways{std::abs(area.x), std::abs(area.y), 0};
+        up[region] += sideways + Vec3{0, 0, std::max(0.0, area.z)};
+        down[region] += sideways + Vec3{0, 0, std::max(0.0, -area.z)};
+    });
+    // Of a scene without end only the top lets light in: what comes in flatter than so does not
+    // count, or the part would have no bound.
+    constexpr double kFlat = 0.125;
+    Vec3 face = prepared.projection().entry_box().face_area;
+    const double least = kFlat * std::max({face.x, face.y, face.z});
+    face = prepared.scene().cell().periodic()
+               ? Vec3{std::max(face.x, least), std::max(face.y, least), std::max(face.z, least)}
+               : face;
+    const auto part = [&](const Vec3& area) {
+        const auto of = [](double a, double whole) { return a > 0 && whole > 0 ? a / whole : 0; };
+        return std::min(
+            1.0, std::max({of(area.x, face.x), of(area.y, face.y), of(area.z, face.z)}));
+    };
+    for (std::size_t i = 0; i < up.size(); ++i) {
+        kind.reach.push_back(part(up[i]));
+        kind.reach.push_back(part(down[i]));
+    }
+    return kind;
+}
+
+/// A line brings a region at most what falls on a stretch as long as the region.
+LightKind kind_by_line(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step) {
+    LightKind kind = kind_of(prepared, is_sun);
+    kind.found_by = FoundBy::lines;
+    kind.step = step;
+    const std::vector<double> longest = diameters(prepared);
+    kind.reach.assign(2 * longest.size(), 0);
+    kind.sunlit_reach.assign(longest.size(), 0);
+    for (std::size_t light = 0; light < has_lines.size(); ++light) {
+        if (!has_lines[light]) {
+            continue;
+        }
+        const Vec3 direction = direction_of(prepared.lights()[light]);
+        std::vector<Look> looks(longest.size());
+        for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
+            const double along = dot(area, direction);
+            looks[region].seen += std::abs(along);
+            looks[region].area += length(area);
+            // What is seen at less is seen edge-on, as along the lines.
+            constexpr double kEdgeOn = 0x1p-24;
+            if (std::abs(along) > kEdgeOn * length(area)) {
+                kind.reach[2 * region + (along > 0 ? 1 : 0)] = longest[region];
+            }
+        });
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const double slant = looks[i].seen > 0 ? looks[i].area / looks[i].seen : 0;
+            kind.sunlit_reach[i] = std::max(kind.sunlit_reach[i], longest[i] * slant);
+        }
+    }
+    return kind;
+}
+
+void FindCounter::finish() {
+    for (const SurfaceSide side : kSurfaceSides) {
+        Found& found = found_[index_of(side)];
+        const double most = kind_.reach[2 * region_ + index_of(side)] * kind_.step;
+        if (found.amount > 0 && most > 0) {
+            const double part = found.amount / most;
+            tally_.add(
+                tally_.layout().squares(region_, side, number_),
+                to_fixed(part * part / std::min(found.pieces, lines_)));
+        }
+        found = {};
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "quasimc/sums.h"
+#include "sums/tally.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// Lights of which each path is a find of its own: one kind of suns, one of skies, one of lamps;
+/// those there are.
+[[nodiscard]] std::vector<LightKind> kinds_by_path(const PreparedScene& prepared);
+
+/// The skies, whose light is found along directions.
+/// @param step  units of light of each
+[[nodiscard]] LightKind kind_by_direction(const PreparedScene& prepared, double step);
+
+/// The suns, whose light is found along lines.
+/// @param has_lines  by light: those of which it is
+/// @param step  units of light that a unit of length of a line brings
+[[nodiscard]] LightKind kind_by_line(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step);
+
+/// Counts finds: what a look (along a direction, or some lines) brought to each side of a region is
+/// told triangle after triangle, those of a region next to each other.
+class FindCounter {
+  public:
+    /// @param kind  place in SumUnits::kinds
+    /// @param lines  that the look consists of; 1 for a direction
+    FindCounter(
+        const PreparedScene& prepared,
+        const SumUnits& units,
+        std::size_t kind,
+        double lines,
+        Tally& tally)
+        : prepared_(prepared),
+          kind_(units.kinds[kind]),
+          number_(kind),
+          lines_(lines),
+          tally_(tally) {}
+
+    /// @param along  dot(unit normal of the upper side, direction of the light)
+    /// @param amount  units of light
+    /// @param pieces  along lines
+    void add(std::uint32_t triangle, double along, double amount, std::uint32_t pieces = 1) {
+        const std::uint32_t region = prepared_.region(triangle);
+        if (region != region_) {
+            finish();
+            region_ = region;
+        }
+        Found& found = found_[along > 0 ? 1 : 0];
+        found.amount += amount;
+        found.pieces += pieces;
+    }
+    /// To be called after the last triangle.
+    void finish();
+
+  private:
+    struct Found {
+        double amount = 0;
+        double pieces = 0;
+    };
+
+    const PreparedScene& prepared_;
+    const LightKind& kind_;
+    std::size_t number_;
+    double lines_;
+    Tally& tally_;
+    std::uint32_t region_ = 0;
+    std::array<Found, 2> found_{};  // by side
+};
+
+}  // namespace quasimc

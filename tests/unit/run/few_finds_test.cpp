@@ -1,0 +1,141 @@
+// How often the 95 % intervals of first_hits hold the truth where hardly anything is found: along
+// few of the directions of a sky, on few of the scan lines, by few of the paths. What the sun
+// lights must not hide that the sky was never found.
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr int kFewFindsSeeds = 200, kManyFindsSeeds = 1000;
+
+/// A leaf of 1 x 1 at the bottom of a tube of black walls.
+Scene make_deep_tube(double height) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    std::vector<Triangle> walls;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 up{0, 0, height};
+        const Vec3& a = corners[i];
+        const Vec3& b = corners[(i + 1) % 4];
+        walls.push_back({a, b, b + up});
+        walls.push_back({a, b + up, a + up});
+    }
+    builder.add_organ(organ("tube", "black", walls));
+    return std::move(builder).build();
+}
+
+/// The view factor of a square of side 1 to the same one at `height` over it (Howell, C-11).
+double factor_through_tube(double height) {
+    const double x = 1 / height;
+    const double root = std::sqrt(1 + x * x);
+    return 2 / (std::numbers::pi * x * x) *
+           (std::log((1 + x * x) / std::sqrt(1 + 2 * x * x)) + 2 * x * root * std::atan(x / root) -
+            2 * x * std::atan(x));
+}
+
+struct Asked {
+    Quantity quantity = Quantity::incident_upper;
+    std::size_t organ = 0;
+    std::uint64_t paths = 4096;
+    int seeds = kFewFindsSeeds;
+};
+
+/// The part of the runs whose interval holds the truth.
+double coverage_of(const Scene& scene, const Sources& sources, double truth, const Asked& asked) {
+    RunSpec spec;
+    spec.method = Method::first_hits;
+    spec.threads = 1;
+    spec.paths = asked.paths;
+    int right = 0;
+    for (int seed = 1; seed <= asked.seeds; ++seed) {
+        spec.seed = static_cast<std::uint64_t>(seed);
+        const Estimate e = run(scene, sources, spec).at(asked.organ, asked.quantity, 0);
+        EXPECT_GE(e.low, 0);
+        right += e.low <= truth && truth <= e.high ? 1 : 0;
+    }
+    return right / static_cast<double>(asked.seeds);
+}
+
+class FewFinds : public ::testing::TestWithParam<int> {
+  protected:
+    /// Of 200 at 95 % one in a million has less than .87, of 1000 less than .914.
+    static double least() { return GetParam() >= kManyFindsSeeds ? .93 : .9; }
+    static void note(const std::string& what, double part) {
+        ::testing::Test::RecordProperty(what, std::to_string(part));
+        std::cerr << what << ' ' << part << '\n';
+    }
+};
+
+TEST_P(FewFinds, OfALeafThatFewDirectionsReachHold) {
+    for (const double height : {5.0, 10.0, 20.0, 40.0}) {
+        const Scene scene = make_deep_tube(height);
+        for (const std::uint64_t paths : {1024, 8192}) {
+            const double part = coverage_of(
+                scene, {sky({1})}, factor_through_tube(height),
+                {.paths = paths, .seeds = GetParam()});
+            EXPECT_GE(part, least()) << height << ", " << paths << " paths";
+            note("tube" + std::to_string(height) + "," + std::to_string(paths), part);
+        }
+    }
+}
+
+TEST_P(FewFinds, OfALeafInTheSunHoldWhatTheSkyAdds) {
+    for (const double height : {10.0, 20.0}) {
+        const double part = coverage_of(
+            make_deep_tube(height), {sun(0, {.001}), sky({1})}, .001 + factor_through_tube(height),
+            {.paths = 1024, .seeds = GetParam()});
+        EXPECT_GE(part, least()) << height;
+        note("sun and sky" + std::to_string(height), part);
+    }
+}
+
+/// A needle so small that most scan lines miss it.
+TEST_P(FewFinds, OfANeedleThatFewLinesMeetHold) {
+    for (const double width : {1e-4, 1e-3, 1e-2}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("black", 0, 0));
+        builder.add_organ(organ("needle", "black", floor_of(.3, .6, .4, .4 + width, .5)));
+        builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
+        const Scene scene = std::move(builder).build();
+        const double part =
+            coverage_of(scene, {sun(0, {1})}, 1, {.paths = 1024, .seeds = GetParam()});
+        EXPECT_GE(part, least()) << width;
+        note("needle" + std::to_string(width), part);
+    }
+}
+
+/// A small leaf under a bright floor, that light from the floor alone reaches.
+TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
+    for (const double size : {.01, .03, .06, .1}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("floor", .4, 0));
+        builder.add_material(matt("black", 0, 0));
+        builder.add_organ(organ("leaf", "black", floor_of(.5, .5 + size, .5, .5 + size, .5)));
+        builder.add_organ(organ("floor", "floor", floor_of(0, 1, 0, 1, 0)));
+        const Scene scene = std::move(builder).build();
+        RunSpec fine = spec_of(Method::from_organs, 1 << 15);
+        const double truth =
+            run(scene, {sun(0, {1})}, fine).at(0, Quantity::incident_lower, 0).mean;
+        const double part = coverage_of(
+            scene, {sun(0, {1})}, truth,
+            {.quantity = Quantity::incident_lower, .paths = 1024, .seeds = GetParam()});
+        EXPECT_GE(part, least()) << size;
+        note("scattered" + std::to_string(size), part);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ordinary, FewFinds, ::testing::Values(kFewFindsSeeds));
+INSTANTIATE_TEST_SUITE_P(Long, FewFinds, ::testing::Values(kManyFindsSeeds));
+
+}  // namespace
+}  // namespace quasimc::test
