@@ -68,7 +68,7 @@ std::vector<Triangle> strip_of(const Blade& blade) {
     const auto edge = [&](int i, double side) {
         const double along = static_cast<double>(i) / blade.steps;
         const double half = .5 * blade.width * (1 - along * along * .95);
-        const double z = blade.length * along * (blade.rise - 1.3 * along);
+        const double z = blade.length * along * (blade.rise - 1.1 * along);
         return blade.base + .8 * blade.length * along * out + side * half * across + Vec3{0, 0, z};
     };
     std::vector<Triangle> strip;
@@ -81,22 +81,22 @@ std::vector<Triangle> strip_of(const Blade& blade) {
 
 constexpr double kGoldenAngle = 2.39996;
 
-/// Ten blades of 16 triangles in two ranks, and a stem of 16.
-constexpr std::uint32_t kMaizeTriangles = 176;
+/// Ten blades of 16 triangles in two ranks, and a stem of 28.
+constexpr std::uint32_t kMaizeTriangles = 188;
 
 void add_maize_plant(SceneBuilder& builder, const Vec3& foot, Draws& draws) {
     constexpr int kBlades = 10;
-    add_organ(builder, "stem", make_cylinder(foot, {0, 0, 1.6}, .012, .006, 8, false));
+    add_organ(builder, "stem", make_cylinder(foot, {0, 0, 1.6}, .012, .006, 8, true));
     const double rank = draws.between(0, std::numbers::pi);
     for (int i = 0; i < kBlades; ++i) {
         add_organ(
             builder, "leaf",
             strip_of(
-                {.base = foot + Vec3{0, 0, .2 + .14 * i},
+                {.base = foot + Vec3{0, 0, .25 + .13 * i},
                  .azimuth = rank + std::numbers::pi * i + draws.between(-.3, .3),
                  .length = draws.between(.5, .8),
                  .width = .09,
-                 .rise = draws.between(.7, 1.1)}));
+                 .rise = draws.between(.85, 1.2)}));
     }
 }
 
@@ -120,7 +120,7 @@ Scene make_tree(std::uint32_t triangles) {
     constexpr double kRadius = 1.5, kLeafAreaIndex = 2.5;
     SceneBuilder builder = builder_of_plants();
     Draws draws;
-    add_organ(builder, "stem", make_cylinder({0, 0, 0}, {0, 0, 2}, .1, .06, 24, false));
+    add_organ(builder, "stem", make_cylinder({0, 0, 0}, {0, 0, 2}, .1, .06, 24, true));
     const auto leaves = std::max<std::uint32_t>(kInTuft, triangles / (2 * kSteps));
     const double area = kLeafAreaIndex * std::numbers::pi * kRadius * kRadius / leaves;
     const double length = std::sqrt(3 * area);
@@ -134,7 +134,7 @@ Scene make_tree(std::uint32_t triangles) {
             tuft = {flat * std::cos(around), flat * std::sin(around), 2.5 + far * z};
             add_organ(
                 builder, "stem",
-                make_cylinder({0, 0, 2}, tuft - Vec3{0, 0, 2}, .01, .003, 4, false));
+                make_cylinder({0, 0, 2}, tuft - Vec3{0, 0, 2}, .01, .003, 4, true));
         }
         const Vec3 shift{draws.between(-.3, .3), draws.between(-.3, .3), draws.between(-.3, .3)};
         add_organ(
@@ -150,8 +150,8 @@ Scene make_tree(std::uint32_t triangles) {
     return std::move(builder).build();
 }
 
-/// A stem of 12 triangles and 30 leaves of 2, a metre and a half high.
-constexpr std::uint32_t kTallPlantTriangles = 72;
+/// A stem of 20 triangles and 30 leaves of 2, a metre and a half high.
+constexpr std::uint32_t kTallPlantTriangles = 80;
 
 /// A stem and rhombic leaves about it in golden angles.
 struct Bush {
@@ -162,7 +162,7 @@ struct Bush {
 };
 
 void add_bush(SceneBuilder& builder, const Bush& bush, Draws& draws) {
-    add_organ(builder, "stem", make_cylinder(bush.foot, {0, 0, bush.height}, .008, .004, 6, false));
+    add_organ(builder, "stem", make_cylinder(bush.foot, {0, 0, bush.height}, .008, .004, 6, true));
     for (int i = 0; i < bush.leaves; ++i) {
         const double around = kGoldenAngle * i + draws.between(-.2, .2);
         const Vec3 out =
@@ -189,9 +189,9 @@ Scene make_greenhouse(std::uint32_t triangles) {
     return std::move(builder).build();
 }
 
-/// Plants of a stem of 12 triangles and 24 leaves of 2 in two rows of a cell.
+/// Plants of a stem of 20 triangles and 24 leaves of 2 in two rows of a cell.
 Scene make_row_crop(std::uint32_t triangles) {
-    constexpr std::uint32_t kTriangles = 60;
+    constexpr std::uint32_t kTriangles = 68;
     constexpr double kRow = .4, kPlant = .08;
     SceneBuilder builder = builder_of_plants();
     Draws draws;
