@@ -4,6 +4,7 @@
 //     ./dev bench efficiency engine    some parts
 //     ./dev bench --quick              a fast look, rough numbers
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
+//     ./dev bench canopies --files A B on the scenes of run files too; status 1 above the bar
 
 #include <algorithm>
 #include <cstdio>
@@ -19,10 +20,14 @@
 
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
+    std::vector<std::string> files;
+    std::string words;
+    bool is_held = true;
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
         {"efficiency", print_efficiency},
         {"bars", print_bars},
         {"planner", print_planner},
+        {"canopies", [&](const Effort& effort) { is_held = print_canopies(effort, files, words); }},
         {"coverage", print_coverage},
         {"agreement", print_agreement},
         {"ratio", print_band_ratio},
@@ -42,9 +47,11 @@ int main(int argc, char** argv) {
     app.add_flag("--quick", quick, "fewer replicates and smaller scenes");
     std::uint64_t plain_paths = 0;
     app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
+    app.add_option("--files", files, "canopies: run files whose scenes are looked at too");
+    app.add_option("--cases", words, "canopies: only cases whose name holds these words");
     CLI11_PARSE(app, argc, argv);
 
-    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000} : Effort{};
+    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000, 5000} : Effort{};
     effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(
         "QuasiMC %s, %u threads available. CPU times are of one thread unless stated.\n",
@@ -55,5 +62,5 @@ int main(int argc, char** argv) {
             std::fflush(stdout);
         }
     }
-    return 0;
+    return is_held ? 0 : 1;
 }

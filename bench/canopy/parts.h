@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace quasimc::bench {
 
@@ -12,6 +14,7 @@ struct Effort {
     int repeats = 5;                            ///< of timings, of which the median counts
     std::uint32_t repetitions = 200;            ///< of runs, to count how many are right
     std::uint64_t plain_paths = 1'000'000'000;  ///< of plain tracing, to agree with
+    std::uint32_t most_triangles = 1'000'000;   ///< of canopies
 };
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.
@@ -20,6 +23,11 @@ void print_efficiency(const Effort& effort);
 void print_bars(const Effort& effort);
 /// Figure of merit of each way of tracing, and which of them the planner chooses.
 void print_planner(const Effort& effort);
+/// Whether "auto" is within twice the best method's time, on canopies of code, whose every light is
+/// a case, and on those of run files, under the same suns and sky.
+/// @param words  that the name of a case, "maize, sun at 90", must hold
+[[nodiscard]] bool print_canopies(
+    const Effort& effort, const std::vector<std::string>& files, const std::string& words);
 /// How often 95 % intervals hold the truth.
 void print_coverage(const Effort& effort);
 /// Whether every way of tracing agrees with plain Monte Carlo tracing on scenes of many kinds.

@@ -46,12 +46,13 @@ std::vector<VisibilityRole> visibility_roles(const PreparedScene& prepared) {
     return roles;
 }
 
-/// Lamps, and suns that are not cut into lines.
+/// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
 TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& budget) {
     TracedLights traced;
     for (std::size_t i = 0; i < prepared.lights().size(); ++i) {
         const Source& source = *prepared.lights()[i].source;
-        traced.push_back(source.is_lamp() || (source.is_sun() && !budget.has_lines(i)));
+        traced.push_back(
+            source.is_lamp() || !(source.is_sun() ? budget.has_lines(i) : budget.sees_skies()));
     }
     return traced;
 }

@@ -56,10 +56,12 @@ std::uint32_t beams_of(const BoundSource& sun) {
     return sun.source_sampler->beam_direction() ? 1 : kDiskBeams;
 }
 
-/// Images of triangles that lines may cut for each path of a sun (LineCost). Beyond, paths from the
-/// sun leave the smaller errors for their time: at equal numbers of paths lines have a seventh of
-/// the variance, but take 15 times as long (a real stand, the sun at .2 degrees).
-constexpr double kMostCutsPerPath = 900;
+/// What lines may cost for each path of a sun. Where they would cost more there are fewer of them;
+/// where too few are left, or where so many triangles are projected for so few paths, the sun is
+/// traced from itself, which then leaves the smaller errors for its time (docs/theory/choosing.md).
+constexpr double kMostCutsPerPath = 10, kMostTrianglesPerPath = 20;
+/// Lines of a sun that are too few, but where it is one of many.
+constexpr std::uint32_t kFewestWhereCostly = 16;
 
 /// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
 /// there are more of them each may be seen less well: the root is between, until there are two for
@@ -73,6 +75,11 @@ constexpr double kShareOfLayer = 1.0 / 3;
 /// Directions of a sky: at least so many, in at most so many blocks of work.
 constexpr std::uint32_t kFewestDirections = 16;
 constexpr std::uint32_t kDirectionBlocks = 16;
+/// To project a triangle costs as much as so many pixels; where it repeats itself, twice that.
+constexpr double kPixelsPerTriangle = 20;
+/// Skies that cost so many times the pixels that their paths are meant to have are traced from
+/// themselves, which then leaves the smaller errors for its time.
+constexpr double kMostOverPixels = 25;
 
 }  // namespace
 
@@ -93,20 +100,36 @@ SamplingBudget::SamplingBudget(
         }
     }
     fewest_lines_ = fewest_lines(suns, beams);
-    const LineCost cost(seen);
-    for (const BoundSource& light : prepared.lights()) {
-        has_lines_.push_back(light.source->is_sun() && are_lines_cheap(light, cost, paths));
+    set_lines(LineCost(seen), static_cast<double>(paths));
+    sees_skies_ = !skies.skies().empty() && are_skies_cheap(static_cast<double>(paths));
+}
+
+void SamplingBudget::set_lines(const LineCost& cost, double paths) {
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+        const BoundSource& light = prepared_.lights()[i];
+        cuts_per_line_.push_back(0);
+        has_lines_.push_back(false);
+        if (light.source->is_sun()) {
+            const SourceSampler& sampler = *light.source_sampler;
+            cuts_per_line_[i] = cost.cuts_per_line(
+                sampler.beam_direction() ? *sampler.beam_direction()
+                                         : sampler.draw_direction(0.5, 0.5).direction);
+            const double own = light.probability * paths;
+            const VisibilityTask task = lines_of(i, own);
+            has_lines_[i] = triangles <= kMostTrianglesPerPath * own &&
+                            task.beams * task.count * cuts_per_line_[i] <= kMostCutsPerPath * own;
+        }
     }
 }
 
-bool SamplingBudget::are_lines_cheap(
-    const BoundSource& light, const LineCost& cost, std::uint64_t paths) const {
-    const double own = light.probability * static_cast<double>(paths);
-    const VisibilityTask task = lines_of(light, own);
-    const SourceSampler& sampler = *light.source_sampler;
-    const Vec3 direction = sampler.beam_direction() ? *sampler.beam_direction()
-                                                    : sampler.draw_direction(0.5, 0.5).direction;
-    return task.beams * task.count * cost.cuts_per_line(direction) <= kMostCutsPerPath * own;
+bool SamplingBudget::are_skies_cheap(double paths) const {
+    const double own = skies_.probability() * paths;
+    const VisibilityTask task = skies_of(own);
+    const double images = prepared_.scene().cell().periodic() ? 2 : 1;
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double each = task.pixels + kPixelsPerTriangle * images * triangles;
+    return task.count * each <= kMostOverPixels * pixels_per_path_ * own;
 }
 
 std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
@@ -117,8 +140,8 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
             add_beams(i, light.probability * static_cast<double>(round.count), tasks);
         }
     }
-    if (!skies_.skies().empty()) {
-        add_skies(skies_.probability() * static_cast<double>(round.count), tasks);
+    if (sees_skies_) {
+        tasks.push_back(skies_of(skies_.probability() * static_cast<double>(round.count)));
     }
     std::uint64_t first = 0;
     for (VisibilityTask& task : tasks) {
@@ -143,35 +166,41 @@ double SamplingBudget::light_per_look(const VisibilityTask& task, const Round& r
     return light.probability * paths / task.beams * length(box.bounds.size()) / (task.count * area);
 }
 
-VisibilityTask SamplingBudget::lines_of(const BoundSource& light, double paths) const {
-    const std::uint32_t beams = beams_of(light);
+VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
+    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
     const bool is_disk = beams > 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
-    const std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+    std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+    const double cuts = beams * cuts_per_line_[light];
+    if (count * cuts > kMostCutsPerPath * paths) {
+        const auto cheap = static_cast<std::uint32_t>(kMostCutsPerPath * paths / cuts);
+        const std::uint32_t fewest = std::max(kFewestOfMany, kFewestWhereCostly / beams);
+        count = std::min(count, std::max(fewest, cheap));
+    }
     return {.beams = beams, .count = count, .blocks = ScanLines::strips(count)};
 }
 
 void SamplingBudget::add_beams(
     std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const {
-    VisibilityTask task = lines_of(prepared_.lights()[light], paths);
+    VisibilityTask task = lines_of(light, paths);
     task.light = light;
     for (; task.beam < task.beams; ++task.beam) {
         tasks.push_back(task);
     }
 }
 
-void SamplingBudget::add_skies(double paths, std::vector<VisibilityTask>& tasks) const {
+VisibilityTask SamplingBudget::skies_of(double paths) const {
     const double pixels = pixels_for(paths);
     const double directions = std::round(pixels_per_path_ * paths / pixels);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
-    tasks.push_back(
-        {.is_sky = true,
-         .count = count,
-         .pixels = pixels,
-         .blocks = std::min(count, kDirectionBlocks)});
+    return {
+        .is_sky = true,
+        .count = count,
+        .pixels = pixels,
+        .blocks = std::min(count, kDirectionBlocks)};
 }
 
 double SamplingBudget::pixels_for(double paths) const {

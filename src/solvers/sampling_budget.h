@@ -35,10 +35,15 @@ class SamplingBudget {
         const ProjectedScene& seen,
         std::uint64_t paths);
 
-    /// Whether the direct light of a sun is found along lines. Not where a line would cut so many
-    /// images of the scene that paths from the sun do better for the time, as at dawn in an endless
-    /// stand; nor for lights that are no suns.
+    /// Whether the direct light of a sun is found along lines. Not where they cost so much that
+    /// paths from the sun do better for the time: as at dawn in an endless stand, whose images a
+    /// line cuts by the thousand, or where few paths have many triangles; nor for lights that are
+    /// no suns.
     [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
+
+    /// Whether there are skies and their direct light is found by pixels. Not where few paths have
+    /// so many triangles that paths from the skies do better for the time.
+    [[nodiscard]] bool sees_skies() const { return sees_skies_; }
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
     /// one. Takes time in proportion to the suns.
@@ -52,19 +57,21 @@ class SamplingBudget {
     [[nodiscard]] double light_per_look(const VisibilityTask& task, const Round& round) const;
 
   private:
-    [[nodiscard]] bool are_lines_cheap(
-        const BoundSource& light, const LineCost& cost, std::uint64_t paths) const;
+    void set_lines(const LineCost& cost, double paths);
+    [[nodiscard]] bool are_skies_cheap(double paths) const;
     /// Beams of a sun, and lines of each.
-    [[nodiscard]] VisibilityTask lines_of(const BoundSource& light, double paths) const;
+    [[nodiscard]] VisibilityTask lines_of(std::size_t light, double paths) const;
+    [[nodiscard]] VisibilityTask skies_of(double paths) const;
     void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
-    void add_skies(double paths, std::vector<VisibilityTask>& tasks) const;
     [[nodiscard]] double pixels_for(double paths) const;
 
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
     double paths_per_line_, pixels_per_path_;
-    std::uint32_t fewest_lines_;   // of a beam
-    std::vector<bool> has_lines_;  // by light
+    std::uint32_t fewest_lines_;         // of a beam
+    std::vector<double> cuts_per_line_;  // by light
+    std::vector<bool> has_lines_;        // by light
+    bool sees_skies_ = false;
 };
 
 /// The task that a block belongs to: its place in the list. @param block  less than the end of the

@@ -8,16 +8,22 @@
 
 namespace quasimc::test {
 
+/// What a side was that a run has not seen: dark, or lit by less than it could find.
+enum class Unseen { dark, few_finds };
+
 /// Compares pairs of independent runs of the same scene, of kReplicates replicates each. The pairs
 /// of one object share the level of one test.
 class Comparison {
   public:
-    explicit Comparison(unsigned pairs) : pairs_(pairs) {}
+    explicit Comparison(unsigned pairs, Unseen unseen = Unseen::dark)
+        : pairs_(pairs), unseen_(unseen) {}
 
     /// Whether two runs agree on what all organs and what the ground absorb, in each band.
     [[nodiscard]] ::testing::AssertionResult totals_agree(const Result& a, const Result& b);
 
-    /// Whether they agree on what falls on each side of each organ, in each band.
+    /// Whether they agree on what falls on each side of each organ, in each band. With
+    /// Unseen::few_finds a side of which a run says that it can't tell is not compared, and has an
+    /// infinite width.
     [[nodiscard]] ::testing::AssertionResult organs_agree(const Result& a, const Result& b);
 
     /// Whether nine in ten of the comparisons so far could tell: half-widths of the differences of
@@ -33,6 +39,7 @@ class Comparison {
 
   private:
     unsigned pairs_;
+    Unseen unseen_;
     std::vector<double> total_widths_, organ_widths_;  ///< relative half-widths
     std::vector<double> mean_squares_;                 ///< per pair of runs
 };

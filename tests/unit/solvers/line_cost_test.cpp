@@ -120,6 +120,63 @@ TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
                     .has_lines(2));
 }
 
+/// The lower the sun, the fewer lines, and none rather than a handful.
+TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
+    constexpr double kMostCuts = 10 * kPaths;
+    std::uint32_t before = UINT32_MAX;
+    for (const double zenith_deg : {0., 80., 87.}) {
+        const SeenStand endless(true, {sun(zenith_deg, {1})});
+        const SamplingBudget budget(
+            endless.prepared, SkyDirections(endless.prepared), endless.seen, kPaths);
+        ASSERT_TRUE(budget.has_lines(0)) << zenith_deg;
+        const std::uint32_t lines = budget.tasks({0, kPaths}).front().count;
+        const Vec3 direction = *endless.prepared.lights().front().source_sampler->beam_direction();
+        EXPECT_LE(lines * LineCost(endless.seen).cuts_per_line(direction), kMostCuts);
+        EXPECT_LE(lines, before) << zenith_deg;
+        before = lines;
+    }
+    EXPECT_GE(before, 16);
+    EXPECT_LT(before, 128);
+}
+
+/// Sixty leaves are too many triangles to be projected for two paths.
+TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
+    const SeenStand open(false, {sun(20, {1}), sky({1})});
+    const SkyDirections skies(open.prepared);
+    const SamplingBudget many(open.prepared, skies, open.seen, kPaths);
+    EXPECT_TRUE(many.has_lines(0));
+    EXPECT_TRUE(many.sees_skies());
+    EXPECT_EQ(many.tasks({0, kPaths}).size(), 2);
+    const SamplingBudget few(open.prepared, skies, open.seen, 4);
+    EXPECT_FALSE(few.has_lines(0));
+    EXPECT_FALSE(few.sees_skies());
+    EXPECT_TRUE(few.tasks({0, 4}).empty());
+}
+
+TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
+    const SeenStand open(false, {sun(20, {1})});
+    EXPECT_FALSE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)
+                     .sees_skies());
+}
+
+/// Many paths find the same sky by pixels as few find by themselves.
+TEST(FirstHits, TraceTheSkyOfFewPathsFromItself) {
+    const Scene scene = stand(false);
+    const Result first = run(scene, {sky({1})}, spec_of(Method::first_hits, 16));
+    const Result light = run(scene, {sky({1})}, spec_of(Method::light_tracing, 16));
+    const Result many = run(scene, {sky({1})}, spec_of(Method::first_hits, 4096));
+    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
+        EXPECT_EQ(
+            first.at(i, Quantity::absorbed_flux, 0).mean,
+            light.at(i, Quantity::absorbed_flux, 0).mean);
+    }
+    const Estimate& few_in_all = first.budget[0].absorbed_by_organs;
+    const Estimate& many_in_all = many.budget[0].absorbed_by_organs;
+    EXPECT_NEAR(
+        few_in_all.mean, many_in_all.mean,
+        6 * std::hypot(few_in_all.standard_error, many_in_all.standard_error));
+}
+
 TEST(FirstHits, TraceAGrazingSunFromItself) {
     const Scene scene = stand(true);
     const Sources grazing{sun(89.95, {1})};
