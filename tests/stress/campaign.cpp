@@ -71,8 +71,13 @@ class Worker {
     }
 
     void report(std::uint64_t number, const Node& document, const Verdict& verdict) {
-        for (const Finding& finding : verdict.findings) {
-            log(fmt::format("{} {}: {}", number, name_of(finding.kind), finding.words));
+        constexpr std::size_t kMostLines = 4;
+        const std::size_t count = verdict.findings.size();
+        for (std::size_t i = 0; i < std::min(count, kMostLines); ++i) {
+            const Finding& finding = verdict.findings[i];
+            log(fmt::format(
+                "{} {} ({} of {}): {}", number, name_of(finding.kind), i + 1, count,
+                finding.words));
         }
         const Finding& first = verdict.findings.front();
         const std::string name = fmt::format("{}-{}", number, name_of(first.kind));

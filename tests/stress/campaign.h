@@ -20,7 +20,7 @@ struct Campaign {
     std::uint64_t coverage_every = 0;  ///< scenes of which intervals are counted; 0: none
     unsigned coverage_seeds = 200;
     Effort coverage{1024, 8, 1, 1};
-    unsigned shrinking_tries = 150;
+    unsigned shrinking_tries = 80;
     Rules rules;
 };
 

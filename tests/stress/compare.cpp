@@ -16,8 +16,8 @@ bool has_error(const Number& n) {
 
 /// Nothing was found: the chance of that, where the other number, less four of its errors, would
 /// have brought so many finds that the upper end is three.
-double chance_of_nothing(const Number& nothing, const Number& other) {
-    const double least = other.mean - 4 * other.error;
+double chance_of_nothing(const Number& nothing, const Number& other, double slip) {
+    const double least = other.mean - 4 * other.error - slip;
     if (!has_error(other) || least <= 0) {
         return 1;
     }
@@ -26,15 +26,16 @@ double chance_of_nothing(const Number& nothing, const Number& other) {
 
 }  // namespace
 
-double chance_of(const Number& a, double freedom_a, const Number& b, double freedom_b) {
+double chance_of(
+    const Number& a, double freedom_a, const Number& b, double freedom_b, double slip) {
     if (!has_error(a) || !has_error(b)) {
         if (has_error(a) == has_error(b)) {
             return 1;
         }
-        return has_error(a) ? chance_of_nothing(b, a) : chance_of_nothing(a, b);
+        return has_error(a) ? chance_of_nothing(b, a, slip) : chance_of_nothing(a, b, slip);
     }
     const double rounding = kRounding * std::max(std::abs(a.mean), std::abs(b.mean));
-    const double difference = std::abs(a.mean - b.mean) - rounding;
+    const double difference = std::abs(a.mean - b.mean) - rounding - slip;
     if (difference <= 0) {
         return 1;
     }
@@ -50,7 +51,8 @@ double chance_of(const Number& a, double freedom_a, const Number& b, double free
 }
 
 std::vector<Disagreement> disagreements(
-    const std::vector<Answer>& answers, double level, const std::vector<std::string>& names) {
+    const Case& it, const std::vector<Answer>& answers, double level) {
+    const std::vector<std::string> names = number_names(it.run.scene);
     std::vector<Disagreement> found;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         for (std::size_t k = i + 1; k < answers.size(); ++k) {
@@ -62,7 +64,7 @@ std::vector<Disagreement> disagreements(
                 if (!x.is_known || !y.is_known) {
                     continue;
                 }
-                const double chance = chance_of(x, a.freedom, y, b.freedom);
+                const double chance = chance_of(x, a.freedom, y, b.freedom, it.slips[n]);
                 if (chance < level) {
                     found.push_back(
                         {n, a.way, b.way, chance,

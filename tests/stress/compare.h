@@ -22,12 +22,13 @@ inline constexpr double kRounding = 2e-6;
 /// The chance that two numbers differ by so much or more if both ways are right: of Student's t
 /// with the degrees of freedom of Welch (1947), where both have errors; of finding nothing, where
 /// one has found nothing and says how much there may be at most (rule of three: three finds).
+/// @param slip  a difference that never counts
 [[nodiscard]] double chance_of(
-    const Number& a, double freedom_a, const Number& b, double freedom_b);
+    const Number& a, double freedom_a, const Number& b, double freedom_b, double slip = 0);
 
 /// All pairs of ways, number by number, whose chance is below `level`.
 [[nodiscard]] std::vector<Disagreement> disagreements(
-    const std::vector<Answer>& answers, double level, const std::vector<std::string>& names);
+    const Case& it, const std::vector<Answer>& answers, double level);
 
 /// How many comparisons those are.
 [[nodiscard]] std::size_t count_comparisons(const std::vector<Answer>& answers);

@@ -20,7 +20,7 @@ Estimate mean_of(const Answers& answers, std::size_t number) {
 
 /// What the sharpest other way says, if it is sharp beside the intervals.
 std::optional<double> truth_of(
-    const std::vector<Answers>& all, std::size_t own, std::size_t number) {
+    const Case& it, const std::vector<Answers>& all, std::size_t own, std::size_t number) {
     std::optional<Estimate> best;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Estimate e = mean_of(all[i], number);
@@ -34,16 +34,16 @@ std::optional<double> truth_of(
         const Number& n = answer.numbers[number];
         width += .5 * (n.high - n.low) / static_cast<double>(all[own].size());
     }
-    const bool is_sharp =
-        best && best->standard_error < .2 * width && width > 4 * kRounding * best->mean;
+    const bool is_sharp = best && best->standard_error < .2 * width &&
+                          width > 4 * (kRounding * best->mean + it.slips[number]);
     return is_sharp ? std::optional(best->mean) : std::nullopt;
 }
 
-Coverage coverage_of_way(const std::vector<Answers>& all, std::size_t own) {
+Coverage coverage_of_way(const Case& it, const std::vector<Answers>& all, std::size_t own) {
     std::vector<double> held(all[own].size(), 0.0);
     Coverage coverage{all[own][0].way};
     for (std::size_t i = 0; i < all[own][0].numbers.size(); ++i) {
-        const std::optional<double> truth = truth_of(all, own, i);
+        const std::optional<double> truth = truth_of(it, all, own, i);
         if (!truth || !all[own][0].numbers[i].is_known) {
             continue;
         }
@@ -82,7 +82,7 @@ std::vector<Coverage> coverage_of(
     std::vector<Coverage> result;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i][0].way != Way::reference && all[i][0].way != Way::plain_paths) {
-            result.push_back(coverage_of_way(all, i));
+            result.push_back(coverage_of_way(it, all, i));
         }
     }
     return result;

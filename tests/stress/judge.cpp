@@ -57,11 +57,12 @@ Answer pooled(const std::vector<Answer>& answers) {
 }
 
 /// How many of the answers' intervals hold no part of what the other way has for the truth.
-unsigned count_misses(const std::vector<Answer>& answers, std::size_t number, const Number& truth) {
+unsigned count_misses(
+    const std::vector<Answer>& answers, std::size_t number, const Number& truth, double slip) {
     unsigned misses = 0;
     for (const Answer& answer : answers) {
         const Number& n = answer.numbers[number];
-        const double slack = 3 * truth.error + kRounding * std::abs(truth.mean);
+        const double slack = 3 * truth.error + kRounding * std::abs(truth.mean) + slip;
         misses += truth.mean - slack > n.high || truth.mean + slack < n.low ? 1 : 0;
     }
     return misses;
@@ -110,10 +111,9 @@ void look_again(
     std::uint64_t number,
     const Rules& rules,
     Verdict& verdict) {
-    const std::vector<std::string> names = number_names(it.run.scene);
     verdict.looked_again = true;
     const auto answers = answers_of(it, ways_among(first), seeded(rules.second, number, 2));
-    const auto suspects = both_times(first, disagreements(answers, rules.second_level, names));
+    const auto suspects = both_times(first, disagreements(it, answers, rules.second_level));
     if (suspects.empty()) {
         return;
     }
@@ -149,7 +149,7 @@ void judge_numbers(
         return;
     }
     const double level = rules.screen_chance / static_cast<double>(verdict.comparisons);
-    const auto first = disagreements(answers, level, names);
+    const auto first = disagreements(it, answers, level);
     if (!first.empty()) {
         look_again(it, first, number, rules, verdict);
     }
@@ -180,7 +180,7 @@ std::vector<Finding> compare_closely(
     }
     std::vector<Finding> findings;
     for (const Disagreement& d : suspects) {
-        const auto pair = disagreements({means[d.a], means[d.b]}, level, names);
+        const auto pair = disagreements(it, {means[d.a], means[d.b]}, level);
         const auto same = std::find_if(
             pair.begin(), pair.end(), [&](const auto& p) { return p.number == d.number; });
         if (same != pair.end()) {
@@ -189,7 +189,9 @@ std::vector<Finding> compare_closely(
         for (const auto& [way, other] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}}) {
             const Number& truth = means[other].numbers[d.number];
             const unsigned misses =
-                std::isnan(truth.error) ? 0 : count_misses(all[way], d.number, truth);
+                std::isnan(truth.error)
+                    ? 0
+                    : count_misses(all[way], d.number, truth, it.slips[d.number]);
             if (chance_of_misses(misses, rules.last_seeds, rules.misses) < level) {
                 findings.push_back(finding_of(
                     Finding::Kind::interval, d,

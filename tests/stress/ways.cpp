@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,6 +37,36 @@ std::vector<Number> numbers_of(const Result& result) {
         numbers.push_back(number_of(budget.absorbed_by_ground));
     }
     return numbers;
+}
+
+/// Whether light of a sun runs along a surface of the organ, to within what single precision can
+/// tell. It then brings next to nothing, but how much of the surface it lights is left to rounding.
+bool is_grazed(const Case& it, const Organ& organ) {
+    constexpr double kGrazing = 1e-4;
+    for (const Node* source : tables_at(*it.run.document, "source")) {
+        if (source->find("irradiance_facing") == nullptr) {
+            continue;
+        }
+        const Vec3 to_sun = it.run.scene.orientation().towards(
+            number_at(*source, "azimuth_deg", 0), number_at(*source, "elevation_deg", 0));
+        for (const Triangle& t : it.run.scene.triangles_of(organ)) {
+            const Vec3 n = area_vector(t);
+            if (std::abs(dot(n, to_sun)) <= kGrazing * length(n)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Leaves the sunlit fraction of such organs out.
+void forget_grazed(const Case& it, std::vector<Number>& numbers) {
+    const std::size_t each = kCompared.size() * it.run.scene.bands().size() + 1;
+    for (std::size_t i = 0; i < it.run.scene.organs().size(); ++i) {
+        if (is_grazed(it, it.run.scene.organs()[i])) {
+            numbers[(i + 1) * each - 1].is_known = false;
+        }
+    }
 }
 
 /// The same numbers of one replicate of the reference; NaN what it does not tell.
@@ -104,6 +135,48 @@ Method method_of(Way way) {
     }
 }
 
+/// Irradiance of all far sources, and of lamps as far away as the scene is large; per band.
+std::vector<double> irradiance_of(const Node& document, const Scene& scene) {
+    const std::size_t bands = scene.bands().size();
+    const double radius = scene.bounds().radius();
+    std::vector<double> sum(bands);
+    for (const Node* source : tables_at(document, "source")) {
+        for (const char* key : {"irradiance_facing", "irradiance_horizontal"}) {
+            const std::vector<double> values = per_band_at(*source, key, bands, 0);
+            for (std::size_t b = 0; b < bands; ++b) {
+                sum[b] += values[b];
+            }
+        }
+        const std::vector<double> power = per_band_at(*source, "power", bands, 0);
+        for (std::size_t b = 0; b < bands; ++b) {
+            sum[b] += power[b] / (4 * std::numbers::pi * radius * radius);
+        }
+    }
+    return sum;
+}
+
+/// A millionth of that, in the order of the numbers.
+std::vector<double> slips_of(const Node& document, const Scene& scene) {
+    constexpr double kSlip = 1e-6;
+    std::vector<double> slips;
+    const std::vector<double> light = irradiance_of(document, scene);
+    double organs = 0, ground = 0;
+    for (const Organ& organ : scene.organs()) {
+        (organ.is_ground ? ground : organs) += organ.area;
+        for (const Quantity q : kCompared) {
+            for (const double e : light) {
+                slips.push_back(kSlip * e * (q == Quantity::absorbed_flux ? organ.area : 1));
+            }
+        }
+        slips.push_back(kSlip);
+    }
+    for (const double e : light) {
+        slips.push_back(kSlip * e * organs);
+        slips.push_back(kSlip * e * ground);
+    }
+    return slips;
+}
+
 bool has_lamps(const Node& document) {
     for (const Node* source : tables_at(document, "source")) {
         if (source->find("power") != nullptr) {
@@ -119,7 +192,8 @@ Case make_case(const Node& document) {
     InputFiles files(".");
     RunFile run = read_run_document(document, "run.toml", files);
     std::optional<PlainScene> plain = plain_scene(document, run.scene);
-    return {std::move(run), std::move(plain)};
+    std::vector<double> slips = slips_of(document, run.scene);
+    return {std::move(run), std::move(plain), std::move(slips)};
 }
 
 std::string name_of(Way way) {
@@ -175,7 +249,9 @@ Answer compute(const Case& it, Way way, const Effort& effort) {
         spec.window = CrossSectionShape::sphere;
     }
     Result result = run(it.run.scene, it.run.sources, spec);
-    return {way, effort.replicates - 1.0, numbers_of(result), std::move(result)};
+    std::vector<Number> numbers = numbers_of(result);
+    forget_grazed(it, numbers);
+    return {way, effort.replicates - 1.0, std::move(numbers), std::move(result)};
 }
 
 std::vector<Way> ways_of(const Case& it) {
