@@ -56,14 +56,14 @@ Answer pooled(const std::vector<Answer>& answers) {
     return all;
 }
 
-/// How many of the answers' intervals hold no part of what the other way has for the truth.
+/// How many of the answers' intervals hold no part of where the truth may be.
+/// @param slack  how far the truth may be from what is said of it
 unsigned count_misses(
-    const std::vector<Answer>& answers, std::size_t number, const Number& truth, double slip) {
+    const std::vector<Answer>& answers, std::size_t number, double truth, double slack) {
     unsigned misses = 0;
     for (const Answer& answer : answers) {
         const Number& n = answer.numbers[number];
-        const double slack = 3 * truth.error + kRounding * std::abs(truth.mean) + slip;
-        misses += truth.mean - slack > n.high || truth.mean + slack < n.low ? 1 : 0;
+        misses += truth - slack > n.high || truth + slack < n.low ? 1 : 0;
     }
     return misses;
 }
@@ -179,6 +179,7 @@ std::vector<Finding> compare_closely(
         means[way] = pooled(all[way]);
     }
     std::vector<Finding> findings;
+    const double quantile = student_t_quantile(1 - level / 2, rules.last_seeds - 1);
     for (const Disagreement& d : suspects) {
         const auto pair = disagreements(it, {means[d.a], means[d.b]}, level);
         const auto same = std::find_if(
@@ -188,10 +189,10 @@ std::vector<Finding> compare_closely(
         }
         for (const auto& [way, other] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}}) {
             const Number& truth = means[other].numbers[d.number];
+            const double slack =
+                quantile * truth.error + kRounding * std::abs(truth.mean) + it.slips[d.number];
             const unsigned misses =
-                std::isnan(truth.error)
-                    ? 0
-                    : count_misses(all[way], d.number, truth, it.slips[d.number]);
+                std::isnan(truth.error) ? 0 : count_misses(all[way], d.number, truth.mean, slack);
             if (chance_of_misses(misses, rules.last_seeds, rules.misses) < level) {
                 findings.push_back(finding_of(
                     Finding::Kind::interval, d,

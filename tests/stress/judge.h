@@ -29,11 +29,11 @@ struct Finding {
 /// a third, with new numbers once more, and that sample alone decides: at `family_level` over all
 /// comparisons of `scenes` scenes.
 struct Rules {
-    Effort screen{512, 16, 1, 1};
+    Effort screen{256, 16, 1, 1};
     double screen_chance = .01;  ///< that a right scene is looked at again; over all comparisons
-    Effort second{4096, 16, 1, 1};
+    Effort second{2048, 16, 1, 1};
     double second_level = 1e-3;  ///< of each comparison
-    Effort last{4096, 16, 1, 1};
+    Effort last{2048, 16, 1, 1};
     unsigned last_seeds = 24;
     double family_level = 1e-3;
     double scenes = 1e5;
