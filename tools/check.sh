@@ -115,6 +115,17 @@ step_fuzz() {
         xargs -0 -n 1 -P "$jobs" bash -euo pipefail -c 'fuzz_one "$1"' fuzz_one
 }
 
+# Random scenes in every way, for some minutes; docs/develop/testing.md tells how to go on for hours.
+# Another part of the scenes at every commit.
+step_stress() {
+    cmake --preset release >/dev/null
+    cmake --build build/release --target quasimc_stress
+    local commits
+    commits=$(git rev-list --count HEAD 2>/dev/null || echo 1)
+    build/release/bin/quasimc_stress --seed "$((commits * 100000))" --scenes 100000 \
+        --seconds "${QUASIMC_STRESS_SECONDS:-300}" --coverage-every 200 --out build/stress
+}
+
 full=
 if [[ ${1:-} == --full ]]; then
     full=yes
@@ -124,7 +135,7 @@ fi
 selected=("$@")
 if [[ $# -eq 0 ]]; then
     selected=("${all_steps[@]}")
-    [[ -z $full ]] || selected+=(members)
+    [[ -z $full ]] || selected+=(members stress)
 fi
 for step in "${selected[@]}"; do
     if ! declare -F "step_$step" >/dev/null; then

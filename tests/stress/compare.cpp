@@ -1,0 +1,95 @@
+#include "stress/compare.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "sums/statistics.h"
+
+namespace quasimc::stress {
+namespace {
+
+bool has_error(const Number& n) {
+    return !std::isnan(n.error);
+}
+
+/// Nothing was found: the chance of that, where the other number, less four of its errors, would
+/// have brought so many finds that the upper end is three.
+double chance_of_nothing(const Number& nothing, const Number& other, double slip) {
+    const double least = other.mean - 4 * other.error - slip;
+    if (!has_error(other) || least <= 0) {
+        return 1;
+    }
+    return nothing.high > 0 ? std::exp(-3 * least / nothing.high) : 0;
+}
+
+}  // namespace
+
+double chance_of(
+    const Number& a, double freedom_a, const Number& b, double freedom_b, double slip) {
+    if (!has_error(a) || !has_error(b)) {
+        if (has_error(a) == has_error(b)) {
+            return 1;
+        }
+        return has_error(a) ? chance_of_nothing(b, a, slip) : chance_of_nothing(a, b, slip);
+    }
+    const double rounding = kRounding * std::max(std::abs(a.mean), std::abs(b.mean));
+    const double difference = std::abs(a.mean - b.mean) - rounding - slip;
+    if (difference <= 0) {
+        return 1;
+    }
+    // Each variance as a share of both: no square of a tiny or huge number.
+    const double both = std::hypot(a.error, b.error);
+    if (both == 0) {
+        return 0;
+    }
+    const double share_a = std::pow(a.error / both, 2);
+    const double share_b = std::pow(b.error / both, 2);
+    const double freedom = 1 / (share_a * share_a / freedom_a + share_b * share_b / freedom_b);
+    return f_tail(std::pow(difference / both, 2), 1, freedom);
+}
+
+std::vector<Disagreement> disagreements(
+    const Case& it, const std::vector<Answer>& answers, double level) {
+    const std::vector<std::string> names = number_names(it.run.scene);
+    std::vector<Disagreement> found;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        for (std::size_t k = i + 1; k < answers.size(); ++k) {
+            const Answer& a = answers[i];
+            const Answer& b = answers[k];
+            for (std::size_t n = 0; n < a.numbers.size(); ++n) {
+                const Number& x = a.numbers[n];
+                const Number& y = b.numbers[n];
+                if (!x.is_known || !y.is_known) {
+                    continue;
+                }
+                const double chance = chance_of(x, a.freedom, y, b.freedom, it.slips[n]);
+                if (chance < level) {
+                    found.push_back(
+                        {n, a.way, b.way, chance,
+                         fmt::format(
+                             "{}: {} {:.6g} +- {:.2g} (to {:.4g}), {} {:.6g} +- {:.2g} (to "
+                             "{:.4g}), p {:.1e}",
+                             names[n], name_of(a.way), x.mean, x.error, x.high, name_of(b.way),
+                             y.mean, y.error, y.high, chance)});
+                }
+            }
+        }
+    }
+    return found;
+}
+
+std::size_t count_comparisons(const std::vector<Answer>& answers) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        for (std::size_t k = i + 1; k < answers.size(); ++k) {
+            for (std::size_t n = 0; n < answers[i].numbers.size(); ++n) {
+                count += answers[i].numbers[n].is_known && answers[k].numbers[n].is_known ? 1 : 0;
+            }
+        }
+    }
+    return count;
+}
+
+}  // namespace quasimc::stress

@@ -1,0 +1,91 @@
+#include "stress/coverage.h"
+
+#include <cmath>
+
+#include "sums/statistics.h"
+
+namespace quasimc::stress {
+namespace {
+
+using Answers = std::vector<Answer>;  // of one way
+
+/// The mean of a number over the seeds.
+Estimate mean_of(const Answers& answers, std::size_t number) {
+    std::vector<double> means;
+    for (const Answer& answer : answers) {
+        means.push_back(answer.numbers[number].mean);
+    }
+    return estimate_mean(means);
+}
+
+/// What the sharpest other way says, if it is sharp beside the intervals.
+std::optional<double> truth_of(
+    const Case& it, const std::vector<Answers>& all, std::size_t own, std::size_t number) {
+    std::optional<Estimate> best;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Estimate e = mean_of(all[i], number);
+        const bool is_told = all[i][0].numbers[number].is_known && e.mean > 0;
+        if (i != own && is_told && (!best || e.standard_error < best->standard_error)) {
+            best = e;
+        }
+    }
+    double width = 0;
+    for (const Answer& answer : all[own]) {
+        const Number& n = answer.numbers[number];
+        width += .5 * (n.high - n.low) / static_cast<double>(all[own].size());
+    }
+    const bool is_sharp = best && best->standard_error < .2 * width &&
+                          width > 4 * (kRounding * best->mean + it.slips[number]);
+    return is_sharp ? std::optional(best->mean) : std::nullopt;
+}
+
+Coverage coverage_of_way(const Case& it, const std::vector<Answers>& all, std::size_t own) {
+    std::vector<double> held(all[own].size(), 0.0);
+    Coverage coverage{all[own][0].way};
+    for (std::size_t i = 0; i < all[own][0].numbers.size(); ++i) {
+        const std::optional<double> truth = truth_of(it, all, own, i);
+        if (!truth || !all[own][0].numbers[i].is_known) {
+            continue;
+        }
+        ++coverage.numbers;
+        for (std::size_t s = 0; s < held.size(); ++s) {
+            const Number& n = all[own][s].numbers[i];
+            held[s] += n.low <= *truth && *truth <= n.high ? 1 : 0;
+        }
+    }
+    if (coverage.numbers == 0) {
+        return coverage;
+    }
+    for (double& h : held) {
+        h /= static_cast<double>(coverage.numbers);
+    }
+    const Estimate e = estimate_mean(held);
+    coverage.held = e.mean;
+    coverage.error = e.standard_error;
+    return coverage;
+}
+
+}  // namespace
+
+std::vector<Coverage> coverage_of(
+    const Case& it, const Effort& effort, unsigned seeds, std::uint64_t number) {
+    std::vector<Answers> all;
+    for (const Way way : ways_of(it)) {
+        Answers answers;
+        for (unsigned s = 0; s < seeds; ++s) {
+            Effort own = effort;
+            own.seed = mix64(mix64(number) + 7000 + 16 * s + static_cast<unsigned>(way)) >> 1;
+            answers.push_back(compute(it, way, own));
+        }
+        all.push_back(std::move(answers));
+    }
+    std::vector<Coverage> result;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i][0].way != Way::reference && all[i][0].way != Way::plain_paths) {
+            result.push_back(coverage_of_way(it, all, i));
+        }
+    }
+    return result;
+}
+
+}  // namespace quasimc::stress

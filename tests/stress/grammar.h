@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stress/nodes.h"
+#include "stress/random.h"
+
+// The grammar of random run files. A scene is a function of its number alone.
+
+namespace quasimc::stress {
+
+/// A place on an organ, for what is put next to it.
+struct Anchor {
+    Vec3 place, normal;
+};
+
+/// A document while it is made. Lengths are drawn in a unit cube, then scaled and moved.
+struct Draft {
+    Random random;
+    Node document = empty_table();
+    std::size_t bands = 1;
+    double scale = 1;
+    Vec3 origin = {};
+    std::vector<std::string> materials = {}, sensors = {};
+    std::vector<Anchor> anchors = {};  ///< in the unit cube
+    bool is_periodic = false;
+
+    [[nodiscard]] Vec3 placed(const Vec3& p) const { return origin + scale * p; }
+    [[nodiscard]] std::vector<double> spectrum(double low, double high);
+};
+
+/// The run file with that number.
+[[nodiscard]] Node random_run(std::uint64_t number);
+
+// Its parts.
+void add_materials(Draft& draft);
+void add_organs(Draft& draft);
+void add_sources(Draft& draft);
+
+}  // namespace quasimc::stress

@@ -1,0 +1,292 @@
+#include "stress/ways.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/runfile/run_file.h"
+#include "sums/statistics.h"
+
+namespace quasimc::stress {
+namespace {
+
+constexpr std::array kCompared{
+    Quantity::absorbed_flux, Quantity::incident_upper, Quantity::incident_lower,
+    Quantity::incident_direct, Quantity::incident_scattered};
+
+Number number_of(const Estimate& e) {
+    return {e.mean, e.standard_error, e.low, e.high, !std::isnan(e.mean)};
+}
+
+std::vector<Number> numbers_of(const Result& result) {
+    std::vector<Number> numbers;
+    for (std::size_t organ = 0; organ < result.organs(); ++organ) {
+        for (const Quantity q : kCompared) {
+            for (std::size_t b = 0; b < result.bands; ++b) {
+                numbers.push_back(number_of(result.at(organ, q, b)));
+            }
+        }
+        numbers.push_back(
+            result.sunlit_fraction.empty() ? Number{} : number_of(result.sunlit_fraction[organ]));
+    }
+    for (const BandBudget& budget : result.budget) {
+        numbers.push_back(number_of(budget.absorbed_by_organs));
+        numbers.push_back(number_of(budget.absorbed_by_ground));
+    }
+    return numbers;
+}
+
+/// Whether light of a sun runs along a surface of the organ, less than half a degree from its
+/// plane. It then brings little, and how much of the surface it lights rests on a few finds that
+/// each stand for a hundred times their size.
+bool is_grazed(const Case& it, const Organ& organ) {
+    constexpr double kGrazing = .01;
+    for (const Node* source : tables_at(*it.run.document, "source")) {
+        if (source->find("irradiance_facing") == nullptr) {
+            continue;
+        }
+        const Vec3 to_sun = it.run.scene.orientation().towards(
+            number_at(*source, "azimuth_deg", 0), number_at(*source, "elevation_deg", 0));
+        for (const Triangle& t : it.run.scene.triangles_of(organ)) {
+            const Vec3 n = area_vector(t);
+            if (std::abs(dot(n, to_sun)) <= kGrazing * length(n)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Leaves the sunlit fraction of such organs out.
+void forget_grazed(const Case& it, std::vector<Number>& numbers) {
+    const std::size_t each = kCompared.size() * it.run.scene.bands().size() + 1;
+    for (std::size_t i = 0; i < it.run.scene.organs().size(); ++i) {
+        if (is_grazed(it, it.run.scene.organs()[i])) {
+            numbers[(i + 1) * each - 1].is_known = false;
+        }
+    }
+}
+
+/// The same numbers of one replicate of the reference; NaN what it does not tell.
+std::vector<double> plain_numbers(const PlainSums& sums, const Scene& scene, bool ignores_direct) {
+    const std::size_t bands = scene.bands().size();
+    std::vector<double> numbers;
+    // Light that is not counted on organs is absorbed all the same: the totals have it.
+    std::vector<double> totals(2 * bands, ignores_direct ? std::nan("") : 0);
+    for (std::size_t organ = 0; organ < scene.organs().size(); ++organ) {
+        const double area = scene.organs()[organ].area;
+        const auto side = [&](const std::vector<double>& of, std::size_t s, std::size_t b) {
+            return of[(organ * 2 + s) * bands + b];
+        };
+        for (std::size_t b = 0; b < bands; ++b) {
+            const double absorbed = sums.absorbed[organ * bands + b];
+            numbers.push_back(absorbed);
+            totals[2 * b + (scene.organs()[organ].is_ground ? 1 : 0)] += absorbed;
+        }
+        for (std::size_t s = 0; s < 2; ++s) {
+            for (std::size_t b = 0; b < bands; ++b) {
+                numbers.push_back((side(sums.direct, s, b) + side(sums.scattered, s, b)) / area);
+            }
+        }
+        for (const auto* of : {&sums.direct, &sums.scattered}) {
+            for (std::size_t b = 0; b < bands; ++b) {
+                numbers.push_back((side(*of, 0, b) + side(*of, 1, b)) / area);
+            }
+        }
+        numbers.push_back(std::nan(""));
+    }
+    numbers.insert(numbers.end(), totals.begin(), totals.end());
+    return numbers;
+}
+
+Answer reference_answer(const Case& it, const Effort& effort) {
+    std::vector<std::vector<double>> replicates;
+    for (std::uint32_t r = 0; r < effort.replicates; ++r) {
+        const std::uint64_t seed = mix64(effort.seed * 0x9e3779b97f4a7c15U + r);
+        replicates.push_back(plain_numbers(
+            trace_plainly(*it.plain, effort.paths, seed), it.run.scene, it.plain->ignores_direct));
+    }
+    Answer answer{Way::reference, effort.replicates - 1.0, {}, std::nullopt};
+    for (std::size_t i = 0; i < replicates[0].size(); ++i) {
+        std::vector<double> values;
+        for (const auto& replicate : replicates) {
+            values.push_back(replicate[i]);
+        }
+        Number number = number_of(estimate_mean(values));
+        // Nothing found bounds nothing here: the program's ways are compared with each other.
+        number.is_known = number.is_known && number.mean > 0;
+        answer.numbers.push_back(number);
+    }
+    return answer;
+}
+
+Method method_of(Way way) {
+    switch (way) {
+        case Way::first_hits:
+            return Method::first_hits;
+        case Way::from_organs:
+            return Method::from_organs;
+        case Way::automatic:
+            return Method::automatic;
+        default:
+            return Method::light_tracing;
+    }
+}
+
+/// Irradiance of all far sources, and of lamps as far away as the scene is large; per band.
+std::vector<double> irradiance_of(const Node& document, const Scene& scene) {
+    const std::size_t bands = scene.bands().size();
+    const double radius = scene.bounds().radius();
+    std::vector<double> sum(bands);
+    for (const Node* source : tables_at(document, "source")) {
+        for (const char* key : {"irradiance_facing", "irradiance_horizontal"}) {
+            const std::vector<double> values = per_band_at(*source, key, bands, 0);
+            for (std::size_t b = 0; b < bands; ++b) {
+                sum[b] += values[b];
+            }
+        }
+        const std::vector<double> power = per_band_at(*source, "power", bands, 0);
+        for (std::size_t b = 0; b < bands; ++b) {
+            sum[b] += power[b] / (4 * std::numbers::pi * radius * radius);
+        }
+    }
+    return sum;
+}
+
+/// A millionth of that, in the order of the numbers.
+std::vector<double> slips_of(const Node& document, const Scene& scene) {
+    constexpr double kSlip = 1e-6;
+    std::vector<double> slips;
+    const std::vector<double> light = irradiance_of(document, scene);
+    double organs = 0, ground = 0;
+    for (const Organ& organ : scene.organs()) {
+        (organ.is_ground ? ground : organs) += organ.area;
+        for (const Quantity q : kCompared) {
+            for (const double e : light) {
+                slips.push_back(kSlip * e * (q == Quantity::absorbed_flux ? organ.area : 1));
+            }
+        }
+        slips.push_back(kSlip);
+    }
+    for (const double e : light) {
+        slips.push_back(kSlip * e * organs);
+        slips.push_back(kSlip * e * ground);
+    }
+    return slips;
+}
+
+bool has_lamps(const Node& document) {
+    for (const Node* source : tables_at(document, "source")) {
+        if (source->find("power") != nullptr) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether a rectangle, disk or line shines amid the organs or next to them, for which
+/// `from_organs` has a limit that docs/theory/lamps.md tells of.
+bool has_near_extended_lamp(const Node& document, const Scene& scene) {
+    for (const Node* source : tables_at(document, "source")) {
+        const std::string type = text_at(*source, "type", "");
+        if (type != "rectangle" && type != "disk" && type != "line") {
+            continue;
+        }
+        const Vec3 from = vector_at(*source, "from", vector_at(*source, "position", {}));
+        const Vec3 to = vector_at(*source, "to", from);
+        const double size =
+            length(to - from) + number_at(*source, "length", 0) + number_at(*source, "radius", 0);
+        const Vec3 away = scene.orientation().inward(.5 * (from + to)) - scene.bounds().center();
+        const Vec3 half = .5 * scene.bounds().size();
+        if (std::abs(away.x) < half.x + size && std::abs(away.y) < half.y + size &&
+            std::abs(away.z) < half.z + size) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+Case make_case(const Node& document) {
+    InputFiles files(".");
+    RunFile run = read_run_document(document, "run.toml", files);
+    std::optional<PlainScene> plain = plain_scene(document, run.scene);
+    std::vector<double> slips = slips_of(document, run.scene);
+    return {std::move(run), std::move(plain), std::move(slips)};
+}
+
+std::string name_of(Way way) {
+    constexpr std::array names{"light_tracing", "first_hits",  "from_organs",
+                               "auto",          "plain_paths", "reference"};
+    return names[static_cast<std::size_t>(way)];
+}
+
+std::vector<std::string> number_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (std::size_t organ = 0; organ < scene.organs().size(); ++organ) {
+        for (const Quantity q : kCompared) {
+            for (const Band& band : scene.bands()) {
+                names.push_back(fmt::format(
+                    "organ {} {} {}", organ, quantity_table()[static_cast<std::size_t>(q)].name,
+                    band.name));
+            }
+        }
+        names.push_back(fmt::format("organ {} sunlit_fraction", organ));
+    }
+    for (const Band& band : scene.bands()) {
+        names.push_back("absorbed_by_organs " + band.name);
+        names.push_back("absorbed_by_ground " + band.name);
+    }
+    return names;
+}
+
+bool is_offered(const Case& it, Way way) {
+    switch (way) {
+        case Way::from_organs:
+            return !(it.run.scene.cell().periodic() && has_lamps(*it.run.document)) &&
+                   !has_near_extended_lamp(*it.run.document, it.run.scene);
+        case Way::reference:
+            return it.plain.has_value();
+        default:
+            return true;
+    }
+}
+
+Answer compute(const Case& it, Way way, const Effort& effort) {
+    if (way == Way::reference) {
+        return reference_answer(it, effort);
+    }
+    RunSpec spec = it.run.spec;
+    spec.method = method_of(way);
+    spec.paths = effort.paths;
+    spec.replicates = effort.replicates;
+    spec.seed = effort.seed;
+    spec.threads = effort.threads;
+    spec.target_error = 0;
+    if (way == Way::plain_paths) {
+        spec.sampler = "monte_carlo";
+        spec.engine = Engine::brute_force;
+        spec.window = CrossSectionShape::sphere;
+    }
+    Result result = run(it.run.scene, it.run.sources, spec);
+    std::vector<Number> numbers = numbers_of(result);
+    forget_grazed(it, numbers);
+    return {way, effort.replicates - 1.0, std::move(numbers), std::move(result)};
+}
+
+std::vector<Way> ways_of(const Case& it) {
+    std::vector<Way> ways;
+    for (const Way way : {Way::light_tracing, Way::first_hits, Way::from_organs}) {
+        if (is_offered(it, way)) {
+            ways.push_back(way);
+        }
+    }
+    ways.push_back(it.plain ? Way::reference : Way::plain_paths);
+    return ways;
+}
+
+}  // namespace quasimc::stress

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quasimc/file.h"
+#include "stress/nodes.h"
+#include "stress/reference.h"
+
+// A run file computed in every way.
+
+namespace quasimc::stress {
+
+/// A number of a run, and what the run says of its error.
+struct Number {
+    double mean = 0, error = 0;
+    double low = 0, high = 0;  ///< 95 % interval
+    bool is_known = false;     ///< whether this way computes it
+};
+
+/// What was asked, read and checked, and what the reference needs if it can do it.
+struct Case {
+    RunFile run;
+    std::optional<PlainScene> plain;
+    /// Per number: what slips between triangles that touch, a millionth of what shines on the
+    /// organ. No two numbers count as different that differ by less.
+    std::vector<double> slips;
+};
+/// @throws InputError  if the document is no run file
+[[nodiscard]] Case make_case(const Node& document);
+
+/// How a case is computed. `plain_paths` is light tracing with plain random numbers and rays that
+/// try every triangle; `reference` shares nothing with the program's engine.
+enum class Way { light_tracing, first_hits, from_organs, automatic, plain_paths, reference };
+[[nodiscard]] std::string name_of(Way way);
+
+struct Effort {
+    std::uint64_t paths = 512;  ///< per replicate
+    std::uint32_t replicates = 16;
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+};
+
+/// What one way says of a case.
+struct Answer {
+    Way way = Way::light_tracing;
+    double freedom = 15;  ///< of the errors
+    std::vector<Number> numbers;
+    std::optional<Result> result;  ///< of the program's own ways
+};
+
+/// The names of the numbers: "organ 2 incident_upper b0", ...
+[[nodiscard]] std::vector<std::string> number_names(const Scene& scene);
+
+/// Whether the program offers this way for the case: not from organs what lamps repeat.
+[[nodiscard]] bool is_offered(const Case& it, Way way);
+
+[[nodiscard]] Answer compute(const Case& it, Way way, const Effort& effort);
+
+/// The ways that a case is compared in: each of the program's, and the best yardstick there is.
+[[nodiscard]] std::vector<Way> ways_of(const Case& it);
+
+}  // namespace quasimc::stress
