@@ -16,5 +16,6 @@ void bind_sun(py::module_& module);
 void bind_result(py::module_& module);
 void bind_run(py::module_& module);
 void bind_series(py::module_& module);
+void bind_growth(py::module_& module);
 
 }  // namespace quasimc::python

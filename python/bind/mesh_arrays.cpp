@@ -146,6 +146,15 @@ class OrganMaker {
 
 }  // namespace
 
+std::vector<OrganSpec> make_organs(const MeshArrays& arrays) {
+    OrganMaker maker(arrays);
+    std::vector<OrganSpec> organs;
+    for (std::size_t i = 0; i + 1 < arrays.starts.size(); ++i) {
+        organs.push_back(maker.make(i));
+    }
+    return organs;
+}
+
 void add_organs(const MeshArrays& arrays, SceneBuilder& builder) {
     OrganMaker maker(arrays);
     for (std::size_t i = 0; i + 1 < arrays.starts.size(); ++i) {

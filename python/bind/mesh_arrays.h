@@ -31,6 +31,8 @@ struct MeshArrays {
     double field_of_view_deg = 90;
 };
 
+/// The organs. @throws InputError  if a face names a vertex that is not there
+[[nodiscard]] std::vector<OrganSpec> make_organs(const MeshArrays& arrays);
 /// Adds the organs. @throws InputError  if a face names a vertex that is not there
 void add_organs(const MeshArrays& arrays, SceneBuilder& builder);
 

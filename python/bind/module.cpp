@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, module) {
     bind_result(module);
     bind_run(module);
     bind_series(module);
+    bind_growth(module);
 }

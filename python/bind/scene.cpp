@@ -3,6 +3,10 @@
 #include <filesystem>
 #include <utility>
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -37,7 +41,8 @@ std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces
     return span_of<std::int32_t>(faces);
 }
 
-/// A view of the arrays in a dict that quasimc._meshes made, which must outlive it.
+}  // namespace
+
 MeshArrays arrays_of(const py::dict& mesh) {
     MeshArrays arrays;
     arrays.place = mesh["place"].cast<std::string>();
@@ -55,6 +60,15 @@ MeshArrays arrays_of(const py::dict& mesh) {
     return arrays;
 }
 
+namespace {
+
+/// Gives back what was freed: runs work in threads of their own, whose allocations can't use it.
+void give_memory_back() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
 /// @param meshes  dicts, which the caller keeps
 SceneHandle build(const Document& document, const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
@@ -69,6 +83,7 @@ SceneHandle build(const Document& document, const std::vector<py::dict>& meshes)
                 add_organs(mesh, builder);
             }
         });
+    give_memory_back();
     return {std::make_shared<const Scene>(std::move(read.scene)), std::move(read.warnings)};
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include <pybind11/pybind11.h>
+
 #include "io/runfile/document.h"
+#include "mesh_arrays.h"
 #include "quasimc/scene.h"
 
 namespace quasimc::python {
@@ -15,6 +17,9 @@ struct SceneHandle {
     std::shared_ptr<const Scene> scene;
     std::vector<Warning> warnings;
 };
+
+/// A view of the arrays in a dict that quasimc._meshes made, which must outlive it.
+[[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
 
 /// A document that keeps the lines of its file.
 struct Document {

@@ -15,8 +15,9 @@ from ._core import version as __version__
 from ._progress import Progress
 from .errors import Error, InputError, QuasimcWarning, Stopped
 from .estimates import Estimate, Estimates
+from .growth import GrowthSession
 from .organs import Organs
-from .result import Groups, Result, Series, Sums, quantities
+from .result import Groups, Result, Selection, Series, Sums, quantities
 from .scene import Scene, load, options
 from .sources import (
     Source,
@@ -43,12 +44,14 @@ __all__ = [
     "Estimate",
     "Estimates",
     "Groups",
+    "GrowthSession",
     "InputError",
     "Organs",
     "Progress",
     "QuasimcWarning",
     "Result",
     "Scene",
+    "Selection",
     "Series",
     "Source",
     "Stopped",

@@ -45,6 +45,8 @@ def grouped(place, organ, count):
     """Order of the faces, where each organ begins, and the ids; ascending."""
     if organ is None:
         return None, np.array([0, count], dtype=np.int64), None
+    if np.ndim(organ) == 0:
+        organ = np.full(count, organ)
     organ = np.asarray(organ)
     if organ.shape != (count,) or organ.dtype.kind not in "iu":
         raise fault(

@@ -77,6 +77,21 @@ class _Light:
         return columns
 
 
+class Selection(_Light):
+    """The light of some organs, in the order asked; indexed as a result.
+
+    Attributes
+    ----------
+    ids : list of int
+    """
+
+    def __init__(self, result, ids):
+        self.ids = [int(organ) for organ in ids]
+        places = [result.organs.index_of(organ) for organ in self.ids]
+        sunlit = result._sunlit[places] if len(result._sunlit) else result._sunlit
+        super().__init__(result._values[places], sunlit, result.organs)
+
+
 class Groups(_Light):
     """Sums over organs (`groups`, `layers` of a run), with the errors of the sums.
 
@@ -193,6 +208,13 @@ class Result(_Light):
                 for key, value in row.items()
             }
         return result
+
+    def select(self, ids):
+        """The light of the organs of these ids, in their order: a Selection.
+
+        Raises KeyError if one is not there.
+        """
+        return Selection(self, ids)
 
     def to_pandas(self):
         """A pandas.DataFrame with a row for each organ.

@@ -157,9 +157,9 @@ class Scene:
             (m, 3): numbers of vertices, counted from 0.
         material : str, dict or list of str
             Its name; or by the ids in `organ`; or one for each face.
-        organ : array_like of int
-            (m,): the id of the organ of each face; unique in the scene. Organs come in the order
-            of their ids. Default: all faces are one organ, with the next id that is free.
+        organ : int or array_like of int
+            (m,): the id of the organ of each face, or of all; unique in the scene. Organs come in
+            the order of their ids. Default: all faces are one organ, with the next id that is free.
         name : str, dict or list of str
             Of the organs, ids in `organ` or in their order; one name for several is followed by the
             id.
@@ -258,11 +258,13 @@ class Scene:
             With all faults at once.
         """
         if self._built is None:
-            document = self._document or self._document_of(self._table)
-            self._built = document.build(self._meshes)
+            self._built = self._whole_document().build(self._meshes)
             self._organs = Organs(self._built)
             _warn(self._built.warnings)
         return self._organs
+
+    def _whole_document(self):
+        return self._document or self._document_of(self._table)
 
     def _document_of(self, table):
         return _core.Document(table, self._name, self._folder)
@@ -278,11 +280,11 @@ class Scene:
         self.build()
         return self._built.warnings
 
-    def _light(self, sources, time, run_options):
-        """What quasimc._core calls the light of a run."""
+    def _light(self, built, sources, time, run_options):
+        """What quasimc._core calls the light of a run, on a scene that was built."""
         unchanged = sources is None and time is None and not run_options
         if unchanged and self._document is not None:
-            return _core.Light(self._document, self._built)
+            return _core.Light(self._document, built)
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
             stated = [sources] if isinstance(sources, Source) else list(sources)
@@ -291,7 +293,7 @@ class Scene:
             table["time"] = dict(time)
         if run_options:
             table["run"] = {**table.get("run", {}), **run_options}
-        return _core.Light(self._document_of(table), self._built)
+        return _core.Light(self._document_of(table), built)
 
     def run(self, sources=None, *, time=None, progress=None, keep_times=True, **options):
         """Computes the light on every organ.
@@ -327,7 +329,7 @@ class Scene:
         """
         with self._lock:
             organs = self.build()
-            light = self._light(sources, time, options)
+            light = self._light(self._built, sources, time, options)
             _warn(light.warnings)
             with Listener(progress) as listener:
                 if light.has_times:

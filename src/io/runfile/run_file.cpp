@@ -151,6 +151,33 @@ void check_with_sources(const Sections& sections, const Scene& scene, Faults& fa
     check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
 }
 
+/// The part of a document that makes the scene.
+SceneBuilder read_builder(
+    const Node& document,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs,
+    Reporter& reporter) {
+    TableReader top(document, "", reporter);
+    pass_over(top, {"title", "run", "source", "output"});
+    RunFileContext context = read_context(top, files);
+    SceneBuilder builder = begin_scene(context);
+    read_materials(top, context, builder);
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    if (add_organs) {
+        add_organs(builder);
+    }
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+    read_detectors(top, builder);
+    refuse_options_at_the_top(top);
+    top.finish();
+    if (!reporter.faults.empty()) {
+        add_stand_in(builder, context);
+    }
+    return builder;
+}
+
 /// The line of a place "file:line"; after all lines for other places.
 std::uint64_t line_of(const std::string& place, const std::string& file) {
     constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
@@ -231,30 +258,24 @@ SceneOfRun read_scene_document(
     InputFiles& files,
     const std::function<void(SceneBuilder&)>& add_organs) {
     Reporter reporter{name, {}, {}};
-    TableReader top(document, "", reporter);
-    pass_over(top, {"title", "run", "source", "output"});
-    RunFileContext context = read_context(top, files);
-    SceneBuilder builder = begin_scene(context);
-    read_materials(top, context, builder);
-    read_organs(top, context, builder);
-    read_geometry(top, context, builder);
-    if (add_organs) {
-        add_organs(builder);
-    }
-    read_ground(top, context, builder);
-    read_cell(top, context, builder);
-    read_detectors(top, builder);
-    refuse_options_at_the_top(top);
-    top.finish();
-    if (!reporter.faults.empty()) {
-        add_stand_in(builder, context);
-    }
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(builder), reporter);
     throw_in_order(reporter);
     for (Warning& warning : lint(*scene)) {
         reporter.warnings.push_back(std::move(warning));
     }
     return {std::move(*scene), std::move(reporter.warnings)};
+}
+
+FrameOfRun read_frame_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs) {
+    Reporter reporter{name, {}, {}};
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    throw_in_order(reporter);
+    return {std::move(builder), std::move(reporter.warnings)};
 }
 
 LightOfRun read_light_document(

@@ -36,6 +36,17 @@ struct SceneOfRun {
     Scene scene;
     std::vector<Warning> warnings;  ///< of the readers and of lint()
 };
+/// The same before it is built, and without lint(): for programs that go on adding organs.
+struct FrameOfRun {
+    SceneBuilder builder;
+    std::vector<Warning> warnings;
+};
+/// @throws InputError  with all faults at once, but for those that building finds
+[[nodiscard]] FrameOfRun read_frame_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs = {});
 /// @param add_organs  adds more of them, behind those of the document; may be empty
 /// @throws InputError  with all faults at once
 [[nodiscard]] SceneOfRun read_scene_document(
