@@ -46,6 +46,7 @@ PUBLIC_HEADERS = {
     "result.h": "results",
     "run.h": "run",
     "series.h": "run",
+    "growth_session.h": "run",
     "file.h": "io",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"

@@ -10,6 +10,7 @@
 #include "quasimc/error.h"
 #include "quasimc/file.h"
 #include "quasimc/groups.h"
+#include "quasimc/growth_session.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
 #include "quasimc/result.h"

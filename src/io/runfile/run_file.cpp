@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <system_error>
 
@@ -66,6 +67,13 @@ void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
     }
 }
 
+/// Keys that another reader reads.
+void pass_over(TableReader& top, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+        static_cast<void>(top.any(key));
+    }
+}
+
 /// What the sections of a run file give together.
 struct Sections {
     std::string title;
@@ -76,12 +84,10 @@ struct Sections {
     OutputSpec output;
 };
 
-Sections read_sections(
-    TableReader& top, InputFiles& files, const std::vector<Override>& overrides) {
-    Sections sections;
+/// What all sections ask for.
+RunFileContext read_context(TableReader& top, InputFiles& files) {
     read_format_version(top);
-    sections.title = top.text("title").value_or("");
-    RunFileContext context{
+    return {
         .reporter = &top.reporter(),
         .files = &files,
         .bands = read_bands(top),
@@ -91,8 +97,20 @@ Sections read_sections(
         .sun = {},
         .length_unit = top.text("length_unit").value_or("m"),
         .has_time = top.any("time") != nullptr};
+}
+
+SceneBuilder begin_scene(const RunFileContext& context) {
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
+    return builder;
+}
+
+Sections read_sections(
+    TableReader& top, InputFiles& files, const std::vector<Override>& overrides) {
+    Sections sections;
+    sections.title = top.text("title").value_or("");
+    RunFileContext context = read_context(top, files);
+    SceneBuilder builder = begin_scene(context);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
     read_materials(top, context, builder);
@@ -114,8 +132,7 @@ Sections read_sections(
 }
 
 /// Checks the run with its sources, or those of a moment of its series that has light, if any.
-void check_with_sources(const Sections& sections, Faults& faults) {
-    const Scene& scene = *sections.scene;
+void check_with_sources(const Sections& sections, const Scene& scene, Faults& faults) {
     const RunSpec& spec = sections.options.spec;
     if (!sections.series) {
         check_run(scene, sections.sources.sources, spec, faults);
@@ -132,6 +149,33 @@ void check_with_sources(const Sections& sections, Faults& faults) {
     }
     const auto moment = static_cast<std::size_t>(lit - plans.begin());
     check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
+}
+
+/// The part of a document that makes the scene.
+SceneBuilder read_builder(
+    const Node& document,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs,
+    Reporter& reporter) {
+    TableReader top(document, "", reporter);
+    pass_over(top, {"title", "run", "source", "output"});
+    RunFileContext context = read_context(top, files);
+    SceneBuilder builder = begin_scene(context);
+    read_materials(top, context, builder);
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    if (add_organs) {
+        add_organs(builder);
+    }
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+    read_detectors(top, builder);
+    refuse_options_at_the_top(top);
+    top.finish();
+    if (!reporter.faults.empty()) {
+        add_stand_in(builder, context);
+    }
+    return builder;
 }
 
 /// The line of a place "file:line"; after all lines for other places.
@@ -186,7 +230,7 @@ RunFile read_run_document(
     Sections sections = read_sections(top, files, overrides);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, faults);
+        check_with_sources(sections, *sections.scene, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
@@ -206,6 +250,56 @@ RunFile read_run_document(
         std::move(sections.sources.notes),
         std::move(reporter.warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
+}
+
+SceneOfRun read_scene_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs) {
+    Reporter reporter{name, {}, {}};
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    std::optional<Scene> scene = build(std::move(builder), reporter);
+    throw_in_order(reporter);
+    for (Warning& warning : lint(*scene)) {
+        reporter.warnings.push_back(std::move(warning));
+    }
+    return {std::move(*scene), std::move(reporter.warnings)};
+}
+
+FrameOfRun read_frame_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs) {
+    Reporter reporter{name, {}, {}};
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    throw_in_order(reporter);
+    return {std::move(builder), std::move(reporter.warnings)};
+}
+
+LightOfRun read_light_document(
+    const Node& document, const std::string& name, InputFiles& files, const Scene& scene) {
+    Reporter reporter{name, {}, {}};
+    TableReader top(document, "", reporter);
+    pass_over(
+        top, {"title", "material", "organ", "geometry", "ground", "cell", "detector", "output"});
+    RunFileContext context = read_context(top, files);
+    Sections sections;
+    read_run_options(top, sections.options);
+    sections.sources = read_sources(top, context);
+    sections.series = read_time(top, context, sections.sources);
+    top.finish();
+    if (reporter.faults.empty()) {
+        Faults faults;
+        check_with_sources(sections, scene, faults);
+        add_run_faults(faults, sections.options, reporter);
+    }
+    throw_in_order(reporter);
+    return {
+        std::move(sections.sources.sources), std::move(sections.options.spec),
+        std::move(sections.series), std::move(sections.sources.notes),
+        std::move(reporter.warnings)};
 }
 
 RunFile read_run_text(

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,5 +27,45 @@ namespace quasimc {
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides = {});
+
+// For programs that keep a scene and change the light on it, a document is read in two parts. Each
+// passes over the keys of the other, and over [output].
+
+/// What a document says of what light falls on.
+struct SceneOfRun {
+    Scene scene;
+    std::vector<Warning> warnings;  ///< of the readers and of lint()
+};
+/// The same before it is built, and without lint(): for programs that go on adding organs.
+struct FrameOfRun {
+    SceneBuilder builder;
+    std::vector<Warning> warnings;
+};
+/// @throws InputError  with all faults at once, but for those that building finds
+[[nodiscard]] FrameOfRun read_frame_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs = {});
+/// @param add_organs  adds more of them, behind those of the document; may be empty
+/// @throws InputError  with all faults at once
+[[nodiscard]] SceneOfRun read_scene_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs = {});
+
+/// What a document says of the light, and of how it is computed.
+struct LightOfRun {
+    Sources sources;
+    RunSpec spec;
+    std::optional<TimeSeries> series;
+    std::vector<std::string> source_notes;
+    std::vector<Warning> warnings;
+};
+/// @param scene  of the same document
+/// @throws InputError  with all faults at once
+[[nodiscard]] LightOfRun read_light_document(
+    const Node& document, const std::string& name, InputFiles& files, const Scene& scene);
 
 }  // namespace quasimc

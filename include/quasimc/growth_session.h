@@ -1,0 +1,77 @@
+#pragma once
+
+// Growth: organs that come, change and go between the steps of a simulation.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "quasimc/run.h"
+#include "quasimc/scene.h"
+#include "quasimc/source.h"
+
+namespace quasimc {
+
+/// The scenes of a growing canopy, one after the other, and their light. A step's result is bit for
+/// bit that of quasimc::run for a scene of the same organs in the same order.
+///
+/// What is kept from step to step: the organs, so that a step states what changes alone; the scene,
+/// if no organ changed; the acceleration structure, if no triangle, period or engine changed,
+/// whatever happens to optics, sources and options; the tables of samplers. When some triangle
+/// changed, the scene is put together and the acceleration structure is built anew, both as a
+/// whole, in time in proportion to all triangles.
+class GrowthSession {
+  public:
+    /// @param frame  bands, materials, ground, cell and all that stays; its organs, if any, come
+    ///        first and can't be changed
+    explicit GrowthSession(SceneBuilder frame);
+    ~GrowthSession();
+    GrowthSession(GrowthSession&& other) noexcept;
+    GrowthSession& operator=(GrowthSession&& other) noexcept;
+
+    /// Replaces what is not an organ of the session: other optics, another ground.
+    void set_frame(SceneBuilder frame);
+
+    /// Adds an organ behind the others. Without an id it gets one more than the largest that the
+    /// session ever had; the organs of a frame should have ids of their own.
+    /// @returns its id. @throws InputError  if an organ of the session has that id
+    std::int64_t add(OrganSpec organ);
+    /// Puts an organ in the place of that of the same id. @throws InputError  if there is none
+    void change(OrganSpec organ);
+    /// @throws InputError  if there is none
+    void remove(std::int64_t id);
+    [[nodiscard]] bool has(std::int64_t id) const { return places_.contains(id); }
+    /// Organs of the session.
+    [[nodiscard]] std::size_t size() const { return organs_.size(); }
+
+    /// The scene of this step. @throws InputError  as SceneBuilder::build; the session may be
+    ///         mended and used on
+    [[nodiscard]] std::shared_ptr<const Scene> scene();
+    /// The light of this step; as Simulator::run.
+    [[nodiscard]] Result run(
+        const Sources& sources, const RunSpec& spec, const RunControl& control = {});
+
+    /// Where organs stand in the scene and in its results, in the order asked.
+    /// @throws InputError  if one is not there
+    [[nodiscard]] std::vector<std::size_t> places_of(std::span<const std::int64_t> ids);
+
+    /// How often a scene, and how often an acceleration structure, had to be made.
+    [[nodiscard]] std::size_t scene_builds() const { return scene_builds_; }
+    [[nodiscard]] std::size_t tree_builds() const { return simulator_.builds(); }
+
+  private:
+    SceneBuilder frame_;
+    std::map<std::uint64_t, OrganSpec> organs_;  // in the order in which they were added
+    std::unordered_map<std::int64_t, std::uint64_t> places_;  // of ids among them
+    std::uint64_t next_ = 0;
+    std::int64_t largest_id_ = 0;
+    std::shared_ptr<const Scene> scene_;  // none: something changed
+    std::size_t scene_builds_ = 0;
+    Simulator simulator_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "io/runfile/document.h"
+
+namespace quasimc::python {
+
+/// A value of a document from a Python object: bool, int, float, str, list, tuple, dict, path,
+/// date or time, or a number or an array of numpy. Keys whose value is None are left out. An object
+/// of another type becomes a value that every reader refuses by the name of its type.
+[[nodiscard]] Node to_node(pybind11::handle object);
+/// The other way: dates and times as text.
+[[nodiscard]] pybind11::object to_python(const Node& node);
+
+}  // namespace quasimc::python

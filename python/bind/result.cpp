@@ -1,0 +1,176 @@
+#include "result.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "io/results/json_parts.h"
+#include "io/runfile/options.h"
+
+namespace quasimc::python {
+namespace {
+
+static_assert(sizeof(Estimate) == 4 * sizeof(double));
+
+py::object tuple_of(const Estimate& e) {
+    return py::make_tuple(e.mean, e.standard_error, e.low, e.high);
+}
+
+py::list budget_of(const Result& result) {
+    py::list bands;
+    for (const BandBudget& budget : result.budget) {
+        py::dict band;
+        band["emitted"] = budget.emitted;
+        band["absorbed_by_organs"] = tuple_of(budget.absorbed_by_organs);
+        band["absorbed_by_ground"] = tuple_of(budget.absorbed_by_ground);
+        band["escaped"] = tuple_of(budget.escaped);
+        band["cut_off"] = tuple_of(budget.cut_off);
+        band["roulette"] = tuple_of(budget.roulette);
+        band["closure_error"] = budget.closure_error;
+        bands.append(band);
+    }
+    return bands;
+}
+
+py::list canopy_of(const Result& result) {
+    py::list bands;
+    for (const CanopyFractions& fractions : result.canopy) {
+        py::dict band;
+        band["incident"] = fractions.incident;
+        band["reflectance"] = tuple_of(fractions.reflectance);
+        band["transmittance"] = tuple_of(fractions.transmittance);
+        band["absorptance"] = tuple_of(fractions.absorptance);
+        band["ground_absorptance"] = tuple_of(fractions.ground_absorptance);
+        bands.append(band);
+    }
+    return bands;
+}
+
+py::list detectors_of(const py::object& self) {
+    const auto& result = self.cast<const Result&>();
+    py::list all;
+    for (const DetectorResult& seen : result.detectors) {
+        py::dict detector;
+        detector["name"] = seen.name;
+        detector["type"] = seen.type;
+        detector["quantity"] = seen.quantity;
+        detector["bins"] = seen.bins;
+        const auto bins = static_cast<py::ssize_t>(seen.bins.size());
+        detector["values"] =
+            estimates_view(seen.values, {bins, static_cast<py::ssize_t>(result.bands)}, self);
+        all.append(detector);
+    }
+    return all;
+}
+
+py::object audit_of(const Result& result) {
+    if (!result.audit) {
+        return py::none();
+    }
+    py::dict audit;
+    audit["paths"] = result.audit->paths;
+    audit["replicates"] = result.audit->replicates;
+    audit["chance"] = result.audit->chance;
+    audit["agrees"] = result.audit->agrees();
+    return audit;
+}
+
+py::dict facts_of(const Result& result) {
+    py::dict facts;
+    facts["method"] = method_name(result.chosen.method);
+    facts["reason"] = result.chosen.reason;
+    facts["paths"] = result.paths;
+    facts["replicates"] = result.replicates;
+    facts["rays"] = result.rays;
+    facts["stop"] = std::string(stop_name(result.stop));
+    facts["fraction_at_target"] = result.fraction_at_target;
+    facts["build_seconds"] = result.build_seconds;
+    facts["trace_seconds"] = result.trace_seconds;
+    facts["trace_cpu_seconds"] = result.trace_cpu_seconds;
+    facts["escaped_is_remainder"] = result.escaped_is_remainder;
+    return facts;
+}
+
+py::ssize_t signed_size(std::size_t size) {
+    return static_cast<py::ssize_t>(size);
+}
+
+}  // namespace
+
+py::object estimates_view(
+    const std::vector<Estimate>& values, std::vector<py::ssize_t> shape, py::handle owner) {
+    shape.push_back(4);
+    const double* data = values.empty() ? nullptr : &values.front().mean;
+    py::array_t<double> view(std::move(shape), data, owner);
+    view.attr("flags").attr("writeable") = false;
+    return view;
+}
+
+py::object groups_dict(const GroupResults& results, py::handle owner) {
+    py::list groups;
+    for (const OrganGroup& group : results.groups) {
+        py::dict row;
+        row["by"] = group.by;
+        row["value"] = group.value;
+        row["organs"] =
+            py::array_t<std::uint32_t>(signed_size(group.organs.size()), group.organs.data());
+        row["area"] = group.area;
+        row["low"] = group.low;
+        row["high"] = group.high;
+        row["plant_area_index"] = group.plant_area_index;
+        row["cumulative_plant_area_index"] = group.cumulative_plant_area_index;
+        groups.append(row);
+    }
+    const py::ssize_t count = signed_size(results.groups.size());
+    py::dict all;
+    all["groups"] = groups;
+    all["values"] = estimates_view(
+        results.values, {count, signed_size(kQuantities), signed_size(results.bands)}, owner);
+    all["sunlit_fraction"] = estimates_view(
+        results.sunlit_fraction, {signed_size(results.sunlit_fraction.size())}, owner);
+    all["ratios"] =
+        estimates_view(results.ratio_values, {count, signed_size(results.ratios)}, owner);
+    return all;
+}
+
+void bind_result(py::module_& module) {
+    py::class_<Result, std::shared_ptr<Result>>(module, "Result")
+        .def_property_readonly(
+            "values",
+            [](const py::object& self) {
+                const auto& r = self.cast<const Result&>();
+                return estimates_view(
+                    r.values,
+                    {signed_size(r.organs()), signed_size(kQuantities), signed_size(r.bands)},
+                    self);
+            })
+        .def_property_readonly(
+            "sunlit_fraction",
+            [](const py::object& self) {
+                const auto& sunlit = self.cast<const Result&>().sunlit_fraction;
+                return estimates_view(sunlit, {signed_size(sunlit.size())}, self);
+            })
+        .def_property_readonly(
+            "ratios",
+            [](const py::object& self) {
+                const auto& r = self.cast<const Result&>();
+                return estimates_view(
+                    r.ratio_values, {signed_size(r.organs()), signed_size(r.ratios)}, self);
+            })
+        .def_property_readonly(
+            "groups",
+            [](const py::object& self) {
+                return groups_dict(self.cast<const Result&>().groups, self);
+            })
+        .def_property_readonly("detectors", &detectors_of)
+        .def_property_readonly("budget", &budget_of)
+        .def_property_readonly("canopy", &canopy_of)
+        .def_property_readonly("audit", &audit_of)
+        .def_property_readonly("facts", &facts_of);
+}
+
+}  // namespace quasimc::python

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "bind.h"
+#include "quasimc/result.h"
+
+namespace quasimc::python {
+
+/// Estimates that live in `owner`, without a copy: the given shape and (mean, standard error, low,
+/// high).
+[[nodiscard]] py::object estimates_view(
+    const std::vector<Estimate>& values, std::vector<py::ssize_t> shape, py::handle owner);
+
+/// The light of groups, owned by `owner`.
+[[nodiscard]] py::object groups_dict(const GroupResults& groups, py::handle owner);
+
+}  // namespace quasimc::python

@@ -1,0 +1,68 @@
+#include "run.h"
+
+#include <memory>
+#include <utility>
+
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "io/input_files.h"
+#include "quasimc/run.h"
+#include "result.h"
+#include "scene.h"
+#include "watch.h"
+
+namespace quasimc::python {
+namespace {
+
+LightHandle read_light(const Document& document, const SceneHandle& scene) {
+    const py::gil_scoped_release release;
+    InputFiles files(document.folder);
+    return {read_light_document(document.node, document.name, files, *scene.scene)};
+}
+
+std::shared_ptr<Result> run_light(
+    Simulator& simulator,
+    const SceneHandle& scene,
+    const LightHandle& light,
+    const py::object& on_progress) {
+    auto result = std::make_shared<Result>();
+    WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
+        *result = simulator.run(
+            *scene.scene, light.light.sources, light.light.spec,
+            {.on_progress = tell, .stop = stop});
+    });
+    return result;
+}
+
+py::list texts_of(const std::vector<Warning>& warnings) {
+    py::list texts;
+    for (const Warning& warning : warnings) {
+        texts.append(py::str(warning.place + ": " + warning.text));
+    }
+    return texts;
+}
+
+}  // namespace
+
+void bind_run(py::module_& module) {
+    py::class_<LightHandle>(module, "Light")
+        .def(py::init(&read_light), py::arg("document"), py::arg("scene"))
+        .def_property_readonly(
+            "has_times", [](const LightHandle& h) { return h.light.series.has_value(); })
+        .def_property_readonly(
+            "source_notes", [](const LightHandle& h) { return h.light.source_notes; })
+        .def_property_readonly(
+            "ratio_names", [](const LightHandle& h) { return h.light.spec.ratios; })
+        .def_property_readonly(
+            "warnings", [](const LightHandle& h) { return texts_of(h.light.warnings); });
+
+    py::class_<Simulator>(module, "Simulator")
+        .def(py::init<>())
+        .def_property_readonly("builds", &Simulator::builds)
+        .def(
+            "run", &run_light, py::arg("scene"), py::arg("light"),
+            py::arg("on_progress") = py::none());
+}
+
+}  // namespace quasimc::python

@@ -1,0 +1,215 @@
+#include "scene.h"
+
+#include <filesystem>
+#include <utility>
+
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "document.h"
+#include "io/input_files.h"
+#include "io/runfile/run_file.h"
+#include "mesh_arrays.h"
+
+namespace quasimc::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style>;
+
+template <typename T>
+std::span<const T> span_of(const py::object& array) {
+    if (array.is_none()) {
+        return {};
+    }
+    const auto exact = py::cast<py::array_t<T, py::array::c_style>>(array);
+    if (exact.ptr() != array.ptr()) {
+        throw py::type_error("an array of another type or layout was given to _core");
+    }
+    return {exact.data(), static_cast<std::size_t>(exact.size())};
+}
+
+std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces_of(
+    const py::object& faces) {
+    if (faces.is_none() || py::isinstance<py::array_t<std::int64_t>>(faces)) {
+        return span_of<std::int64_t>(faces);
+    }
+    return span_of<std::int32_t>(faces);
+}
+
+}  // namespace
+
+MeshArrays arrays_of(const py::dict& mesh) {
+    MeshArrays arrays;
+    arrays.place = mesh["place"].cast<std::string>();
+    arrays.vertices = span_of<double>(mesh["vertices"]);
+    arrays.faces = faces_of(mesh["faces"]);
+    arrays.order = span_of<std::int64_t>(mesh["order"]);
+    arrays.starts = span_of<std::int64_t>(mesh["starts"]);
+    arrays.ids = span_of<std::int64_t>(mesh["ids"]);
+    arrays.materials = mesh["materials"].cast<std::vector<std::string>>();
+    arrays.material_of_face = span_of<std::uint32_t>(mesh["material_of_face"]);
+    arrays.names = mesh["names"].cast<std::vector<std::string>>();
+    arrays.labels = mesh["labels"].cast<decltype(arrays.labels)>();
+    arrays.measured = mesh["measured"].cast<bool>();
+    arrays.field_of_view_deg = mesh["field_of_view_deg"].cast<double>();
+    return arrays;
+}
+
+namespace {
+
+/// Gives back what was freed: runs work in threads of their own, whose allocations can't use it.
+void give_memory_back() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+/// @param meshes  dicts, which the caller keeps
+SceneHandle build(const Document& document, const std::vector<py::dict>& meshes) {
+    std::vector<MeshArrays> arrays;
+    for (const py::dict& mesh : meshes) {
+        arrays.push_back(arrays_of(mesh));
+    }
+    const py::gil_scoped_release release;
+    InputFiles files(document.folder);
+    SceneOfRun read =
+        read_scene_document(document.node, document.name, files, [&](SceneBuilder& builder) {
+            for (const MeshArrays& mesh : arrays) {
+                add_organs(mesh, builder);
+            }
+        });
+    give_memory_back();
+    return {std::make_shared<const Scene>(std::move(read.scene)), std::move(read.warnings)};
+}
+
+Document read_document(const std::string& path) {
+    const py::gil_scoped_release release;
+    const std::string text = read_file(path);
+    return {read_toml(text, path), path, std::filesystem::absolute(path).parent_path().string()};
+}
+
+/// One number of each organ.
+template <typename T, typename Get>
+py::array_t<T> of_organs(const Scene& scene, Get get) {
+    py::array_t<T> array(static_cast<py::ssize_t>(scene.organs().size()));
+    T* out = array.mutable_data();
+    for (const Organ& organ : scene.organs()) {
+        *out++ = get(organ);
+    }
+    return array;
+}
+
+py::list names_of(const Scene& scene) {
+    py::list names(scene.organs().size());
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        names[i] = py::str(scene.organs()[i].name);
+    }
+    return names;
+}
+
+/// Each key with the values of all organs; "" where an organ has none.
+py::dict labels_of(const Scene& scene) {
+    py::dict labels;
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        for (const auto& [key, value] : scene.organs()[i].labels) {
+            const py::str name(key);
+            if (!labels.contains(name)) {
+                py::list empty(scene.organs().size());
+                for (std::size_t k = 0; k < scene.organs().size(); ++k) {
+                    empty[k] = py::str("");
+                }
+                labels[name] = empty;
+            }
+            labels[name].cast<py::list>()[i] = py::str(value);
+        }
+    }
+    return labels;
+}
+
+/// The triangles of an organ, the file's axes: shape (n, 3, 3).
+Doubles triangles_of(const SceneHandle& handle, std::size_t organ) {
+    const Scene& scene = *handle.scene;
+    const std::vector<Triangle> triangles = scene.triangles_of(scene.organs().at(organ));
+    Doubles array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}, py::ssize_t{3}});
+    double* out = array.mutable_data();
+    for (const Triangle& triangle : triangles) {
+        for (const Vec3& corner : triangle) {
+            const Vec3 p = scene.orientation().outward(corner);
+            *out++ = p.x;
+            *out++ = p.y;
+            *out++ = p.z;
+        }
+    }
+    return array;
+}
+
+py::list bands_of(const Scene& scene) {
+    py::list bands;
+    for (const Band& band : scene.bands()) {
+        bands.append(py::make_tuple(band.name, band.unit));
+    }
+    return bands;
+}
+
+py::list warning_texts(const std::vector<Warning>& warnings) {
+    py::list texts;
+    for (const Warning& warning : warnings) {
+        texts.append(
+            py::str(warning.place.empty() ? warning.text : warning.place + ": " + warning.text));
+    }
+    return texts;
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+    py::class_<Document>(module, "Document")
+        .def(
+            py::init([](const py::dict& table, std::string name, std::string folder) {
+                return Document{to_node(table), std::move(name), std::move(folder)};
+            }),
+            py::arg("table"), py::arg("name"), py::arg("folder"))
+        .def_static("read", &read_document, py::arg("path"))
+        .def_readonly("name", &Document::name)
+        .def_readonly("folder", &Document::folder)
+        .def("table", [](const Document& document) { return to_python(document.node); })
+        .def("build", &build, py::arg("meshes"));
+
+    py::class_<SceneHandle>(module, "Scene")
+        .def_property_readonly(
+            "warnings", [](const SceneHandle& h) { return warning_texts(h.warnings); })
+        .def_property_readonly("bands", [](const SceneHandle& h) { return bands_of(*h.scene); })
+        .def_property_readonly(
+            "length_unit", [](const SceneHandle& h) { return h.scene->length_unit(); })
+        .def_property_readonly(
+            "triangle_count", [](const SceneHandle& h) { return h.scene->triangle_count(); })
+        .def_property_readonly(
+            "organ_count", [](const SceneHandle& h) { return h.scene->organs().size(); })
+        .def_property_readonly(
+            "up",
+            [](const SceneHandle& h) {
+                return h.scene->orientation().up() == UpAxis::z ? "z" : "y";
+            })
+        .def_property_readonly(
+            "has_ground", [](const SceneHandle& h) { return h.scene->organs().back().is_ground; })
+        .def_property_readonly(
+            "ids",
+            [](const SceneHandle& h) {
+                return of_organs<std::int64_t>(*h.scene, [](const Organ& o) { return o.id; });
+            })
+        .def_property_readonly(
+            "areas",
+            [](const SceneHandle& h) {
+                return of_organs<double>(*h.scene, [](const Organ& o) { return o.area; });
+            })
+        .def_property_readonly("names", [](const SceneHandle& h) { return names_of(*h.scene); })
+        .def_property_readonly("labels", [](const SceneHandle& h) { return labels_of(*h.scene); })
+        .def("triangles_of", &triangles_of, py::arg("organ"));
+}
+
+}  // namespace quasimc::python

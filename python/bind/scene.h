@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "io/runfile/document.h"
+#include "mesh_arrays.h"
+#include "quasimc/scene.h"
+
+namespace quasimc::python {
+
+/// A scene, shared by all that were computed with it.
+struct SceneHandle {
+    std::shared_ptr<const Scene> scene;
+    std::vector<Warning> warnings;
+};
+
+/// A view of the arrays in a dict that quasimc._meshes made, which must outlive it.
+[[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
+
+/// A document that keeps the lines of its file.
+struct Document {
+    Node node;
+    std::string name;    ///< for messages
+    std::string folder;  ///< that its paths are relative to
+};
+
+}  // namespace quasimc::python

@@ -1,0 +1,137 @@
+#include "quasimc/series.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "io/results/json_parts.h"
+#include "io/runfile/options.h"
+#include "result.h"
+#include "run.h"
+#include "scene.h"
+#include "watch.h"
+
+namespace quasimc::python {
+namespace {
+
+/// A series as it was computed.
+struct SeriesHandle {
+    TimeSeries series;
+    std::vector<std::shared_ptr<Result>> results;  ///< per moment; empty if they are not kept
+    std::vector<std::size_t> days;                 ///< numbers of those in `sums`
+    std::vector<SeriesSum> sums;
+    SeriesSummary summary;
+};
+
+std::shared_ptr<SeriesHandle> run_times(
+    const SceneHandle& scene,
+    const LightHandle& light,
+    bool keeps_times,
+    const py::object& on_progress) {
+    auto all = std::make_shared<SeriesHandle>();
+    all->series = light.light.series.value();
+    SeriesEvents events;
+    if (keeps_times) {
+        events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+            all->results.push_back(std::make_shared<Result>(result));
+        };
+    }
+    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
+        all->days.push_back(day);
+        all->sums.push_back(sum);
+    };
+    WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
+        events.on_progress = tell;
+        all->summary =
+            run_series(*scene.scene, all->series.time_steps, light.light.spec, events, stop);
+    });
+    return all;
+}
+
+py::object view_of_sum(const SeriesSum& sum, std::size_t organs, py::handle owner) {
+    return estimates_view(
+        sum.values,
+        {static_cast<py::ssize_t>(organs), static_cast<py::ssize_t>(kQuantities),
+         static_cast<py::ssize_t>(sum.bands)},
+        owner);
+}
+
+std::size_t organs_of(const SeriesSum& sum) {
+    return sum.bands == 0 ? 0 : sum.values.size() / (kQuantities * sum.bands);
+}
+
+py::dict notes_of(const MomentNotes& notes) {
+    py::dict moment;
+    moment["time"] = notes.time;
+    moment["seconds"] = notes.seconds;
+    moment["sun_azimuth_deg"] = notes.sun.azimuth_deg;
+    moment["sun_elevation_deg"] = notes.sun.elevation_deg;
+    moment["direct"] = notes.daylight.direct;
+    moment["diffuse"] = notes.daylight.diffuse;
+    return moment;
+}
+
+py::list times_of(const SeriesHandle& all) {
+    py::list times;
+    for (std::size_t i = 0; i < all.summary.done; ++i) {
+        times.append(notes_of(all.series.notes[i]));
+    }
+    return times;
+}
+
+py::list days_of(const py::object& self) {
+    const auto& all = self.cast<const SeriesHandle&>();
+    py::list days;
+    for (std::size_t i = 0; i < all.sums.size(); ++i) {
+        py::dict day;
+        day["date"] = all.series.days[all.days[i]];
+        day["seconds"] = all.sums[i].seconds;
+        day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
+        days.append(day);
+    }
+    return days;
+}
+
+py::dict facts_of_series(const SeriesHandle& all) {
+    const SeriesSummary& summary = all.summary;
+    py::dict facts;
+    facts["traced"] = summary.traced;
+    facts["done"] = summary.done;
+    facts["moments"] = all.series.time_steps.size();
+    facts["stop"] = std::string(stop_name(summary.stop));
+    facts["audit_chance"] = summary.audit_chance;
+    facts["rays"] = summary.rays;
+    facts["seconds"] = summary.seconds;
+    facts["total_seconds"] = summary.total.seconds;
+    py::dict methods;
+    for (const auto& [method, count] : summary.methods) {
+        methods[py::str(method_name(method))] = count;
+    }
+    facts["methods"] = methods;
+    return facts;
+}
+
+}  // namespace
+
+void bind_series(py::module_& module) {
+    py::class_<SeriesHandle, std::shared_ptr<SeriesHandle>>(module, "Series")
+        .def_property_readonly("results", [](const SeriesHandle& all) { return all.results; })
+        .def_property_readonly("times", &times_of)
+        .def_property_readonly("days", &days_of)
+        .def_property_readonly(
+            "total",
+            [](const py::object& self) {
+                const auto& total = self.cast<const SeriesHandle&>().summary.total;
+                return view_of_sum(total, organs_of(total), self);
+            })
+        .def_property_readonly("facts", &facts_of_series);
+    module.def(
+        "run_series", &run_times, py::arg("scene"), py::arg("light"), py::arg("keeps_times"),
+        py::arg("on_progress") = py::none());
+}
+
+}  // namespace quasimc::python

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+#include "bind.h"
+#include "quasimc/run.h"
+
+namespace quasimc::python {
+
+/// Does work in a thread of its own, without the lock of the interpreter, while this thread tells
+/// its progress to Python and listens to signals. Ctrl-C, or an exception of the callback, asks the
+/// work to stop.
+class WatchedWork {
+  public:
+    /// @param on_progress  of Python, called with (fraction, seconds, expected_seconds,
+    ///        fraction_at_target); or None
+    explicit WatchedWork(py::object on_progress) : on_progress_(std::move(on_progress)) {}
+
+    using Work = std::function<void(
+        const std::function<void(const Progress&)>& tell, const std::stop_token& stop)>;
+
+    /// @throws what the work throws; what the callback raised; KeyboardInterrupt, if the work ended
+    ///         without a result
+    void run(const Work& work);
+
+  private:
+    void watch();
+    void tell(const Progress& progress);
+    void listen();
+
+    py::object on_progress_;
+    std::stop_source stop_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::optional<Progress> latest_;
+    bool done_ = false;
+    std::exception_ptr thrown_;                       // by the work
+    std::optional<py::error_already_set> interrupt_;  // what asked for the stop
+};
+
+}  // namespace quasimc::python

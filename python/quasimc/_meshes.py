@@ -1,0 +1,140 @@
+"""From arrays of numpy to the arrays that quasimc._core reads."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from .errors import InputError
+
+
+def fault(place, problem, why="", suggestion=""):
+    """An InputError of one fault, in the words of the library."""
+    text = f"{place}: {problem}" + (f" ({why})" if why else "")
+    text += f"; {suggestion}" if suggestion else ""
+    detail = {"place": place, "problem": problem, "why": why, "suggestion": suggestion}
+    return InputError(text, [detail])
+
+
+def vertices_and_faces(place, vertices, faces):
+    """Vertices (n, 3) float64 and faces (m, 3) integers, or None if every three vertices are one."""
+    vertices = np.ascontiguousarray(vertices, dtype=np.float64)
+    if faces is None:
+        if vertices.ndim != 3 or vertices.shape[1:] != (3, 3):
+            raise fault(
+                place,
+                f"vertices have the shape {vertices.shape}",
+                "without faces they are triangles: (m, 3, 3)",
+            )
+        return vertices.reshape(-1, 3), None
+    if vertices.ndim != 2 or vertices.shape[1] != 3:
+        raise fault(place, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
+    faces = np.asarray(faces)
+    if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
+        raise fault(
+            place,
+            f"faces are {faces.dtype} of the shape {faces.shape}",
+            "they must be integers, (m, 3)",
+        )
+    narrow = faces.dtype.itemsize <= 4 and faces.dtype != np.uint32
+    return vertices, np.ascontiguousarray(faces, dtype=np.int32 if narrow else np.int64)
+
+
+def grouped(place, organ, count):
+    """Order of the faces, where each organ begins, and the ids; ascending."""
+    if organ is None:
+        return None, np.array([0, count], dtype=np.int64), None
+    if np.ndim(organ) == 0:
+        organ = np.full(count, organ)
+    organ = np.asarray(organ)
+    if organ.shape != (count,) or organ.dtype.kind not in "iu":
+        raise fault(
+            place,
+            f"organ is {organ.dtype} of the shape {organ.shape}",
+            f"it must be integers, one for each of the {count} faces",
+        )
+    organ = organ.astype(np.int64, copy=False)
+    order = None
+    if np.any(organ[1:] < organ[:-1]):
+        order = np.argsort(organ, kind="stable")
+        organ = organ[order]
+    first = np.flatnonzero(organ[1:] != organ[:-1]) + 1
+    starts = np.concatenate(([0], first, [count])).astype(np.int64)
+    return order, starts, np.ascontiguousarray(organ[starts[:-1]])
+
+
+def per_organ(place, what, value, ids, count):
+    """A value for all organs as a list of one, or one for each as a list of `count` texts."""
+    if isinstance(value, Mapping):
+        if ids is None:
+            raise fault(place, f"{what} goes by organ", "no organ array was given")
+        missing = [int(i) for i in ids if int(i) not in value]
+        if missing:
+            raise fault(place, f"{what} says nothing of organ {missing[0]}")
+        return [str(value[int(i)]) for i in ids]
+    if isinstance(value, str) or np.ndim(value) == 0:
+        return [str(value)]
+    values = [str(v) for v in value]
+    if len(values) != count:
+        raise fault(place, f"{what} has {len(values)} values", f"there are {count} organs")
+    return values
+
+
+def materials_of(place, material, order, starts, ids):
+    """Names of materials, and the number of each face's among them (None: the first of all)."""
+    if isinstance(material, str):
+        return [material], None
+    faces = int(starts[-1])
+    if isinstance(material, Mapping):
+        names = per_organ(place, "material", material, ids, len(starts) - 1)
+        unique, number = np.unique(names, return_inverse=True)
+        sorted_faces = np.repeat(number.astype(np.uint32), np.diff(starts))
+        of_face = sorted_faces
+        if order is not None:
+            of_face = np.empty_like(sorted_faces)
+            of_face[order] = sorted_faces
+        return [str(n) for n in unique], of_face
+    names = np.asarray(material)
+    if names.shape != (faces,) or names.dtype.kind not in "UO":
+        raise fault(
+            place,
+            "material is no name, and no list of one for each face",
+            f"there are {faces} faces",
+            "write material=\"leaf\"",
+        )
+    unique, number = np.unique(names.astype(str), return_inverse=True)
+    return [str(n) for n in unique], number.astype(np.uint32)
+
+
+def mesh_arrays(
+    place, vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+):
+    """The dict that quasimc._core.Document.build takes."""
+    vertices, faces = vertices_and_faces(place, vertices, faces)
+    count = len(vertices) // 3 if faces is None else len(faces)
+    if count == 0:
+        raise fault(place, "there are no triangles")
+    order, starts, ids = grouped(place, organ, count)
+    organs = len(starts) - 1
+    materials, material_of_face = materials_of(place, material, order, starts, ids)
+    names = [] if name is None else per_organ(place, "name", name, ids, organs)
+    if len(names) == 1 and organs > 1:
+        names = [f"{names[0]} {i}" for i in ids]
+    return {
+        "place": place,
+        "vertices": vertices,
+        "faces": faces,
+        "order": order,
+        "starts": starts,
+        "ids": ids,
+        "materials": materials,
+        "material_of_face": material_of_face,
+        "names": names,
+        "labels": [
+            (str(key), per_organ(place, f"label '{key}'", value, ids, organs))
+            for key, value in (labels or {}).items()
+        ],
+        "measured": bool(measured),
+        "field_of_view_deg": float(field_of_view_deg),
+    }

@@ -1,0 +1,28 @@
+"""The interface of Caribu (OpenAlea), computed by quasimc: docs/guide/python.md tells what differs.
+
+Change one import of a script: ``from quasimc.compat.caribu.CaribuScene import CaribuScene``.
+"""
+
+from . import caribu, file_adaptor, label, light, plantgl_adaptor
+from .CaribuScene import CaribuScene
+from .caribu import (
+    CaribuError,
+    CaribuIOError,
+    CaribuOptionError,
+    CaribuRunError,
+)
+from .light import light_sources
+
+__all__ = [
+    "CaribuError",
+    "CaribuIOError",
+    "CaribuOptionError",
+    "CaribuRunError",
+    "CaribuScene",
+    "caribu",
+    "file_adaptor",
+    "label",
+    "light",
+    "light_sources",
+    "plantgl_adaptor",
+]

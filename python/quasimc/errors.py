@@ -1,0 +1,43 @@
+"""What can go wrong."""
+
+from __future__ import annotations
+
+from typing import Dict, List
+
+
+class Error(Exception):
+    """Anything that quasimc reports."""
+
+
+class InputError(Error, ValueError):
+    """Something in what was stated is wrong.
+
+    The text tells every fault, one a line: "place: problem (why); suggestion".
+
+    Attributes
+    ----------
+    faults : list of dict
+        With the keys "place", "problem", "why" and "suggestion".
+    """
+
+    def __init__(self, text: str, faults: List[Dict[str, str]]) -> None:
+        super().__init__(text)
+        self.faults = faults
+
+
+class Stopped(Error, RuntimeError):
+    """A run ended before there was a result.
+
+    Attributes
+    ----------
+    why : str
+        "time_is_up" or "interrupted".
+    """
+
+    def __init__(self, text: str, why: str) -> None:
+        super().__init__(text)
+        self.why = why
+
+
+class QuasimcWarning(UserWarning):
+    """Something that is allowed but probably not meant."""

@@ -1,0 +1,83 @@
+"""Numbers with their errors."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+class Estimates:
+    """Means with their errors, as arrays of numpy, all of one shape.
+
+    The last axis is that of the bands where there are several; ``estimates["PAR"]`` picks one.
+
+    Attributes
+    ----------
+    name : str
+        Of the quantity.
+    unit : str, or tuple of str
+        Of the band, or of each band.
+    bands : tuple of str
+        Empty if there is one or none.
+    """
+
+    __slots__ = ("_values", "name", "unit", "bands")
+
+    def __init__(self, values, name, unit, bands=()):
+        self._values = values
+        self.name = name
+        self.unit = unit
+        self.bands = tuple(bands)
+
+    @property
+    def mean(self):
+        """The estimates."""
+        return self._values[..., 0]
+
+    @property
+    def standard_error(self):
+        """Of the means; NaN where it can't be told (one replicate, or nothing was hit)."""
+        return self._values[..., 1]
+
+    @property
+    def low(self):
+        """Lower ends of the 95 % confidence intervals."""
+        return self._values[..., 2]
+
+    @property
+    def high(self):
+        """Upper ends of the 95 % confidence intervals."""
+        return self._values[..., 3]
+
+    @property
+    def relative_error(self):
+        """standard_error / mean; NaN where the mean is 0."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(self.mean != 0, self.standard_error / np.abs(self.mean), np.nan)
+
+    def __getitem__(self, band):
+        if band not in self.bands:
+            known = ", ".join(self.bands) or "none"
+            raise KeyError(f"there is no band {band!r}; there are: {known}")
+        i = self.bands.index(band)
+        return Estimates(self._values[..., i, :], self.name, self.unit[i])
+
+    def __len__(self):
+        return len(self._values)
+
+    def __repr__(self):
+        of = f"[{', '.join(self.bands)}]" if self.bands else ""
+        shape = "x".join(map(str, self.mean.shape)) or "one"
+        return f"<Estimates {self.name}{of} of {shape}, {self.unit}>"
+
+
+class Estimate:
+    """A number with its error: mean, standard_error, low and high (95 %), unit."""
+
+    __slots__ = ("mean", "standard_error", "low", "high", "unit")
+
+    def __init__(self, numbers, unit):
+        self.mean, self.standard_error, self.low, self.high = (float(x) for x in numbers)
+        self.unit = unit
+
+    def __repr__(self):
+        return f"{self.mean:.6g} +- {self.standard_error:.2g} {self.unit}".rstrip()

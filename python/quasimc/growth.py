@@ -1,0 +1,155 @@
+"""Growth: organs that come, change and go between the steps of a simulation."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+
+from . import _core
+from ._meshes import mesh_arrays
+from ._progress import Listener
+from .organs import Organs
+from .result import Result
+from .scene import _warn
+
+
+class GrowthSession:
+    """The light of a growing canopy, step by step.
+
+    A step states what changes alone, and its result is bit for bit that of a single run for the
+    same organs in the same order. Between steps these are kept: the organs; the scene, if no organ
+    changed; the acceleration structure for rays, if no triangle changed. When some triangle changed
+    both are built anew as a whole, in time in proportion to all triangles.
+
+    Parameters
+    ----------
+    scene : Scene
+        Bands, materials, sources, ground, cell, and organs that stay as they are: they come first.
+        It may have no organs.
+    """
+
+    def __init__(self, scene):
+        self._scene = scene
+        self._core = _core.GrowthSession(scene._whole_document(), scene._meshes)
+        self._lock = threading.Lock()
+
+    def add(
+        self,
+        vertices,
+        faces=None,
+        *,
+        material,
+        organ=None,
+        name=None,
+        labels=None,
+        measured=True,
+        field_of_view_deg=90.0,
+    ):
+        """Adds organs behind the others; the arguments are those of `Scene.add_mesh`.
+
+        The arrays are copied.
+
+        Returns
+        -------
+        list of int
+            The ids of the organs: those in `organ`, or one that the session never had.
+
+        Raises
+        ------
+        InputError
+            If an organ of such an id is there already.
+        """
+        return self._core.add(
+            mesh_arrays(
+                "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+            )
+        )
+
+    def change(
+        self,
+        vertices,
+        faces=None,
+        *,
+        material,
+        organ,
+        name=None,
+        labels=None,
+        measured=True,
+        field_of_view_deg=90.0,
+    ):
+        """Replaces organs by others of the same ids, in their places.
+
+        Raises
+        ------
+        InputError
+            If there is no such organ.
+        """
+        self._core.change(
+            mesh_arrays(
+                "change",
+                vertices,
+                faces,
+                organ,
+                material,
+                name,
+                labels,
+                measured,
+                field_of_view_deg,
+            )
+        )
+
+    def remove(self, organ):
+        """Removes the organ of an id, or those of several.
+
+        Raises
+        ------
+        InputError
+            If there is no such organ.
+        """
+        for one in np.atleast_1d(organ).tolist():
+            self._core.remove(one)
+
+    def __contains__(self, organ):
+        return self._core.has(int(organ))
+
+    def __len__(self):
+        """How many organs were added and not removed."""
+        return self._core.size
+
+    def update_scene(self):
+        """Takes over what was changed in the scene of the session: materials, ground, ..."""
+        self._core.set_frame(self._scene._whole_document(), self._scene._meshes)
+
+    def run(self, sources=None, *, progress=None, **options):
+        """Computes the light of this step; the arguments are those of `Scene.run`.
+
+        Returns
+        -------
+        Result
+            ``result.select(ids)`` gives the light of some organs in the order asked.
+        """
+        with self._lock:
+            built = self._core.scene()
+            light = self._scene._light(built, sources, None, options)
+            if light.has_times:
+                raise ValueError("a step has no times: give it sources, or use Scene.run")
+            _warn(light.warnings)
+            with Listener(progress) as listener:
+                core = self._core.run(light, listener.callback)
+        result = Result(
+            core, Organs(built), light.warnings, light.source_notes, light.ratio_names
+        )
+        if result.stop == "interrupted":
+            _warn(["interrupted: the result is of what was done until then"])
+        return result
+
+    @property
+    def scene_builds(self):
+        """How often a scene had to be put together."""
+        return self._core.scene_builds
+
+    @property
+    def tree_builds(self):
+        """How often an acceleration structure had to be built."""
+        return self._core.tree_builds

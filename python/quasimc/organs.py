@@ -1,0 +1,67 @@
+"""What light is reported for."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+
+class Organs:
+    """The organs of a scene, in the order of its results; the ground, if any, is the last.
+
+    Attributes
+    ----------
+    ids : numpy.ndarray
+        (organs,), int64.
+    names : list of str
+    labels : dict
+        Key -> list of str, "" where an organ has no such label.
+    areas : numpy.ndarray
+        (organs,), of one side, square units of length.
+    has_ground : bool
+    bands : tuple of str
+    units : tuple of str
+        Of irradiance, by band.
+    length_unit : str
+    """
+
+    def __init__(self, scene):
+        self._scene = scene
+        self.bands = tuple(name for name, _ in scene.bands)
+        self.units = tuple(unit for _, unit in scene.bands)
+        self.length_unit = scene.length_unit
+        self.has_ground = scene.has_ground
+        self.triangle_count = scene.triangle_count
+
+    @cached_property
+    def ids(self):
+        return self._scene.ids
+
+    @cached_property
+    def areas(self):
+        return self._scene.areas
+
+    @cached_property
+    def names(self):
+        return self._scene.names
+
+    @cached_property
+    def labels(self):
+        return self._scene.labels
+
+    @cached_property
+    def _place_of_id(self):
+        return {int(organ): i for i, organ in enumerate(self.ids)}
+
+    def index_of(self, organ):
+        """The place of an organ by its id. Raises KeyError."""
+        return self._place_of_id[int(organ)]
+
+    def triangles(self, index):
+        """The triangles of the organ at a place: (n, 3, 3), in the axes of the scene."""
+        return self._scene.triangles_of(index)
+
+    def __len__(self):
+        return self._scene.organ_count
+
+    def __repr__(self):
+        return f"<Organs: {len(self)} of {self.triangle_count} triangles>"

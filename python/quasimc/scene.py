@@ -1,0 +1,385 @@
+"""Scenes: what light falls on, and running them."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import warnings
+from collections.abc import Mapping
+
+from . import _core
+from ._meshes import mesh_arrays
+from ._progress import Listener
+from .errors import QuasimcWarning
+from .organs import Organs
+from .result import Result, Series
+from .sources import Source
+
+#: Keys of a document that say what light falls on.
+_SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "detector")
+
+
+def options():
+    """The options of a run: list of dict with key, default, unit, takes and summary."""
+    return _core.options()
+
+
+def _band_keys(bands):
+    if isinstance(bands, str):
+        return {"bands": [bands]}
+    if isinstance(bands, Mapping):
+        return {"band": [{"name": name, "unit": unit} for name, unit in bands.items()]}
+    bands = list(bands)
+    if any(isinstance(band, Mapping) for band in bands):
+        return {"band": [b if isinstance(b, Mapping) else {"name": b} for b in bands]}
+    return {"bands": bands}
+
+
+class Scene:
+    """What light falls on: organs and their materials, and perhaps a ground and a cell that repeats.
+
+    Everything is stated by the names of the run file (docs/formats/run-file.md), and checked when
+    the scene is built, which the first run does.
+
+    Parameters
+    ----------
+    bands : str, list, or dict
+        Names of the wavebands; or a dict, name -> unit; or dicts with name, unit, from_nm, to_nm.
+    irradiance_unit : str
+        Of bands without a unit of their own. A name: nothing is converted.
+    length_unit : str
+        Of all coordinates: "m", "cm", "mm" and others.
+    up : str
+        "z" or "y": the axis that points up.
+    north : sequence of 3 floats
+        A horizontal direction; azimuths count from it. Default: y, or x if y is up.
+    place : dict
+        latitude_deg, longitude_deg, elevation_m and others: for suns by time.
+    title : str
+    """
+
+    def __init__(
+        self,
+        bands="PAR",
+        *,
+        irradiance_unit=None,
+        length_unit=None,
+        up=None,
+        north=None,
+        place=None,
+        title=None,
+    ):
+        stated = {
+            "title": title,
+            "irradiance_unit": irradiance_unit,
+            "length_unit": length_unit,
+            "up": up,
+            "north": north,
+            "place": place,
+        }
+        self._init(
+            {**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}},
+            "scene",
+            os.getcwd(),
+        )
+
+    def _init(self, table, name, folder):
+        self._table = table
+        self._name = name
+        self._folder = folder
+        self._meshes = []
+        self._document = None  # as it was read, with its lines, as long as nothing is changed
+        self._built = None
+        self._organs = None
+        self._simulator = _core.Simulator()
+        self._lock = threading.Lock()
+
+    @classmethod
+    def _of_document(cls, document):
+        scene = cls.__new__(cls)
+        scene._init(document.table(), document.name, document.folder)
+        scene._document = document
+        return scene
+
+    # Stating what there is.
+
+    def add_material(
+        self, name, reflectance=None, transmittance=None, *, upper=None, lower=None, **keys
+    ):
+        """Adds a material, or replaces that of the same name.
+
+        Parameters
+        ----------
+        name : str
+        reflectance, transmittance : float, list or dict
+            0 to 1; for all bands, one for each, or by name. Together at most 1.
+        upper, lower : dict
+            What a side has of its own, by the same keys. The upper side is that from which the
+            corners of a triangle run counter-clockwise.
+        **keys
+            reflection_model, reflection_exponent and others.
+        """
+        stated = dict(
+            name=name,
+            reflectance=reflectance,
+            transmittance=transmittance,
+            upper=upper,
+            lower=lower,
+            **keys,
+        )
+        materials = [m for m in self._table.get("material", []) if m.get("name") != name]
+        self._set("material", [*materials, stated])
+        return self
+
+    def add_mesh(
+        self,
+        vertices,
+        faces=None,
+        *,
+        material,
+        organ=None,
+        name=None,
+        labels=None,
+        measured=True,
+        field_of_view_deg=90.0,
+    ):
+        """Adds organs made of triangles. They come after the organs of `add_organ` and `add_file`.
+
+        Arrays of float64 (vertices) and of integers (faces) are read where they are; they must not
+        be changed before the scene is built.
+
+        Parameters
+        ----------
+        vertices : array_like
+            (n, 3), in the unit of length; without faces (m, 3, 3), the corners of each triangle.
+        faces : array_like of int
+            (m, 3): numbers of vertices, counted from 0.
+        material : str, dict or list of str
+            Its name; or by the ids in `organ`; or one for each face.
+        organ : int or array_like of int
+            (m,): the id of the organ of each face, or of all; unique in the scene. Organs come in
+            the order of their ids. Default: all faces are one organ, with the next id that is free.
+        name : str, dict or list of str
+            Of the organs, ids in `organ` or in their order; one name for several is followed by the
+            id.
+        labels : dict
+            Key -> a value for all, a dict by the ids in `organ`, or a list of one for each organ.
+        measured : bool
+            Whether their light is asked for.
+        field_of_view_deg : float
+            Of sensors: half angle about the normal, degrees.
+        """
+        place = f"{self._name}: mesh {len(self._meshes) + 1}"
+        self._meshes.append(
+            mesh_arrays(
+                place, vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+            )
+        )
+        self._built = None
+        return self
+
+    def add_organ(self, shape, *, material, **keys):
+        """Adds an organ of a shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
+
+        Parameters
+        ----------
+        shape : str
+            One of `quasimc.shapes()`.
+        material : str
+        **keys
+            Those of the shape (corners, base, length, ...), and id, name, labels, measured,
+            transform, field_of_view_deg.
+        """
+        return self._add("organ", {"shape": shape, "material": material, **keys})
+
+    def add_file(self, file, **keys):
+        """Adds organs from a file of geometry (tri, OBJ, PLY).
+
+        Parameters
+        ----------
+        file : str or path
+            From the current folder (of a scene that was loaded: from that of its file).
+        **keys
+            format, organs, material, materials, name, labels, first_id, transform, at.
+        """
+        return self._add("geometry", {"file": os.fspath(file), **keys})
+
+    def add_detector(self, type, **keys):
+        """Adds a detector: light that is sorted by what no organ tells."""
+        return self._add("detector", {"type": type, **keys})
+
+    def add_source(self, source, **keys):
+        """Adds a source, for runs that are not given others.
+
+        Parameters
+        ----------
+        source : Source or str
+            As `quasimc.sun` and others make it; or its type, with its keys.
+        """
+        source = source if isinstance(source, Source) else Source(source, **keys)
+        self._table["source"] = [*self._table.get("source", []), source.table()]
+        self._document = None
+        return self
+
+    def set_ground(self, material, **keys):
+        """Sets the ground: material; height, x, y, name, or file of a surface."""
+        self._set("ground", {"material": material, **keys})
+        return self
+
+    def set_cell(self, x=None, y=None, z=None):
+        """Repeats the scene without end along the axes that are given: x=(low, high), ..."""
+        cell = {"x": x, "y": y, "z": z}
+        self._set("cell", {key: list(value) for key, value in cell.items() if value is not None})
+        return self
+
+    def _add(self, key, table):
+        self._set(key, [*self._table.get(key, []), table])
+        return self
+
+    def _set(self, key, value):
+        self._table[key] = value
+        self._document = None
+        self._built = None
+
+    # Building and running.
+
+    def build(self):
+        """Builds and checks the scene, if that is not done yet.
+
+        Returns
+        -------
+        Organs
+            What light will be reported for.
+
+        Raises
+        ------
+        InputError
+            With all faults at once.
+        """
+        if self._built is None:
+            self._built = self._whole_document().build(self._meshes)
+            self._organs = Organs(self._built)
+            _warn(self._built.warnings)
+        return self._organs
+
+    def _whole_document(self):
+        return self._document or self._document_of(self._table)
+
+    def _document_of(self, table):
+        return _core.Document(table, self._name, self._folder)
+
+    @property
+    def organs(self):
+        """What light is reported for: Organs. Builds the scene."""
+        return self.build()
+
+    @property
+    def warnings(self):
+        """What is allowed but probably not meant: list of str. Builds the scene."""
+        self.build()
+        return self._built.warnings
+
+    def _light(self, built, sources, time, run_options):
+        """What quasimc._core calls the light of a run, on a scene that was built."""
+        unchanged = sources is None and time is None and not run_options
+        if unchanged and self._document is not None:
+            return _core.Light(self._document, built)
+        table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
+        if sources is not None:
+            stated = [sources] if isinstance(sources, Source) else list(sources)
+            table["source"] = [s.table() if isinstance(s, Source) else dict(s) for s in stated]
+        if time is not None:
+            table["time"] = dict(time)
+        if run_options:
+            table["run"] = {**table.get("run", {}), **run_options}
+        return _core.Light(self._document_of(table), built)
+
+    def run(self, sources=None, *, time=None, progress=None, keep_times=True, **options):
+        """Computes the light on every organ.
+
+        Ctrl-C stops a run: its result is then that of the paths that were done, if there are any.
+
+        Parameters
+        ----------
+        sources : Source, or list of them
+            Default: those of the scene.
+        time : dict
+            The keys of ``[time]``: day, times, from and to, weather, ...: the light of many times.
+        progress : bool or callable
+            True: a bar on stderr. A function is called now and then with a `Progress`; what it
+            raises ends the run.
+        keep_times : bool
+            Of a run with times: whether the result of each is kept, or sums alone.
+        **options
+            Those of ``[run]``: `quasimc.options()` tells them.
+
+        Returns
+        -------
+        Result, or Series of a run with times
+
+        Raises
+        ------
+        InputError
+            With all faults at once.
+        Stopped
+            If max_seconds were over before there was a result.
+        KeyboardInterrupt
+            If Ctrl-C came before there was a result.
+        """
+        with self._lock:
+            organs = self.build()
+            light = self._light(self._built, sources, time, options)
+            _warn(light.warnings)
+            with Listener(progress) as listener:
+                if light.has_times:
+                    core = _core.run_series(self._built, light, keep_times, listener.callback)
+                    kind = Series
+                else:
+                    core = self._simulator.run(self._built, light, listener.callback)
+                    kind = Result
+            notes = [*self._built.warnings, *light.warnings]
+        result = kind(core, organs, notes, light.source_notes, light.ratio_names)
+        if result.stop == "interrupted":
+            _warn(["interrupted: the result is of what was done until then"])
+        return result
+
+    def __repr__(self):
+        if self._built is None:
+            return f"<Scene {self._name!r}, not built>"
+        return f"<Scene {self._name!r}: {self._organs!r}>"
+
+
+def _warn(texts):
+    """Warns at the line outside of this package that led here."""
+    depth, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        depth, frame = depth + 1, frame.f_back
+    for text in texts:
+        warnings.warn(text, QuasimcWarning, stacklevel=depth)
+
+
+def load(path):
+    """A scene from a run file.
+
+    Its organs, sources, times and options are those of the file; ``run`` takes others. What the
+    file says under ``[output]`` is passed over.
+
+    Parameters
+    ----------
+    path : str or path
+
+    Returns
+    -------
+    Scene
+
+    Raises
+    ------
+    InputError
+        With the faults of the scene, or if it has none those of the light, each with its line.
+    """
+    document = _core.Document.read(os.fspath(path))
+    scene = Scene._of_document(document)
+    scene.build()
+    _core.Light(document, scene._built)  # checks what the file says of it
+    return scene

@@ -1,0 +1,90 @@
+import numpy as np
+import pytest
+
+import quasimc
+from canopies import FEW, canopy, leaves
+
+
+def test_all_faults_of_a_scene_are_told_at_once():
+    scene = quasimc.Scene("PAR")
+    scene.add_material("leaf", reflectance=0.9, transmittance=0.6)
+    scene.add_organ("disk", material="leef", center=[0, 0, 0], normal=[0, 0, 1], radius=1)
+    with pytest.raises(quasimc.InputError) as caught:
+        scene.build()
+    assert len(caught.value.faults) == 2
+    assert "more than 1" in str(caught.value) and "leef" in str(caught.value)
+    assert set(caught.value.faults[0]) == {"place", "problem", "why", "suggestion"}
+
+
+def test_errors_are_value_errors_where_that_fits():
+    assert issubclass(quasimc.InputError, ValueError)
+    assert issubclass(quasimc.InputError, quasimc.Error)
+    assert not issubclass(quasimc.Stopped, ValueError)
+
+
+@pytest.mark.parametrize(
+    "keys, words",
+    [
+        ({"paths": 0}, "paths is 0"),
+        ({"pathes": 10}, "unknown key 'pathes'"),
+        ({"sampler": "dice"}, "sampler"),
+        ({"seed": 2**70}, "integer that is too large"),
+        ({"seed": object()}, "of the type object"),
+        ({"ratios": ["PAR:FIR"]}, "FIR"),
+    ],
+)
+def test_options_are_checked_as_those_of_a_run_file(keys, words):
+    with pytest.raises(quasimc.InputError, match=words):
+        canopy().run(**keys)
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        (lambda v, f, o: (v[:, :2], f, o), "must be .n, 3."),
+        (lambda v, f, o: (v, f.astype(float), o), "must be integers"),
+        (lambda v, f, o: (v, f, o[:-1]), "one for each of the 8 faces"),
+        (lambda v, f, o: (v, f + 10, o), "names vertex"),
+        (lambda v, f, o: (v, f - 1, o), "names vertex -1"),
+        (lambda v, f, o: (v * np.nan, f, o), "finite"),
+        (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
+    ],
+)
+def test_bad_arrays_are_refused(change, words):
+    vertices, faces, organ = change(*leaves(4))
+    with pytest.raises(quasimc.InputError, match=words):
+        scene = quasimc.Scene("PAR").add_material("leaf", reflectance=0.1)
+        scene.add_mesh(vertices, faces, organ=organ, material="leaf").build()
+
+
+def test_the_lines_of_a_run_file_are_told(tmp_path):
+    (tmp_path / "bad.toml").write_text('bands = ["PAR"]\n[[material]]\nname = "leaf"\nshine = 3\n')
+    with pytest.raises(quasimc.InputError, match=r"bad\.toml:4: .*shine"):
+        quasimc.load(tmp_path / "bad.toml")
+
+
+def test_a_file_that_is_not_there_is_an_error():
+    with pytest.raises(quasimc.InputError, match="nowhere.toml"):
+        quasimc.load("nowhere.toml")
+
+
+def test_a_run_without_light_is_an_error():
+    scene = canopy()
+    with pytest.raises(quasimc.InputError, match="source"):
+        scene.run([])
+
+
+def test_a_run_that_has_no_time_for_a_result_stops():
+    with pytest.raises(quasimc.Stopped) as caught:
+        canopy(4000).run(max_seconds=1e-9, method="light_tracing", engine="brute_force")
+    assert caught.value.why == "time_is_up"
+
+
+def test_what_is_probably_not_meant_is_a_warning():
+    scene = quasimc.Scene("PAR").add_material("leaf", reflectance=0.1)
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    scene.add_mesh(corners, [[0, 1, 2], [0, 1, 2]], material="leaf")
+    with pytest.warns(quasimc.QuasimcWarning, match="triangle"):
+        scene.build()
+    result = scene.run(quasimc.sky(irradiance_horizontal=1), **FEW)
+    assert result.warnings

@@ -1,0 +1,64 @@
+import io
+import threading
+import time
+
+import pytest
+
+import quasimc
+from canopies import canopy
+from quasimc._progress import ProgressBar
+
+LONG = {"paths": 1 << 18, "method": "light_tracing", "max_paths": 1 << 30, "target_error": 1e-9}
+
+
+def test_a_callback_is_told_how_far_a_run_is():
+    seen = []
+    canopy(200).run(progress=seen.append, paths=1 << 16, method="light_tracing", replicates=16)
+    fractions = [progress.fraction for progress in seen]
+    assert fractions and fractions == sorted(fractions)
+    assert all(0 <= fraction <= 1 for fraction in fractions)
+
+
+def test_what_a_callback_raises_ends_the_run():
+    class Enough(Exception):
+        pass
+
+    def raise_it(progress):
+        raise Enough
+
+    start = time.monotonic()
+    with pytest.raises(Enough):
+        canopy(200).run(progress=raise_it, **LONG)
+    assert time.monotonic() - start < 60  # instead of hours
+
+
+def test_other_threads_go_on_while_light_is_computed():
+    scene = canopy(200)
+    scene.build()
+    ticks = []
+    done = threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.01)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    start = time.monotonic()
+    scene.run(max_seconds=1.0, **LONG)
+    end = time.monotonic()
+    done.set()
+    thread.join()
+    assert sum(start < t < end for t in ticks) > 10
+
+
+def test_the_bar_is_written_over_and_wiped():
+    stream = io.StringIO()
+    bar = ProgressBar(stream)
+    bar(quasimc.Progress(0.5, 1.0, 2.0, 0.0))
+    bar(quasimc.Progress(1.0, 2.0, 2.0, 0.0))
+    bar.close()
+    lines = stream.getvalue().split("\r")
+    assert lines[1].startswith("[###############...............]  50 %, 1 s left")
+    assert lines[-1] == "" and lines[-2].strip() == ""

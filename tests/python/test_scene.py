@@ -1,0 +1,130 @@
+import numpy as np
+import pytest
+
+import quasimc
+from canopies import FEW, canopy, leaves
+
+SKY = quasimc.uniform_sky(irradiance_horizontal=100)
+
+
+def scene_of_material():
+    return quasimc.Scene("PAR").add_material("leaf", reflectance=0.1, transmittance=0.05)
+
+
+def test_organs_of_a_mesh_come_in_the_order_of_their_ids():
+    vertices, faces, organ = leaves(3)
+    mixed = [5, 0, 3, 1, 4, 2]
+    scene = scene_of_material().add_mesh(
+        vertices,
+        faces[mixed],
+        organ=organ[mixed],
+        material="leaf",
+        name={1: "a", 2: "b", 3: "c"},
+        labels={"kind": "leaf", "plant": [7, 8, 9]},
+    )
+    organs = scene.organs
+    assert organs.ids.tolist() == [1, 2, 3]
+    assert organs.names == ["a", "b", "c"]
+    assert organs.labels == {"kind": ["leaf"] * 3, "plant": ["7", "8", "9"]}
+    sides = [vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2)]
+    areas = np.linalg.norm(np.cross(*sides), axis=1) / 2
+    assert np.allclose(organs.areas, areas.reshape(3, 2).sum(axis=1), rtol=1e-12)
+
+
+def test_the_order_of_faces_changes_no_bit():
+    vertices, faces, organ = leaves(10)
+    straight = scene_of_material().add_mesh(vertices, faces, organ=organ, material="leaf")
+    order = np.argsort(-organ, kind="stable")
+    turned = scene_of_material().add_mesh(
+        vertices, faces[order], organ=organ[order], material="leaf"
+    )
+    a, b = (scene.run(SKY, **FEW) for scene in (straight, turned))
+    assert np.array_equal(a["absorbed_flux"].mean, b["absorbed_flux"].mean)
+
+
+@pytest.mark.parametrize("dtype", [np.int32, np.int64, np.uint32, np.uint8])
+def test_faces_of_every_type_of_integer_are_the_same(dtype):
+    vertices, faces, organ = leaves(4)
+    flat = scene_of_material().add_mesh(vertices[faces], organ=organ, material="leaf")
+    scene = scene_of_material().add_mesh(
+        vertices, faces.astype(dtype), organ=organ.astype(dtype), material="leaf"
+    )
+    a, b = (s.run(SKY, **FEW)["absorbed_flux"].mean for s in (flat, scene))
+    assert np.array_equal(a, b) and np.all(a > 0)
+
+
+def test_arrays_of_float64_are_not_copied():
+    vertices, faces, _ = leaves(4)
+    scene = scene_of_material().add_mesh(vertices, faces, material="leaf")
+    mesh = scene._meshes[0]
+    assert np.shares_memory(mesh["vertices"], vertices)
+    assert np.shares_memory(mesh["faces"], faces)
+
+
+def test_faces_of_one_organ_may_have_materials_of_their_own():
+    scene = quasimc.Scene("PAR")
+    scene.add_material("black", reflectance=0)
+    scene.add_material("white", reflectance=1)
+    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
+    scene.add_mesh(square, [[0, 1, 2], [0, 2, 3]], material=["black", "white"])
+    scene.add_mesh(square + [0, 0, -1e-3], [[0, 1, 2], [0, 2, 3]], organ=[8, 9],
+                   material={8: "black", 9: "white"})
+    beam = quasimc.directional(direction=[0, 0, -1], irradiance_facing=100)
+    result = scene.run(beam, paths=4096)
+    absorbed = result["absorbed_flux"]["PAR"]
+    assert sorted(result.organs.ids.tolist())[-2:] == [8, 9] and len(result.organs) == 3
+    assert absorbed.mean[0] == pytest.approx(50, abs=1e-3)
+
+
+def test_organs_of_shapes_files_and_meshes_stand_together(tmp_path):
+    (tmp_path / "leaf.obj").write_text("v 0 0 2\nv 1 0 2\nv 0 1 2\ng blade\nf 1 2 3\n")
+    scene = scene_of_material()
+    scene.add_mesh([[0, 0, 3], [1, 0, 3], [0, 1, 3]], [[0, 1, 2]], material="leaf", name="mesh")
+    scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1,
+                    name="disk")
+    scene.add_file(tmp_path / "leaf.obj", material="leaf")
+    assert scene.organs.names == ["disk", "blade", "mesh"]
+
+
+def test_a_scene_can_be_changed_after_a_run():
+    scene = canopy()
+    before = scene.run(**FEW)["absorbed_flux"]["PAR"].mean[:-1]
+    scene.add_material("leaf", reflectance=0.5, transmittance=0.4)
+    after = scene.run(**FEW)["absorbed_flux"]["PAR"].mean[:-1]
+    assert np.all(after < before)
+    assert scene._simulator.builds == 1  # the triangles are the same
+    scene.add_mesh([[0, 0, 3], [1, 0, 3], [0, 1, 3]], [[0, 1, 2]], material="leaf", name="new")
+    assert len(scene.run(**FEW).organs) == 22
+
+
+def test_a_scene_repeats_in_its_cell():
+    scene = canopy().set_ground("soil").set_cell(x=[0, 1], y=[0, 1])
+    result = scene.run(**FEW)
+    fractions = result.canopy["PAR"]
+    parts = [fractions[key] for key in ("reflectance", "absorptance", "ground_absorptance")]
+    error = sum(part.standard_error for part in parts)
+    assert error < 1e-2
+    assert sum(part.mean for part in parts) == pytest.approx(1, abs=5 * error)
+
+
+def test_bands_may_have_units_of_their_own():
+    scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"}, length_unit="cm")
+    scene.add_material("leaf", reflectance={"PAR": 0.1, "NIR": 0.4})
+    scene.add_mesh([[0, 0, 3], [1, 0, 3], [0, 1, 3]], [[0, 1, 2]], material="leaf")
+    light = scene.run(quasimc.sky(irradiance_horizontal=[2000, 300]), **FEW)
+    assert light["incident_upper"]["PAR"].unit == "umol m-2 s-1"
+    assert light["absorbed_flux"].unit == ("umol m-2 s-1 cm2", "W m-2 cm2")
+
+
+def test_a_scene_is_loaded_from_a_run_file(tmp_path):
+    (tmp_path / "leaf.toml").write_text(
+        'bands = ["PAR"]\n[run]\npaths = 512\n[[source]]\ntype = "uniform_sky"\n'
+        'irradiance_horizontal = 100\n[[material]]\nname = "leaf"\nreflectance = 0.1\n'
+        '[[organ]]\nmaterial = "leaf"\nshape = "disk"\ncenter = [0, 0, 1]\nnormal = [0, 0, 1]\n'
+        'radius = 0.1\n[output]\ncsv = "leaf.csv"\n'
+    )
+    scene = quasimc.load(tmp_path / "leaf.toml")
+    assert scene.run().paths == 512
+    assert scene.run(paths=256).paths == 256
+    assert scene.run(SKY, paths=128).paths == 128
+    assert not (tmp_path / "leaf.csv").exists()

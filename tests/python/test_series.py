@@ -1,0 +1,62 @@
+import numpy as np
+import pytest
+
+import quasimc
+
+DAY = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 13], "step_minutes": 60}
+
+
+@pytest.fixture(scope="module")
+def scene():
+    place = {"latitude_deg": 52, "longitude_deg": 5.7}
+    scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"}, place=place)
+    scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
+    scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1)
+    return scene
+
+
+@pytest.fixture(scope="module")
+def series(scene):
+    return scene.run(time=DAY, paths=512)
+
+
+def test_every_time_has_a_result(series):
+    assert len(series) == 3 and len(list(series)) == 3
+    assert [t["time"][:13] for t in series.times] == [f"2024-06-21T{h}" for h in (10, 11, 12)]
+    assert all(t["sun_elevation_deg"] > 40 for t in series.times)
+    assert series[0]["absorbed_flux"]["PAR"].mean[0] > 0
+    assert series.stop == "paths_done"
+
+
+def test_days_are_sums_over_times(series):
+    day = series.days["2024-06-21"]
+    assert day.seconds == 3 * 3600
+    assert day["incident_upper"].unit == ("mol m-2", "J m-2")
+    assert day["absorbed_flux"]["NIR"].unit == "J"
+    for band, factor in (("PAR", 1e-6), ("NIR", 1)):
+        rates = [result["incident_upper"][band].mean[0] for result in series]
+        assert day["incident_upper"][band].mean[0] == pytest.approx(
+            3600 * factor * sum(rates), rel=1e-12
+        )
+    assert np.array_equal(day["absorbed_flux"].mean, series.total["absorbed_flux"].mean)
+    assert len(day.to_pandas()) == 1
+
+
+def test_tables_have_a_row_for_each_time_and_organ(series):
+    frame = series.to_pandas()
+    assert frame.index.names == ["time", "id"] and len(frame) == 3
+
+
+def test_times_need_not_be_kept(scene, series):
+    sums = scene.run(time=DAY, paths=512, keep_times=False)
+    assert np.array_equal(
+        sums.total["absorbed_flux"].mean, series.total["absorbed_flux"].mean
+    )
+    with pytest.raises(KeyError, match="keep_times"):
+        sums[0]
+
+
+def test_a_callback_is_told_of_all_times(scene):
+    seen = []
+    scene.run(time=DAY, paths=1 << 16, progress=lambda p: seen.append(p.fraction))
+    assert seen == sorted(seen)

@@ -1,0 +1,140 @@
+#include "quasimc/growth_session.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+SceneBuilder growth_frame(double rho = .3) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", rho, .2));
+    builder.add_material(matt("soil", .2, 0));
+    builder.set_ground({.material = "soil", .extent = {{-.2, -.2, 1.2, 1.2}}});
+    return builder;
+}
+
+/// A leaf that grows from step to step.
+OrganSpec growing_leaf(std::int64_t id, int step) {
+    const double size = .3 + .002 * step;
+    const double low = .005 * static_cast<double>(id);
+    OrganSpec leaf = organ("leaf", "leaf", floor_of(low, low + size, 0, size, .1 + low));
+    leaf.id = id;
+    return leaf;
+}
+
+RunSpec growth_run() {
+    RunSpec spec;
+    spec.paths = 1024;
+    spec.method = Method::first_hits;
+    spec.replicates = 2;
+    spec.threads = 1;
+    return spec;
+}
+
+bool are_same(const Estimate& x, const Estimate& y) {
+    return std::bit_cast<std::uint64_t>(x.mean) == std::bit_cast<std::uint64_t>(y.mean) &&
+           std::bit_cast<std::uint64_t>(x.standard_error) ==
+               std::bit_cast<std::uint64_t>(y.standard_error);
+}
+
+bool have_same_bits(const Result& a, const Result& b) {
+    return a.values.size() == b.values.size() &&
+           std::equal(a.values.begin(), a.values.end(), b.values.begin(), are_same);
+}
+
+class GrowthSessionTest : public ::testing::Test {
+  protected:
+    Result run() { return session_.run(sources_, growth_run()); }
+    [[nodiscard]] Result run_alone(const std::vector<OrganSpec>& organs) const {
+        SceneBuilder builder = growth_frame();
+        for (const OrganSpec& organ : organs) {
+            builder.add_organ(organ);
+        }
+        return quasimc::run(std::move(builder).build(), sources_, growth_run());
+    }
+
+    Sources sources_{make_uniform_sky("sky", {1})};
+    GrowthSession session_{growth_frame()};
+};
+
+TEST_F(GrowthSessionTest, GivesInAHundredStepsTheBitsOfAHundredRuns) {
+    std::vector<OrganSpec> organs;  // what the session should have
+    for (int step = 0; step < 100; ++step) {
+        if (step % 3 == 0) {
+            organs.push_back(growing_leaf(step + 1, step));
+            EXPECT_EQ(session_.add(organs.back()), step + 1);
+        }
+        if (step % 10 == 9) {
+            session_.remove(*organs[1].id);
+            organs.erase(organs.begin() + 1);
+        }
+        organs.front() = growing_leaf(*organs.front().id, step);
+        session_.change(organs.front());
+        const Result result = run();
+        EXPECT_TRUE(have_same_bits(result, run_alone(organs))) << "step " << step;
+        EXPECT_GT(result.at(0, Quantity::absorbed_flux, 0).mean, 0) << "step " << step;
+    }
+    EXPECT_EQ(session_.size(), organs.size());
+}
+
+TEST_F(GrowthSessionTest, BuildsNothingForAStepInWhichNothingChanged) {
+    session_.add(growing_leaf(1, 0));
+    static_cast<void>(run());
+    static_cast<void>(run());
+    EXPECT_EQ(session_.scene_builds(), 1U);
+    EXPECT_EQ(session_.tree_builds(), 1U);
+}
+
+TEST_F(GrowthSessionTest, KeepsTheTreeWhenOpticsChange) {
+    session_.add(growing_leaf(1, 0));
+    const Result before = run();
+    session_.set_frame(growth_frame(.6));
+    EXPECT_FALSE(have_same_bits(run(), before));
+    EXPECT_EQ(session_.scene_builds(), 2U);
+    EXPECT_EQ(session_.tree_builds(), 1U);
+}
+
+TEST_F(GrowthSessionTest, TellsPlacesInTheOrderAsked) {
+    for (const std::int64_t id : {5, 3, 8}) {
+        session_.add(growing_leaf(id, 0));
+    }
+    const std::array<std::int64_t, 3> asked{8, 5, 3};
+    EXPECT_EQ(session_.places_of(asked), (std::vector<std::size_t>{2, 0, 1}));
+    const std::array<std::int64_t, 1> unknown{4};
+    EXPECT_THROW(static_cast<void>(session_.places_of(unknown)), InputError);
+}
+
+TEST_F(GrowthSessionTest, GivesNoIdASecondTime) {
+    OrganSpec leaf = growing_leaf(7, 0);
+    session_.add(leaf);
+    session_.remove(7);
+    leaf.id.reset();
+    EXPECT_EQ(session_.add(leaf), 8);
+    leaf.id = 8;
+    EXPECT_THROW(session_.add(leaf), InputError);
+    EXPECT_THROW(session_.remove(7), InputError);
+    leaf.id = 7;
+    EXPECT_THROW(session_.change(leaf), InputError);
+}
+
+TEST_F(GrowthSessionTest, GoesOnAfterAFaultyStep) {
+    session_.add(growing_leaf(1, 0));
+    OrganSpec faulty = growing_leaf(2, 0);
+    faulty.parts[0].material = "glass";
+    session_.add(faulty);
+    EXPECT_THROW(static_cast<void>(run()), InputError);
+    session_.change(growing_leaf(2, 0));
+    EXPECT_TRUE(have_same_bits(run(), run_alone({growing_leaf(1, 0), growing_leaf(2, 0)})));
+}
+
+}  // namespace
+}  // namespace quasimc::test
