@@ -104,4 +104,13 @@ SeriesSummary run_series(
     const SeriesEvents& events = {},
     const std::stop_token& stop = {});
 
+/// The same on what a simulator keeps from one series to the next.
+SeriesSummary run_series(
+    Simulator& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events = {},
+    const std::stop_token& stop = {});
+
 }  // namespace quasimc
