@@ -30,14 +30,18 @@ std::string times_of(const quasimc::TimeSeries& series) {
 }
 
 Exit check(const CheckArguments& arguments) {
-    const quasimc::RunFile run =
-        quasimc::read_run_file(arguments.file, arguments.flags.overrides());
-    print_warnings(run.warnings);
+    quasimc::RunSweep sweep = quasimc::read_run_sweep(arguments.file, arguments.flags.overrides());
+    const std::size_t warnings = sweep.warnings().size();
+    print_warnings(sweep.warnings());
+    const quasimc::RunFile run = sweep.take(0);
     const std::string text = fmt::format(
         "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {} sources\n",
-        run.path, run.warnings.size(), run.scene.organs().size(), run.scene.triangle_count(),
+        run.path, warnings, run.scene.organs().size(), run.scene.triangle_count(),
         run.scene.material_names().size(), run.scene.bands().size(), run.sources.size());
     std::fputs(text.c_str(), stdout);
+    if (run.sweep) {
+        fmt::print(stdout, "a sweep of {} points\n", sweep.size());
+    }
     if (run.series) {
         std::fputs(times_of(*run.series).c_str(), stdout);
     }

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
@@ -14,88 +14,52 @@
 
 #include "commands.h"
 #include "interrupt.h"
-#include "io/output_files.h"
 #include "io/results/audit_words.h"
 #include "io/results/part_file.h"
-#include "option_flags.h"
-#include "output_choice.h"
+#include "part_run.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
+#include "run_writers.h"
 
-namespace {
-
-/// What the command line of `quasimc run` says.
-struct RunArguments {
-    std::string file, from, csv, json, days, groups_csv, groups_days;
-    std::string part, sums;          // of `run` alone
-    std::vector<std::string> parts;  // of `merge` alone: files
-    OutputChoice choice;
-    bool quiet = false, progress = false;
-    OptionFlags flags;
-};
-
-/// The files that a run may write, in the order in which they get their names: the result that has
-/// everything is the last.
-using Output = std::size_t;
-constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kJson = 4, kOutputs = 5;
-
-/// Which of them a run writes, and where.
-struct Asked {
-    std::array<std::optional<std::size_t>, kOutputs> numbers;  // among the paths
-    std::vector<quasimc::OutputPath> paths;
-};
-
-/// Paths on the command line count from the current folder, and go before those of the run file.
-Asked asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
-    Asked asked;
-    const auto ask = [&](Output output, std::string_view key, const std::string& flag,
-                         const std::optional<std::string>& stated) {
-        if (!flag.empty()) {
-            asked.numbers[output] = asked.paths.size();
-            std::string name = fmt::format("--{}", key);
-            std::replace(name.begin(), name.end(), '_', '-');
-            asked.paths.push_back({flag, std::move(name)});
-        } else if (stated) {
-            asked.numbers[output] = asked.paths.size();
-            asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});
-        }
-    };
-    ask(kCsv, "csv", arguments.csv, run.output.csv);
-    ask(kDays, "days", arguments.days, run.output.days);
-    ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
-    ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
-    ask(kJson, "json", arguments.json, run.output.json);
-    return asked;
-}
-
-/// What was read: beside the files of the run, the result that is repeated.
-std::vector<quasimc::InputFile> inputs_of(
-    const RunArguments& arguments, const quasimc::RunFile& run) {
-    std::vector<quasimc::InputFile> inputs = run.inputs;
-    if (!arguments.from.empty()) {
-        inputs.push_back({arguments.from, arguments.from, "", 0, false});
-    }
-    for (const std::string& part : arguments.parts) {
-        inputs.push_back({part, part, "", 0, false});
-    }
-    return inputs;
-}
-
-quasimc::StoredRun read_run(const RunArguments& arguments) try {
+quasimc::StoredSweep read_runs(const RunArguments& arguments) try {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
-        return {quasimc::read_run_file(arguments.file, overrides), ""};
+        return {quasimc::read_run_sweep(arguments.file, overrides), ""};
     }
-    return quasimc::read_result_file(arguments.from, overrides);
+    return quasimc::read_result_sweep(arguments.from, overrides);
 } catch (const std::bad_alloc&) {
     throw quasimc::InputError(
         {{arguments.from.empty() ? arguments.file : arguments.from,
           "there is not enough memory for the scene", "for it and the files that it names", ""}});
 }
 
+ProgressLines progress_lines(const RunArguments& arguments) {
+    if (arguments.quiet) {
+        return ProgressLines::none;
+    }
+    return arguments.progress ? ProgressLines::always : ProgressLines::on_terminal;
+}
+
+std::function<void()> stopping_note(const RunArguments& arguments) {
+    if (arguments.quiet) {
+        return [] {};
+    }
+    return [] { std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr); };
+}
+
+void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file) {
+    std::vector<quasimc::Fault> faults = error.faults();
+    for (quasimc::Fault& fault : faults) {
+        fault.place = file.path + ": " + fault.place;
+    }
+    throw quasimc::InputError(std::move(faults));
+}
+
+namespace {
+
 std::string comparison(
     const RunArguments& arguments,
-    const quasimc::StoredRun& stored,
+    const quasimc::StoredSweep& stored,
     const std::string& organs_sha256) {
     if (arguments.from.empty() || organs_sha256.empty()) {
         return "";
@@ -109,119 +73,6 @@ std::string comparison(
     return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
 }
 
-/// What a run writes while it is computed.
-class RunWriters {
-  public:
-    /// Opens the files, so that a wrong path is told before anything is computed.
-    RunWriters(const RunArguments& arguments, const quasimc::RunFile& run)
-        : run_(run),
-          asked_(asked_outputs(arguments, run)),
-          outputs_(asked_.paths, inputs_of(arguments, run)),
-          summary_(run) {
-        if (wants(kCsv)) {
-            csv_.emplace(run, sink_of(kCsv));
-        }
-        if (wants(kDays)) {
-            days_.emplace(run, sink_of(kDays));
-        }
-        if (wants(kGroups)) {
-            groups_.emplace(run, sink_of(kGroups));
-        }
-        if (wants(kGroupDays)) {
-            group_days_.emplace(run, sink_of(kGroupDays));
-        }
-        if (wants(kJson)) {
-            json_.emplace(run, sink_of(kJson));
-        } else if (!arguments.from.empty()) {
-            json_.emplace(run);  // for the digest
-        }
-    }
-
-    /// What the run is to tell.
-    [[nodiscard]] quasimc::SeriesEvents events(ProgressLines lines) {
-        quasimc::SeriesEvents events;
-        events.on_progress = progress_line(lines);
-        events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
-            add_moment(time_step, result, traced);
-        };
-        events.wants_total = run_.series && wants(kJson);
-        if (days_ || group_days_ || events.wants_total) {
-            events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
-        }
-        return events;
-    }
-
-    /// Gives the files their names. @returns the digest of the organs, if it was asked for
-    std::string finish(const quasimc::SeriesSummary& summary) {
-        std::string digest;
-        write_json([&](quasimc::JsonWriter& json) { digest = json.finish(summary); });
-        outputs_.commit();
-        return digest;
-    }
-
-    void print_summary(const quasimc::SeriesSummary& summary, const std::string& comparison) const {
-        const std::string text = summary_.text(summary, outputs_.written()) + comparison;
-        std::fputs(text.c_str(), outputs_.uses_standard_output() ? stderr : stdout);
-    }
-
-    /// @throws InputError  if some of the files could not be written
-    void throw_if_given_up() const { outputs_.throw_if_given_up(); }
-
-  private:
-    [[nodiscard]] bool wants(Output output) const { return asked_.numbers[output].has_value(); }
-
-    quasimc::TextSink sink_of(Output output) { return outputs_.sink(*asked_.numbers[output]); }
-
-    /// No room for what the writer keeps until the end costs no more than its own file.
-    template <typename Action>
-    void write_json(Action action) {
-        if (!json_) {
-            return;
-        }
-        try {
-            action(*json_);
-        } catch (const quasimc::InputError& error) {
-            if (!wants(kJson)) {
-                throw;
-            }
-            json_.reset();
-            outputs_.give_up(*asked_.numbers[kJson], error);
-        }
-    }
-
-    void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
-        end_progress_line();
-        summary_.add_moment(result);
-        if (csv_) {
-            csv_->add_moment(time_step, result);
-        }
-        if (groups_) {
-            groups_->add_moment(time_step, result);
-        }
-        write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
-    }
-
-    void add_day(std::size_t day, const quasimc::SeriesSum& sum) {
-        if (days_) {
-            days_->add_day(day, sum);
-        }
-        if (group_days_) {
-            group_days_->add_day(day, sum);
-        }
-        write_json([&](auto& json) { json.add_day(day, sum); });
-    }
-
-    const quasimc::RunFile& run_;
-    Asked asked_;
-    quasimc::OutputFiles outputs_;
-    quasimc::Summary summary_;
-    std::optional<quasimc::CsvWriter> csv_;
-    std::optional<quasimc::DaysWriter> days_;
-    std::optional<quasimc::GroupsWriter> groups_;
-    std::optional<quasimc::GroupDaysWriter> group_days_;
-    std::optional<quasimc::JsonWriter> json_;
-};
-
 /// What an audit found goes to stderr, quiet or not: it is about errors.
 void print_audit(double chance) {
     const std::string warning = quasimc::audit_warning(chance);
@@ -230,99 +81,158 @@ void print_audit(double chance) {
     }
 }
 
-ProgressLines progress_lines(const RunArguments& arguments) {
-    if (arguments.quiet) {
-        return ProgressLines::none;
-    }
-    return arguments.progress ? ProgressLines::always : ProgressLines::on_terminal;
-}
-
-InterruptWatch interrupt_watch(const RunArguments& arguments) {
-    return InterruptWatch([&arguments] {
-        if (!arguments.quiet) {
-            std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr);
+/// @throws quasimc::InputError
+void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
+    quasimc::Faults faults;
+    for (const auto& [flag, path] :
+         {std::pair("--days", &arguments.days),
+          std::pair("--groups-days", &arguments.groups_days)}) {
+        if (!path->empty() && !run.series) {
+            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
         }
-    });
+    }
+    faults.throw_if_any();
 }
 
-/// Faults that show only when a run begins are of the run file.
-[[noreturn]] void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file) {
-    std::vector<quasimc::Fault> faults = error.faults();
-    for (quasimc::Fault& fault : faults) {
-        fault.place = file.path + ": " + fault.place;
+/// What all points of a sweep have together.
+void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all) {
+    all.traced += point.traced;
+    all.unlit += point.unlit;
+    all.at_target += point.at_target;
+    all.done += point.done;
+    all.cut_short += point.cut_short;
+    all.stop = point.stop == quasimc::StopReason::paths_done ? all.stop : point.stop;
+    // Of the most unlikely audit, times their number.
+    if (point.audited > 0) {
+        const double count = static_cast<double>(all.audited);
+        const double own = static_cast<double>(point.audited);
+        const double least =
+            std::min(count > 0 ? all.audit_chance / count : 1.0, point.audit_chance / own);
+        all.audited += point.audited;
+        all.audit_chance = std::min(1.0, least * (count + own));
     }
-    throw quasimc::InputError(std::move(faults));
+    all.rays += point.rays;
+    all.seconds += point.seconds;
+    all.build_seconds += point.build_seconds;
+    all.trace_seconds += point.trace_seconds;
+    all.trace_cpu_seconds += point.trace_cpu_seconds;
+    for (const auto& [method, times] : point.methods) {
+        all.methods[method] += times;
+    }
 }
 
-/// Computes the run, which Ctrl-C stops.
-quasimc::SeriesSummary compute(
-    const RunArguments& arguments,
-    const quasimc::RunFile& file,
-    RunWriters& writers,
-    quasimc::PartFiles* parts) {
-    const InterruptWatch interrupt = interrupt_watch(arguments);
-    quasimc::SeriesEvents events = writers.events(progress_lines(arguments));
-    if (parts != nullptr) {
-        events.sums_of = [parts](std::size_t moment) { return parts->next(moment); };
-    }
-    try {
-        return quasimc::run_series(
-            file.scene, quasimc::moments_of(file), file.spec, events, interrupt.token());
-    } catch (const quasimc::InputError& error) {
-        writers.throw_if_given_up();
-        if (parts != nullptr) {
-            throw;
+/// Computes the runs of a sweep, one after the other, until all are done or Ctrl-C or the limit of
+/// time stops them.
+class SweepRun {
+  public:
+    /// @param parts  which the sums of the runs are taken from; null: they are traced
+    SweepRun(const RunArguments& arguments, quasimc::RunSweep& sweep, quasimc::PartFiles* parts)
+        : arguments_(arguments),
+          sweep_(sweep),
+          parts_(parts),
+          run_(next_file(0)),
+          writers_(arguments, *run_),
+          tell_(progress_line(progress_lines(arguments))) {}
+
+    void compute() {
+        const InterruptWatch interrupt(stopping_note(arguments_));
+        while (trace(interrupt.token()) && point_ + 1 < sweep_.size() && goes_on()) {
+            std::unique_ptr<quasimc::RunFile> next = next_file(++point_);
+            writers_.next_run(*next, last_);
+            run_ = std::move(next);
         }
-        rethrow_of_file(error, file);
     }
-}
 
-/// "canopy.3of16.part" in the current folder for canopy.toml.
-std::string usual_part_name(const std::string& run_file, const quasimc::PartNumber& number) {
-    const std::string stem =
-        run_file == "-" ? "run" : std::filesystem::path(run_file).stem().string();
-    return fmt::format("{}.{}of{}.part", stem, number.part, number.parts);
-}
+    /// Of all points that are done. Its total is that of the last one.
+    [[nodiscard]] const quasimc::SeriesSummary& all() const { return all_; }
+    [[nodiscard]] const quasimc::SeriesSummary& last() const { return last_; }
+    [[nodiscard]] const quasimc::RunFile& file() const { return *run_; }
+    [[nodiscard]] RunWriters& writers() { return writers_; }
 
-/// Computes a part of the run, and writes its sums.
-Exit run_part(const RunArguments& arguments) {
-    const quasimc::PartNumber number = quasimc::read_part_number(arguments.part, "--part");
-    const quasimc::StoredRun stored = read_run(arguments);
-    const quasimc::RunFile& file = stored.run;
-    if (!arguments.quiet) {
-        print_warnings(file.warnings);
+  private:
+    [[nodiscard]] std::unique_ptr<quasimc::RunFile> next_file(std::size_t point) {
+        auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
+        apply_choice(arguments_.choice, *run);
+        if (point == 0) {
+            require_times(arguments_, *run);
+        }
+        return run;
     }
-    const std::string name =
-        arguments.sums.empty() ? usual_part_name(file.path, number) : arguments.sums;
-    quasimc::OutputFiles output({{name, "--sums"}}, inputs_of(arguments, file));
-    quasimc::PartWriter writer(file, number, output.sink(0));
-    const InterruptWatch interrupt = interrupt_watch(arguments);
-    try {
-        quasimc::trace_share(
-            file.scene, quasimc::moments_of(file), file.spec,
-            quasimc::share_of(number.part, number.parts),
-            [&](std::size_t moment, const quasimc::Sums& sums) {
-                end_progress_line();
-                writer.add(moment, sums);
-            },
-            {.on_progress = progress_line(progress_lines(arguments)), .stop = interrupt.token()});
-    } catch (const quasimc::InputError& error) {
-        output.throw_if_given_up();
-        rethrow_of_file(error, file);
+
+    /// Whether there is time for another point.
+    bool goes_on() {
+        const double limit = run_->spec.max_seconds;
+        if (limit > 0 && all_.seconds >= limit && all_.stop != quasimc::StopReason::interrupted) {
+            last_.stop = all_.stop = quasimc::StopReason::time_is_up;
+            return false;
+        }
+        return last_.stop != quasimc::StopReason::interrupted;
     }
-    end_progress_line();
-    writer.finish();
-    output.commit();
-    output.throw_if_given_up();
-    if (!arguments.quiet) {
-        std::fprintf(
-            output.uses_standard_output() ? stderr : stdout,
-            "part %llu of %llu: %s; put all together with: quasimc merge PART...\n",
-            static_cast<unsigned long long>(number.part),
-            static_cast<unsigned long long>(number.parts), name.c_str());
+
+    /// Traces a point. @returns false  if there is no result of it, and others are there
+    bool trace(const std::stop_token& stop) {
+        quasimc::RunSpec spec = run_->spec;
+        const auto points_left = static_cast<double>(sweep_.size() - point_);
+        if (spec.max_seconds > 0) {
+            constexpr double kLeast = 1e-3;
+            spec.max_seconds = std::max(spec.max_seconds - all_.seconds, kLeast) / points_left;
+        }
+        try {
+            const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(*run_);
+            last_ = quasimc::run_series(simulator_, run_->scene, moments, spec, events(), stop);
+            moments_before_ += moments.size();
+        } catch (const quasimc::Stopped& stopped) {
+            if (point_ == 0) {
+                throw;
+            }
+            last_ = {};
+            last_.stop = all_.stop = stopped.why();
+            return false;
+        } catch (const quasimc::InputError& error) {
+            writers_.throw_if_given_up();
+            if (parts_ != nullptr) {
+                throw;
+            }
+            rethrow_of_file(error, *run_);
+        }
+        add_point(last_, all_);
+        return true;
     }
-    return Exit::done;
-}
+
+    /// Of all points, which take about equally long.
+    [[nodiscard]] std::function<void(const quasimc::Progress&)> progress() const {
+        if (!tell_ || sweep_.size() == 1) {
+            return tell_;
+        }
+        return [this](const quasimc::Progress& own) {
+            const double fraction =
+                (static_cast<double>(point_) + own.fraction) / static_cast<double>(sweep_.size());
+            const double seconds = all_.seconds + own.seconds;
+            tell_({fraction, seconds, seconds / fraction, own.fraction_at_target});
+        };
+    }
+
+    [[nodiscard]] quasimc::SeriesEvents events() {
+        quasimc::SeriesEvents events = writers_.events(progress());
+        if (parts_ != nullptr) {
+            events.sums_of = [this](std::size_t moment) {
+                return parts_->next(moments_before_ + moment);
+            };
+        }
+        return events;
+    }
+
+    const RunArguments& arguments_;
+    quasimc::RunSweep& sweep_;
+    quasimc::PartFiles* parts_;
+    std::size_t point_ = 0;
+    std::size_t moments_before_ = 0;  // of the points before
+    std::unique_ptr<quasimc::RunFile> run_;
+    RunWriters writers_;
+    std::function<void(const quasimc::Progress&)> tell_;
+    quasimc::Simulator simulator_;
+    quasimc::SeriesSummary last_, all_;
+};
 
 Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary) {
     if (summary.stop == quasimc::StopReason::interrupted) {
@@ -348,50 +258,29 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
-/// @throws quasimc::InputError
-void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
-    quasimc::Faults faults;
-    for (const auto& [flag, path] :
-         {std::pair("--days", &arguments.days),
-          std::pair("--groups-days", &arguments.groups_days)}) {
-        if (!path->empty() && !run.series) {
-            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
-        }
-    }
-    faults.throw_if_any();
-}
-
-Exit run(
-    const RunArguments& arguments, quasimc::StoredRun stored, quasimc::PartFiles* parts = nullptr) {
-    apply_choice(arguments.choice, stored.run);
-    const quasimc::RunFile& file = stored.run;
+Exit run(const RunArguments& arguments, quasimc::StoredSweep stored, quasimc::PartFiles* parts) {
     if (!arguments.quiet) {
-        print_warnings(file.warnings);
+        print_warnings(stored.runs.warnings());
     }
-    require_times(arguments, file);
-    RunWriters writers(arguments, file);
-    const quasimc::SeriesSummary summary = compute(arguments, file, writers, parts);
-    end_progress_line();
+    SweepRun sweep(arguments, stored.runs, parts);
+    sweep.compute();
     if (parts != nullptr) {
         parts->expect_end();
     }
-    const std::string digest = writers.finish(summary);
-    print_unlit(summary, file.series.has_value());
-    print_audit(summary.audit_chance);
+    end_progress_line();
+    const std::string digest = sweep.writers().finish(sweep.last());
+    print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
+    print_audit(sweep.all().audit_chance);
     if (!arguments.quiet) {
-        writers.print_summary(summary, comparison(arguments, stored, digest));
+        sweep.writers().print_summary(sweep.all(), comparison(arguments, stored, digest));
     }
-    writers.throw_if_given_up();
-    return exit_of(file, summary);
-}
-
-Exit run(const RunArguments& arguments) {
-    return arguments.part.empty() ? run(arguments, read_run(arguments)) : run_part(arguments);
+    sweep.writers().throw_if_given_up();
+    return exit_of(sweep.file(), sweep.all());
 }
 
 Exit merge(const RunArguments& arguments) {
     quasimc::PartFiles parts(arguments.parts);
-    return run(arguments, parts.read_run(), &parts);
+    return run(arguments, parts.read_runs(), &parts);
 }
 
 /// The flags that name files to be written, and those files.
@@ -511,7 +400,11 @@ Command run_command() {
     const auto arguments = std::make_shared<RunArguments>();
     return {
         "run", "compute the light on every organ of a scene", flags_of_run(*arguments),
-        [arguments] { return run(*arguments); }, [arguments] { check_usage(*arguments); }};
+        [arguments] {
+            return arguments->part.empty() ? run(*arguments, read_runs(*arguments), nullptr)
+                                           : run_part(*arguments);
+        },
+        [arguments] { check_usage(*arguments); }};
 }
 
 Command merge_command() {

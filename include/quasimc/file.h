@@ -86,6 +86,19 @@ struct Override {
     std::string place;  ///< where it was stated, for messages: "--paths"
 };
 
+/// A value of the run file that a sweep sets.
+struct SweptValue {
+    std::string key;                         ///< as [sweep] states it: "material.leaf.reflectance"
+    std::string text;                        ///< as in tables: 0.1, [0.1, 0.4], sobol
+    std::shared_ptr<const Node> value = {};  ///< for the writers
+};
+
+/// A point of a sweep: what is its own.
+struct SweepPoint {
+    std::vector<SweptValue> values;
+    std::vector<std::string> source_notes;  ///< as in RunFile
+};
+
 /// A run as a file states it, read and checked.
 struct RunFile {
     std::string path;  ///< of the file, as given
@@ -101,6 +114,36 @@ struct RunFile {
         source_notes;               ///< per source: name, kind, direction, irradiance in words
     std::vector<Warning> warnings;  ///< of the readers and of lint()
     std::shared_ptr<const Node> document;  ///< the run file, its [run] complete; for the writers
+    /// Of a run of a sweep: which point it is, and all points. Empty without [sweep].
+    std::size_t point = 0;
+    std::shared_ptr<const std::vector<SweepPoint>> sweep = {};
+};
+
+/// The runs that a run file asks for: one, or with [sweep] one for each point. A run without
+/// [sweep] is a sweep of one point.
+///
+/// All points are read and checked at once. Those that differ in lights, materials and settings
+/// alone share the triangles of one scene (Scene::shared_triangles), so that a Simulator builds one
+/// acceleration structure for all of them.
+class RunSweep {
+  public:
+    class State;
+    explicit RunSweep(std::unique_ptr<State> state);
+    RunSweep(RunSweep&& other) noexcept;
+    RunSweep& operator=(RunSweep&& other) noexcept;
+    ~RunSweep();
+
+    [[nodiscard]] std::size_t size() const;
+    /// The run of a point. What the file names is not read from the disk again. A run without
+    /// [sweep] can be taken once.
+    [[nodiscard]] RunFile take(std::size_t point);
+    /// The only run. @throws InputError  if there is a [sweep]
+    [[nodiscard]] RunFile only_run() &&;
+    /// Of all points, each once.
+    [[nodiscard]] const std::vector<Warning>& warnings() const;
+
+  private:
+    std::unique_ptr<State> state_;
 };
 
 /// The times to compute: those of [time] or else a single one, an instant, with the sources of the
@@ -108,7 +151,10 @@ struct RunFile {
 [[nodiscard]] std::vector<TimeStep> moments_of(const RunFile& run);
 
 /// Reads a run file ("-": standard input).
-/// @throws InputError  with all its faults at once
+/// @throws InputError  with all its faults at once, those of all points of its sweep
+[[nodiscard]] RunSweep read_run_sweep(
+    const std::string& path, const std::vector<Override>& overrides = {});
+/// The same of a file without [sweep]; one with it is a fault.
 [[nodiscard]] RunFile read_run_file(
     const std::string& path, const std::vector<Override>& overrides = {});
 
@@ -124,6 +170,15 @@ struct StoredRun {
     bool is_comparable = true;
 };
 
+/// The same of a result that may be that of a sweep.
+struct StoredSweep {
+    RunSweep runs;
+    std::string organs_sha256;
+    bool is_comparable = true;
+};
+[[nodiscard]] StoredSweep read_result_sweep(
+    const std::string& path, const std::vector<Override>& overrides = {});
+
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
 /// those at the places where they were.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
@@ -131,7 +186,7 @@ struct StoredRun {
     const std::string& path, const std::vector<Override>& overrides = {});
 
 // What a run writes, while it goes on: each writer is told of every time that is computed, of every
-// day, and of the end. A run without [time] is a series of one time.
+// day, of the next point of a sweep, and of the end. A run without [time] is a series of one time.
 
 /// Takes text in pieces.
 using TextSink = std::function<void(std::string_view)>;
@@ -144,11 +199,13 @@ class CsvWriter {
 
     /// @param moment  which of moments_of(run) the result is of
     void add_moment(std::size_t time_step, const Result& result);
+    /// What follows is of this run, of the same sweep. It must outlive the writer.
+    void next_run(const RunFile& run) { run_ = &run; }
 
   private:
     void write_head(const Result& result);
 
-    const RunFile& run_;
+    const RunFile* run_;
     TextSink sink_;
     std::vector<std::string_view> labels_;
     bool has_head_ = false;
@@ -161,9 +218,10 @@ class DaysWriter {
     DaysWriter(const RunFile& run, TextSink sink);
 
     void add_day(std::size_t day, const SeriesSum& sum);
+    void next_run(const RunFile& run) { run_ = &run; }
 
   private:
-    const RunFile& run_;
+    const RunFile* run_;
     TextSink sink_;
     std::vector<std::string_view> labels_;
 };
@@ -174,9 +232,10 @@ class GroupsWriter {
     GroupsWriter(const RunFile& run, TextSink sink);
 
     void add_moment(std::size_t time_step, const Result& result);
+    void next_run(const RunFile& run) { run_ = &run; }
 
   private:
-    const RunFile& run_;
+    const RunFile* run_;
     TextSink sink_;
     bool has_head_ = false;
 };
@@ -188,9 +247,10 @@ class GroupDaysWriter {
     GroupDaysWriter(const RunFile& run, TextSink sink);
 
     void add_day(std::size_t day, const SeriesSum& sum);
+    void next_run(const RunFile& run) { run_ = &run; }
 
   private:
-    const RunFile& run_;
+    const RunFile* run_;
     TextSink sink_;
 };
 
@@ -206,8 +266,11 @@ class JsonWriter {
     /// @param traced  the moment whose trace the result was scaled from, or itself
     void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
     void add_day(std::size_t day, const SeriesSum& sum);
-    /// Ends the file. @returns the SHA-256 of the organs' parts of all moments, by which two
-    /// results are compared
+    /// Ends a point of a sweep; what follows is of the next one.
+    /// @param summary  of the point that ends
+    void next_run(const RunFile& run, const SeriesSummary& summary);
+    /// Ends the file. @param summary  of the last point @returns the SHA-256 of the organs' parts
+    /// of all moments, by which two results are compared
     std::string finish(const SeriesSummary& summary = {});
 
   private:
@@ -218,18 +281,25 @@ class JsonWriter {
 /// What a person wants to know at once of a run: ten lines or so. The run must outlive it.
 class Summary {
   public:
-    explicit Summary(const RunFile& run) : run_(run) {}
+    explicit Summary(const RunFile& run) : run_(&run) {}
 
     void add_moment(const Result& result);
+    /// Ends a point of a sweep; what follows is of the next one.
+    void next_run(const RunFile& run, const SeriesSummary& summary);
+    /// @param summary  of the run, or of all points of a sweep
     /// @param written  the files that were written
     [[nodiscard]] std::string text(
         const SeriesSummary& summary, const std::vector<std::string>& written) const;
 
   private:
+    Summary(const RunFile& run, std::vector<std::string> points)
+        : run_(&run), point_lines_(std::move(points)) {}
     [[nodiscard]] std::string series_quality() const;
+    [[nodiscard]] std::string point_line() const;
 
-    const RunFile& run_;
-    std::string result_lines_;  // of a run without [time]
+    const RunFile* run_;
+    std::vector<std::string> point_lines_;  // of the points of a sweep that ended
+    std::string result_lines_;              // of a run without [time]
     // Of one with [time]:
     std::size_t moments_ = 0;
     double seconds_ = 0;

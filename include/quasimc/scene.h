@@ -227,6 +227,16 @@ class SceneBuilder {
     /// called once; takes time and memory in proportion to the triangles.
     [[nodiscard]] Scene build() &&;
 
+    /// Whether build_on(scene) gives what build() would with the organs, ground, cell and axes of
+    /// `scene`: it has the same bands, and materials of the same names in the same order, of which
+    /// the same ones let all light pass (what coincides is cut accordingly).
+    [[nodiscard]] bool can_build_on(const Scene& scene) const;
+    /// A scene with the organs, ground, cell and axes of another one, whose triangles it shares,
+    /// and with the materials and detectors that were added here. Organs that were added are left
+    /// out. After can_build_on(). May be called once; takes no time for the triangles.
+    /// @throws InputError  with every fault of materials and detectors
+    [[nodiscard]] Scene build_on(const Scene& scene) &&;
+
   private:
     std::vector<Band> bands_;
     Orientation orientation_;

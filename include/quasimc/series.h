@@ -121,4 +121,13 @@ void trace_share(
     const std::function<void(std::size_t time_step, const Sums& sums)>& on_sums,
     const RunControl& control = {});
 
+/// The same on what a simulator keeps from one series to the next.
+SeriesSummary run_series(
+    Simulator& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events = {},
+    const std::stop_token& stop = {});
+
 }  // namespace quasimc

@@ -29,6 +29,14 @@ class InputFiles {
     void note(
         const std::string& path, const std::filesystem::path& resolved, std::string_view bytes);
 
+    void note(const InputFile& file) { files_.push_back(file); }
+    /// What was noted first is the run file.
+    void mark_run_file() { files_.front().is_run_file = true; }
+    /// Reads by other means from now on. @param reader  given how it was read before
+    void read_through(const std::function<Reader(Reader)>& reader) {
+        reader_ = reader(std::move(reader_));
+    }
+
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] std::filesystem::path resolved(const std::string& path) const;
     /// In the order of reading, each once.

@@ -29,12 +29,18 @@ namespace {
 class SeriesRun {
   public:
     SeriesRun(
+        Simulator& simulator,
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
         const RunSpec& spec,
         const SeriesEvents& events,
         const std::stop_token& stop)
-        : scene_(scene), time_steps_(time_steps), spec_(spec), events_(events), stop_(stop) {
+        : simulator_(simulator),
+          scene_(scene),
+          time_steps_(time_steps),
+          spec_(spec),
+          events_(events),
+          stop_(stop) {
         groups_.groups = make_groups(scene, group_spec(spec));
         groups_.bands = scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
@@ -230,12 +236,12 @@ class SeriesRun {
 
     using Clock = std::chrono::steady_clock;
 
+    Simulator& simulator_;
     const Scene& scene_;
     const std::vector<TimeStep>& time_steps_;
     const RunSpec& spec_;
     const SeriesEvents& events_;
     std::stop_token stop_;
-    Simulator simulator_;
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
@@ -305,10 +311,21 @@ SeriesSummary run_series(
     const RunSpec& spec,
     const SeriesEvents& events,
     const std::stop_token& stop) {
+    Simulator simulator;
+    return run_series(simulator, scene, time_steps, spec, events, stop);
+}
+
+SeriesSummary run_series(
+    Simulator& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events,
+    const std::stop_token& stop) {
     EXPECT(std::is_sorted(time_steps.begin(), time_steps.end(), [](const auto& a, const auto& b) {
         return a.day < b.day;
     }));
-    return SeriesRun(scene, time_steps, spec, events, stop).run();
+    return SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
 }
 
 }  // namespace quasimc

@@ -22,6 +22,10 @@ bool passes_everything(const std::vector<SideOptics>& side) {
 
 }  // namespace
 
+bool passes_everything(const MaterialSpec& material) {
+    return passes_everything(material.upper) && passes_everything(material.lower);
+}
+
 double least_cosine(double field_of_view_deg) {
     return field_of_view_deg >= kHemisphere ? 0
                                             : std::cos(field_of_view_deg * std::numbers::pi / 180);
@@ -33,8 +37,7 @@ void check_fields_of_view(
     OrganFaults& faults) {
     std::unordered_map<std::string_view, bool> is_sensor;
     for (const auto& [material, place] : materials) {
-        is_sensor[material.name] =
-            passes_everything(material.upper) && passes_everything(material.lower);
+        is_sensor[material.name] = passes_everything(material);
     }
     for (std::size_t i = 0; i < draft.organs.size(); ++i) {
         const double angle = draft.stated[i].field_of_view_deg;

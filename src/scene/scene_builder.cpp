@@ -1,8 +1,10 @@
 #include "scene/scene_builder.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
+#include "base/checks.h"
 #include "base/lazy.h"
 #include "detectors/catalogue.h"
 #include "scene/assembly.h"
@@ -137,6 +139,36 @@ Scene SceneBuilder::build() && {
     scene.orientation_ = orientation_;
     scene.length_unit_ = std::move(length_unit_);
     return scene;
+}
+
+bool SceneBuilder::can_build_on(const Scene& scene) const {
+    const std::vector<Material>& known = scene.materials();
+    return bands_ == scene.bands() && materials_.size() == known.size() &&
+           std::equal(
+               materials_.begin(), materials_.end(), known.begin(),
+               [](const auto& stated, const Material& of_scene) {
+                   const MaterialSpec& material = stated.first;
+                   return material.name == of_scene.name() &&
+                          passes_everything(material) == of_scene.is_transparent();
+               });
+}
+
+Scene SceneBuilder::build_on(const Scene& scene) && {
+    EXPECT(can_build_on(scene));
+    Faults faults;
+    for (const auto& [material, place] : materials_) {
+        check_material(material, bands_.size(), place_of(material, place), faults);
+    }
+    detectors_ = check_detectors(std::move(detectors_), faults);
+    faults.throw_if_any();
+    Scene other = scene;
+    other.materials_.clear();
+    for (const auto& [material, place] : materials_) {
+        other.materials_.push_back(make_material(material, bands_.size()));
+    }
+    other.detectors_ = std::move(detectors_);
+    other.length_unit_ = std::move(length_unit_);
+    return other;
 }
 
 }  // namespace quasimc

@@ -48,6 +48,9 @@ void check_fields_of_view(
     std::span<const std::pair<MaterialSpec, std::string>> materials,
     OrganFaults& faults);
 
+/// Whether all light goes straight through a material, as through a sensor.
+[[nodiscard]] bool passes_everything(const MaterialSpec& material);
+
 /// Organ::least_cosine of a half angle.
 [[nodiscard]] double least_cosine(double field_of_view_deg);
 

@@ -26,6 +26,25 @@ std::string options_line(const RunSpec& spec) {
     return "# options: " + text + "\n";
 }
 
+/// Where the light comes from; of a sweep at every point, and what the point sets.
+std::string source_comments(const RunFile& run) {
+    std::string out;
+    if (!run.sweep) {
+        for (const std::string& note : run.source_notes) {
+            out += "# source: " + one_line(note) + "\n";
+        }
+        return out;
+    }
+    for (std::size_t i = 0; i < run.sweep->size(); ++i) {
+        const SweepPoint& point = (*run.sweep)[i];
+        out += fmt::format("# point {}: {}\n", i + 1, one_line(point_words(point)));
+        for (const std::string& note : point.source_notes) {
+            out += fmt::format("# point {}: source: {}\n", i + 1, one_line(note));
+        }
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string csv_field(std::string_view text) {
@@ -104,13 +123,45 @@ std::string csv_origin(const RunFile& run, std::string_view what) {
     out += fmt::format(
         "# axes: up {}, north ({}, {}, {}); length unit {}\n", axes.up() == UpAxis::z ? "z" : "y",
         axes.north().x, axes.north().y, axes.north().z, one_line(run.scene.length_unit()));
-    for (const std::string& note : run.source_notes) {
-        out += "# source: " + one_line(note) + "\n";
+    return out + source_comments(run);
+}
+
+std::vector<std::string> csv_point_names(const RunFile& run) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; run.sweep && i < run.sweep->front().values.size(); ++i) {
+        names.push_back(run.sweep->front().values[i].key);
+    }
+    return names;
+}
+
+std::string csv_point_columns(const RunFile& run) {
+    std::string out;
+    for (const std::string& name : csv_point_names(run)) {
+        out += "# column " + one_line(name) + ": value of the point of the sweep\n";
+    }
+    return out;
+}
+
+std::string csv_point_header(const RunFile& run) {
+    std::string out;
+    for (const std::string& name : csv_point_names(run)) {
+        out += csv_field(name) + ",";
+    }
+    return out;
+}
+
+std::string csv_point_fields(const RunFile& run) {
+    std::string out;
+    for (std::size_t i = 0; run.sweep && i < run.sweep->front().values.size(); ++i) {
+        out += csv_field((*run.sweep)[run.point].values[i].text) + ",";
     }
     return out;
 }
 
 std::string csv_result_comments(const RunFile& run, const Result& result) {
+    if (run.sweep) {
+        return "";
+    }
     std::string out = fmt::format(
         "# method: {}, {}\n", method_name(result.chosen.method), one_line(result.chosen.reason));
     out += fmt::format(

@@ -48,7 +48,15 @@ enum class LightAmount { rate, sum };
 [[nodiscard]] std::string csv_light_columns(
     const RunFile& run, const WrittenColumns& columns, LightAmount amount);
 
-/// How a run without [time] was computed, as comments.
+// Of a run of a sweep; all of them are empty without one.
+/// A column for each swept key, and its comment.
+[[nodiscard]] std::vector<std::string> csv_point_names(const RunFile& run);
+[[nodiscard]] std::string csv_point_columns(const RunFile& run);
+/// "paths,material.leaf.reflectance," and the values of the run's point: what rows begin with.
+[[nodiscard]] std::string csv_point_header(const RunFile& run);
+[[nodiscard]] std::string csv_point_fields(const RunFile& run);
+
+/// How a run without [time] was computed, as comments; nothing of a sweep, whose points differ.
 [[nodiscard]] std::string csv_result_comments(const RunFile& run, const Result& result);
 
 /// The comments on where the numbers come from, but for what was traced and the columns.

@@ -7,45 +7,6 @@ namespace {
 
 constexpr JsonLayout kHeadLayout = JsonLayout::pretty;
 
-void write_node(JsonStream& json, const Node& node);
-
-void write_table(JsonStream& json, const Node::Table& table) {
-    json.begin_object(kHeadLayout);
-    for (const Member& member : table) {
-        json.key(member.key);
-        write_node(json, member.node);
-    }
-    json.end_object();
-}
-
-void write_list(JsonStream& json, const Node::List& list) {
-    json.begin_list(kHeadLayout);
-    for (const Node& item : list) {
-        write_node(json, item);
-    }
-    json.end_list();
-}
-
-void write_node(JsonStream& json, const Node& node) {
-    if (const auto* table = node.as<Node::Table>()) {
-        write_table(json, *table);
-    } else if (const auto* list = node.as<Node::List>()) {
-        write_list(json, *list);
-    } else if (const auto* text = node.as<std::string>()) {
-        json.text(*text);
-    } else if (const auto* integer = node.as<std::int64_t>()) {
-        json.integer(*integer);
-    } else if (const auto* real = node.as<double>()) {
-        json.real(*real);
-    } else if (const auto* boolean = node.as<bool>()) {
-        json.boolean(*boolean);
-    } else if (const auto* other = node.as<Node::Other>(); other && !other->text.empty()) {
-        json.text(other->text);
-    } else {
-        json.null();
-    }
-}
-
 void write_inputs(JsonStream& json, const std::vector<InputFile>& inputs) {
     json.key("inputs");
     json.begin_list(kHeadLayout);
@@ -124,10 +85,39 @@ void json_head(JsonStream& json, const RunFile& run) {
     json.text("folder", run.folder);
     write_inputs(json, run.inputs);
     json.key("run");
-    write_node(json, *run.document);
+    json_value(json, *run.document, kHeadLayout);
     write_scene(json, run.scene);
     write_sources(json, run.source_notes);
     write_quantities(json, run);
+}
+
+void json_value(JsonStream& json, const Node& node, JsonLayout layout) {
+    if (const auto* table = node.as<Node::Table>()) {
+        json.begin_object(layout);
+        for (const Member& member : *table) {
+            json.key(member.key);
+            json_value(json, member.node, layout);
+        }
+        json.end_object();
+    } else if (const auto* list = node.as<Node::List>()) {
+        json.begin_list(layout);
+        for (const Node& item : *list) {
+            json_value(json, item, layout);
+        }
+        json.end_list();
+    } else if (const auto* text = node.as<std::string>()) {
+        json.text(*text);
+    } else if (const auto* integer = node.as<std::int64_t>()) {
+        json.integer(*integer);
+    } else if (const auto* real = node.as<double>()) {
+        json.real(*real);
+    } else if (const auto* boolean = node.as<bool>()) {
+        json.boolean(*boolean);
+    } else if (const auto* other = node.as<Node::Other>(); other && !other->text.empty()) {
+        json.text(other->text);
+    } else {
+        json.null();
+    }
 }
 
 void json_warnings(JsonStream& json, const RunFile& run) {

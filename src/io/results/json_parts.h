@@ -22,6 +22,8 @@ inline constexpr int kResultVersion = 2;
 /// What is known before anything is traced.
 void json_head(JsonStream& json, const RunFile& run);
 void json_warnings(JsonStream& json, const RunFile& run);
+/// A value of a run file.
+void json_value(JsonStream& json, const Node& node, JsonLayout layout);
 
 // json_parts.cpp: members on one result. Their objects stand in `layout`.
 void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);

@@ -185,7 +185,7 @@ void PartFiles::check_complete() const {
     faults.throw_if_any();
 }
 
-StoredRun PartFiles::read_run() const {
+StoredSweep PartFiles::read_runs() const {
     const std::string& path = parts_.front().path();
     return read_result_text(
         parts_.front().head(), path, std::filesystem::absolute(path).parent_path());

@@ -28,6 +28,7 @@ class PartWriter {
   public:
     /// Writes what the run is made from.
     PartWriter(const RunFile& run, const PartNumber& number, TextSink sink);
+    /// @param moment  counted through all points of a sweep, ascending
     void add(std::size_t moment, const Sums& sums);
     void finish();
 
@@ -71,7 +72,7 @@ class PartFiles {
     explicit PartFiles(const std::vector<std::string>& paths);
 
     /// The run that they are parts of.
-    [[nodiscard]] StoredRun read_run() const;
+    [[nodiscard]] StoredSweep read_runs() const;
     /// The sums of a moment, of all parts together. Moments in their order.
     /// @throws InputError
     [[nodiscard]] Sums next(std::size_t moment);

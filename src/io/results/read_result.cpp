@@ -65,7 +65,7 @@ Json parse_head(const std::string& text, const std::string& path) {
     const auto filter = [&](int depth, Json::parse_event_t event, const Json& value) {
         if (depth == 1 && event == Json::parse_event_t::key) {
             in_organs = value == "organs" || value == "groups" || value == "moments" ||
-                        value == "days" || value == "total";
+                        value == "days" || value == "total" || value == "points";
         }
         return !in_organs || depth < 2;
     };
@@ -130,9 +130,9 @@ fs::path input_folder(
 /// Reads inputs, and refuses those that are no longer what they were.
 InputFiles::Reader checking_reader(
     const std::vector<InputFile>& inputs,
-    const InputFiles& names,
+    const fs::path& folder,
     const InputFiles::Reader& reader) {
-    return [&inputs, &names, &reader](const fs::path& file) {
+    return [inputs, names = InputFiles(folder), reader](const fs::path& file) {
         std::string bytes = reader(file);
         for (const InputFile& input : inputs) {
             if (!input.is_run_file && names.resolved(input.path) == file &&
@@ -181,7 +181,7 @@ void rename_former_options(Node& document) {
 
 }  // namespace
 
-StoredRun read_result_text(
+StoredSweep read_result_text(
     const std::string& text,
     const std::string& name,
     const fs::path& beside,
@@ -200,22 +200,27 @@ StoredRun read_result_text(
 
     const std::vector<InputFile> inputs = stored_inputs(head);
     const fs::path folder = input_folder(head, inputs, beside);
-    const InputFiles names(folder);
-    InputFiles files(folder, checking_reader(inputs, names, reader));
-    StoredRun stored{
-        read_run_document(std::move(document), name, files, overrides),
-        text_of(head, "organs_sha256"), head.at("format_version") == kResultVersion};
+    InputFiles files(folder, checking_reader(inputs, folder, reader));
     const auto own = std::find_if(
         inputs.begin(), inputs.end(), [](const InputFile& input) { return input.is_run_file; });
     if (own != inputs.end()) {
-        stored.run.inputs.insert(stored.run.inputs.begin(), *own);
+        files.note(*own);
     }
-    return stored;
+    return {
+        read_sweep_document(
+            std::move(document), name, [files] { return files; }, overrides),
+        text_of(head, "organs_sha256"), head.at("format_version") == kResultVersion};
+}
+
+StoredSweep read_result_sweep(const std::string& path, const std::vector<Override>& overrides) {
+    const fs::path folder = path == "-" ? fs::current_path() : fs::absolute(path).parent_path();
+    return read_result_text(read_file(path), path, folder, read_file, overrides);
 }
 
 StoredRun read_result_file(const std::string& path, const std::vector<Override>& overrides) {
-    const fs::path folder = path == "-" ? fs::current_path() : fs::absolute(path).parent_path();
-    return read_result_text(read_file(path), path, folder, read_file, overrides);
+    StoredSweep stored = read_result_sweep(path, overrides);
+    return {
+        std::move(stored.runs).only_run(), std::move(stored.organs_sha256), stored.is_comparable};
 }
 
 }  // namespace quasimc

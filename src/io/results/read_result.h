@@ -8,10 +8,10 @@
 
 namespace quasimc {
 
-/// The same from text.
+/// read_result_sweep() from text.
 /// @param name    for messages
 /// @param folder  that of the result
-[[nodiscard]] StoredRun read_result_text(
+[[nodiscard]] StoredSweep read_result_text(
     const std::string& text,
     const std::string& name,
     const std::filesystem::path& folder,

@@ -247,24 +247,63 @@ std::string result_lines(const RunFile& run, const Result& result) {
     return text;
 }
 
+/// How the points of a sweep were computed.
+std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::size_t points) {
+    std::string text = fmt::format(
+        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+        one_line(run.title));
+    text += scene_line(run.scene);
+    text += line(
+        "sweep",
+        fmt::format(
+            "{} of {} points are done{}; {} traces by {}, {} rays", points, run.sweep->size(),
+            summary.cut_short > 0 ? fmt::format(", {} traces with fewer paths", summary.cut_short)
+                                  : "",
+            summary.traced, series_method(run.spec, summary), summary.rays));
+    if (run.spec.target_error > 0) {
+        text += line(
+            "target", fmt::format("reached by {} of {} traces", summary.at_target, summary.traced));
+    }
+    return text + line(
+                      "time", fmt::format(
+                                  "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU)",
+                                  summary.seconds, summary.build_seconds, summary.trace_seconds,
+                                  summary.trace_cpu_seconds));
+}
+
+/// The first and the last points, if there are many.
+std::string point_text(const std::vector<std::string>& points) {
+    constexpr std::size_t kMostLines = 20;
+    std::string text;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_shown =
+            points.size() <= kMostLines || i + 1 < kMostLines || i + 1 == points.size();
+        text += is_shown ? points[i] : "";
+        if (!is_shown && i + 2 == points.size()) {
+            text += line("", fmt::format("... {} more points", points.size() - kMostLines));
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 void Summary::add_moment(const Result& result) {
-    if (!run_.series) {
-        result_lines_ = result_lines(run_, result);
+    if (!run_->series && !run_->sweep) {
+        result_lines_ = result_lines(*run_, result);
         return;
     }
     const std::size_t moment = moments_++;
-    const double seconds = run_.series->time_steps[moment].seconds;
+    const double seconds = run_->series ? run_->series->time_steps[moment].seconds : 0;
     energy_.resize(result.budget.size());
     for (std::size_t b = 0; b < energy_.size(); ++b) {
-        const Band& band = run_.scene.bands()[b];
-        const double factor = summed_unit(flux_unit(band.unit, run_.scene.length_unit())).factor;
+        const Band& band = run_->scene.bands()[b];
+        const double factor = summed_unit(flux_unit(band.unit, run_->scene.length_unit())).factor;
         add_energy(result.budget[b], factor * seconds, energy_[b]);
     }
     seconds_ += seconds;
     escaped_is_remainder_ = escaped_is_remainder_ || result.escaped_is_remainder;
-    const ErrorStatistics errors = error_statistics(run_.scene, result);
+    const ErrorStatistics errors = error_statistics(run_->scene, result);
     if (errors.median > 0) {
         medians_.emplace_back(errors.median, moment);
         badly_known_ = std::max(badly_known_, errors.badly_known);
@@ -274,8 +313,8 @@ void Summary::add_moment(const Result& result) {
 std::string Summary::series_quality() const {
     std::string text;
     if (seconds_ > 0) {
-        text += energy_lines(run_.scene, energy_, escaped_is_remainder_, [&](const Band& band) {
-            return summed_unit(flux_unit(band.unit, run_.scene.length_unit())).name;
+        text += energy_lines(run_->scene, energy_, escaped_is_remainder_, [&](const Band& band) {
+            return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
         });
     }
     if (medians_.empty()) {
@@ -290,24 +329,50 @@ std::string Summary::series_quality() const {
         fmt::format(
             "relative standard error of the absorbed flux, median of the organs: {} at "
             "the middle time, {} at the worst ({})",
-            percent_words(middle), percent_words(worst), run_.series->notes[moment].time));
+            percent_words(middle), percent_words(worst), run_->series->notes[moment].time));
     if (badly_known_ > 0) {
         text += line(
             "errors",
             fmt::format(
                 "up to {} of {} organs are known to no better than {:.0f} % at a time; sums over "
                 "days are better known",
-                badly_known_, run_.scene.organs().size(), 100 * kBadlyKnown));
+                badly_known_, run_->scene.organs().size(), 100 * kBadlyKnown));
     }
     const std::string advice = advice_on_error(middle);
     return text + (advice.empty() ? "" : line("advice", advice));
 }
 
+/// What a point of a sweep sets, and how well its light is known.
+std::string Summary::point_line() const {
+    const std::string words = fmt::format(
+        "{} of {}: {}", run_->point + 1, run_->sweep->size(),
+        one_line(point_words((*run_->sweep)[run_->point])));
+    auto medians = medians_;
+    std::sort(medians.begin(), medians.end());
+    const std::string errors =
+        medians.empty() ? "none known" : percent_words(medians[medians.size() / 2].first);
+    return line("point", fmt::format("{}; median error {}", words, errors));
+}
+
+void Summary::next_run(const RunFile& run, const SeriesSummary& /*summary*/) {
+    if (run_->sweep && moments_ > 0) {
+        point_lines_.push_back(point_line());
+    }
+    *this = Summary(run, std::move(point_lines_));
+}
+
 std::string Summary::text(
     const SeriesSummary& summary, const std::vector<std::string>& written) const {
-    return subject_lines(run_) +
-           (run_.series ? series_lines(run_, summary) + series_quality() : result_lines_) +
-           written_line(written);
+    if (!run_->sweep) {
+        return subject_lines(*run_) +
+               (run_->series ? series_lines(*run_, summary) + series_quality() : result_lines_) +
+               written_line(written);
+    }
+    std::vector<std::string> points = point_lines_;
+    if (moments_ > 0) {
+        points.push_back(point_line());
+    }
+    return sweep_head(*run_, summary, points.size()) + point_text(points) + written_line(written);
 }
 
 std::string summary(

@@ -60,30 +60,35 @@ void append_results(
 }  // namespace
 
 CsvWriter::CsvWriter(const RunFile& run, TextSink sink)
-    : run_(run), sink_(std::move(sink)), labels_(label_keys(run.scene)) {}
+    : run_(&run), sink_(std::move(sink)), labels_(label_keys(run.scene)) {}
 
 void CsvWriter::write_head(const Result& result) {
-    const std::string columns = csv_organ_columns(run_) + light_columns(run_) + csv_error_columns();
-    if (run_.series) {
-        sink_(csv_origin(run_, "table of organs and times") + series_comments(run_));
+    const RunFile& run = *run_;
+    const std::string columns = csv_organ_columns(run) + light_columns(run) + csv_error_columns();
+    std::vector<std::string> first = csv_point_names(run);
+    if (run.series) {
+        first.emplace_back("time");
+        sink_(csv_origin(run, "table of organs and times") + series_comments(run));
+        sink_(csv_point_columns(run));
         sink_("# column time: where the time that the row is the mean of begins\n" + columns);
-        sink_(csv_header({"time"}, labels_, estimate_columns(run_)));
     } else {
-        sink_(csv_origin(run_, "table of organs") + csv_result_comments(run_, result) + columns);
-        sink_(csv_header({}, labels_, estimate_columns(run_)));
+        sink_(csv_origin(run, "table of organs") + csv_result_comments(run, result));
+        sink_(csv_point_columns(run) + columns);
     }
+    sink_(csv_header(first, labels_, estimate_columns(run)));
 }
 
 void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
     if (!std::exchange(has_head_, true)) {
         write_head(result);
     }
-    if (!is_written(run_, time_step, result)) {
+    if (!is_written(*run_, time_step, result)) {
         return;
     }
-    const WrittenColumns columns = written_columns(run_);
-    const std::string first = run_.series ? run_.series->notes[time_step].time + "," : "";
-    const std::vector<Organ>& organs = run_.scene.organs();
+    const WrittenColumns columns = written_columns(*run_);
+    const std::string first =
+        csv_point_fields(*run_) + (run_->series ? run_->series->notes[time_step].time + "," : "");
+    const std::vector<Organ>& organs = run_->scene.organs();
     std::string out;
     for (std::size_t i = 0; i < organs.size(); ++i) {
         out += first;

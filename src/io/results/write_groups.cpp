@@ -122,46 +122,52 @@ void append_group_results(
 
 }  // namespace
 
-GroupsWriter::GroupsWriter(const RunFile& run, TextSink sink) : run_(run), sink_(std::move(sink)) {}
+GroupsWriter::GroupsWriter(const RunFile& run, TextSink sink)
+    : run_(&run), sink_(std::move(sink)) {}
 
 void GroupsWriter::add_moment(std::size_t time_step, const Result& result) {
-    const WrittenColumns written = written_columns(run_);
+    const RunFile& run = *run_;
+    const WrittenColumns written = written_columns(run);
     if (!std::exchange(has_head_, true)) {
         sink_(
-            run_.series ? csv_origin(run_, "table of groups and times") + series_comments(run_) +
-                              "# column time: where the time that the row is the mean of begins\n"
-                        : csv_origin(run_, "table of groups") + csv_result_comments(run_, result));
+            run.series ? csv_origin(run, "table of groups and times") + series_comments(run) +
+                             "# column time: where the time that the row is the mean of begins\n"
+                       : csv_origin(run, "table of groups") + csv_result_comments(run, result));
         sink_(
-            group_comments(run_) + group_light_comments(run_, written) + csv_error_columns() +
-            (run_.series ? "time," : "") + estimate_header(group_columns(run_, written)));
+            csv_point_columns(run) + group_comments(run) + group_light_comments(run, written) +
+            csv_error_columns() + csv_point_header(run) + (run.series ? "time," : "") +
+            estimate_header(group_columns(run, written)));
     }
-    if (!is_written(run_, time_step, result)) {
+    if (!is_written(run, time_step, result)) {
         return;
     }
     for (std::size_t g = 0; g < result.groups.groups.size(); ++g) {
-        std::string row = run_.series ? run_.series->notes[time_step].time + "," : "";
+        std::string row = csv_point_fields(run);
+        row += run.series ? run.series->notes[time_step].time + "," : "";
         append_group_results(row, written, result, g);
         sink_(row);
     }
 }
 
 GroupDaysWriter::GroupDaysWriter(const RunFile& run, TextSink sink)
-    : run_(run), sink_(std::move(sink)) {
+    : run_(&run), sink_(std::move(sink)) {
     const WrittenColumns written = written_columns(run);
     sink_(csv_origin(run, "table of groups and days") + series_comments(run));
     sink_(
+        csv_point_columns(run) +
         "# column date: of the day that the row is the sum over, or first and last day\n"
         "# column seconds: of the times that were summed; of a whole day 86400\n");
     sink_(group_comments(run) + csv_light_columns(run, written, LightAmount::sum));
-    sink_(csv_error_columns() + "date,seconds,");
+    sink_(csv_error_columns() + csv_point_header(run) + "date,seconds,");
     sink_(estimate_header(light_columns_of(run, written)));
 }
 
 void GroupDaysWriter::add_day(std::size_t day, const SeriesSum& raw) {
-    const SeriesSum sum = in_summed_units(run_, raw);
-    const WrittenColumns written = written_columns(run_);
+    const SeriesSum sum = in_summed_units(*run_, raw);
+    const WrittenColumns written = written_columns(*run_);
     for (std::size_t g = 0; g < sum.groups.groups.size(); ++g) {
-        std::string row = fmt::format("{},{},", run_.series->days[day], shortest(sum.seconds));
+        std::string row = fmt::format(
+            "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds));
         append_group(row, sum.groups.groups[g]);
         append_light(row, written, sum.groups, g);
         sink_(row + "\n");

@@ -30,7 +30,6 @@ void write_sum_units(JsonStream& json, const Scene& scene) {
 
 /// What precedes the moments of a run with [time].
 void write_series_head(JsonStream& json, const RunFile& run) {
-    json_warnings(json, run);
     json.key("time");
     json.begin_list(kSpaced);
     for (const std::string& words : run.series->words) {
@@ -103,41 +102,98 @@ class JsonWriter::State {
 
     void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
     void add_day(std::size_t day, const SeriesSum& sum);
+    void next_run(const RunFile& run, const SeriesSummary& summary);
     std::string finish(const SeriesSummary& summary);
 
   private:
+    void begin_point();
+    void end_point(const SeriesSummary& summary);
     void write_single_head(const Result& result);
     void write_moment_head(std::size_t time_step, const Result& result, std::size_t traced);
     void write_organs(const Result& result, bool is_shown);
     void write_series_end(const SeriesSummary& summary);
 
-    const RunFile& run_;
+    const RunFile* run_;
     bool writes_;
     JsonStream json_;
-    Spool days_text_;
+    std::unique_ptr<Spool> days_text_ = std::make_unique<Spool>();
     JsonStream days_;
     Sha256 digest_;
-    std::size_t time_steps_ = 0;
+    std::size_t time_steps_ = 0;  // of the point
+    std::size_t points_ = 0;      // of a sweep, that are done
+    bool is_point_open_ = false;
+    StopReason stop_ = StopReason::paths_done;
 };
 
 JsonWriter::State::State(const RunFile& run, TextSink sink)
-    : run_(run),
+    : run_(&run),
       writes_(static_cast<bool>(sink)),
       json_(std::move(sink)),
-      days_([this](std::string_view text) { days_text_.add(text); }) {
+      days_([this](std::string_view text) { days_text_->add(text); }) {
     if (writes_) {
         json_.begin_object(kRows);
         json_head(json_, run);
     }
-    if (writes_ && run.series) {
+    if (writes_ && run.sweep) {
+        json_warnings(json_, run);
+        json_.key("points");
+        json_.begin_list(kRows);
+    } else if (writes_ && run.series) {
+        json_warnings(json_, run);
         write_series_head(json_, run);
         days_.begin_list(kRows);
     }
 }
 
+/// A point of a sweep: what it sets, and its lights.
+void JsonWriter::State::begin_point() {
+    is_point_open_ = true;
+    const SweepPoint& point = (*run_->sweep)[run_->point];
+    json_.begin_object(kRows);
+    json_.key("point");
+    json_.begin_object(kSpaced);
+    for (const SweptValue& value : point.values) {
+        json_.key(value.key);
+        json_value(json_, *value.value, kSpaced);
+    }
+    json_.end_object();
+    json_.key("sources");
+    json_.begin_list(kSpaced);
+    for (const std::string& note : point.source_notes) {
+        json_.text(note);
+    }
+    json_.end_list();
+    if (run_->series) {
+        write_series_head(json_, *run_);
+        days_.begin_list(kRows);
+    }
+}
+
+void JsonWriter::State::end_point(const SeriesSummary& summary) {
+    stop_ = summary.stop;
+    if (!is_point_open_) {
+        return;
+    }
+    is_point_open_ = false;
+    ++points_;
+    if (run_->series) {
+        write_series_end(summary);
+        days_text_ = std::make_unique<Spool>();
+        time_steps_ = 0;
+    }
+    json_.end_object();
+}
+
+void JsonWriter::State::next_run(const RunFile& run, const SeriesSummary& summary) {
+    if (writes_) {
+        end_point(summary);
+    }
+    run_ = &run;
+}
+
 void JsonWriter::State::write_single_head(const Result& result) {
     constexpr JsonLayout kPretty = JsonLayout::pretty;
-    json_method(json_, run_, result, kPretty);
+    json_method(json_, *run_, result, kPretty);
     json_done(json_, result, kPretty);
     json_.key("seconds");
     json_.begin_object(kPretty);
@@ -147,39 +203,41 @@ void JsonWriter::State::write_single_head(const Result& result) {
         json_.real(key, seconds);
     }
     json_.end_object();
-    json_audit(json_, run_, result, kPretty);
-    json_energy(json_, run_, result, kPretty);
-    json_canopy(json_, run_, result, kPretty);
-    json_detectors(json_, run_, result, kPretty);
-    json_groups(json_, run_, result.groups);
+    json_audit(json_, *run_, result, kPretty);
+    json_energy(json_, *run_, result, kPretty);
+    json_canopy(json_, *run_, result, kPretty);
+    json_detectors(json_, *run_, result, kPretty);
+    json_groups(json_, *run_, result.groups);
     json_.boolean("escaped_is_remainder", result.escaped_is_remainder);
-    json_warnings(json_, run_);
+    if (!run_->sweep) {
+        json_warnings(json_, *run_);
+    }
 }
 
 void JsonWriter::State::write_moment_head(
     std::size_t time_step, const Result& result, std::size_t traced) {
     constexpr JsonLayout kCompact = JsonLayout::compact;
-    const MomentNotes& notes = run_.series->notes[time_step];
+    const MomentNotes& notes = run_->series->notes[time_step];
     json_.text("time", notes.time);
     json_.number("seconds", notes.seconds);
     notes.collapsed ? write_collapsed(json_, notes) : write_sun(json_, notes);
     write_daylight(json_, notes.daylight);
-    json_.text("traced", run_.series->notes[traced].time);
-    json_method(json_, run_, result, kCompact);
+    json_.text("traced", run_->series->notes[traced].time);
+    json_method(json_, *run_, result, kCompact);
     json_done(json_, result, kCompact);
-    json_audit(json_, run_, result, kCompact);
-    json_energy(json_, run_, result, kCompact);
-    json_canopy(json_, run_, result, kCompact);
-    json_detectors(json_, run_, result, kCompact);
-    json_groups(json_, run_, result.groups);
+    json_audit(json_, *run_, result, kCompact);
+    json_energy(json_, *run_, result, kCompact);
+    json_canopy(json_, *run_, result, kCompact);
+    json_detectors(json_, *run_, result, kCompact);
+    json_groups(json_, *run_, result.groups);
 }
 
 /// The digest is of everything, whatever of it is written.
 void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
-    const WrittenColumns columns = written_columns(run_);
-    const JsonNames all = json_names(run_, all_columns(run_));
-    const JsonNames shown = json_names(run_, columns);
-    const std::vector<Organ>& organs = run_.scene.organs();
+    const WrittenColumns columns = written_columns(*run_);
+    const JsonNames all = json_names(*run_, all_columns(*run_));
+    const JsonNames shown = json_names(*run_, columns);
+    const std::vector<Organ>& organs = run_->scene.organs();
     for (std::size_t i = 0; i < organs.size(); ++i) {
         const std::string line = json_organ(organs[i], result, i, all);
         digest_.add(line);
@@ -193,11 +251,14 @@ void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
 void JsonWriter::State::add_moment(
     std::size_t time_step, const Result& result, std::size_t traced) {
     ++time_steps_;
-    if (!writes_ || !is_written(run_, time_step, result)) {
+    if (!writes_ || !is_written(*run_, time_step, result)) {
         write_organs(result, false);
         return;
     }
-    if (run_.series) {
+    if (run_->sweep && !is_point_open_) {
+        begin_point();
+    }
+    if (run_->series) {
         json_.begin_object(kSpaced);
         write_moment_head(time_step, result, traced);
     } else {
@@ -207,7 +268,7 @@ void JsonWriter::State::add_moment(
     json_.begin_list(kRows);
     write_organs(result, true);
     json_.end_list();
-    if (run_.series) {
+    if (run_->series) {
         json_.end_object();
     }
 }
@@ -217,8 +278,8 @@ void JsonWriter::State::add_day(std::size_t day, const SeriesSum& sum) {
         return;
     }
     days_.begin_object(kSpaced);
-    days_.text("date", run_.series->days[day]);
-    write_sum(days_, run_, sum);
+    days_.text("date", run_->series->days[day]);
+    write_sum(days_, *run_, sum);
     days_.end_object();
 }
 
@@ -228,15 +289,15 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     days_.flush();
     json_.key("days");
     json_.raw("");
-    days_text_.copy_to([this](std::string_view text) { json_.raw_continued(text); });
+    days_text_->copy_to([this](std::string_view text) { json_.raw_continued(text); });
     json_.key("total");
     json_.begin_object(kSpaced);
-    write_sum(json_, run_, summary.total);
+    write_sum(json_, *run_, summary.total);
     json_.end_object();
     json_.key("done");
     json_.begin_object(kSpaced);
     json_.count("moments", time_steps_);
-    json_.count("moments_asked", run_.series->time_steps.size());
+    json_.count("moments_asked", run_->series->time_steps.size());
     json_.text("stop", stop_name(summary.stop));
     json_.count("cut_short", summary.cut_short);
     json_.count("traced", summary.traced);
@@ -250,7 +311,16 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
 std::string JsonWriter::State::finish(const SeriesSummary& summary) {
     std::string digest = digest_.hex();
     if (writes_) {
-        if (run_.series) {
+        if (run_->sweep) {
+            end_point(summary);
+            json_.end_list();
+            json_.key("done");
+            json_.begin_object(kSpaced);
+            json_.count("points", points_);
+            json_.count("points_asked", run_->sweep->size());
+            json_.text("stop", stop_name(stop_));
+            json_.end_object();
+        } else if (run_->series) {
             write_series_end(summary);
         }
         json_.text("organs_sha256", digest);
@@ -271,6 +341,10 @@ void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::si
 
 void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
     state_->add_day(day, sum);
+}
+
+void JsonWriter::next_run(const RunFile& run, const SeriesSummary& summary) {
+    state_->next_run(run, summary);
 }
 
 std::string JsonWriter::finish(const SeriesSummary& summary) {

@@ -98,6 +98,14 @@ bool is_written(const RunFile& run, std::size_t time_step, const Result& result)
     return (run.output.night || !is_dark) && is_asked_for;
 }
 
+std::string point_words(const SweepPoint& point) {
+    std::string text;
+    for (const SweptValue& value : point.values) {
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", value.key, value.text);
+    }
+    return text;
+}
+
 void check_written(const OutputSpec& output, const std::vector<Band>& bands, Faults& faults) {
     std::vector<std::string_view> quantities;
     for (const QuantityEntry& entry : quantity_table()) {

@@ -12,6 +12,7 @@
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
 #include "quasimc/source.h"
+#include "scene/lint.h"
 
 namespace quasimc {
 namespace {
@@ -43,9 +44,9 @@ void read_format_version(TableReader& top) {
     }
 }
 
-std::optional<Scene> build(SceneBuilder builder, Reporter& reporter) {
+std::optional<Scene> build(SceneBuilder builder, const Scene* base, Reporter& reporter) {
     try {
-        return std::move(builder).build();
+        return base != nullptr ? std::move(builder).build_on(*base) : std::move(builder).build();
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
             // What has no line of a file is of the run file.
@@ -82,7 +83,15 @@ struct Sections {
     std::optional<TimeSeries> series;
     RunOptions options;
     OutputSpec output;
+    bool is_on_base = false;  ///< whether its geometry is that of the base
 };
+
+void read_geometry_sections(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+}
 
 /// What all sections ask for.
 RunFileContext read_context(TableReader& top, InputFiles& files) {
@@ -106,7 +115,10 @@ SceneBuilder begin_scene(const RunFileContext& context) {
 }
 
 Sections read_sections(
-    TableReader& top, InputFiles& files, const std::vector<Override>& overrides) {
+    TableReader& top,
+    InputFiles& files,
+    const std::vector<Override>& overrides,
+    const Scene* base) {
     Sections sections;
     sections.title = top.text("title").value_or("");
     RunFileContext context = read_context(top, files);
@@ -116,10 +128,12 @@ Sections read_sections(
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
     sections.series = read_time(top, context, sections.sources);
-    read_organs(top, context, builder);
-    read_geometry(top, context, builder);
-    read_ground(top, context, builder);
-    read_cell(top, context, builder);
+    base = base != nullptr && builder.can_build_on(*base) ? base : nullptr;
+    if (base != nullptr) {
+        pass_over(top, {"organ", "geometry", "ground", "cell"});
+    } else {
+        read_geometry_sections(top, context, builder);
+    }
     read_detectors(top, builder);
     sections.output = read_output(top, files, context.bands);  // when all is known that is read
     refuse_options_at_the_top(top);
@@ -127,7 +141,8 @@ Sections read_sections(
     if (!top.reporter().faults.empty()) {
         add_stand_in(builder, context);
     }
-    sections.scene = build(std::move(builder), top.reporter());
+    sections.is_on_base = base != nullptr;
+    sections.scene = build(std::move(builder), base, top.reporter());
     return sections;
 }
 
@@ -195,10 +210,13 @@ void throw_in_order(const Reporter& reporter) {
         return;
     }
     std::vector<Fault> faults = reporter.faults.all();
-    std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
-        return line_of(a.place, reporter.file) < line_of(b.place, reporter.file);
-    });
+    sort_by_line(faults, reporter.file);
     throw InputError(std::move(faults));
+}
+
+/// What silently spoils results. What is of the geometry alone was told of the base.
+std::vector<Warning> lint_of(const Sections& sections) {
+    return sections.is_on_base ? lint_materials({*sections.scene, {}, {}}) : lint(*sections.scene);
 }
 
 /// Where a run file is. Paths in what comes through a pipe count from the current folder.
@@ -220,21 +238,28 @@ std::vector<TimeStep> moments_of(const RunFile& run) {
     return {std::move(only)};
 }
 
+void sort_by_line(std::vector<Fault>& faults, const std::string& file) {
+    std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
+        return line_of(a.place, file) < line_of(b.place, file);
+    });
+}
+
 RunFile read_run_document(
     Node document,
     const std::string& name,
     InputFiles& files,
-    const std::vector<Override>& overrides) {
+    const std::vector<Override>& overrides,
+    const Scene* base) {
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
-    Sections sections = read_sections(top, files, overrides);
+    Sections sections = read_sections(top, files, overrides, base);
     if (reporter.faults.empty()) {
         Faults faults;
         check_with_sources(sections, *sections.scene, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
-    for (Warning& warning : lint(*sections.scene)) {
+    for (Warning& warning : lint_of(sections)) {
         reporter.warnings.push_back(std::move(warning));
     }
     return {
@@ -259,7 +284,7 @@ SceneOfRun read_scene_document(
     const std::function<void(SceneBuilder&)>& add_organs) {
     Reporter reporter{name, {}, {}};
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
-    std::optional<Scene> scene = build(std::move(builder), reporter);
+    std::optional<Scene> scene = build(std::move(builder), nullptr, reporter);
     throw_in_order(reporter);
     for (Warning& warning : lint(*scene)) {
         reporter.warnings.push_back(std::move(warning));
@@ -310,14 +335,19 @@ RunFile read_run_text(
     return read_run_document(read_toml(text, name), name, files, overrides);
 }
 
-RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {
+RunSweep read_run_sweep(const std::string& path, const std::vector<Override>& overrides) {
     const std::string text = read_file(path);
     const std::filesystem::path absolute = absolute_path(path);
-    InputFiles files(absolute.parent_path());
-    files.note(path, absolute, text);
-    RunFile run = read_run_text(text, path == "-" ? "standard input" : path, files, overrides);
-    run.inputs.front().is_run_file = true;
-    return run;
+    const std::string name = path == "-" ? "standard input" : path;
+    InputFiles noted(absolute.parent_path());
+    noted.note(path, absolute, text);
+    noted.mark_run_file();
+    return read_sweep_document(
+        read_toml(text, name), name, [noted] { return noted; }, overrides);
+}
+
+RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {
+    return read_run_sweep(path, overrides).only_run();
 }
 
 }  // namespace quasimc

@@ -1,0 +1,82 @@
+#include "part_run.h"
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "io/output_files.h"
+#include "io/results/part_file.h"
+#include "option_flags.h"
+
+namespace {
+
+/// "canopy.3of16.part" in the current folder for canopy.toml.
+std::string usual_name(const std::string& run_file, const quasimc::PartNumber& number) {
+    const std::string stem = run_file.empty() || run_file == "-"
+                                 ? "run"
+                                 : std::filesystem::path(run_file).stem().string();
+    return fmt::format("{}.{}of{}.part", stem, number.part, number.parts);
+}
+
+/// Traces a part of every point of a sweep.
+void trace_points(
+    const RunArguments& arguments,
+    const quasimc::PartNumber& number,
+    quasimc::RunFile first,
+    quasimc::RunSweep& sweep,
+    quasimc::PartWriter& writer) {
+    const InterruptWatch interrupt(stopping_note(arguments));
+    const auto tell = progress_line(progress_lines(arguments));
+    std::size_t before = 0;  // moments of the points before
+    for (std::size_t point = 0; point < sweep.size(); ++point) {
+        const quasimc::RunFile run = point == 0 ? std::move(first) : sweep.take(point);
+        const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(run);
+        try {
+            quasimc::trace_share(
+                run.scene, moments, run.spec, quasimc::share_of(number.part, number.parts),
+                [&](std::size_t moment, const quasimc::Sums& sums) {
+                    end_progress_line();
+                    writer.add(before + moment, sums);
+                },
+                {.on_progress = tell, .stop = interrupt.token()});
+        } catch (const quasimc::InputError& error) {
+            rethrow_of_file(error, run);
+        }
+        before += moments.size();
+    }
+}
+
+}  // namespace
+
+Exit run_part(const RunArguments& arguments) {
+    const quasimc::PartNumber number = quasimc::read_part_number(arguments.part, "--part");
+    quasimc::StoredSweep stored = read_runs(arguments);
+    if (!arguments.quiet) {
+        print_warnings(stored.runs.warnings());
+    }
+    quasimc::RunFile first = stored.runs.take(0);
+    const std::string name =
+        arguments.sums.empty() ? usual_name(arguments.file, number) : arguments.sums;
+    quasimc::OutputFiles output({{name, "--sums"}}, inputs_of(arguments, first));
+    quasimc::PartWriter writer(first, number, output.sink(0));
+    try {
+        trace_points(arguments, number, std::move(first), stored.runs, writer);
+    } catch (const quasimc::InputError&) {
+        output.throw_if_given_up();
+        throw;
+    }
+    end_progress_line();
+    writer.finish();
+    output.commit();
+    output.throw_if_given_up();
+    if (!arguments.quiet) {
+        const std::string text = fmt::format(
+            "part {} of {}: {}; put all together with: quasimc merge PART...\n", number.part,
+            number.parts, name);
+        std::fputs(text.c_str(), output.uses_standard_output() ? stderr : stdout);
+    }
+    return Exit::done;
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "command_line.h"
+#include "interrupt.h"
+#include "progress.h"
+#include "quasimc/quasimc.h"
+#include "run_writers.h"
+
+// What `quasimc run` shares with `quasimc run --part`.
+
+/// @throws quasimc::InputError
+[[nodiscard]] quasimc::StoredSweep read_runs(const RunArguments& arguments);
+[[nodiscard]] ProgressLines progress_lines(const RunArguments& arguments);
+/// What says, at the first Ctrl-C, that there may be a second.
+[[nodiscard]] std::function<void()> stopping_note(const RunArguments& arguments);
+/// Faults that show only when a run begins are of the run file.
+[[noreturn]] void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file);
+
+/// Computes a part of the run, or of all runs of a sweep, and writes its sums.
+[[nodiscard]] Exit run_part(const RunArguments& arguments);

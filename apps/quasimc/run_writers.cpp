@@ -1,0 +1,150 @@
+#include "run_writers.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "progress.h"
+
+std::vector<quasimc::InputFile> inputs_of(
+    const RunArguments& arguments, const quasimc::RunFile& run) {
+    std::vector<quasimc::InputFile> inputs = run.inputs;
+    const auto add = [&](const std::string& path) { inputs.push_back({path, path, "", 0, false}); };
+    if (!arguments.from.empty()) {
+        add(arguments.from);
+    }
+    std::for_each(arguments.parts.begin(), arguments.parts.end(), add);
+    return inputs;
+}
+
+/// Paths on the command line count from the current folder, and go before those of the run file.
+RunWriters::Asked RunWriters::asked_outputs(
+    const RunArguments& arguments, const quasimc::RunFile& run) {
+    Asked asked;
+    const auto ask = [&](Output output, std::string_view key, const std::string& flag,
+                         const std::optional<std::string>& stated) {
+        if (!flag.empty()) {
+            asked.numbers[output] = asked.paths.size();
+            std::string name = fmt::format("--{}", key);
+            std::replace(name.begin(), name.end(), '_', '-');
+            asked.paths.push_back({flag, std::move(name)});
+        } else if (stated) {
+            asked.numbers[output] = asked.paths.size();
+            asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});
+        }
+    };
+    ask(kCsv, "csv", arguments.csv, run.output.csv);
+    ask(kDays, "days", arguments.days, run.output.days);
+    ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
+    ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
+    ask(kJson, "json", arguments.json, run.output.json);
+    return asked;
+}
+
+RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& first)
+    : run_(&first),
+      asked_(asked_outputs(arguments, first)),
+      outputs_(asked_.paths, inputs_of(arguments, first)),
+      summary_(first) {
+    if (wants(kCsv)) {
+        csv_.emplace(first, sink_of(kCsv));
+    }
+    if (wants(kDays)) {
+        days_.emplace(first, sink_of(kDays));
+    }
+    if (wants(kGroups)) {
+        groups_.emplace(first, sink_of(kGroups));
+    }
+    if (wants(kGroupDays)) {
+        group_days_.emplace(first, sink_of(kGroupDays));
+    }
+    if (wants(kJson)) {
+        json_.emplace(first, sink_of(kJson));
+    } else if (!arguments.from.empty()) {
+        json_.emplace(first);  // for the digest
+    }
+}
+
+quasimc::SeriesEvents RunWriters::events(
+    std::function<void(const quasimc::Progress&)> on_progress) {
+    quasimc::SeriesEvents events;
+    events.on_progress = std::move(on_progress);
+    events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
+        add_moment(time_step, result, traced);
+    };
+    events.wants_total = run_->series && wants(kJson);
+    if (days_ || group_days_ || events.wants_total) {
+        events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
+    }
+    return events;
+}
+
+void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary) {
+    run_ = &run;
+    summary_.next_run(run, summary);
+    const auto tell = [&](auto& writer) {
+        if (writer) {
+            writer->next_run(run);
+        }
+    };
+    tell(csv_);
+    tell(days_);
+    tell(groups_);
+    tell(group_days_);
+    write_json([&](auto& json) { json.next_run(run, summary); });
+}
+
+std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
+    std::string digest;
+    write_json([&](quasimc::JsonWriter& json) { digest = json.finish(summary); });
+    outputs_.commit();
+    return digest;
+}
+
+void RunWriters::print_summary(
+    const quasimc::SeriesSummary& all, const std::string& comparison) const {
+    const std::string text = summary_.text(all, outputs_.written()) + comparison;
+    std::fputs(text.c_str(), outputs_.uses_standard_output() ? stderr : stdout);
+}
+
+template <typename Action>
+void RunWriters::write_json(Action action) {
+    if (!json_) {
+        return;
+    }
+    try {
+        action(*json_);
+    } catch (const quasimc::InputError& error) {
+        if (!wants(kJson)) {
+            throw;
+        }
+        json_.reset();
+        outputs_.give_up(*asked_.numbers[kJson], error);
+    }
+}
+
+void RunWriters::add_moment(
+    std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
+    end_progress_line();
+    summary_.add_moment(result);
+    if (csv_) {
+        csv_->add_moment(time_step, result);
+    }
+    if (groups_) {
+        groups_->add_moment(time_step, result);
+    }
+    write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
+}
+
+void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
+    if (days_) {
+        days_->add_day(day, sum);
+    }
+    if (group_days_) {
+        group_days_->add_day(day, sum);
+    }
+    write_json([&](auto& json) { json.add_day(day, sum); });
+}

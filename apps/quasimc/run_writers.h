@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/output_files.h"
+#include "option_flags.h"
+#include "output_choice.h"
+#include "quasimc/quasimc.h"
+
+/// What the command line of `quasimc run` says.
+struct RunArguments {
+    std::string file, from, csv, json, days, groups_csv, groups_days;
+    OutputChoice choice;
+    bool quiet = false, progress = false;
+    OptionFlags flags;
+    std::string part, sums;          ///< of `run` alone
+    std::vector<std::string> parts;  ///< of `merge` alone: files
+};
+
+/// What was read: beside the files of the run, the result that is repeated, and parts.
+[[nodiscard]] std::vector<quasimc::InputFile> inputs_of(
+    const RunArguments& arguments, const quasimc::RunFile& run);
+
+/// The files that a run may write, in the order in which they get their names: the result that has
+/// everything is the last.
+using Output = std::size_t;
+constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kJson = 4, kOutputs = 5;
+
+/// What the runs of a sweep write while they are computed, one after the other.
+class RunWriters {
+  public:
+    /// Opens the files, so that a wrong path is told before anything is computed.
+    /// @param first  must outlive the writers, or the call of next_run()
+    RunWriters(const RunArguments& arguments, const quasimc::RunFile& first);
+
+    /// What the run is to tell.
+    /// @param on_progress  of this run; may be empty
+    [[nodiscard]] quasimc::SeriesEvents events(
+        std::function<void(const quasimc::Progress&)> on_progress);
+    /// What follows is of the next point. @param summary  of the point that ends
+    void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary);
+    /// Gives the files their names.
+    /// @param summary  of the last point
+    /// @returns the digest of the organs, if it was asked for
+    std::string finish(const quasimc::SeriesSummary& summary);
+
+    /// @param all  of all points
+    /// @param comparison  with the result that was repeated; ends the text
+    void print_summary(const quasimc::SeriesSummary& all, const std::string& comparison) const;
+
+    /// @throws InputError  if some of the files could not be written
+    void throw_if_given_up() const { outputs_.throw_if_given_up(); }
+
+  private:
+    /// Which files a run writes, and where.
+    struct Asked {
+        std::array<std::optional<std::size_t>, kOutputs> numbers;  // among the paths
+        std::vector<quasimc::OutputPath> paths;
+    };
+    [[nodiscard]] static Asked asked_outputs(
+        const RunArguments& arguments, const quasimc::RunFile& run);
+    [[nodiscard]] bool wants(Output output) const { return asked_.numbers[output].has_value(); }
+    [[nodiscard]] quasimc::TextSink sink_of(Output output) {
+        return outputs_.sink(*asked_.numbers[output]);
+    }
+    /// No room for what the writer keeps until the end costs no more than its own file.
+    template <typename Action>
+    void write_json(Action action);
+    void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced);
+    void add_day(std::size_t day, const quasimc::SeriesSum& sum);
+
+    const quasimc::RunFile* run_;
+    Asked asked_;
+    quasimc::OutputFiles outputs_;
+    quasimc::Summary summary_;
+    std::optional<quasimc::CsvWriter> csv_;
+    std::optional<quasimc::DaysWriter> days_;
+    std::optional<quasimc::GroupsWriter> groups_;
+    std::optional<quasimc::GroupDaysWriter> group_days_;
+    std::optional<quasimc::JsonWriter> json_;
+};

@@ -1,0 +1,93 @@
+// Sweeps from the command line: one table, one result, whatever happens on the way.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+class SweepCommand : public ProgramTest {
+  protected:
+    void write_sweep(const std::string& keys) const {
+        folder_.write("sweep.toml", good_run_file() + "[sweep]\n" + keys);
+    }
+    [[nodiscard]] static std::size_t count(const std::string& text, const std::string& part) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos;
+             at = text.find(part, at + 1)) {
+            ++found;
+        }
+        return found;
+    }
+};
+
+TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
+    write_sweep("paths = [64, 128]\nseed = [1, 2]\n");
+    const Outcome outcome = run({"run", "sweep.toml", "--groups-csv", "groups.csv"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string csv = folder_.read("out.csv");
+    EXPECT_EQ(count(csv, "\npaths,seed,id,name,"), 1U) << csv;
+    for (const char* point :
+         {"\n64,1,1,third,", "\n64,2,1,third,", "\n128,1,1,third,", "\n128,2,1,third,"}) {
+        EXPECT_EQ(count(csv, point), 1U) << point;
+    }
+    EXPECT_EQ(count(folder_.read("groups.csv"), ",all,,"), 4U);
+    EXPECT_EQ(count(folder_.read("out.json"), "\n\"point\": {\"paths\": 128, \"seed\": 2},"), 1U);
+    EXPECT_NE(outcome.out.find("4 of 4 points are done"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SweepCommand, IsRepeatedFromItsResult) {
+    write_sweep("paths = [64, 128]\n");
+    ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
+    const Outcome again = run({"run", "--from", "out.json"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos) << again.out;
+}
+
+TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
+    write_sweep(
+        "source.lamp.irradiance_facing = [[1], [2]]\n"
+        "[[source]]\nname = \"lamp\"\ntype = \"directional\"\ndirection = [0, 0, -1]\n"
+        "irradiance_facing = 1\n"
+        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+        "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 1\nhours = [11, 13]\n");
+    std::string file = folder_.read("sweep.toml");
+    const Outcome outcome = run({"run", "sweep.toml", "--days", "days.csv", "--paths", "64"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(count(folder_.read("out.csv"), "source.lamp.irradiance_facing,time,id"), 1U);
+    EXPECT_EQ(count(folder_.read("out.csv"), "\n[1],2024-06-21T11:00+01:00,1,"), 1U);
+    EXPECT_EQ(count(folder_.read("out.csv"), "\n[2],2024-06-21T12:00+01:00,1,"), 1U);
+    EXPECT_EQ(count(folder_.read("days.csv"), "\n[2],2024-06-21,7200,1,"), 1U);
+    EXPECT_EQ(count(folder_.read("out.json"), "\"moments\": ["), 2U);
+    EXPECT_EQ(run({"run", "--from", "out.json"}).status, 0);
+}
+
+TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
+    write_sweep("seed = [1, 2, 3]\n");
+    const Outcome outcome =
+        run({"run", "sweep.toml", "--paths", "1073741824", "--max-seconds", "1.5"});
+    EXPECT_EQ(outcome.status, 4) << outcome.err;
+    const std::string csv = folder_.read("out.csv");
+    EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;
+    EXPECT_EQ(count(csv, "\n3,1,third,"), 1U) << "each point has its share";
+    EXPECT_EQ(count(folder_.read("out.json"), "\"points_asked\": 3"), 1U);
+}
+
+TEST_F(SweepCommand, IsCheckedWholeAndNotExported) {
+    write_sweep("seed = [1, 2]\npaths = [63, 65]\nsampler = [\"sobol\"]\n");
+    const Outcome bad = run({"check", "sweep.toml"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_NE(bad.err.find("63"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("65"), std::string::npos) << bad.err;
+    write_sweep("seed = [1, 2]\n");
+    EXPECT_NE(run({"check", "sweep.toml"}).out.find("a sweep of 2 points"), std::string::npos);
+    const Outcome exported = run({"export", "sweep.toml", "scene.obj"});
+    EXPECT_EQ(exported.status, 1);
+    EXPECT_NE(exported.err.find("it has a [sweep] of 2 points"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quasimc::test

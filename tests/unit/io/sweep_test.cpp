@@ -1,0 +1,216 @@
+// [sweep]: which runs a file asks for, what is wrong with it, and what its points share.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "io/runfile/run_file.h"
+#include "io_testing.h"
+#include "quasimc/error.h"
+#include "quasimc/run.h"
+#include "scene/scene.h"
+
+namespace quasimc::test {
+namespace {
+
+/// Counts how often each file is read.
+struct CountedFiles {
+    FakeFiles files;
+    std::map<std::string, int> reads;
+};
+
+RunSweep sweep_of(const std::string& text, CountedFiles& counted) {
+    const InputFiles files("/run", [&counted](const std::filesystem::path& path) {
+        const std::string name = path.filename().string();
+        ++counted.reads[name];
+        return counted.files.at(name);
+    });
+    return read_sweep_document(read_toml(text, "run.toml"), "run.toml", [files] { return files; });
+}
+
+RunSweep sweep_of(const std::string& text) {
+    CountedFiles none;
+    return sweep_of(text, none);
+}
+
+/// A run file with a named sun and this below [sweep].
+std::string swept(const std::string& keys) {
+    RunText text;
+    text.sources =
+        "[[source]]\ntype = 'directional'\nname = 'sun'\nazimuth_deg = 180\nelevation_deg = 40\n"
+        "irradiance_facing = 1\n";
+    text.rest = "[sweep]\n" + keys;
+    return text.text();
+}
+
+std::vector<std::string> sweep_faults(const std::string& keys) {
+    std::vector<std::string> texts;
+    try {
+        static_cast<void>(sweep_of(swept(keys)));
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults()) {
+            texts.push_back(fault.text());
+        }
+    }
+    return texts;
+}
+
+/// The values of all points, as texts: "10|0.1".
+std::vector<std::string> points_of(RunSweep sweep) {
+    std::vector<std::string> points;
+    for (std::size_t i = 0; i < sweep.size(); ++i) {
+        const RunFile run = sweep.take(i);
+        std::string text;
+        for (const SweptValue& value : (*run.sweep)[run.point].values) {
+            text += (text.empty() ? "" : "|") + value.text;
+        }
+        points.push_back(text);
+    }
+    return points;
+}
+
+TEST(Sweep, CombinesEveryValueWithEveryOther) {
+    EXPECT_EQ(
+        points_of(sweep_of(swept("source.sun.elevation_deg = [10, 30]\n"
+                                 "'material.leaf.reflectance' = [0, 0.1, [0.2]]\n"))),
+        (std::vector<std::string>{"10|0", "10|0.1", "10|[0.2]", "30|0", "30|0.1", "30|[0.2]"}));
+}
+
+TEST(Sweep, TakesValuesTogetherOnRequest) {
+    EXPECT_EQ(
+        points_of(sweep_of(swept("together = true\nsource.sun.elevation_deg = [10, 30]\n"
+                                 "run.sampler = ['sobol', 'halton']\n"))),
+        (std::vector<std::string>{"10|sobol", "30|halton"}));
+}
+
+TEST(Sweep, SetsWhatItsKeysName) {
+    RunSweep sweep =
+        sweep_of(swept("together = true\npaths = [64, 128]\n"
+                       "'source.1.irradiance_facing' = [2, 3]\n"
+                       "material.leaf.transmittance = [0.1, 0.2]\n"));
+    ASSERT_EQ(sweep.size(), 2U);
+    const RunFile second = sweep.take(1);
+    EXPECT_EQ(second.spec.paths, 128U);
+    EXPECT_EQ(second.sources.front()->spectrum()[0], 3);
+    EXPECT_NEAR(second.scene.materials().front().side(SurfaceSide::upper).albedo()[0], .2, 1e-15);
+    EXPECT_EQ(sweep.take(0).spec.paths, 64U);
+}
+
+TEST(Sweep, OfNoneIsOfOnePoint) {
+    RunSweep sweep = sweep_of(RunText().text());
+    EXPECT_EQ(sweep.size(), 1U);
+    EXPECT_EQ(sweep.take(0).sweep, nullptr);
+}
+
+/// A point is, bit for bit, the run of a file with its values.
+TEST(Sweep, PointIsTheRunOfItsValues) {
+    RunSweep sweep = sweep_of(swept("source.sun.elevation_deg = [10, 30]\n"));
+    std::string alone = swept("");
+    alone.resize(alone.find("[sweep]"));
+    alone.replace(alone.find("= 40"), 4, "= 30");
+    const RunFile point = sweep.take(1);
+    const RunFile file = read_text(alone);
+    EXPECT_EQ(
+        digest_of_organs(point, run(point.scene, point.sources, point.spec)),
+        digest_of_organs(file, run(file.scene, file.sources, file.spec)));
+}
+
+TEST(Sweep, TellsTheFaultsOfAllPointsOnceEach) {
+    const std::vector<std::string> faults = sweep_faults(
+        "source.sun.elevation_deg = [10, 95, 'high']\nsource.moon.name = ['a']\n"
+        "material.leaf.reflectance = [0.1, 1.5]\nmaterial.leaf.reflektance = [1]\n"
+        "paths = [64, 0]\n");
+    ASSERT_EQ(faults.size(), 1U) << "where a key leads nowhere no point can be read";
+    EXPECT_NE(
+        faults[0].find("[sweep]: source.moon.name: there is no 'source.moon'"), std::string::npos)
+        << faults[0];
+    const std::vector<std::string> values = sweep_faults(
+        "source.sun.elevation_deg = [10, 95, 'high']\n"
+        "material.leaf.reflectance = [0.1, 1.5]\nmaterial.leaf.reflektance = [1]\n"
+        "paths = [64, 0]\n");
+    EXPECT_TRUE(mentions(values, "elevation_deg is 95"));
+    EXPECT_TRUE(mentions(values, "elevation_deg is a text"));
+    EXPECT_TRUE(mentions(values, "reflectance is 1.5"));
+    EXPECT_TRUE(mentions(values, "unknown key 'reflektance'; did you mean 'reflectance'"))
+        << values.back();
+    EXPECT_TRUE(mentions(values, "paths is 0"));
+    EXPECT_EQ(values.size(), 5U);
+}
+
+TEST(Sweep, RefusesWhatCantBeSwept) {
+    for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
+             {"", "[sweep]: it has no keys"},
+             {"sun.elevation_deg = [1]\n", "write source.sun.elevation_deg"},
+             {"bands.PAR = [1]\n", "'bands.PAR' can't be swept"},
+             {"run.groups = [['plant']]\n", "'run.groups' can't be swept"},
+             {"ratios = [['R:FR']]\n", "it is one for all points"},
+             {"paths = 64\n", "paths is an integer"},
+             {"paths = []\n", "paths is an empty list"},
+             {"together = 1\npaths = [1]\n", "together is an integer"},
+             {"together = true\npaths = [1, 2]\nseed = [1]\n", "seed has 1 values, paths has 2"},
+             {"paths = [1]\nrun.paths = [2]\n", "paths and run.paths set the same"},
+             {"source.sun = [{type = 'sun'}]\n", "there is no 'source.sun'"},
+             {"source.3.name = ['x']\n", "there is no 'source.3'"},
+             {"material.leaf.upper.reflectance = [0.1]\n", "there is no 'material.leaf.upper'"},
+             {"material.leaf.name.first = ['a']\n", "'material.leaf.name' is a text"}}) {
+        EXPECT_TRUE(mentions(sweep_faults(keys), message)) << keys;
+    }
+    std::string many;
+    for (const char* key : {"seed", "paths", "replicates", "max_depth", "audit", "max_paths"}) {
+        many += std::string(key) + " = [1, 2, 3, 4, 5, 6, 7, 8]\n";
+    }
+    EXPECT_TRUE(mentions(sweep_faults(many), "more than 100000 points"));
+}
+
+TEST(Sweep, AFlagThatItSweepsIsRefused) {
+    const InputFiles files("/run");
+    try {
+        static_cast<void>(read_sweep_document(
+            read_toml(swept("paths = [64]\n"), "run.toml"), "run.toml", [&] { return files; },
+            {{"paths", "128", "--paths"}}));
+        ADD_FAILURE() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(
+            std::string(error.what()).find("--paths: is swept by the run file"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(Sweep, ReadsGeometryOnceWhereItStaysTheSame) {
+    RunText text;
+    text.organs = "[[geometry]]\nfile = 'leaves.tri'\nmaterial = 'leaf'\n";
+    text.rest = "[sweep]\nmaterial.leaf.reflectance = [0.1, 0.2, 0.3]\nseed = [1, 2]\n";
+    CountedFiles counted{{{"leaves.tri", "0 0 0 1 0 0 0 1 0\n"}}, {}};
+    RunSweep sweep = sweep_of(text.text(), counted);
+    const RunFile first = sweep.take(0);
+    for (std::size_t i = 1; i < sweep.size(); ++i) {
+        const RunFile other = sweep.take(i);
+        EXPECT_EQ(&other.scene.triangles(), &first.scene.triangles());
+        EXPECT_EQ(other.inputs.size(), first.inputs.size());
+    }
+    EXPECT_EQ(counted.reads["leaves.tri"], 1);
+}
+
+TEST(Sweep, MayVaryGeometryToo) {
+    RunText text;
+    text.rest =
+        "[sweep]\n'organ.1.corners' = [[[0,0,1],[1,0,1],[0,1,1]], [[0,0,1],[2,0,1],[0,1,1]]]\n";
+    RunSweep sweep = sweep_of(text.text());
+    EXPECT_EQ(sweep.take(0).scene.organs().front().area, .5);
+    EXPECT_EQ(sweep.take(1).scene.organs().front().area, 1);
+}
+
+/// A sensor lets all light pass, and what it covers is not cut away: the scene is built anew.
+TEST(Sweep, BuildsASceneAnewWhereAMaterialBecomesTransparent) {
+    RunText text;
+    text.materials += "transmission_model = 'mirror'\ntransmittance = 0.5\n";
+    text.rest = "[sweep]\nmaterial.leaf.transmittance = [0.5, 1]\n";
+    RunSweep sweep = sweep_of(text.text());
+    EXPECT_TRUE(sweep.take(1).scene.materials().front().is_transparent());
+    EXPECT_FALSE(sweep.take(0).scene.materials().front().is_transparent());
+}
+
+}  // namespace
+}  // namespace quasimc::test
