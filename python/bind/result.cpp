@@ -24,7 +24,7 @@ py::list budget_of(const Result& result) {
     py::list bands;
     for (const BandBudget& budget : result.budget) {
         py::dict band;
-        band["emitted"] = budget.emitted;
+        band["emitted"] = tuple_of(budget.emitted);
         band["absorbed_by_organs"] = tuple_of(budget.absorbed_by_organs);
         band["absorbed_by_ground"] = tuple_of(budget.absorbed_by_ground);
         band["escaped"] = tuple_of(budget.escaped);

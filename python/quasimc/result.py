@@ -175,8 +175,8 @@ class Result(_Light):
 
     @cached_property
     def budget(self):
-        """Where the light of each band went, flux: band -> dict of Estimate (emitted: a float)."""
-        return self._by_band(self._core.budget, ("emitted", "closure_error"), "absorbed_flux")
+        """Where the light of each band went, flux: band -> dict of Estimate."""
+        return self._by_band(self._core.budget, ("closure_error",), "absorbed_flux")
 
     @cached_property
     def canopy(self):

@@ -66,7 +66,8 @@ class Growth : public ::testing::TestWithParam<Method> {
 };
 
 TEST_P(Growth, IsLinearInSuns) {
-    expect_linear({.suns = 128}, {.suns = 512});
+    // So many paths that every sun is worth its lines.
+    expect_linear({.suns = 128, .paths = 4096}, {.suns = 512, .paths = 4096});
 }
 
 TEST_P(Growth, IsLinearInTriangles) {

@@ -34,7 +34,7 @@ double find_of(
     const double area = other.at(organ, Quantity::absorbed_flux, band).mean /
                         other.at(organ, Quantity::absorbed_flux_density, band).mean;
     const double paths = static_cast<double>(result.paths) * result.replicates;
-    return result.budget[band].emitted / (paths * area);
+    return result.budget[band].emitted.mean / (paths * area);
 }
 
 /// What falls on all sides of all organs in one band; sides that both runs saw dark left out.

@@ -64,9 +64,9 @@ std::vector<std::string> impossible_numbers(
                 "{} the energy budget stays open by {:.2g}", name_of(answer.way),
                 budget.closure_error));
         }
-        if (!std::isfinite(budget.emitted) || budget.emitted < 0) {
+        if (!std::isfinite(budget.emitted.mean) || budget.emitted.mean < 0) {
             faults.push_back(
-                fmt::format("{} emitted is {:.6g}", name_of(answer.way), budget.emitted));
+                fmt::format("{} emitted is {:.6g}", name_of(answer.way), budget.emitted.mean));
         }
     }
     return faults;
