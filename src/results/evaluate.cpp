@@ -207,6 +207,29 @@ const std::array<QuantityEntry, kQuantities>& quantity_table() {
     return kTable;
 }
 
+namespace {
+
+/// The upper bound of what organs, or the ground, absorb together, where nothing was found: that of
+/// the one with the largest, for a sample finds one of them at most.
+void bound_unseen_totals(const Scene& scene, Result& result) {
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        double organs = 0, ground = 0;
+        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+            double& most = scene.organs()[i].is_ground ? ground : organs;
+            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).high);
+        }
+        const auto bound = [](Estimate& total, double high) {
+            if (total.mean == 0 && high > 0) {
+                total = {0, std::numeric_limits<double>::quiet_NaN(), 0, high};
+            }
+        };
+        bound(result.budget[b].absorbed_by_organs, organs);
+        bound(result.budget[b].absorbed_by_ground, ground);
+    }
+}
+
+}  // namespace
+
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
     const std::size_t organs = scene.organs().size();
@@ -225,6 +248,7 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
     result.groups = evaluate_groups(sums, scene, spec);
     const BandFlows flows = read_flows(sums, scene);
     result.budget = evaluate_budget(flows);
+    bound_unseen_totals(scene, result);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;

@@ -57,6 +57,28 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
     EXPECT_GT(result.sunlit_fraction[0].high, 0);
 }
 
+/// A grey ground right under a larger black plate, the sun overhead: what the ground absorbs in all
+/// is as unknown as what falls on it.
+TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("soil", .3, 0, 2));
+    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 1)));
+    GroundSpec soil = ground("soil");
+    soil.height = .5;
+    soil.extent = {{.4, .4, .6, .6}};
+    builder.set_ground(soil);
+    const Result result = trace(std::move(builder).build(), {sun(0, {10, 20})});
+    for (const std::size_t band : {0U, 1U}) {
+        const Estimate& whole = result.budget[band].absorbed_by_ground;
+        const Estimate& own = result.at(1, Quantity::absorbed_flux, band);
+        EXPECT_EQ(whole.mean, 0);
+        EXPECT_TRUE(std::isnan(whole.standard_error));
+        EXPECT_GT(whole.high, 0);
+        EXPECT_EQ(whole.high, own.high);
+    }
+}
+
 /// Rule of three: 3 finds in all tries, each of which could have brought the light of one path.
 TEST(Evaluate, TheBoundIsThatOfTheRuleOfThree) {
     const Scene scene = make_dark_room();
