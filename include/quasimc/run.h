@@ -37,6 +37,9 @@ struct RunControl {
     /// Seconds beyond RunSpec::max_seconds that the first few paths may take, so that there is a
     /// result at all; by default a quarter of a second or 3 % of it.
     std::optional<double> grace_seconds = {};
+    /// Seconds that a run may still take after such a stop, if none of its rounds was complete: a
+    /// few paths are then traced, so that there is a result. 0: there is none (Stopped).
+    double seconds_after_stop = 0;
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.

@@ -21,6 +21,7 @@
 #include "run/series_sum.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
+#include "solvers/run_limits.h"
 
 namespace quasimc {
 namespace {
@@ -53,8 +54,11 @@ class SeriesRun {
         groups_.bands = scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         plans_ = plan_series(time_steps);
+        if (spec.effort == Effort::day) {
+            spread_effort(scene, time_steps, plans_);
+        }
         for (std::size_t i = 0; i < time_steps.size(); ++i) {
-            traces_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? 1 : 0;
+            effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
                 last_use_[plans_[i].traced] = i;
             }
@@ -154,12 +158,17 @@ class SeriesRun {
     }
 
     Result trace_one(std::size_t i) {
-        RunSpec spec = spec_;
+        RunSpec spec = spec_of(plans_[i]);
         spec.seed = seed_of(spec_.seed, summary_.traced);
-        RunControl control{.on_progress = progress_of(i), .stop = stop_};
-        share_time(spec, control);
+        // Without any time there would be no result at all.
+        constexpr double kForFirst = 1;
+        RunControl control{
+            .on_progress = progress_of(i),
+            .stop = stop_,
+            .seconds_after_stop = i == 0 ? kForFirst : 0};
+        share_time(plans_[i].effort, spec, control);
         Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
-        --traces_left_;
+        effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
             ++summary_.cut_short;
@@ -180,15 +189,32 @@ class SeriesRun {
         return result;
     }
 
+    /// The specification of a trace: with its share of the paths, and its target.
+    [[nodiscard]] RunSpec spec_of(const TimeStepPlan& plan) const {
+        constexpr std::uint64_t kFewestPaths = 64;
+        RunSpec spec = spec_;
+        if (plan.effort != 1) {
+            const auto shared = [&](std::uint64_t paths) {
+                const double part = plan.effort * static_cast<double>(paths);
+                return std::clamp(
+                    static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths), kMostPaths);
+            };
+            spec.paths = shared(spec_.paths);
+            spec.max_paths = spec_.max_paths > 0 ? shared(spec_.max_paths) : 0;
+        }
+        spec.target_error = std::min(1.0, spec_.target_error * plan.target);
+        return spec;
+    }
+
     /// Gives a trace its share of the time that is left. Its first paths may take all of it.
-    void share_time(RunSpec& spec, RunControl& control) const {
+    void share_time(double effort, RunSpec& spec, RunControl& control) const {
         if (spec_.max_seconds == 0 || time_steps_.size() == 1) {
             return;
         }
         constexpr double kGrace = 0.25;
         constexpr double kLeast = 1e-3;
         const double left = std::max(spec_.max_seconds - seconds(), kLeast);
-        spec.max_seconds = left / static_cast<double>(traces_left_);
+        spec.max_seconds = left * effort / std::max(effort, effort_left_);
         control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
@@ -253,7 +279,7 @@ class SeriesRun {
     GroupResults groups_;         // of darkness
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
-    std::size_t traces_left_ = 0;
+    double effort_left_ = 0;      // of what is to be traced
     SeriesSummary summary_;
 };
 
