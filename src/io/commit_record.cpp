@@ -14,6 +14,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 
+#include "io/descriptor.h"
 #include "io/file_identity.h"
 
 namespace quasimc {
@@ -68,10 +69,9 @@ bool write_record(int descriptor, std::string_view text) {
 }
 
 void sync_folder_of_record(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        static_cast<void>(::fsync(descriptor));
-        ::close(descriptor);
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.is_open()) {
+        static_cast<void>(::fsync(opened.number()));
     }
 }
 
@@ -125,12 +125,9 @@ void finish(const std::vector<RecordedName>& names) {
 
 /// Finishes a record if it names one of the targets and its program is gone.
 void finish_record(const fs::path& path, const std::set<fs::path>& targets) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-    if (descriptor < 0) {
-        return;
-    }
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) {
-        const std::vector<RecordedName> names = names_in(read_record(descriptor));
+    const Descriptor record(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    if (record.is_open() && ::flock(record.number(), LOCK_EX | LOCK_NB) == 0) {
+        const std::vector<RecordedName> names = names_in(read_record(record.number()));
         if (std::any_of(names.begin(), names.end(), [&](const RecordedName& name) {
                 return targets.contains(name.target);
             })) {
@@ -138,7 +135,6 @@ void finish_record(const fs::path& path, const std::set<fs::path>& targets) {
             ::unlink(path.c_str());
         }
     }
-    ::close(descriptor);
 }
 
 }  // namespace
