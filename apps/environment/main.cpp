@@ -1,11 +1,14 @@
 // QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
 // MonteCarlo, a link to it, it reads the files of that program.
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include <unistd.h>
 
@@ -24,8 +27,15 @@ constexpr int kInputError = 1;
 constexpr int kUsage = 2;
 constexpr int kInternalError = 3;
 
-void tell(const std::string& text) {
-    std::fprintf(stderr, "QuasiMC: %s\n", text.c_str());
+/// Every line by itself: what the simulator says stands in the same log.
+void tell(std::string_view text) {
+    std::string lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.append("QuasiMC: ").append(text.substr(0, end)).append("\n");
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    std::fputs(lines.c_str(), stderr);
 }
 
 /// What the simulator had open when it started us stays open in us: its own end of our line, which
@@ -73,14 +83,15 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const quasimc::UsageError& error) {
-        std::fprintf(stderr, "QuasiMC: %s\n%s", error.what(), quasimc::usage_text().c_str());
+        tell(error.what());
+        std::fputs(quasimc::usage_text().c_str(), stderr);
         quasimc::refuse_simulator({argv + 1, static_cast<std::size_t>(argc - 1)});
         return kUsage;
     } catch (const quasimc::PeerDisconnected& error) {
         tell(error.what());
         return kInputError;
     } catch (const quasimc::InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        tell(error.what());
         return kInputError;
     } catch (const quasimc::Stopped& stopped) {
         tell(stopped.what());
@@ -89,10 +100,8 @@ int main(int argc, char** argv) {
         tell("there is not enough memory");
         return kInputError;
     } catch (const std::exception& error) {
-        std::fprintf(
-            stderr,
-            "QuasiMC: internal error: %s\nThis is a fault of the program; please report it.\n",
-            error.what());
+        tell(fmt::format(
+            "internal error: {}\nThis is a fault of the program; please report it.", error.what()));
         return kInternalError;
     }
 }

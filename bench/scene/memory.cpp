@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -21,22 +20,14 @@
 #include "quasimc/run.h"
 #include "scene/scene_builder.h"
 #include "sources/source.h"
+#include "support/process_memory.h"
 
 namespace quasimc::bench {
 namespace {
 
-constexpr std::size_t kTriangles = 1'000'000;
+using test::status_bytes;
 
-/// A line of /proc/self/status in bytes.
-double status_bytes(const std::string& key) {
-    std::ifstream file("/proc/self/status");
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with(key + ":")) {
-            return 1024 * std::atof(line.c_str() + key.size() + 1);
-        }
-    }
-    return 0;
-}
+constexpr std::size_t kTriangles = 1'000'000;
 
 void trace_a_little(const Scene& scene, const Sources& sources) {
     const double read_peak = status_bytes("VmHWM"), resident = status_bytes("VmRSS");

@@ -40,6 +40,9 @@ struct RunControl {
     std::optional<double> grace_seconds = {};
     /// Sums of all paths of this run, put together from shares elsewhere: nothing is traced.
     const Sums* sums = nullptr;
+    /// Seconds that a run may still take after such a stop, if none of its rounds was complete: a
+    /// few paths are then traced, so that there is a result. 0: there is none (Stopped).
+    double seconds_after_stop = 0;
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.

@@ -38,6 +38,12 @@ enum class DirectLight {
     ignored,  ///< it is scattered as always, but is no part of any organ's numbers
 };
 
+/// How the paths of a series are shared out among its times.
+enum class Effort {
+    each,  ///< every time has as many
+    day,   ///< by the light that a time brings to the sum of its day
+};
+
 /// A point set that paths are made from.
 struct SamplerModel {
     std::string_view name;     ///< as in RunSpec::sampler
@@ -63,6 +69,10 @@ struct RunSpec {
     CrossSectionShape window = CrossSectionShape::silhouette;
     Engine engine = Engine::embree;
     DirectLight direct_light = DirectLight::counted;
+
+    /// Of a series of times with lengths: whose precision paths and target are for. A single run
+    /// takes no notice of it.
+    Effort effort = Effort::each;
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band

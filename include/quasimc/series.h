@@ -80,10 +80,20 @@ struct SeriesSummary {
 struct TimeStepPlan {
     std::size_t traced = 0;
     double factor = 1;  ///< 0: dark
+    // Of a moment that is traced:
+    double effort = 1;  ///< on RunSpec::paths: a power of two
+    double target = 1;  ///< on RunSpec::target_error
 };
 /// Finds the moments whose sources have equal shapes and proportional spectra: of those only the
 /// first is traced.
 [[nodiscard]] std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps);
+
+/// Shares out the effort of a series by days (Effort::day): the paths of a trace are in proportion
+/// to the light that its moments bring to the sum of a day, where they bring most, and as many in
+/// all as if each trace had `paths`, to a factor of sqrt(2). The targets are such that the sum of a
+/// day has the target error. What brings next to nothing has a 64th of the paths.
+void spread_effort(
+    const Scene& scene, const std::vector<TimeStep>& time_steps, std::vector<TimeStepPlan>& plans);
 
 /// The same light times a factor.
 [[nodiscard]] Result scaled(const Result& result, double factor);
@@ -95,8 +105,9 @@ struct TimeStepPlan {
 ///
 /// RunSpec::max_seconds is for all of them together: each trace may take its equal share of what is
 /// left, and does with fewer paths if it must. A series that is stopped, or whose time is up, ends
-/// after the last moment that is complete. A day of which moments are missing is not told of; the
-/// total is of the moments that are there.
+/// after the last moment that is complete; one that is stopped within the first round of its first
+/// moment may take a second more to trace a few paths of it. A day of which moments are missing is
+/// not told of; the total is of the moments that are there.
 /// @param stop  as RunControl::stop
 /// @throws InputError  as run() does
 /// @throws Stopped  if there is no moment at all

@@ -112,8 +112,15 @@ void DescriptorStream::send(std::string_view message, Continuation /*continuatio
 void DescriptorStream::write_all(std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(out_, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) {
+        if (count < 0 && (errno == EPIPE || errno == ECONNRESET)) {
             gone("it no longer reads our answers");
+        }
+        if (count < 0 && errno != EINTR) {
+            // A file, or nothing: there may be no simulator at all.
+            throw PeerDisconnected(
+                "the answers can't be written: " + (errno == EBADF
+                                                        ? "standard output is closed"
+                                                        : std::generic_category().message(errno)));
         }
         bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }

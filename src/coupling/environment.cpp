@@ -11,9 +11,11 @@
 
 #include "coupling/fault_teller.h"
 #include "coupling/guarded_stream.h"
+#include "coupling/notices.h"
 #include "coupling/plant_light.h"
 #include "coupling/session.h"
 #include "coupling/stop_signals.h"
+#include "io/file_identity.h"
 #include "io/numbers.h"
 #include "solvers/catalogue.h"
 
@@ -60,7 +62,8 @@ void tell_step(
     const PlantLight& light,
     const Pass& pass,
     const std::function<void(const std::string&)>& tell) {
-    std::string text = fmt::format("step {}: {} queries", pass.step, pass.queries.size());
+    std::string text =
+        fmt::format("step {}: {}", pass.step, counted(pass.queries.size(), "query", "queries"));
     for (const Result& result : light.last().results) {
         if (result.values.empty()) {
             continue;  // a band without light
@@ -102,6 +105,26 @@ void end_at(int signal, ByteStream& stream, const std::function<void(const std::
     ::_exit(kBySignal + signal);
 }
 
+/// Refuses files of a step that are the pipe of the answers. @param out  its descriptor
+void check_apart_from_pipe(const Specification& spec, const std::string& file, int out) {
+    const FileIdentity pipe = identity_of_descriptor(out);
+    Faults faults;
+    const auto check = [&](std::string_view directive, const std::string& name) {
+        if (!name.empty() && !pipe.is_discard && identity_of(name, out) == pipe) {
+            faults.add(
+                {file, fmt::format("{}: '{}' is where the answers go", directive, name),
+                 "the simulator would take it for an answer", "name another file"});
+        }
+    };
+    if (spec.variance_file) {
+        check("output file", spec.variance_file->name);
+    }
+    if (spec.picture_file) {
+        check("picture file", *spec.picture_file);
+    }
+    faults.throw_if_any();
+}
+
 /// What a conversation needs, once its files are read.
 class Environment {
   public:
@@ -137,8 +160,12 @@ class Environment {
         }
         stream_.open(open_stream(arguments_, format_, descriptors));
         try {
-            light_.emplace(
-                read_specification(arguments_.specification, arguments_.kind, notices_), notices_);
+            Specification spec =
+                read_specification(arguments_.specification, arguments_.kind, notices_);
+            if (!arguments_.key) {
+                check_apart_from_pipe(spec, arguments_.specification, descriptors.out);
+            }
+            light_.emplace(std::move(spec), notices_);
         } catch (const std::exception&) {
             faults_.tell_refusal(std::current_exception());
             return false;
@@ -179,8 +206,8 @@ class Environment {
             if (result.stop == StopReason::no_light) {
                 notices_.once(
                     "unlit",
-                    "no light reaches the plant: all of it is edge-on to the light; its organs "
-                    "get 0");
+                    "no light reaches the plant: all of it is edge-on to the light or has no area; "
+                    "its organs get 0");
             }
         }
     }

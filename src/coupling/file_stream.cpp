@@ -14,6 +14,7 @@
 #include "coupling/byte_stream.h"
 #include "coupling/messages.h"
 #include "coupling/semaphores.h"
+#include "io/descriptor.h"
 
 namespace quasimc {
 namespace {
@@ -28,22 +29,9 @@ off_t as_offset(std::size_t place) {
 }
 
 /// A file that is written without being emptied first.
-class Descriptor {
-  public:
-    explicit Descriptor(const std::string& path)
-        : number_(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {}
-    ~Descriptor() {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
+int open_kept(const std::string& path) {
+    return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+}
 
 /// Whether all of the text was written there; errno otherwise.
 bool write_at(const Descriptor& file, std::string_view text, std::size_t place) {
@@ -98,8 +86,15 @@ class FileStream final : public ByteStream {
         }
         return std::string_view(buffer_).substr(0, end);
     }
+    /// If not even an empty answer can be written, what stands in the file must do.
     void send(std::string_view message, Continuation /*continuation*/) override {
-        write(message);
+        try {
+            write(message);
+        } catch (const InputError&) {
+            if (message != kEmptyAnswer) {
+                throw;
+            }
+        }
         semaphores_.post_to_master();
     }
     void await_request() override { semaphores_.wait_for_master(); }
@@ -117,15 +112,15 @@ class FileStream final : public ByteStream {
     /// What the simulator reads if we come to an end before we have answered: the head of the file
     /// becomes an empty answer, behind which nothing is read.
     void prepare_for_our_end() const noexcept {
-        const Descriptor file(from_us_);
+        const Descriptor file(open_kept(from_us_));
         static_cast<void>(write_at(file, kEmptyAnswer, 0));
     }
     /// Writes the head last, so that at any time the file begins with a message that is whole.
     void write(std::string_view message) const {
         EXPECT(message.size() >= kEmptyAnswer.size());
-        const Descriptor file(from_us_);
+        const Descriptor file(open_kept(from_us_));
         const std::size_t head = kEmptyAnswer.size();
-        const bool is_written = file.number() >= 0 && write_at(file, message.substr(head), head) &&
+        const bool is_written = file.is_open() && write_at(file, message.substr(head), head) &&
                                 ::ftruncate(file.number(), as_offset(message.size())) == 0 &&
                                 write_at(file, message.substr(0, head), 0);
         if (!is_written) {

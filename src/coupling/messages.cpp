@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "coupling/notices.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
 
@@ -86,6 +87,7 @@ void Pass::clear() {
     queries.clear();
     parameters.clear();
     polygons.clear();
+    polygon_lines.clear();
     vertices.clear();
     other_graphics.clear();
 }
@@ -282,9 +284,9 @@ class MessageParser::Reader {
                 fail(
                     lines_.number(), shown(line()),
                     fmt::format(
-                        "{} number{} of the turtle expected: do both programs read the same "
+                        "{} of the turtle {} expected: do both programs read the same "
                         "environment file?",
-                        format.values, format.values == 1 ? " is" : "s are"));
+                        counted(format.values, "number"), format.values == 1 ? "is" : "are"));
             }
         }
         return {values[0], values[1], values[2]};
@@ -326,6 +328,7 @@ class MessageParser::Reader {
         const std::string_view word = take_word(rest);
         if (word == "polygon") {
             pass_.polygons.push_back({static_cast<std::uint32_t>(pass_.vertices.size()), 0});
+            pass_.polygon_lines.push_back(lines_.number());
             return true;
         }
         note_graphics(word);

@@ -44,7 +44,8 @@ struct Query {
 struct Pass {
     std::vector<Query> queries;
     std::vector<double> parameters;
-    std::vector<ListPart> polygons;  ///< of vertices
+    std::vector<ListPart> polygons;            ///< of vertices
+    std::vector<std::uint32_t> polygon_lines;  ///< of their messages, where each begins
     std::vector<Vec3> vertices;
     /// Words of graphics other than polygons that came with the queries ("cylinder").
     std::vector<std::string> other_graphics;

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "io/line_scanner.h"
+#include "scene/lint.h"
 
 namespace quasimc {
 /// The frame of an organ: unit vectors.
@@ -113,7 +114,7 @@ class OrganShapes::Maker {
         if (parameters_.size() < entry->least_parameters) {
             tell(
                 "parameters", fmt::format(
-                                  "has {} parameters; {} are needed", parameters_.size(),
+                                  "has {}; {} are needed", counted(parameters_.size(), "parameter"),
                                   entry->least_parameters));
             return {};
         }
@@ -152,7 +153,9 @@ class OrganShapes::Maker {
     void tell(const std::string& key, const std::string& text) {
         notices_.once(
             fmt::format("{} {}", query_.organ, key),
-            fmt::format("module {} (query {}) {}", query_.organ, query_.id, text));
+            query_.organ.empty()
+                ? fmt::format("query {}, without a module, {}", query_.id, text)
+                : fmt::format("module {} (query {}) {}", query_.organ, query_.id, text));
     }
 
     /// A size from the parameters; one that is no positive number makes no organ.
@@ -297,6 +300,14 @@ class OrganShapes::Maker {
         if (index >= parameters_.size() || std::isnan(parameters_[index])) {
             return std::nullopt;
         }
+        // A length that came with polygons may be no material at all.
+        const bool is_surely_material = query_.polygons.count == 0 || spec_.material_parameter;
+        if (is_surely_material && parameters_[index] != std::floor(parameters_[index])) {
+            tell(
+                "fraction", fmt::format(
+                                "names material {}: what stands behind the point does not count",
+                                shortest(parameters_[index])));
+        }
         const std::size_t first = spec_.first_material();
         const double number = std::floor(parameters_[index]) - static_cast<double>(first);
         if (number >= 0 && number < static_cast<double>(spec_.materials.size())) {
@@ -313,7 +324,9 @@ class OrganShapes::Maker {
     OrganShape make_polygons() {
         OrganShape shape;
         for (std::uint32_t i = 0; i < query_.polygons.count; ++i) {
-            const ListPart part = pass_.polygons[query_.polygons.first + i];
+            const std::uint32_t polygon = query_.polygons.first + i;
+            const ListPart part = pass_.polygons[polygon];
+            line_ = pass_.polygon_lines[polygon];
             add_polygon(std::span(pass_.vertices).subspan(part.first, part.count), shape.triangles);
         }
         // Without the directive any parameter may be a material, or a length.
@@ -327,16 +340,24 @@ class OrganShapes::Maker {
         return shape;
     }
 
+    /// Of the polygon at hand.
+    void tell_polygon(const std::string& key, const std::string& text) {
+        tell(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
+    }
+
     void add_polygon(std::span<const Vec3> corners, Triangles& triangles) {
         if (corners.size() < 3) {
-            tell("polygon", fmt::format("has a polygon of {} corners", corners.size()));
+            tell_polygon("polygon", "of " + counted(corners.size(), "corner"));
             return;
         }
         if (!std::all_of(corners.begin(), corners.end(), is_finite)) {
-            tell("polygon", "has a polygon with a corner that is nowhere");
+            tell_polygon("polygon", "with a corner that is nowhere");
             return;
         }
         Triangles polygon = cut(corners);
+        if (std::all_of(polygon.begin(), polygon.end(), is_degenerate)) {
+            tell_polygon("area", "without area: nothing falls on it");
+        }
         Vec3 normal;
         for (const Triangle& t : polygon) {
             normal += area_vector(t);
@@ -354,11 +375,11 @@ class OrganShapes::Maker {
             return make_polygon(corners);
         } catch (const InputError& error) {
             const std::optional<Triangles> fan = make_fan(corners);
-            tell(
+            tell_polygon(
                 "polygon",
                 fmt::format(
-                    "has a polygon that is {}: {}",
-                    fan ? "cut into a fan from its first corner" : "left out", error.what()));
+                    "that is {}: {}", fan ? "cut into a fan from its first corner" : "left out",
+                    error.what()));
             return fan.value_or(Triangles{});
         }
     }
@@ -369,6 +390,7 @@ class OrganShapes::Maker {
     const Query& query_;
     std::span<const double> parameters_;
     OrganFrame frame_;
+    std::uint32_t line_ = 0;  // of a polygon in its message
 };
 
 OrganShape OrganShapes::make(const Pass& pass, const Query& query) {

@@ -145,9 +145,10 @@ struct Specification {
     [[nodiscard]] std::size_t first_material() const {
         return kind == SpecificationKind::montecarlo ? 1 : 0;
     }
-    /// Whether a query has an answer. @param asks  whether it does, as its first parameter says
+    /// Whether a query has an answer: one that asks, and with MonteCarlo those that only shade too.
+    /// Beside sensors these have no light that is known. @param asks  as its first parameter says
     [[nodiscard]] bool is_answered(bool asks) const {
-        return asks || kind == SpecificationKind::montecarlo;
+        return asks || (kind == SpecificationKind::montecarlo && !sensor_half_angle_deg);
     }
     /// The materials of an organ that names an upper one, or both.
     [[nodiscard]] SideMaterials sides_of(

@@ -2,8 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "io/commit_record.h"
 
 namespace quasimc {
 
@@ -28,6 +31,10 @@ class AtomicFile {
     /// Brings all of the file to the disk, beside its place. Nothing is written after it.
     /// @throws InputError
     void prepare();
+    /// What put_in_place() will do; nothing of what is written straight. After prepare().
+    [[nodiscard]] std::optional<PendingName> pending_name() const {
+        return straight_ ? std::nullopt : std::optional(PendingName{temporary_, path_});
+    }
     /// Puts it in its place. After prepare(). @throws InputError
     void put_in_place();
     /// Makes the name last, as far as the file system can. After put_in_place().

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "io/descriptor.h"
 #include "io/sha256.h"
 #include "quasimc/error.h"
 
@@ -25,23 +26,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void cannot_read(const fs::path& path, const std::string& why) {
     throw InputError({{path.string(), "can't be read", why, ""}});
 }
-
-/// A descriptor that is closed at the end, unless it is standard input.
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ != STDIN_FILENO) {
-            ::close(number_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int number() const { return number_; }
-
-  private:
-    int number_;
-};
 
 /// Waits until something can be read. @returns false  if the time has passed
 bool wait_for_bytes(int descriptor, int milliseconds) {
@@ -139,7 +123,7 @@ std::string read_file(const fs::path& path) {
     refuse_what_is_no_file(path);
     // A pipe that nothing writes into would block for ever.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
-    if (file.number() < 0) {
+    if (!file.is_open()) {
         cannot_read(path, std::generic_category().message(errno));
     }
     return read_text(file.number(), path);

@@ -15,6 +15,12 @@ constexpr double kMostForSecond = 0.5, kMostForLater = 0.1;
 /// What is begun anew should be done by this part of the time left: predictions have errors.
 constexpr double kSureOfTime = 0.85;
 
+/// A round is huge from so many paths on; trials before it have so many at first, and in the end at
+/// most this part of it.
+constexpr std::uint64_t kHugeRound = std::uint64_t{1} << 22U;
+constexpr std::uint64_t kFirstInsured = std::uint64_t{1} << 14U;
+constexpr std::uint64_t kInsuredPart = 64;
+
 }  // namespace
 
 void Pace::add(std::uint64_t paths, double seconds) {
@@ -53,13 +59,25 @@ Round Rounds::begin(std::uint64_t paths) {
 std::optional<Round> Rounds::next() {
     if (done_ == 0) {
         ++trials_;
-        return begin(has_limit() ? std::min(fewest_, spec_.paths) : spec_.paths);
+        return begin(first_paths());
     }
     return is_trial_ ? after_trial() : as_many_again();
 }
 
+std::uint64_t Rounds::first_paths() const {
+    if (has_limit()) {
+        return std::min(fewest_, spec_.paths);
+    }
+    const bool is_huge = may_be_stopped_ && spec_.paths >= kHugeRound;
+    return is_huge ? std::clamp(fewest_, kFirstInsured, spec_.paths) : spec_.paths;
+}
+
 /// All paths if they fit; if not, another trial if that costs little; if not, the most that fit.
 std::optional<Round> Rounds::after_trial() {
+    if (!has_limit()) {
+        const std::uint64_t next = kTrialGrowth * done_;
+        return begin(next <= spec_.paths / kInsuredPart ? next : spec_.paths);
+    }
     if (fits(spec_.paths)) {
         return begin(spec_.paths);
     }

@@ -35,12 +35,20 @@ class Pace {
 /// begins with trials of few paths. If the specification's paths fit into what is left, they are
 /// traced as if there were no limit; if not, the run begins with as many as fit
 /// (docs/develop/decisions/time-limits.md).
+///
+/// A run that somebody may stop, and whose first round is huge, begins with trials as well: they
+/// are what is left if it is stopped, and cost 2 % at most.
 class Rounds {
   public:
     /// @param fewest  paths to begin with where there is a limit of time: a power of two
     /// @param seconds  since the run began
-    explicit Rounds(const RunSpec& spec, std::uint64_t fewest = 1, double seconds = 0)
-        : spec_(spec), fewest_(fewest), seconds_(seconds) {}
+    /// @param may_be_stopped  by others than its limit of time
+    explicit Rounds(
+        const RunSpec& spec,
+        std::uint64_t fewest = 1,
+        double seconds = 0,
+        bool may_be_stopped = false)
+        : spec_(spec), fewest_(fewest), may_be_stopped_(may_be_stopped), seconds_(seconds) {}
 
     /// The next round; nothing when the run is over. One whose first point is number 0 begins the
     /// run, or begins it anew with other paths: what was traced before is then left out.
@@ -70,11 +78,13 @@ class Rounds {
     [[nodiscard]] double seconds_left() const { return spec_.max_seconds - seconds_; }
     [[nodiscard]] bool fits(std::uint64_t paths) const;
     [[nodiscard]] Round begin(std::uint64_t paths);
+    [[nodiscard]] std::uint64_t first_paths() const;
     [[nodiscard]] std::optional<Round> after_trial();
     [[nodiscard]] std::optional<Round> as_many_again();
 
     const RunSpec& spec_;
     std::uint64_t fewest_;
+    bool may_be_stopped_;
     std::uint64_t done_ = 0, count_ = 0;  // paths: before the round at hand, and of it
     int trials_ = 0;
     bool is_trial_ = false;

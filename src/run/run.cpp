@@ -318,6 +318,25 @@ PreparedScene Simulator::State::prepare(
     return {scene, sources, spec.window, caster_for(scene, spec.engine, stop), stop};
 }
 
+std::optional<Sums> Simulator::State::trace_few(
+    const PreparedScene& prepared, const RunSpec& spec, const RunControl& control) {
+    const std::uint64_t paths = fewest_paths(prepared.scene(), spec);
+    const bool may = control.stop.stop_requested() && control.seconds_after_stop > 0;
+    if (!may || paths >= spec.paths) {
+        return std::nullopt;
+    }
+    EarlyStop end({});
+    end.set_limit(control.seconds_after_stop);
+    Executor executor(thread_count(spec.threads), {}, end.token());
+    RoundTracer tracer(prepared, sampler_for(spec.sampler), spec, executor, false);
+    try {
+        tracer.trace({0, paths});
+    } catch (const StopRequested&) {
+        return std::nullopt;
+    }
+    return tracer.sums();
+}
+
 Result Simulator::State::trace(
     const Scene& scene,
     const Sources& sources,
@@ -347,14 +366,16 @@ Result Simulator::State::trace(
                             : std::function<void(double)>(),
         early.token());
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, executor.workers());
-    Rounds rounds(spec, fewest_paths(scene, spec), build_seconds);
+    Rounds rounds(spec, fewest_paths(scene, spec), build_seconds, control.stop.stop_possible());
     RoundTracer tracer(prepared, sampler_for(spec.sampler), spec, executor, early.is_possible());
+    std::optional<Sums> few;
     while (const auto round = rounds.next()) {
         reporter.begin_round(rounds);
         try {
             tracer.trace(*round);
         } catch (const StopRequested&) {
-            if (!tracer.has_sums()) {
+            few = tracer.has_sums() ? std::nullopt : trace_few(prepared, spec, control);
+            if (!tracer.has_sums() && !few) {
                 throw;
             }
             rounds.interrupt(early.why());
@@ -371,7 +392,7 @@ Result Simulator::State::trace(
     }
 
     early.set_limit(INFINITY);
-    Result result = make_result(tracer.sums(), scene, asked);
+    Result result = make_result(few ? *few : tracer.sums(), scene, asked);
     result.stop = rounds.stop();
     result.fraction_at_target = rounds.at_target();
     result.build_seconds = build_seconds;

@@ -20,7 +20,7 @@
 #include "results/groups.h"
 #include "run/series_sum.h"
 #include "run/simulator.h"
-#include "run/trace_seed.h"
+#include "run/trace_spec.h"
 
 namespace quasimc {
 namespace {
@@ -44,9 +44,9 @@ class SeriesRun {
         groups_.groups = make_groups(scene, group_spec(spec));
         groups_.bands = scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
-        plans_ = plan_series(time_steps);
+        plans_ = plan_traces(scene, time_steps, spec);
         for (std::size_t i = 0; i < time_steps.size(); ++i) {
-            traces_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? 1 : 0;
+            effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
                 last_use_[plans_[i].traced] = i;
             }
@@ -146,17 +146,21 @@ class SeriesRun {
     }
 
     Result trace_one(std::size_t i) {
-        RunSpec spec = spec_;
-        spec.seed = trace_seed(spec_.seed, summary_.traced);
-        RunControl control{.on_progress = progress_of(i), .stop = stop_};
-        share_time(spec, control);
+        RunSpec spec = trace_spec(spec_, plans_[i], summary_.traced);
+        // Without any time there would be no result at all.
+        constexpr double kForFirst = 1;
+        RunControl control{
+            .on_progress = progress_of(i),
+            .stop = stop_,
+            .seconds_after_stop = i == 0 ? kForFirst : 0};
+        share_time(plans_[i].effort, spec, control);
         std::optional<Sums> given;
         if (events_.sums_of) {
             given = events_.sums_of(i);
             control.sums = &*given;
         }
         Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
-        --traces_left_;
+        effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
             ++summary_.cut_short;
@@ -178,14 +182,14 @@ class SeriesRun {
     }
 
     /// Gives a trace its share of the time that is left. Its first paths may take all of it.
-    void share_time(RunSpec& spec, RunControl& control) const {
+    void share_time(double effort, RunSpec& spec, RunControl& control) const {
         if (spec_.max_seconds == 0 || time_steps_.size() == 1) {
             return;
         }
         constexpr double kGrace = 0.25;
         constexpr double kLeast = 1e-3;
         const double left = std::max(spec_.max_seconds - seconds(), kLeast);
-        spec.max_seconds = left / static_cast<double>(traces_left_);
+        spec.max_seconds = left * effort / std::max(effort, effort_left_);
         control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
@@ -250,7 +254,7 @@ class SeriesRun {
     GroupResults groups_;         // of darkness
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
-    std::size_t traces_left_ = 0;
+    double effort_left_ = 0;      // of what is to be traced
     SeriesSummary summary_;
 };
 

@@ -40,6 +40,10 @@ class Simulator::State {
         const RunSpec& spec,
         const RunControl& control,
         EarlyStop& early);
+    /// Of a run that was stopped before its first round was complete: sums of a few paths, if the
+    /// caller gives them time and it is enough.
+    [[nodiscard]] std::optional<Sums> trace_few(
+        const PreparedScene& prepared, const RunSpec& spec, const RunControl& control);
     /// After a run: compares its result with that of an audit, if one was asked for.
     void add_audit(
         const Scene& scene,

@@ -1,7 +1,7 @@
 #include <string_view>
 
 #include "quasimc/series.h"
-#include "run/trace_seed.h"
+#include "run/trace_spec.h"
 
 namespace quasimc {
 namespace {
@@ -33,15 +33,14 @@ void trace_share(
     Faults faults;
     check_share(spec, faults);
     faults.throw_if_any();
-    const std::vector<TimeStepPlan> plans = plan_series(time_steps);
+    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
     Simulator simulator;
-    RunSpec traced = spec;
     std::uint64_t traces = 0;
     for (std::size_t i = 0; i < time_steps.size(); ++i) {
         if (plans[i].factor == 0 || plans[i].traced != i) {
             continue;
         }
-        traced.seed = trace_seed(spec.seed, traces++);
+        const RunSpec traced = trace_spec(spec, plans[i], traces++);
         RunControl own{.stop = control.stop};
         if (control.on_progress) {
             own.on_progress = [&](const Progress& progress) {

@@ -7,21 +7,10 @@
 
 #include "bad_inputs.h"
 #include "program.h"
+#include "support/sanitized.h"
 
 namespace quasimc::test {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 std::vector<BadInput> all_bad_inputs() {
     std::vector<BadInput> all = bad_documents();

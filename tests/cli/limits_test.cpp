@@ -17,6 +17,23 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+/// A closed box that absorbs nothing, with a lamp in it: no path ever ends.
+std::string white_box() {
+    std::string file =
+        "format = 1\nbands = [\"PAR\"]\n[output]\ncsv = \"box.csv\"\n[[source]]\ntype = \"point\"\n"
+        "position = [0.5, 0.5, 0.5]\npower = [1]\n"
+        "[[material]]\nname = \"white\"\nreflectance = 1\ntransmittance = 0\n";
+    for (const char* corners :
+         {"[0,0,0],[1,0,0],[1,1,0],[0,1,0]", "[0,0,1],[1,0,1],[1,1,1],[0,1,1]",
+          "[0,0,0],[1,0,0],[1,0,1],[0,0,1]", "[0,1,0],[1,1,0],[1,1,1],[0,1,1]",
+          "[0,0,0],[0,1,0],[0,1,1],[0,0,1]", "[1,0,0],[1,1,0],[1,1,1],[1,0,1]"}) {
+        file +=
+            "[[organ]]\nname = \"wall\"\nmaterial = \"white\"\nshape = \"polygon\"\ncorners = [" +
+            std::string(corners) + "]\n";
+    }
+    return file;
+}
+
 class LimitsTest : public ProgramTest {
   protected:
     /// Runs the program and sends it a SIGINT after two seconds. @returns its exit status
@@ -49,19 +66,7 @@ TEST_F(LimitsTest, ALongLimitIsNotFelt) {
 }
 
 TEST_F(LimitsTest, AClosedWhiteBoxIsLeftWithoutAFile) {
-    std::string file =
-        "format = 1\nbands = [\"PAR\"]\n[output]\ncsv = \"box.csv\"\n[[source]]\ntype = \"point\"\n"
-        "position = [0.5, 0.5, 0.5]\npower = [1]\n"
-        "[[material]]\nname = \"white\"\nreflectance = 1\ntransmittance = 0\n";
-    for (const char* corners :
-         {"[0,0,0],[1,0,0],[1,1,0],[0,1,0]", "[0,0,1],[1,0,1],[1,1,1],[0,1,1]",
-          "[0,0,0],[1,0,0],[1,0,1],[0,0,1]", "[0,1,0],[1,1,0],[1,1,1],[0,1,1]",
-          "[0,0,0],[0,1,0],[0,1,1],[0,0,1]", "[1,0,0],[1,1,0],[1,1,1],[1,0,1]"}) {
-        file +=
-            "[[organ]]\nname = \"wall\"\nmaterial = \"white\"\nshape = \"polygon\"\ncorners = [" +
-            std::string(corners) + "]\n";
-    }
-    folder_.write("box.toml", file);
+    folder_.write("box.toml", white_box());
     const Outcome outcome = run({"run", "box.toml", "--max-seconds", "0.1"});
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, "set max_depth")) << outcome.err;
@@ -99,11 +104,20 @@ TEST_F(LimitsTest, CtrlCWritesTheRoundsThatAreComplete) {
     EXPECT_TRUE(contains(folder_.read("out.csv"), "\n1,third,")) << folder_.read("out.csv");
 }
 
-TEST_F(LimitsTest, CtrlCBeforeAnyRoundWritesNothing) {
-    folder_.write("out.csv", "of an earlier run\n");
+TEST_F(LimitsTest, CtrlCInAHugeFirstRoundWritesWhatWasTracedBefore) {
     EXPECT_EQ(interrupted("run run.toml --paths 1073741824"), 130) << folder_.read("err");
+    EXPECT_TRUE(contains(folder_.read("out"), " of 1073741824 paths are done"))
+        << folder_.read("out");
+    EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"interrupted\""));
+    EXPECT_TRUE(contains(folder_.read("out.csv"), "\n1,third,")) << folder_.read("out.csv");
+}
+
+TEST_F(LimitsTest, CtrlCBeforeAnyPathEndsWritesNothing) {
+    folder_.write("box.toml", white_box());
+    folder_.write("box.csv", "of an earlier run\n");
+    EXPECT_EQ(interrupted("run box.toml --paths 1024"), 130) << folder_.read("err");
     EXPECT_TRUE(contains(folder_.read("err"), "Nothing was written")) << folder_.read("err");
-    EXPECT_EQ(folder_.read("out.csv"), "of an earlier run\n");
+    EXPECT_EQ(folder_.read("box.csv"), "of an earlier run\n");
 }
 
 TEST_F(LimitsTest, QuietPrintsNothing) {

@@ -77,11 +77,11 @@ TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
 }
 
 TEST_F(SweepCommand, IsCheckedWholeAndNotExported) {
-    write_sweep("seed = [1, 2]\npaths = [63, 65]\nsampler = [\"sobol\"]\n");
+    write_sweep("seed = [1, 2]\npaths = [-63, 0]\nsampler = [\"sobol\"]\n");
     const Outcome bad = run({"check", "sweep.toml"});
     EXPECT_EQ(bad.status, 1);
-    EXPECT_NE(bad.err.find("63"), std::string::npos) << bad.err;
-    EXPECT_NE(bad.err.find("65"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("paths is -63"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("paths is 0"), std::string::npos) << bad.err;
     write_sweep("seed = [1, 2]\n");
     EXPECT_NE(run({"check", "sweep.toml"}).out.find("a sweep of 2 points"), std::string::npos);
     const Outcome exported = run({"export", "sweep.toml", "scene.obj"});

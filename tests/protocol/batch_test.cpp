@@ -326,6 +326,51 @@ TEST_F(Batch, TakesAPolygonOfVeryManyCorners) {
     EXPECT_NEAR(table.column("rel_mean_flux0").at(0), 1, kTolerance);
 }
 
+/// A table between the answers would be read as one.
+TEST_F(Batch, RefusesAnOutputFileThatIsTheLineOfTheAnswers) {
+    for (const std::string name : {"/dev/stdout", "out"}) {
+        folder_.write("quasimc.cfg", "number of rays: 64\noutput file: yes " + name + "\n");
+        const std::string in =
+            folder_.write("in", plant_text({three_leaves().front()}, "Control: 8\n")).string();
+        std::filesystem::remove(folder_.path() / "out");
+        const std::string out = call_with(::open(in.c_str(), O_RDONLY | O_CLOEXEC), {false, 1});
+        EXPECT_EQ(out, std::string(1, '\0')) << "there will be no light";
+        EXPECT_NE(
+            folder_.read("err").find("output file: '" + name + "' is where the answers go"),
+            std::string::npos)
+            << folder_.read("err");
+    }
+}
+
+TEST_F(Batch, SaysWhenItsAnswersCantBeWritten) {
+    folder_.write("quasimc.cfg", "number of rays: 64\n");
+    folder_.write("in", plant_text({three_leaves().front()}, "Control: 8\n"));
+    const std::string call = "cd '" + folder_.path().string() + "' && '" + QUASIMC_ENVIRONMENT +
+                             "' -e enviro.e quasimc.cfg <in 2>err ";
+    for (const auto& [where, why] : std::vector<std::pair<std::string, std::string>>{
+             {">/dev/full", "No space left on device"}, {">&-", "standard output is closed"}}) {
+        EXPECT_NE(std::system((call + where).c_str()), 0);  // NOLINT(concurrency-mt-unsafe)
+        EXPECT_EQ(folder_.read("err"), "QuasiMC: the answers can't be written: " + why + "\n");
+    }
+}
+
+/// Every line says whose it is: a simulator writes into the same log.
+TEST_F(Batch, NamesItselfInEveryLineOfItsMessages) {
+    static_cast<void>(folder_.write("in", ""));
+    folder_.write("quasimc.cfg", "number of rays: x\nnumber of runs: y\n");
+    const std::string in = (folder_.path() / "in").string();
+    static_cast<void>(call_with(::open(in.c_str(), O_RDONLY | O_CLOEXEC), {false, 1}));
+    folder_.write("enviro.e", "communication type: nonsense\n");
+    const std::string of_specification = folder_.read("err");
+    static_cast<void>(call_with(::open(in.c_str(), O_RDONLY | O_CLOEXEC), {false, 1}));
+    std::istringstream lines(of_specification + folder_.read("err"));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+        EXPECT_TRUE(line.starts_with("QuasiMC: ")) << line;
+    }
+    EXPECT_GE(count, 4);
+}
+
 /// A quarter of a gigabyte without the end of a line: read once, of which little is kept.
 TEST_F(Batch, EndsAfterALineWithoutEnd) {
     folder_.write("quasimc.cfg", "");

@@ -145,5 +145,36 @@ TEST_P(Transports, TellWhatIsWrongWithAMessageAndLetTheSimulatorGoOn) {
     master->clean_up();
 }
 
+class FileTransport : public ConversationTest {};
+
+/// The simulator is woken up, whatever stands in the file, and the next step is answered again.
+TEST_F(FileTransport, GoesOnAfterAnAnswerThatCantBeWritten) {
+    namespace fs = std::filesystem;
+    folder_.write("comm.e", comm_text(Transport::files));
+    folder_.write("light.qmc", kBlackLeaves);
+    const auto master = make_master(Transport::files, Client::cpfg, folder_.path());
+    master->start({"light.qmc"});
+    master->await_sign();
+    fs::path answers;
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
+        if (entry.path().filename().string().starts_with(".from_field")) {
+            answers = entry.path();
+        }
+    }
+    ASSERT_FALSE(answers.empty());
+    fs::remove(answers);
+    fs::create_directory(answers);
+    master->send(kTwoLeaves);
+    EXPECT_EQ(master->read(), "");
+    fs::remove(answers);
+    master->send(kTwoLeaves);
+    EXPECT_EQ(structure_of(master->read()), "0 E(#)\nControl: 5\n");
+    master->send(kExit);
+    EXPECT_EQ(master->read(), "Control: 5\n");
+    EXPECT_EQ(master->process().wait(), (Ending{false, 1}));
+    EXPECT_NE(folder_.read("err").find("can't be written"), std::string::npos);
+    master->clean_up();
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -209,8 +209,9 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     text += line(
         "run",
         fmt::format(
-            "{} points, {}, {} paths x {} replicates at a time; {} rays", run.spec.sampler,
-            series_method(run.spec, summary), run.spec.paths, run.spec.replicates, summary.rays));
+            "{} points, {}, {} paths x {} replicates at a time{}; {} rays", run.spec.sampler,
+            series_method(run.spec, summary), run.spec.paths, run.spec.replicates,
+            run.spec.effort == Effort::day ? " on average" : "", summary.rays));
     text += stopped_line(stop_words(run, summary));
     text += line(
         "time",

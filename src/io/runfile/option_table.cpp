@@ -164,6 +164,11 @@ std::vector<Option> rows_of_engine() {
              "alone"},
             &RunSpec::direct_light,
             {{"counted", DirectLight::counted}, {"ignored", DirectLight::ignored}}),
+        choice_option<Effort>(
+            {"effort", "",
+             "with [time]: each time has these paths and this target_error, or paths go by the "
+             "light of the hours, for the sum of the day"},
+            &RunSpec::effort, {{"each", Effort::each}, {"day", Effort::day}}),
     };
 }
 

@@ -146,6 +146,23 @@ Sections read_sections(
     return sections;
 }
 
+/// A day's sum needs times with lengths.
+void check_effort(const Sections& sections, Faults& faults) {
+    if (sections.options.spec.effort == Effort::each) {
+        return;
+    }
+    if (!sections.series) {
+        faults.add({"effort", "it is \"day\"", "the run has no [time]", "leave it out"});
+        return;
+    }
+    const auto& steps = sections.series->time_steps;
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.seconds == 0; })) {
+        faults.add(
+            {"effort", "it is \"day\"", "instants have no part in the sum of a day",
+             "give duration_minutes, or leave effort out"});
+    }
+}
+
 /// Checks the run with its sources, or those of a moment of its series that has light, if any.
 void check_with_sources(const Sections& sections, const Scene& scene, Faults& faults) {
     const RunSpec& spec = sections.options.spec;
@@ -256,6 +273,7 @@ RunFile read_run_document(
     if (reporter.faults.empty()) {
         Faults faults;
         check_with_sources(sections, *sections.scene, faults);
+        check_effort(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);

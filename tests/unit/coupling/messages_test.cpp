@@ -133,6 +133,9 @@ TEST(Messages, AreRefusedWithTheirLine) {
     EXPECT_NE(fault_of("0 E(1)P(a)\n" + kTurtle).find("'a'"), std::string::npos);
     EXPECT_NE(fault_of("0 E(1)P(1,1)\n 1 2 3\n 1 2\n").find("line 3"), std::string::npos);
     EXPECT_NE(
+        fault_of("0 E(1)P(1,1)\n 1 2 3\n 1 2\n").find("3 numbers of the turtle are expected"),
+        std::string::npos);
+    EXPECT_NE(
         fault_of("0 E(1)P(1,1)\n" + kTurtle + "Dbegin\npolygon\n").find("Dend"), std::string::npos);
 }
 

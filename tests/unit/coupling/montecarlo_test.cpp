@@ -81,6 +81,16 @@ TEST(MonteCarlo, CountsMaterialsFromOne) {
     EXPECT_EQ(montecarlo.ground->material, 1U);
 }
 
+/// Organs that only shade are answered, but beside sensors nothing is known of their light.
+TEST(MonteCarlo, AnswersSensorsAlone) {
+    KeptNotices kept;
+    PlantLight light(specification(kOld + "rays from objects: yes 30\n", kept), kept.notices);
+    const auto answers = answers_of(light, flat(10, "P(1,1)", 1, "E(-1)") + flat(20, "P(1,1)", 2));
+    EXPECT_EQ(answers.count(10), 0U);
+    ASSERT_EQ(answers.count(20), 1U);
+    EXPECT_GT(answers.at(20).front(), 0);
+}
+
 TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
     KeptNotices kept;
     const Specification spec = specification(

@@ -119,6 +119,37 @@ TEST_F(OrganShapesTest, WithoutSizeAreNothing) {
     EXPECT_GE(kept_.texts.size(), 5U);
 }
 
+TEST_F(OrganShapesTest, TellOfParametersInNumbersThatAgree) {
+    EXPECT_TRUE(make("P()").triangles.empty());
+    EXPECT_TRUE(kept_.has("has 1 parameter; 2 are needed")) << kept_.texts.front();
+    EXPECT_TRUE(make("U(1,2)").triangles.empty());
+    EXPECT_TRUE(kept_.has("has 2 parameters; 4 are needed"));
+}
+
+TEST_F(OrganShapesTest, TellOfMaterialsThatAreNoWholeNumbers) {
+    const std::string two = "leaf material (top): 1 0 0 0\nmaterial: 0.5 0 0 0\n";
+    EXPECT_FALSE(make("P(1,1,1)", two).triangles.empty());
+    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_EQ(make("P(1,1,0.7)", two).materials.upper, 0U) << "what stands before the point";
+    EXPECT_TRUE(kept_.has("names material 0.7: what stands behind the point does not count"));
+}
+
+TEST_F(OrganShapesTest, TellOfPolygonsByTheirLines) {
+    spec_ = specification("", kept_);
+    const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";
+    const Pass pass = pass_of(
+        "0 E(1)\n" + turtle + "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 0 0 1\npolygon\n 0 0 0\nDend\n" +
+        "1 E(1)M(1)\n" + turtle + "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 2 0 0\nDend\n");
+    OrganShapes shapes(spec_, kept_.notices);
+    EXPECT_EQ(shapes.make(pass, pass.queries[0]).triangles.size(), 1U);
+    EXPECT_TRUE(
+        kept_.has("query 0, without a module, has a polygon (line 11 of its message) of 1 corner"))
+        << kept_.texts.front();
+    static_cast<void>(shapes.make(pass, pass.queries[1]));
+    EXPECT_TRUE(kept_.has("module M (query 1) has a polygon (line 20 of its message) without area"))
+        << kept_.texts.back();
+}
+
 TEST_F(OrganShapesTest, OfPolygonsAddUp) {
     spec_ = specification("", kept_);
     const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";

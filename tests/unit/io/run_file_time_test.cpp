@@ -358,5 +358,17 @@ TEST(RunFileWeather, OvercastHoursShareATrace) {
     EXPECT_NEAR(plans[7].factor, 15 / 8.0, 1e-9);
 }
 
+TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
+    RunText text;
+    text.run = "[run]\neffort = 'day'\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (the run has no [time])"));
+    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    text.sources = "";
+    text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (instants have no part"));
+    text.rest += "duration_minutes = 60\n";
+    EXPECT_TRUE(faults_of(text.text()).empty());
+}
+
 }  // namespace
 }  // namespace quasimc::test

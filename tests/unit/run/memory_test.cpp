@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,36 +18,15 @@
 
 #include "scene/scene_builder.h"
 #include "statistical/scenes.h"
+#include "support/process_memory.h"
 #include "support/random_leaves.h"
+#include "support/sanitized.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsMeasurable = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kIsMeasurable = false;
-#else
-constexpr bool kIsMeasurable = true;
-#endif
-#else
-constexpr bool kIsMeasurable = true;
-#endif
-
 constexpr std::size_t kTriangles = 200'000;
-
-/// A line of /proc/self/status in bytes.
-double status_bytes(const std::string& key) {
-    std::ifstream file("/proc/self/status");
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with(key + ":")) {
-            return 1024 * std::atof(line.c_str() + key.size() + 1);
-        }
-    }
-    return 0;
-}
 
 /// Makes a scene ready to trace.
 void prepare(SceneBuilder builder) {
@@ -108,7 +86,7 @@ Mesh sheet() {
 class Memory : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (!kIsMeasurable || status_bytes("VmHWM") == 0) {
+        if (kIsSanitized || status_bytes("VmHWM") == 0) {
             GTEST_SKIP() << "memory is not measured here";
         }
     }

@@ -1,5 +1,8 @@
 #include "run/rounds.h"
 
+#include <numeric>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "statistical/scenes.h"
@@ -127,6 +130,34 @@ Course course_of(const RunSpec& spec, double fixed, double each) {
 /// Paths of the result.
 std::uint64_t paths_of(const Course& course) {
     return course.rounds.back().first + course.rounds.back().second;
+}
+
+/// What is left of a huge run that is stopped, and costs little.
+TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
+    RunSpec spec;
+    spec.paths = std::uint64_t{1} << 30U;
+    Rounds rounds(spec, 256, 0, true);
+    std::vector<std::uint64_t> counts;
+    while (const auto round = rounds.next()) {
+        EXPECT_EQ(round->first, 0U) << "each is a run of its own";
+        counts.push_back(round->count);
+        rounds.finish(static_cast<double>(counts.size()), 0);
+    }
+    EXPECT_EQ(counts.front(), 1U << 14U);
+    EXPECT_EQ(counts.back(), spec.paths);
+    EXPECT_EQ(counts[counts.size() - 2], spec.paths / 64);
+    const auto trials = std::accumulate(counts.begin(), counts.end() - 1, std::uint64_t{0});
+    EXPECT_LT(static_cast<double>(trials), .022 * static_cast<double>(spec.paths));
+    EXPECT_EQ(rounds.stop(), StopReason::paths_done);
+}
+
+TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
+    RunSpec spec;
+    spec.paths = (1U << 22U) - 1;
+    Rounds rounds(spec, 256, 0, true);
+    EXPECT_EQ(rounds.next()->count, spec.paths);
+    spec.paths = 1U << 22U;
+    EXPECT_EQ(Rounds(spec, 256, 0, false).next()->count, spec.paths);
 }
 
 TEST(Rounds, OfALongLimitEndWithThoseOfNone) {

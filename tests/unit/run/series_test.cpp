@@ -192,6 +192,91 @@ TEST(Series, SharesItsTime) {
 }
 
 /// Sums take as much memory as a result: they are made only for who asks for them.
+/// Three hours of a day that bring less and less, and each is traced.
+std::vector<TimeStep> fading_day() {
+    return {moment_of({sky({900})}, "a"), moment_of({sky({90})}, "b"), moment_of({sky({9})}, "c")};
+}
+
+TEST(SpreadEffort, FollowsTheLightOfTheDay) {
+    std::vector<TimeStep> time_steps = fading_day();
+    auto plans = plan_series(time_steps);
+    EXPECT_EQ(plans[0].effort, 1) << "unless it is asked for";
+    spread_effort(make_scene(), time_steps, plans);
+    // Of the sum 900/999, 90/999 and 9/999; three times that is 2.7, .27 and .027.
+    EXPECT_EQ(plans[0].effort, 2);
+    EXPECT_EQ(plans[1].effort, .25);
+    EXPECT_EQ(plans[2].effort, 1. / 32);
+    EXPECT_NEAR(plans[2].target, std::sqrt(999. / 9), 1e-12);
+    time_steps[2].seconds = 3600e-6;
+    plans = plan_series(time_steps);
+    spread_effort(make_scene(), time_steps, plans);
+    EXPECT_EQ(plans[2].effort, 1. / 64) << "at least";
+}
+
+TEST(SpreadEffort, OfDaysIsOfEachByItself) {
+    const std::vector<TimeStep> time_steps{
+        moment_of({sky({900})}, "a", 0), moment_of({sky({900})}, "b", 0),
+        moment_of({sky({1})}, "c", 1), moment_of({}, "", 1)};
+    auto plans = plan_series(time_steps);
+    spread_effort(make_scene(), time_steps, plans);
+    for (const std::size_t i : {0, 1, 2}) {
+        EXPECT_EQ(plans[i].effort, 1) << i;
+    }
+}
+
+TEST(SpreadEffort, CountsASharedTraceByAllItServes) {
+    const std::vector<TimeStep> time_steps{
+        moment_of({sky({100})}, "overcast"), moment_of({sky({100})}, "b"),
+        moment_of({sky({200})}, "overcast"), moment_of({sky({400})}, "overcast")};
+    auto plans = plan_series(time_steps);
+    spread_effort(make_scene(), time_steps, plans);
+    EXPECT_EQ(plans[0].effort, 2) << "700 of 800, and two traces";
+    EXPECT_EQ(plans[1].effort, .25);
+}
+
+/// Paths where the light is: for the same error of the sum, less than half of the paths.
+TEST(Series, OfADayNeedsFewerPathsForItsSum) {
+    const Scene scene = make_scene();
+    RunSpec spec = small_spec();
+    spec.sampler = "monte_carlo";
+    spec.replicates = 512;
+    const auto cost = [&](Effort effort) {
+        spec.effort = effort;
+        double paths = 0;
+        SeriesEvents events;
+        events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+            paths += static_cast<double>(result.paths);
+        };
+        const Estimate sum =
+            run_series(scene, fading_day(), spec, events).total.at(0, Quantity::absorbed_flux, 0);
+        return paths * sum.standard_error * sum.standard_error / (sum.mean * sum.mean);
+    };
+    // 3 (.9^2 + .09^2 + .009^2) = 2.46 against 1.
+    EXPECT_LT(cost(Effort::day), .55 * cost(Effort::each));
+}
+
+TEST(Series, OfADayHasTheTargetForItsSum) {
+    RunSpec spec = small_spec();
+    spec.sampler = "monte_carlo";
+    spec.paths = 256;
+    spec.replicates = 32;
+    spec.target_error = .02;
+    spec.target_fraction = 1;
+    spec.effort = Effort::day;
+    std::vector<std::uint64_t> paths;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        paths.push_back(result.paths);
+        EXPECT_EQ(result.stop, StopReason::target_reached);
+    };
+    const SeriesSum sum = run_series(make_scene(), fading_day(), spec, events).total;
+    for (const std::size_t organ : {0, 1}) {
+        const Estimate& e = sum.at(organ, Quantity::absorbed_flux, 0);
+        EXPECT_LT(e.standard_error, .02 * e.mean) << organ;
+    }
+    EXPECT_GT(paths[0], 8 * paths[2]);
+}
+
 TEST(Series, LeavesOutSumsThatNobodyWants) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{

@@ -96,6 +96,20 @@ TEST(StoppedRun, OfNoCompleteRoundHasNoResult) {
     EXPECT_TRUE(same_values(again, run(leaf_over_ground(), {sky}, run_in_rounds(0))));
 }
 
+/// A stop within the first round leaves a few paths, if there is time for them.
+TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
+    std::stop_source source;
+    const auto sky = std::make_shared<StoppingSky>(source, 5000);
+    RunSpec spec = spec_of(Method::from_organs, 1U << 16U);
+    const Result few =
+        run(leaf_over_ground(), {sky}, spec,
+            RunControl{.stop = source.get_token(), .seconds_after_stop = 100});
+    EXPECT_EQ(few.stop, StopReason::interrupted);
+    EXPECT_EQ(few.paths, 256U);
+    EXPECT_TRUE(same_values(few, run(leaf_over_ground(), {sky}, run_in_rounds(0))))
+        << "as if no more had been asked for";
+}
+
 /// A closed box that absorbs nothing, with a lamp in it: no path ever ends.
 Scene make_white_box() {
     SceneBuilder builder = make_builder();
@@ -158,6 +172,20 @@ TEST_P(TimeLimit, EndsAHugeRunWithAResult) {
     const Estimate& absorbed = result.at(0, Quantity::absorbed_flux, 0);
     EXPECT_GT(absorbed.mean, 0);
     EXPECT_GT(absorbed.standard_error, 0);
+}
+
+/// What trials cost is time only.
+TEST_P(TimeLimit, OfNoneChangesNoBitOfAHugeRunThatMayBeStopped) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, .5)));
+    const Scene scene = std::move(builder).build();
+    RunSpec spec = spec_of(GetParam(), std::uint64_t{1} << 22U);
+    spec.replicates = 2;
+    const std::stop_source never;
+    EXPECT_TRUE(same_values(
+        run(scene, {sun(20, {1})}, spec),
+        run(scene, {sun(20, {1})}, spec, RunControl{.stop = never.get_token()})));
 }
 
 QUASIMC_BOTH_WAYS(WhiteBox);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <unistd.h>
+
+namespace quasimc {
+
+/// A file descriptor that is closed at the end, unless it is standard input.
+class Descriptor {
+  public:
+    /// @param number  as open() gives it; negative: none
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0 && number_ != STDIN_FILENO) {
+            ::close(number_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    [[nodiscard]] bool is_open() const { return number_ >= 0; }
+
+  private:
+    int number_;
+};
+
+}  // namespace quasimc
