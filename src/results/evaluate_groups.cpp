@@ -28,12 +28,15 @@ void add_incident(Incident& sum, const Incident& part) {
     sum.absorbed += part.absorbed;
 }
 
-/// What one find more would bring to a group, or one less would take: to that of its organs to
-/// which it brings most. Where kinds of light are known, each organ may lack one of its own.
+/// What one find more would bring to a group, or one less would take.
 struct GroupFind {
     double incident = 0, absorbed = 0, sunlit_area = 0;  ///< more, to a single replicate
-    std::array<SingleFind, kQuantities> known{};         ///< where it is known what can be found
-    SingleFind sunlit;                                   ///< the same
+    /// Where it is known what can be found: to the organ to which a sample brings most; of kinds of
+    /// light, of which each organ may lack some of its own, to all of them.
+    std::array<SingleFind, kQuantities> known{};
+    SingleFind sunlit;
+    /// Where nothing was found: along one direction all organs may, a path meets one of them.
+    std::array<double, kQuantities> by_look{}, by_path{};
 };
 
 /// Turns the sums of groups into estimates.
@@ -138,6 +141,10 @@ class GroupEvaluator {
                 if (finds.knows_finds()) {
                     SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
                     known = together(known, finds.find(entry.quantity));
+                    const OrganFinds::Parts parts = finds.parts(entry.quantity);
+                    const auto q = static_cast<std::size_t>(entry.quantity);
+                    most.by_look[q] += parts.by_look.more;
+                    most.by_path[q] = std::max(most.by_path[q], parts.by_path.more);
                 }
             }
             if (has_sun() && knows_finds()) {
@@ -176,7 +183,11 @@ class GroupEvaluator {
                                      entry.quantity == Quantity::absorbed_flux_density;
             const double most = (is_absorbed ? find.absorbed : find.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
-            const SingleFind known{find.known[q].more * unit, find.known[q].less * unit};
+            const bool is_dark = std::all_of(
+                samples[q].begin(), samples[q].end(), [](double light) { return light == 0; });
+            const SingleFind known =
+                is_dark ? SingleFind{std::hypot(find.by_look[q], find.by_path[q]) * unit, 0}
+                        : SingleFind{find.known[q].more * unit, find.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
                 knows_finds() ? estimate_finds(samples[q], known)
                               : estimate_seen_or_bound(samples[q], most);

@@ -19,15 +19,16 @@ SingleFind larger(const SingleFind& a, const SingleFind& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
-/// From so many finds in each replicate on the replicates tell.
+/// From so many finds of scattered light in each replicate on the replicates tell.
 constexpr double kManyFinds = 5;
 
 /// Of light that so many finds of all replicates brought. @param most  that a find may bring
-SingleFind find_among(double mean, double finds, double most, double replicates) {
+SingleFind find_among(
+    double mean, double finds, double most, double replicates, double many = kManyFinds) {
     if (mean == 0) {
         return {most, 0};
     }
-    const double few = std::max(0.0, 1 - finds / (kManyFinds * replicates));
+    const double few = std::max(0.0, 1 - finds / (many * replicates));
     const double usual = mean / finds;
     return {few * std::max(usual, most / (finds + 1)), few * usual};
 }
@@ -102,8 +103,9 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
         for (const SurfaceSide side : kSurfaceSides) {
             const OrganReader::Found found = reader.found(i, side);
             const double finds = found.units * found.units / found.squares;
-            const SingleFind find =
-                find_among(found.units * flux, finds, reader.units_per_find(i, side) * flux, count);
+            const SingleFind find = find_among(
+                found.units * flux, finds, reader.units_per_find(i, side) * flux, count,
+                reader.kind(i).many);
             Kind& kind = is_path ? by_path_ : direct_;
             SingleFind& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
             sum = is_path ? larger(sum, find) : both(sum, find);
@@ -123,24 +125,30 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
 }
 
 SingleFind OrganFinds::find(Quantity quantity) const {
-    return knows_unoccluded_ ? find_among_points(quantity) : find_among_kinds(quantity);
+    const Parts found = parts(quantity);
+    return both(found.by_look, found.by_path);
+}
+
+OrganFinds::Parts OrganFinds::parts(Quantity quantity) const {
+    return knows_unoccluded_ ? Parts{{}, find_among_points(quantity)} : parts_of_kinds(quantity);
 }
 
 /// Paths are finds whatever they bring: one more may bring direct light, or scattered.
-SingleFind OrganFinds::find_among_kinds(Quantity quantity) const {
+OrganFinds::Parts OrganFinds::parts_of_kinds(Quantity quantity) const {
     const SingleFind by_path = larger(by_path_.upper, by_path_.lower);
     switch (quantity) {
         case Quantity::incident_upper:
-            return both(direct_.upper, larger(by_path_.upper, scattered_.upper));
+            return {direct_.upper, larger(by_path_.upper, scattered_.upper)};
         case Quantity::incident_lower:
-            return both(direct_.lower, larger(by_path_.lower, scattered_.lower));
+            return {direct_.lower, larger(by_path_.lower, scattered_.lower)};
         case Quantity::incident_direct:
-            return both(both(direct_.upper, direct_.lower), by_path);
+            return {both(direct_.upper, direct_.lower), by_path};
         case Quantity::incident_scattered:
-            return on_either_;
+            return {{}, on_either_};
         default:
-            return both(both(direct_.upper, direct_.lower), larger(by_path, on_either_)) *
-                   absorptance_;
+            return {
+                both(direct_.upper, direct_.lower) * absorptance_,
+                larger(by_path, on_either_) * absorptance_};
     }
 }
 
@@ -154,8 +162,9 @@ SingleFind OrganFinds::sunlit_find(const OrganReader& reader, double area) {
             const double units = upper.units + lower.units;
             const double most = reader.sunlit_per_find(i) * reader.sunlit_area_per_find() / count;
             sum = both(
-                sum,
-                find_among(area, units * units / (upper.squares + lower.squares), most, count));
+                sum, find_among(
+                         area, units * units / (upper.squares + lower.squares), most, count,
+                         reader.kind(i).many));
         }
     }
     return sum;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/vec3.h"
+#include "transport/sky_directions.h"
 
 namespace quasimc {
 namespace {
@@ -92,10 +93,13 @@ std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
 
 /// Of the light along a direction a region gets the part that it takes of the box around the scene,
 /// as seen along it: at most what it is along one of the axes, since both are sums over these.
-LightKind kind_by_direction(const PreparedScene& prepared, double step) {
+LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directions, double step) {
     LightKind kind =
         kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
     kind.found_by = FoundBy::directions;
+    // Laid in one way, as many are, replicates see alike more often.
+    constexpr double kManyInOneWay = 7;
+    kind.many = directions > kMostDirectionsInFourWays ? kManyInOneWay : kind.many;
     kind.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());

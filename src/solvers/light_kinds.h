@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -15,8 +16,10 @@ namespace quasimc {
 [[nodiscard]] std::vector<LightKind> kinds_by_path(const PreparedScene& prepared);
 
 /// The skies, whose light is found along directions.
+/// @param directions  in each replicate, of the first round
 /// @param step  units of light of each
-[[nodiscard]] LightKind kind_by_direction(const PreparedScene& prepared, double step);
+[[nodiscard]] LightKind kind_by_direction(
+    const PreparedScene& prepared, std::uint32_t directions, double step);
 
 /// The suns, whose light is found along lines.
 /// @param has_lines  by light: those of which it is
@@ -50,6 +53,9 @@ class FindCounter {
         if (region != region_) {
             finish();
             region_ = region;
+        }
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
         }
         Found& found = found_[along > 0 ? 1 : 0];
         found.amount += amount;

@@ -17,9 +17,7 @@ std::array<double, 2> hemisphere_lattice(
     double first = static_cast<double>(i) / count;
     double second = i * (std::numbers::phi - 1);
     const double choice = 4 * placing[2];
-    // Of many directions the first way alone has half the error.
-    constexpr std::uint32_t kMany = 256;
-    const int way = count > kMany ? 0 : static_cast<int>(choice);
+    const int way = count > kMostDirectionsInFourWays ? 0 : static_cast<int>(choice);
     if (way == 1) {
         std::swap(first, second);
     } else if (way == 2) {
