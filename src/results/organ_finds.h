@@ -33,8 +33,8 @@ class OrganFinds {
     };
     [[nodiscard]] Parts parts(Quantity quantity) const;
 
-    /// A find of the sunlit area of an organ. @param area  mean of the replicates
-    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader, double area);
+    /// A find of the sunlit area of an organ, where kinds of light are known.
+    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader);
 
   private:
     void set_unoccluded(const OrganReader& reader, std::size_t band);

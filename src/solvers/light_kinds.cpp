@@ -97,9 +97,9 @@ LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directi
     LightKind kind =
         kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
     kind.found_by = FoundBy::directions;
-    // Laid in one way, as many are, replicates see alike more often.
-    constexpr double kManyInOneWay = 7;
-    kind.many = directions > kMostDirectionsInFourWays ? kManyInOneWay : kind.many;
+    // Not sheared, as many are, more replicates see the same number.
+    constexpr double kManyAlike = 7;
+    kind.many = directions > kMostShearedDirections ? kManyAlike : kind.many;
     kind.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());
@@ -159,20 +159,6 @@ LightKind kind_by_line(
         }
     }
     return kind;
-}
-
-void FindCounter::finish() {
-    for (const SurfaceSide side : kSurfaceSides) {
-        Found& found = found_[index_of(side)];
-        const double most = kind_.reach[2 * region_ + index_of(side)] * kind_.step;
-        if (found.amount > 0 && most > 0) {
-            const double part = found.amount / most;
-            tally_.add(
-                tally_.layout().squares(region_, side, number_),
-                to_fixed(part * part / std::min(found.pieces, lines_)));
-        }
-        found = {};
-    }
 }
 
 }  // namespace quasimc
