@@ -208,6 +208,7 @@ struct LightKind {
     std::vector<double> reach = {};
     std::vector<double> sunlit_reach = {};  ///< of suns, by region: the same of the area lit
     double step = 1;                        ///< light of a find in the first round, in units
+    double many = 5;  ///< finds in each replicate from which on replicates tell all
 
     friend bool operator==(const LightKind&, const LightKind&) = default;
 };

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/checks.h"
 #include "base/parallel.h"
@@ -96,9 +95,7 @@ class OrganEvaluator {
         const bool is_all = std::all_of(
             values_.begin(), values_.end(), [](double fraction) { return fraction >= kFullyLit; });
         if (sums_.layout.unoccluded_light == UnoccludedLight::left_out && reader.kinds() > 0) {
-            const double mean = std::accumulate(values_.begin(), values_.end(), 0.0) /
-                                static_cast<double>(values_.size());
-            const SingleFind one = OrganFinds::sunlit_find(reader, mean * organ.area);
+            const SingleFind one = OrganFinds::sunlit_find(reader);
             return estimate_finds(values_, {one.more * per_area, one.less * per_area});
         }
         const double find =

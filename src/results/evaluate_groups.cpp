@@ -28,12 +28,14 @@ void add_incident(Incident& sum, const Incident& part) {
     sum.absorbed += part.absorbed;
 }
 
-/// What one find more would bring to a group, or one less would take: to that of its organs to
-/// which it brings most. Where kinds of light are known, each organ may lack one of its own.
+/// What one find more would bring to a group, or one less would take.
 struct GroupFind {
-    double incident = 0, absorbed = 0, sunlit_area = 0;  ///< more, to a single replicate
-    std::array<SingleFind, kQuantities> known{};         ///< where it is known what can be found
-    SingleFind sunlit;                                   ///< the same
+    double incident = 0, absorbed = 0;  ///< more, to a single replicate
+    /// Where it is known what can be found: to the organ to which a sample brings most; of kinds of
+    /// light, of which each organ may lack some of its own, to all of them.
+    std::array<SingleFind, kQuantities> known{};
+    /// Where nothing was found: along one direction all organs may, a path meets one of them.
+    std::array<double, kQuantities> by_look{}, by_path{};
 };
 
 /// Turns the sums of groups into estimates.
@@ -93,10 +95,17 @@ class GroupEvaluator {
 
     [[nodiscard]] Estimate sunlit_area(
         std::size_t group, const std::vector<double>& per_replicate) const {
-        const GroupFind one = find_of(group, 0);
-        const double most = one.sunlit_area;
+        double most = 0;
+        SingleFind known;
+        for (const std::uint32_t index : results_.groups[group].organs) {
+            const OrganReader reader = reader_of(index);
+            most = std::max(most, reader.sunlit_area_per_find());
+            if (knows_finds() && !knows_unoccluded()) {
+                known = together(known, OrganFinds::sunlit_find(reader));
+            }
+        }
         if (!knows_unoccluded()) {
-            return knows_finds() ? estimate_finds(per_replicate, one.sunlit)
+            return knows_finds() ? estimate_finds(per_replicate, known)
                                  : estimate_seen_or_bound(per_replicate, most);
         }
         const double all = kFullyLit * results_.groups[group].area;
@@ -112,17 +121,12 @@ class GroupEvaluator {
 
     /// Of what one sample finds, the most that it brings to an organ; else each organ's own.
     [[nodiscard]] SingleFind together(const SingleFind& a, const SingleFind& b) const {
+        if (b.more == 0 && b.less == 0) {
+            return a;
+        }
         return knows_unoccluded()
                    ? SingleFind{std::max(a.more, b.more), std::max(a.less, b.less)}
                    : SingleFind{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
-    }
-
-    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader) {
-        double area = 0;
-        for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
-            area += reader.sunlit_area(r) / reader.replicates();
-        }
-        return OrganFinds::sunlit_find(reader, area);
     }
 
     [[nodiscard]] GroupFind find_of(std::size_t group, std::size_t band) const {
@@ -132,16 +136,16 @@ class GroupEvaluator {
             const double find = reader.flux_per_find(band);
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
-            most.sunlit_area = std::max(most.sunlit_area, reader.sunlit_area_per_find());
             const OrganFinds finds(reader, band);
             for (const QuantityEntry& entry : quantity_table()) {
                 if (finds.knows_finds()) {
                     SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
                     known = together(known, finds.find(entry.quantity));
+                    const OrganFinds::Parts parts = finds.parts(entry.quantity);
+                    const auto q = static_cast<std::size_t>(entry.quantity);
+                    most.by_look[q] += parts.by_look.more;
+                    most.by_path[q] = std::max(most.by_path[q], parts.by_path.more);
                 }
-            }
-            if (has_sun() && knows_finds()) {
-                most.sunlit = together(most.sunlit, sunlit_find(reader));
             }
         }
         return most;
@@ -169,7 +173,11 @@ class GroupEvaluator {
                                      entry.quantity == Quantity::absorbed_flux_density;
             const double most = (is_absorbed ? find.absorbed : find.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
-            const SingleFind known{find.known[q].more * unit, find.known[q].less * unit};
+            const bool is_dark = std::all_of(
+                samples[q].begin(), samples[q].end(), [](double light) { return light == 0; });
+            const SingleFind known =
+                is_dark ? SingleFind{std::hypot(find.by_look[q], find.by_path[q]) * unit, 0}
+                        : SingleFind{find.known[q].more * unit, find.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
                 knows_finds() ? estimate_finds(samples[q], known)
                               : estimate_seen_or_bound(samples[q], most);

@@ -8,7 +8,9 @@ namespace {
 
 /// Either may happen.
 SingleFind both(const SingleFind& a, const SingleFind& b) {
-    return {std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
+    // Mostly one of the two is none.
+    const auto sum = [](double x, double y) { return x == 0 ? y : y == 0 ? x : std::hypot(x, y); };
+    return {sum(a.more, b.more), sum(a.less, b.less)};
 }
 
 SingleFind operator*(const SingleFind& find, double factor) {
@@ -19,15 +21,16 @@ SingleFind larger(const SingleFind& a, const SingleFind& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
-/// From so many finds in each replicate on the replicates tell.
+/// From so many finds of scattered light in each replicate on the replicates tell.
 constexpr double kManyFinds = 5;
 
 /// Of light that so many finds of all replicates brought. @param most  that a find may bring
-SingleFind find_among(double mean, double finds, double most, double replicates) {
+SingleFind find_among(
+    double mean, double finds, double most, double replicates, double many = kManyFinds) {
     if (mean == 0) {
         return {most, 0};
     }
-    const double few = std::max(0.0, 1 - finds / (kManyFinds * replicates));
+    const double few = std::max(0.0, 1 - finds / (many * replicates));
     const double usual = mean / finds;
     return {few * std::max(usual, most / (finds + 1)), few * usual};
 }
@@ -94,28 +97,37 @@ void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
     on_either_ = {either, seen == 0 ? 0 : either};
 }
 
+namespace {
+
+/// Whether the first replicate alone has so many finds that all together have enough: most have.
+bool has_plenty(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
+    const OrganReader::Found first = reader.found(kind, side, 1);
+    return first.units > 0 && first.finds() >= 2 * reader.kind(kind).many;
+}
+
+}  // namespace
+
 void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
     const auto count = static_cast<double>(reader.replicates());
     for (std::size_t i = 0; i < reader.kinds(); ++i) {
+        const LightKind& light = reader.kind(i);
         const double flux = reader.flux_per_unit(i, band) / count;
-        const bool is_path = reader.kind(i).found_by == FoundBy::paths;
+        const bool is_path = light.found_by == FoundBy::paths;
         for (const SurfaceSide side : kSurfaceSides) {
-            const OrganReader::Found found = reader.found(i, side);
-            const double finds = found.units * found.units / found.squares;
-            const SingleFind find =
-                find_among(found.units * flux, finds, reader.units_per_find(i, side) * flux, count);
+            if (has_plenty(reader, i, side)) {
+                continue;
+            }
+            const OrganReader::Found found = reader.found(i, side, reader.replicates());
+            const SingleFind find = find_among(
+                found.units * flux, found.finds(), reader.units_per_find(i, side) * flux, count,
+                light.many);
             Kind& kind = is_path ? by_path_ : direct_;
             SingleFind& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
             sum = is_path ? larger(sum, find) : both(sum, find);
         }
     }
-    double upper = 0;
-    double lower = 0;
-    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
-        const Incident in = reader.incident(r, band);
-        upper += in.scattered_upper / count;
-        lower += in.scattered_lower / count;
-    }
+    const double upper = reader.scattered(SurfaceSide::upper, band) / count;
+    const double lower = reader.scattered(SurfaceSide::lower, band) / count;
     const double most = reader.scattered_flux_per_find(band) / count;
     const auto scattered = [&](double mean) { return find_among(mean, mean / most, most, count); };
     scattered_ = {scattered(upper), scattered(lower)};
@@ -123,40 +135,53 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
 }
 
 SingleFind OrganFinds::find(Quantity quantity) const {
-    return knows_unoccluded_ ? find_among_points(quantity) : find_among_kinds(quantity);
+    const Parts found = parts(quantity);
+    return both(found.by_look, found.by_path);
+}
+
+OrganFinds::Parts OrganFinds::parts(Quantity quantity) const {
+    return knows_unoccluded_ ? Parts{{}, find_among_points(quantity)} : parts_of_kinds(quantity);
 }
 
 /// Paths are finds whatever they bring: one more may bring direct light, or scattered.
-SingleFind OrganFinds::find_among_kinds(Quantity quantity) const {
+OrganFinds::Parts OrganFinds::parts_of_kinds(Quantity quantity) const {
     const SingleFind by_path = larger(by_path_.upper, by_path_.lower);
     switch (quantity) {
         case Quantity::incident_upper:
-            return both(direct_.upper, larger(by_path_.upper, scattered_.upper));
+            return {direct_.upper, larger(by_path_.upper, scattered_.upper)};
         case Quantity::incident_lower:
-            return both(direct_.lower, larger(by_path_.lower, scattered_.lower));
+            return {direct_.lower, larger(by_path_.lower, scattered_.lower)};
         case Quantity::incident_direct:
-            return both(both(direct_.upper, direct_.lower), by_path);
+            return {both(direct_.upper, direct_.lower), by_path};
         case Quantity::incident_scattered:
-            return on_either_;
+            return {{}, on_either_};
         default:
-            return both(both(direct_.upper, direct_.lower), larger(by_path, on_either_)) *
-                   absorptance_;
+            return {
+                both(direct_.upper, direct_.lower) * absorptance_,
+                larger(by_path, on_either_) * absorptance_};
     }
 }
 
-SingleFind OrganFinds::sunlit_find(const OrganReader& reader, double area) {
+SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
     const auto count = static_cast<double>(reader.replicates());
     SingleFind sum;
     for (std::size_t i = 0; i < reader.kinds(); ++i) {
-        if (reader.kind(i).has_suns) {
-            const OrganReader::Found upper = reader.found(i, SurfaceSide::upper);
-            const OrganReader::Found lower = reader.found(i, SurfaceSide::lower);
-            const double units = upper.units + lower.units;
-            const double most = reader.sunlit_per_find(i) * reader.sunlit_area_per_find() / count;
-            sum = both(
-                sum,
-                find_among(area, units * units / (upper.squares + lower.squares), most, count));
+        if (!reader.kind(i).has_suns) {
+            continue;
         }
+        if (has_plenty(reader, i, SurfaceSide::upper) ||
+            has_plenty(reader, i, SurfaceSide::lower)) {
+            continue;
+        }
+        OrganReader::Found found = reader.found(i, SurfaceSide::upper, reader.replicates());
+        const OrganReader::Found lower = reader.found(i, SurfaceSide::lower, reader.replicates());
+        found = {found.units + lower.units, found.squares + lower.squares};
+        double area = 0;
+        for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+            area += reader.sunlit_area(r) / count;
+        }
+        const double most = reader.sunlit_per_find(i) * reader.sunlit_area_per_find() / count;
+        sum = both(sum, find_among(area, found.finds(), most, count, reader.kind(i).many));
     }
     return sum;
 }

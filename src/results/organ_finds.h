@@ -26,14 +26,21 @@ class OrganFinds {
     /// A find of a quantity, as flux. To be asked where knows_finds().
     [[nodiscard]] SingleFind find(Quantity quantity) const;
 
-    /// A find of the sunlit area of an organ. @param area  mean of the replicates
-    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader, double area);
+    /// The same in two parts: of light that many organs may find at once, along a line or a
+    /// direction, and of what a path brings to a single one.
+    struct Parts {
+        SingleFind by_look, by_path;
+    };
+    [[nodiscard]] Parts parts(Quantity quantity) const;
+
+    /// A find of the sunlit area of an organ, where kinds of light are known.
+    [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader);
 
   private:
     void set_unoccluded(const OrganReader& reader, std::size_t band);
     void set_kinds(const OrganReader& reader, std::size_t band);
     [[nodiscard]] SingleFind find_among_points(Quantity quantity) const;
-    [[nodiscard]] SingleFind find_among_kinds(Quantity quantity) const;
+    [[nodiscard]] Parts parts_of_kinds(Quantity quantity) const;
 
     /// One kind of light.
     struct Kind {

@@ -150,27 +150,41 @@ class OrganReader {
     /// Kinds of lights of which it is known what one find brings; 0: see flux_per_find().
     [[nodiscard]] std::size_t kinds() const { return sums_.units.kinds.size(); }
     [[nodiscard]] const LightKind& kind(std::size_t i) const { return sums_.units.kinds[i]; }
-    /// What all replicates together found of a kind of light on a side.
+    /// What replicates together found of a kind of light on a side.
     struct Found {
         double units = 0;    ///< of light
         double squares = 0;  ///< sum of squares of what each find brought
+
+        /// As how many finds of one size they count; of no light: not a number.
+        [[nodiscard]] double finds() const { return units * units / squares; }
     };
-    [[nodiscard]] Found found(std::size_t kind, SurfaceSide side) const {
+    /// @param replicates  the first so many
+    [[nodiscard]] Found found(std::size_t kind, SurfaceSide side, std::size_t replicates) const {
         Found sum;
         const SumLayout& layout = sums_.layout;
+        const LightKind& light = sums_.units.kinds[kind];
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            const double step = reach_of(region, kind, side) * this->kind(kind).step;
-            for (const ExactBins& bins : sums_.replicates) {
-                double units = 0;
-                for (const std::size_t spectrum : this->kind(kind).spectra) {
-                    units += bins.value(layout.direct(region, side, spectrum));
-                }
-                sum.units += units;
-                sum.squares += kind < layout.counted_kinds
-                                   ? bins.value(layout.squares(region, side, kind)) * step * step
-                                   : units;
+            double units = 0;
+            for (const std::size_t spectrum : light.spectra) {
+                units += sum_of(layout.direct(region, side, spectrum), replicates);
             }
+            const double step = reach_of(region, kind, side) * light.step;
+            sum.units += units;
+            sum.squares +=
+                kind < layout.counted_kinds
+                    ? sum_of(layout.squares(region, side, kind), replicates) * step * step
+                    : units;
+        }
+        return sum;
+    }
+    /// Scattered light on a side, sum of all replicates.
+    [[nodiscard]] double scattered(SurfaceSide side, std::size_t band) const {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const std::uint32_t region = organ_.first_region + i;
+            const std::size_t bin = sums_.layout.scattered(region, side) + band;
+            sum += sum_of(bin, sums_.replicates.size()) * units_.flux(region, band);
         }
         return sum;
     }
@@ -200,6 +214,15 @@ class OrganReader {
     }
 
   private:
+    /// Of a bin, over the first replicates.
+    [[nodiscard]] double sum_of(std::size_t bin, std::size_t replicates) const {
+        double sum = 0;
+        for (std::size_t r = 0; r < replicates; ++r) {
+            sum += sums_.replicates[r].value(bin);
+        }
+        return sum;
+    }
+
     [[nodiscard]] double reach_of(std::uint32_t region, std::size_t kind, SurfaceSide side) const {
         const auto& reach = this->kind(kind).reach;
         return reach.empty() ? (region == organ_.first_region ? 1 : 0)

@@ -435,7 +435,7 @@ SumMeaning first_hits_meaning(const PreparedScene& prepared, const RunSpec& spec
     for (const VisibilityTask& task : budget.tasks(first)) {
         const double step = budget.light_per_look(task, first);
         if (task.is_sky) {
-            counted.push_back(kind_by_direction(prepared, step));
+            counted.push_back(kind_by_direction(prepared, task.count, step));
         } else {
             of_line = std::max(of_line, step);
         }

@@ -211,7 +211,7 @@ class FromOrgans final : public Solver {
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
         const Sight sight = next_event_.look(stream, point.index, 2, point.place);
         const double cosine = dot(sight.to_light, point.up);
-        if (cosine == 0 || sight.factor == 0 ||
+        if (cosine == 0 || sight.factor == 0 || NextEvent::is_in_plane(sight, point.up) ||
             near_.lights_near(*sight.light, point.region, point.place) ||
             !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
             return 0;
@@ -386,16 +386,20 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         .measured = MeasuredOrgans::asked_for,
         .unoccluded_light = UnoccludedLight::summed};
     SumUnits& units = meaning.units;
+    const NearLamps near(prepared);
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
         units.flux.push_back(prepared.flux()[b] / reference_area);
         double irradiance = 0;
+        double on_surfaces = 0;
         for (const BoundSource& light : prepared.lights()) {
-            irradiance += light.source->spectrum()[b] * light.usual_irradiance;
+            const double usual = light.usual_irradiance;
+            irradiance += light.source->spectrum()[b] * usual;
+            on_surfaces += light.source->spectrum()[b] * std::max(usual, near.irradiance(light));
         }
         units.flux_per_find.push_back(irradiance * kGain);
-        units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * irradiance * kGain);
+        units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * on_surfaces * kGain);
     }
-    if (needs_light_paths(prepared, NearLamps(prepared))) {
+    if (needs_light_paths(prepared, near)) {
         for (const double flux : prepared.flux()) {
             units.flux_per_light_path.push_back(
                 flux / static_cast<double>(measured_area(scene).organs.size()));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/vec3.h"
+#include "transport/sky_directions.h"
 
 namespace quasimc {
 namespace {
@@ -92,10 +93,13 @@ std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
 
 /// Of the light along a direction a region gets the part that it takes of the box around the scene,
 /// as seen along it: at most what it is along one of the axes, since both are sums over these.
-LightKind kind_by_direction(const PreparedScene& prepared, double step) {
+LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directions, double step) {
     LightKind kind =
         kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
     kind.found_by = FoundBy::directions;
+    // Not sheared, as many are, more replicates see the same number.
+    constexpr double kManyAlike = 7;
+    kind.many = directions > kMostShearedDirections ? kManyAlike : kind.many;
     kind.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());
@@ -155,20 +159,6 @@ LightKind kind_by_line(
         }
     }
     return kind;
-}
-
-void FindCounter::finish() {
-    for (const SurfaceSide side : kSurfaceSides) {
-        Found& found = found_[index_of(side)];
-        const double most = kind_.reach[2 * region_ + index_of(side)] * kind_.step;
-        if (found.amount > 0 && most > 0) {
-            const double part = found.amount / most;
-            tally_.add(
-                tally_.layout().squares(region_, side, number_),
-                to_fixed(part * part / std::min(found.pieces, lines_)));
-        }
-        found = {};
-    }
 }
 
 }  // namespace quasimc

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "quasimc/sums.h"
+#include "sums/fixed_point.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
 
@@ -15,8 +19,10 @@ namespace quasimc {
 [[nodiscard]] std::vector<LightKind> kinds_by_path(const PreparedScene& prepared);
 
 /// The skies, whose light is found along directions.
+/// @param directions  in each replicate, of the first round
 /// @param step  units of light of each
-[[nodiscard]] LightKind kind_by_direction(const PreparedScene& prepared, double step);
+[[nodiscard]] LightKind kind_by_direction(
+    const PreparedScene& prepared, std::uint32_t directions, double step);
 
 /// The suns, whose light is found along lines.
 /// @param has_lines  by light: those of which it is
@@ -37,9 +43,11 @@ class FindCounter {
         double lines,
         Tally& tally)
         : prepared_(prepared),
-          kind_(units.kinds[kind]),
-          number_(kind),
+          reach_(units.kinds[kind].reach),
+          step_(units.kinds[kind].step),
           lines_(lines),
+          first_bin_(tally.layout().squares(0, SurfaceSide::upper, kind)),
+          stride_(tally.layout().stride()),
           tally_(tally) {}
 
     /// @param along  dot(unit normal of the upper side, direction of the light)
@@ -51,12 +59,18 @@ class FindCounter {
             finish();
             region_ = region;
         }
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
+        }
         Found& found = found_[along > 0 ? 1 : 0];
         found.amount += amount;
         found.pieces += pieces;
     }
     /// To be called after the last triangle.
-    void finish();
+    void finish() {
+        add_squares(0);
+        add_squares(1);
+    }
 
   private:
     struct Found {
@@ -64,10 +78,24 @@ class FindCounter {
         double pieces = 0;
     };
 
+    void add_squares(std::size_t side) {
+        Found& found = found_[side];
+        if (found.amount == 0) {
+            return;
+        }
+        const double most = reach_[2 * region_ + side] * step_;
+        if (most > 0) {
+            const double square =
+                found.amount * found.amount / (most * most * std::min(found.pieces, lines_));
+            tally_.add(first_bin_ + region_ * stride_ + side, to_fixed(square));
+        }
+        found = {};
+    }
+
     const PreparedScene& prepared_;
-    const LightKind& kind_;
-    std::size_t number_;
-    double lines_;
+    std::span<const double> reach_;
+    double step_, lines_;
+    std::size_t first_bin_, stride_;
     Tally& tally_;
     std::uint32_t region_ = 0;
     std::array<Found, 2> found_{};  // by side

@@ -25,6 +25,7 @@ struct Thresholds {
 // direct, the more organs must gain elsewhere.
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
+constexpr Thresholds kLamps{2, 5};
 /// Mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
@@ -89,13 +90,14 @@ std::string_view name_of(const Lighting& lighting) {
     return lighting.sun ? "the sun" : "the sky";
 }
 
-/// The gain of equal shares from which on organs are better. From organs the light of a sun
-/// that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
+/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
+/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
 double gain_asked(const Scene& scene, const Lighting& lighting) {
-    const Thresholds& table = lighting.sun ? kSun : kSky;
+    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
     const double gain = mean_albedo(scene) < kBright ? table.dark : table.bright;
-    return lighting.sun ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
-                        : gain;
+    const bool is_small = lighting.sun || lighting.lamp;
+    return is_small ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
+                    : gain;
 }
 
 /// The middle one of the areas of the organs that are measured; 0 if none is.
@@ -177,11 +179,13 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
         return {spec.method, "asked for"};
     }
     const Lighting lighting = lighting_of(sources);
-    const double gain = emptiness(scene, spec.paths) * gain_of_equal_shares(scene);
-    // Next to lamps points of organs find too little of their light, and don't know it. Light that
+    const bool is_far = lighting.sun || lighting.sky;
+    const double gain = (is_far ? emptiness(scene, spec.paths) : 1) * gain_of_equal_shares(scene);
+    // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
     // escapes is not followed from organs.
-    const bool can_start_from_organs =
-        std::isfinite(gain) && !lighting.lamp && !need_escaped_light(scene.detectors());
+    const bool can_start_from_organs = std::isfinite(gain) &&
+                                       !(lighting.lamp && scene.cell().periodic()) &&
+                                       !need_escaped_light(scene.detectors());
     if (can_start_from_organs && gain >= gain_asked(scene, lighting)) {
         return {
             Method::from_organs,

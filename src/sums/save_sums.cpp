@@ -26,7 +26,7 @@ concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <typename Visit, typename KindOrConst>
 void visit_kind(Visit& visit, KindOrConst& kind) {
     visit(kind.found_by), visit(kind.has_suns), visit(kind.spectra), visit(kind.flux);
-    visit(kind.reach), visit(kind.sunlit_reach), visit(kind.step);
+    visit(kind.reach), visit(kind.sunlit_reach), visit(kind.step), visit(kind.many);
 }
 
 class Writer {

@@ -48,12 +48,17 @@ NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
         }
         lamp.body = place->body;
         const std::vector<Trial> trials = trials_of(light, place->body.center);
-        lamp.scatter_radius = radius_about(trials, *place);
+        lamp.scatter_radius = radius_about(trials, *place, light.usual_irradiance);
         lamp.organ_part = place->has_bounded_irradiance ? 0 : kPartOfOrgan;
         const bool is_near = std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
             return lights_near(light, trial.region, trial.place);
         });
         lamp.organ_part = is_near ? lamp.organ_part : 0;
+        double sum = 0;
+        for (const Trial& trial : trials) {
+            sum += scatters_near(light, trial.place) ? 0 : trial.irradiance;
+        }
+        lamp.irradiance = trials.empty() ? 0 : sum / static_cast<double>(trials.size());
         any_ = any_ || lamp.scatter_radius > 0 || lamp.organ_part > 0;
     }
 }
@@ -69,7 +74,9 @@ std::vector<NearLamps::Trial> NearLamps::trials_of(
         const CastHit at = prepared_.caster().cast_from_lamp(start.origin, start.direction);
         if (at.end == RayEnd::hit) {
             const Vec3 place = place_of(prepared_, at.hit);
-            trials.push_back({length(place - center), place, prepared_.region(at.hit.triangle)});
+            trials.push_back(
+                {length(place - center), place, prepared_.region(at.hit.triangle),
+                 irradiance_at(light, at)});
         }
     }
     std::sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
@@ -78,20 +85,41 @@ std::vector<NearLamps::Trial> NearLamps::trials_of(
     return trials;
 }
 
+/// On what was hit, as if nothing else stood in the way.
+double NearLamps::irradiance_at(const BoundSource& light, const CastHit& at) const {
+    constexpr int kDraws = 4;
+    const Vec3 normal = normalized(prepared_.caster().mesh().across(at.hit.triangle));
+    const Vec3 place = prepared_.to_world(place_of(prepared_, at.hit));
+    double sum = 0;
+    for (int i = 0; i < kDraws; ++i) {
+        const std::array<double, 4> u = trial_point(i);
+        const Illumination seen = light.source->illuminate(place, u[0], u[1]);
+        sum += seen.weight * std::abs(dot(seen.to_light, normal)) / kDraws;
+    }
+    return sum;
+}
+
 /// A fiftieth of the scene, or a quarter of the distance within which the lamp lights nine tenths
 /// of what it lights; 0 where nothing it lights is so near. A large lamp of bounded radiance has
-/// no place next to it that is brighter than others.
-double NearLamps::radius_about(const std::vector<Trial>& trials, const LampPlace& place) const {
+/// no place next to it that is brighter than others, unless most of its light falls on a small one:
+/// less than a twentieth of a face of the scene's box, over which `usual` is its irradiance.
+double NearLamps::radius_about(
+    const std::vector<Trial>& trials, const LampPlace& place, double usual) const {
     constexpr double kPartOfScene = 0.02;
     constexpr double kPartOfReach = 0.25;
     constexpr double kReach = 0.9;
+    constexpr double kPeak = 20;
     if (trials.empty()) {
         return 0;
     }
     const auto reach = static_cast<std::size_t>(kReach * static_cast<double>(trials.size() - 1));
     const double scene = length(prepared_.projection().entry_box().bounds.size());
     double radius = std::max(kPartOfScene * scene, kPartOfReach * trials[reach].distance);
-    if (place.has_bounded_irradiance) {
+    double irradiance = 0;
+    for (const Trial& trial : trials) {
+        irradiance += trial.irradiance / static_cast<double>(trials.size());
+    }
+    if (place.has_bounded_irradiance && irradiance < kPeak * usual) {
         radius = radius > place.body.radius ? radius : 0;
     } else {
         radius += 1.5 * place.body.radius;

@@ -24,12 +24,19 @@ class NearLamps {
     [[nodiscard]] bool lights_near(
         const BoundSource& light, std::uint32_t region, const Vec3& place) const;
 
+    /// Of what a lamp lights, and paths from organs look for: the irradiance, mean over its light,
+    /// for a spectrum of 1. Other lights: 0.
+    [[nodiscard]] double irradiance(const BoundSource& light) const {
+        return lamp_of(light).irradiance;
+    }
+
   private:
     struct Lamp {
         Ball body;
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
         double organ_part = 0;      ///< of the size of an organ, within which light on it is
                                     ///< near; 0: none is
+        double irradiance = 0;
     };
     [[nodiscard]] const Lamp& lamp_of(const BoundSource& light) const {
         return lamps_[static_cast<std::size_t>(&light - prepared_.lights().data())];
@@ -39,10 +46,13 @@ class NearLamps {
         double distance = 0;  ///< from the lamp's centre
         Vec3 place;
         std::uint32_t region = 0;
+        double irradiance = 0;  ///< there, for a spectrum of 1
     };
+    [[nodiscard]] double irradiance_at(const BoundSource& light, const CastHit& at) const;
     [[nodiscard]] std::vector<Trial> trials_of(const BoundSource& light, const Vec3& center) const;
+    /// @param usual  BoundSource::usual_irradiance
     [[nodiscard]] double radius_about(
-        const std::vector<Trial>& trials, const LampPlace& place) const;
+        const std::vector<Trial>& trials, const LampPlace& place, double usual) const;
 
     const PreparedScene& prepared_;
     std::vector<Lamp> lamps_;         // one for each light

@@ -1,6 +1,7 @@
 #include "transport/next_event.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/distribution.h"
@@ -81,6 +82,13 @@ Sight NextEvent::look(
         seen.distance * prepared_.caster().mesh().scale, picked.probability};
 }
 
+bool NextEvent::is_in_plane(const Sight& sight, const Vec3& normal) {
+    // Half a digit of the coordinates of either, and a little.
+    constexpr double kHeight = 8e-8;
+    return std::isfinite(sight.distance) &&
+           std::abs(dot(sight.to_light, normal)) * sight.distance < kHeight;
+}
+
 std::uint64_t NextEvent::add_light(
     const Sight& sight,
     const Surface& surface,
@@ -91,7 +99,7 @@ std::uint64_t NextEvent::add_light(
     const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
     const Material& material = prepared_.material(surface.region);
     if (material.side(arrival).lobes().empty() || sight.factor == 0 ||
-        near_.scatters_near(*sight.light, place) ||
+        is_in_plane(sight, surface.normal) || near_.scatters_near(*sight.light, place) ||
         !prepared_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
         return 0;
     }

@@ -53,6 +53,10 @@ class NextEvent {
         std::uint32_t dimension,
         const Vec3& place) const;
 
+    /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
+    /// neither lights the surface nor is hidden by it.
+    [[nodiscard]] static bool is_in_plane(const Sight& sight, const Vec3& normal);
+
     /// Adds to path.gathered what the light sends by the surface along `out`, times path.weights.
     /// Returns the rays cast.
     std::uint64_t add_light(

@@ -11,15 +11,24 @@
 
 namespace quasimc {
 
+namespace {
+
+/// Numbers that fractions come near to but slowly: those of the golden ratio, of silver and bronze,
+/// and another that goes on like the golden one.
+constexpr std::array<double, 4> kNumbers{
+    std::numbers::phi - 1, std::numbers::sqrt2 - 1, 0.30277563773199465, 0.27639320225002106};
+
+}  // namespace
+
 std::array<double, 2> hemisphere_lattice(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) {
     const auto part = [](double x) { return x - std::floor(x); };
     double first = static_cast<double>(i) / count;
-    double second = i * (std::numbers::phi - 1);
     const double choice = 4 * placing[2];
-    // Of many directions the first way alone has half the error.
-    constexpr std::uint32_t kMany = 256;
-    const int way = count > kMany ? 0 : static_cast<int>(choice);
+    const auto chosen = static_cast<std::size_t>(std::min(choice, 3.0));
+    const bool is_sheared = count <= kMostShearedDirections;
+    double second = i * (is_sheared ? kNumbers[0] : kNumbers[chosen]);
+    const std::size_t way = is_sheared ? chosen : 0;
     if (way == 1) {
         std::swap(first, second);
     } else if (way == 2) {

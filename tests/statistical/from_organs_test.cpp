@@ -156,6 +156,67 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Method::light_tracing, Method::from_organs),
     name_of);
 
+/// A floor, a wall beside it and a leaf above.
+Scene make_corner_with_leaf() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .3));
+    builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("wall", "leaf", make_parallelogram({0, 0, 0}, {0, 0, 1}, {0, 1, 0})));
+    builder.add_organ(
+        organ("leaf", "leaf", {{Vec3{.43, .48, .92}, {.85, .65, .83}, {.61, .39, .87}}}));
+    return std::move(builder).build();
+}
+
+/// What a long lamp lights close by is bright, and seldom found by paths from the organs.
+TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
+    const Scene scene = make_corner_with_leaf();
+    const Opening line{.kind = Opening::Kind::line, .length = .78};
+    const Opening panel{.kind = Opening::Kind::rectangle, .length = .3, .width = .2};
+    const std::vector<Light> lamps{
+        {"line", lamp_at({.5, .45, .001}, line, tube_pattern(), normalized(Vec3{.6, .5, 0}))},
+        {"panel", lamp_at({.5, .5, 1e-4}, panel, cosine_pattern(), {0, 0, -1})}};
+    for (const Light& lamp : lamps) {
+        const Result truth = run(scene, {lamp.source}, spec_of(Method::light_tracing, 1 << 14));
+        int right = 0;
+        int all = 0;
+        for (int seed = 1; seed <= 20; ++seed) {
+            RunSpec spec;
+            spec.method = Method::from_organs;
+            spec.threads = 1;
+            spec.seed = static_cast<std::uint64_t>(seed);
+            spec.paths = 512 * scene.organs().size();
+            const Result result = run(scene, {lamp.source}, spec);
+            for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
+                const Estimate& e = result.at(i, Quantity::incident_scattered, 0);
+                const Estimate& exact = truth.at(i, Quantity::incident_scattered, 0);
+                right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+            }
+        }
+        EXPECT_GE(right, .93 * all) << lamp.name << ' ' << right << " of " << all;
+        RecordProperty("next_to_a_" + lamp.name, std::to_string(right));
+    }
+}
+
+/// A panel in the very plane of a surface, as near as can be told, lights what is before it alone.
+TEST(LampsNextToSurfaces, APanelInThePlaneOfASurfaceDoesNotLightIt) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .3));
+    builder.add_organ(organ("ceiling", "leaf", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("leaf", "leaf", {{Vec3{0, .3, -.3}, {.5, .3, -.35}, {.3, .6, -.3}}}));
+    const Scene scene = std::move(builder).build();
+    const Opening panel{.kind = Opening::Kind::rectangle, .length = .3, .width = .2};
+    const Sources lamp{lamp_at({.5, .5, 0}, panel, cosine_pattern(), {0, 0, -1})};
+    const Result truth = run(scene, lamp, spec_of(Method::light_tracing, 1 << 14));
+    const Result result = run(scene, lamp, spec_of(Method::from_organs, 1 << 13));
+    EXPECT_EQ(result.at(0, Quantity::incident_direct, 0).mean, 0);
+    for (const Quantity quantity : {Quantity::incident_upper, Quantity::incident_scattered}) {
+        const Measured expected = measured(truth.at(1, quantity, 0), kReplicates);
+        EXPECT_TRUE(agrees(
+            measured(result.at(1, quantity, 0), kReplicates), expected, .5 * expected.mean,
+            kLevel / 2));
+    }
+}
+
 /// A leaf of a square metre with a point lamp a little above its middle: its share of the solid
 /// angle.
 TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {

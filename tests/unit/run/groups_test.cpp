@@ -276,10 +276,15 @@ TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     const Estimate& dark = result.groups.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(dark.mean, 0);
     EXPECT_TRUE(std::isnan(dark.standard_error));
-    EXPECT_EQ(
-        dark.high, std::max(
-                       result.at(0, Quantity::absorbed_flux, 0).high,
-                       result.at(1, Quantity::absorbed_flux, 0).high));
+    const double a = result.at(0, Quantity::absorbed_flux, 0).high;
+    const double b = result.at(1, Quantity::absorbed_flux, 0).high;
+    if (GetParam() == Method::first_hits) {
+        // A line may meet both.
+        EXPECT_GT(dark.high, 1.2 * std::max(a, b));
+        EXPECT_LE(dark.high, a + b);
+    } else {
+        EXPECT_EQ(dark.high, std::max(a, b));
+    }
 }
 
 TEST_P(GroupsOfRuns, WithoutOrgansHaveNoLightForSure) {

@@ -83,12 +83,10 @@ TEST(Planner, TracesLampsFromThemselves) {
 
 TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
     const StandSpec few{.measured = 2};
-    for (const auto& source : {sun(0, {1}), sky({1})}) {
+    for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
         EXPECT_EQ(plan(few, {source}).method, Method::from_organs) << source->name();
     }
-    EXPECT_EQ(plan(few, {lamp()}).method, Method::light_tracing)
-        << "next to lamps points find too little of their light";
-    EXPECT_EQ(plan(few, {lamp(), sun(0, {1})}).method, Method::first_hits);
+    EXPECT_EQ(plan(few, {lamp(), sun(0, {1})}).method, Method::from_organs);
     EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
     EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::first_hits);
 }
