@@ -127,7 +127,11 @@ bool print_case(
     Simulator& simulator) {
     RunSpec spec;
     spec.paths = paths;
-    spec.replicates = effort.replicates;
+    // The variance of one organ is known no better than replicates tell.
+    constexpr std::size_t kFewOrgans = 20;
+    constexpr std::uint32_t kOfFewOrgans = 64;
+    spec.replicates =
+        std::max(effort.replicates, scene.organs().size() < kFewOrgans ? kOfFewOrgans : 0);
     spec.threads = 1;
     spec.method = Method::automatic;
     const Method chosen = plan_method(scene, light.sources, spec).method;

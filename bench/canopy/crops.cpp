@@ -114,13 +114,14 @@ Scene make_maize(std::uint32_t triangles) {
     return std::move(builder).build();
 }
 
-/// Tufts of a dozen leaves of 24 triangles, close enough to pass through each other.
-Scene make_tree(std::uint32_t triangles) {
+/// What a tree is made of: the trunk and its limbs, and tufts of a dozen leaves of 24 triangles,
+/// close enough to pass through each other.
+std::vector<OrganPart> parts_of_tree(std::uint32_t triangles) {
     constexpr int kSteps = 12, kInTuft = 12;
     constexpr double kRadius = 1.5, kLeafAreaIndex = 2.5;
-    SceneBuilder builder = builder_of_plants();
     Draws draws;
-    add_organ(builder, "stem", make_cylinder({0, 0, 0}, {0, 0, 2}, .1, .06, 24, true));
+    std::vector<OrganPart> parts;
+    parts.push_back({"stem", make_cylinder({0, 0, 0}, {0, 0, 2}, .1, .06, 24, true)});
     const auto leaves = std::max<std::uint32_t>(kInTuft, triangles / (2 * kSteps));
     const double area = kLeafAreaIndex * std::numbers::pi * kRadius * kRadius / leaves;
     const double length = std::sqrt(3 * area);
@@ -132,21 +133,39 @@ Scene make_tree(std::uint32_t triangles) {
             const double z = draws.between(-1, 1);
             const double flat = far * std::sqrt(1 - z * z);
             tuft = {flat * std::cos(around), flat * std::sin(around), 2.5 + far * z};
-            add_organ(
-                builder, "stem",
-                make_cylinder({0, 0, 2}, tuft - Vec3{0, 0, 2}, .01, .003, 4, true));
+            const Vec3 limb = tuft - Vec3{0, 0, 2};
+            parts.push_back({"stem", make_cylinder({0, 0, 2}, limb, .01, .003, 4, true)});
         }
         const Vec3 shift{draws.between(-.3, .3), draws.between(-.3, .3), draws.between(-.3, .3)};
-        add_organ(
-            builder, "leaf",
-            strip_of(
-                {.base = tuft + length * shift,
-                 .azimuth = 2 * std::numbers::pi * draws(),
-                 .length = length,
-                 .width = length / 2,
-                 .rise = draws.between(-.2, 1.2),
-                 .steps = kSteps}));
+        parts.push_back(
+            {"leaf", strip_of(
+                         {.base = tuft + length * shift,
+                          .azimuth = 2 * std::numbers::pi * draws(),
+                          .length = length,
+                          .width = length / 2,
+                          .rise = draws.between(-.2, 1.2),
+                          .steps = kSteps})});
     }
+    return parts;
+}
+
+Scene make_tree(std::uint32_t triangles) {
+    SceneBuilder builder = builder_of_plants();
+    for (OrganPart& part : parts_of_tree(triangles)) {
+        OrganSpec organ;
+        organ.name = part.material;
+        organ.parts.push_back(std::move(part));
+        builder.add_organ(std::move(organ));
+    }
+    return std::move(builder).build();
+}
+
+Scene make_solid_tree(std::uint32_t triangles) {
+    SceneBuilder builder = builder_of_plants();
+    OrganSpec organ;
+    organ.name = "tree";
+    organ.parts = parts_of_tree(triangles);
+    builder.add_organ(std::move(organ));
     return std::move(builder).build();
 }
 
@@ -245,6 +264,8 @@ std::string name_of(Crop crop) {
             return "greenhouse";
         case Crop::row_crop:
             return "row crop";
+        case Crop::solid_tree:
+            return "tree of one organ";
         case Crop::bad_faces:
             break;
     }
@@ -261,6 +282,8 @@ std::uint32_t full_size(Crop crop) {
             return 7'200;
         case Crop::row_crop:
             return 2'400;
+        case Crop::solid_tree:
+            return 20'000;
         case Crop::bad_faces:
             break;
     }
@@ -277,6 +300,8 @@ Scene make_crop(Crop crop, std::uint32_t triangles) {
             return make_greenhouse(triangles);
         case Crop::row_crop:
             return make_row_crop(triangles);
+        case Crop::solid_tree:
+            return make_solid_tree(triangles);
         case Crop::bad_faces:
             break;
     }

@@ -17,10 +17,11 @@ enum class Crop {
     tree,        ///< a crown whose leaves stand in tufts and pass through each other
     greenhouse,  ///< rows of plants below lamps, over a bright floor
     row_crop,    ///< a few plants in a cell that repeats along x and y, over soil
+    solid_tree,  ///< such a tree that is a single organ, as a file without groups gives it
     bad_faces,   ///< flowers of an OBJ file: faces that cross, are bow-ties, or have no area
 };
-inline constexpr std::array kCrops{
-    Crop::maize, Crop::tree, Crop::greenhouse, Crop::row_crop, Crop::bad_faces};
+inline constexpr std::array kCrops{Crop::maize,    Crop::tree,       Crop::greenhouse,
+                                   Crop::row_crop, Crop::solid_tree, Crop::bad_faces};
 
 [[nodiscard]] std::string name_of(Crop crop);
 

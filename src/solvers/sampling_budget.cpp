@@ -60,6 +60,8 @@ std::uint32_t beams_of(const BoundSource& sun) {
 /// where too few are left, or where so many triangles are projected for so few paths, the sun is
 /// traced from itself, which then leaves the smaller errors for its time (docs/theory/choosing.md).
 constexpr double kMostCutsPerPath = 10, kMostTrianglesPerPath = 20;
+/// Of few organs each has many paths, and lines bring less: for each organ at most so many.
+constexpr double kMostTrianglesPerPathOfOrgan = 2;
 /// Lines of a sun that are too few, but where it is one of many.
 constexpr std::uint32_t kFewestWhereCostly = 16;
 
@@ -80,6 +82,16 @@ constexpr double kPixelsPerTriangle = 20;
 /// Skies that cost so many times the pixels that their paths are meant to have are traced from
 /// themselves, which then leaves the smaller errors for its time.
 constexpr double kMostOverPixels = 25;
+/// So are skies of fewer directions times organs: all organs have the errors of the directions in
+/// common, those of paths cancel in what is large.
+constexpr double kFewestViews = 400;
+
+/// How many organs are asked for, the ground aside.
+double measured_organs(const Scene& scene) {
+    return static_cast<double>(std::count_if(
+        scene.organs().begin(), scene.organs().end(),
+        [](const Organ& organ) { return organ.measured && !organ.is_ground && organ.area > 0; }));
+}
 
 }  // namespace
 
@@ -106,6 +118,9 @@ SamplingBudget::SamplingBudget(
 
 void SamplingBudget::set_lines(const LineCost& cost, double paths) {
     const double triangles = prepared_.caster().mesh().triangle_count();
+    const double most_triangles = std::min(
+        kMostTrianglesPerPath,
+        kMostTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
         const BoundSource& light = prepared_.lights()[i];
         cuts_per_line_.push_back(0);
@@ -117,7 +132,7 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
                                          : sampler.draw_direction(0.5, 0.5).direction);
             const double own = light.probability * paths;
             const VisibilityTask task = lines_of(i, own);
-            has_lines_[i] = triangles <= kMostTrianglesPerPath * own &&
+            has_lines_[i] = triangles <= most_triangles * own &&
                             task.beams * task.count * cuts_per_line_[i] <= kMostCutsPerPath * own;
         }
     }
@@ -129,7 +144,8 @@ bool SamplingBudget::are_skies_cheap(double paths) const {
     const double images = prepared_.scene().cell().periodic() ? 2 : 1;
     const double triangles = prepared_.caster().mesh().triangle_count();
     const double each = task.pixels + kPixelsPerTriangle * images * triangles;
-    return task.count * each <= kMostOverPixels * pixels_per_path_ * own;
+    return task.count * each <= kMostOverPixels * pixels_per_path_ * own &&
+           task.count * measured_organs(prepared_.scene()) >= kFewestViews;
 }
 
 std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {

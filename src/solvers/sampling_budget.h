@@ -42,7 +42,8 @@ class SamplingBudget {
     [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
 
     /// Whether there are skies and their direct light is found by pixels. Not where few paths have
-    /// so many triangles that paths from the skies do better for the time.
+    /// so many triangles, or few organs so few directions, that paths from the skies do better for
+    /// the time.
     [[nodiscard]] bool sees_skies() const { return sees_skies_; }
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and

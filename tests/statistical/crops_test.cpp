@@ -103,6 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
         CropCase{Crop::tree, 288, 1 << 10, .1, 1},
         CropCase{Crop::greenhouse, 144, 1 << 11, .05, 1.2},
         CropCase{Crop::row_crop, 120, 1 << 10, .25, 1.2},
+        CropCase{Crop::solid_tree, 288, 1 << 10, .1, 1},
         CropCase{Crop::bad_faces, 92, 1 << 10, .1, 1}),
     name_of_case);
 
@@ -114,6 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         CropCase{Crop::tree, bench::full_size(Crop::tree), 1 << 15, .1, 5},
         CropCase{Crop::greenhouse, bench::full_size(Crop::greenhouse), 1 << 15, .06, 2},
         CropCase{Crop::row_crop, bench::full_size(Crop::row_crop), 1 << 14, .2, 4},
+        CropCase{Crop::solid_tree, bench::full_size(Crop::solid_tree), 1 << 14, .1, 1},
         CropCase{Crop::bad_faces, bench::full_size(Crop::bad_faces), 1 << 14, .1, 1}),
     name_of_case);
 
