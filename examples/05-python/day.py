@@ -1,4 +1,4 @@
-"""A maize crop in the course of a day: the run file of the fourth example, with times of our own."""
+"""A maize crop in the course of a day: the run file of the fourth example at other times."""
 
 from pathlib import Path
 

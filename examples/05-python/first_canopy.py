@@ -1,4 +1,4 @@
-"""Five hundred leaves over soil, under sun and sky, from arrays: their light, and that of layers."""
+"""Five hundred leaves over soil, under sun and sky: their light, and that of layers."""
 
 from typing import Tuple
 
@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 import quasimc
 
 
-Floats, Integers = NDArray[np.float64], NDArray[np.int64]
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
 
 
 def leaves(count: int, seed: int = 1) -> Tuple[Floats, Integers, Integers]:

@@ -37,7 +37,7 @@ def _band_keys(bands):
 
 
 class Scene:
-    """What light falls on: organs and their materials, and perhaps a ground and a cell that repeats.
+    """What light falls on: organs and their materials, perhaps a ground and a cell that repeats.
 
     Everything is stated by the names of the run file (docs/formats/run-file.md), and checked when
     the scene is built, which the first run does.

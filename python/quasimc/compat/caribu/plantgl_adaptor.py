@@ -43,7 +43,7 @@ def triangles_of(geometry):
 
 
 def scene_to_cscene(scene):
-    """The triangles of a PlantGL scene: dict, shape.id -> list of triangles; shapes of one id together."""
+    """The triangles of a PlantGL scene: dict, shape.id -> list; shapes of one id together."""
     result = {}
     for shape in scene:
         found = triangles_of(shape)
