@@ -94,6 +94,8 @@ def _read_scene(scene):
         return CaribuTriangleSet(scene)
     if all(hasattr(scene, name) for name in ("allvalues", "allids", "keys")):
         return CaribuTriangleSet({pid: list(scene[pid]) for pid in scene.keys()})
+    if adaptor.is_lsystem_pair(scene):
+        scene = scene[0].sceneInterpretation(scene[1])
     if adaptor.is_mtg(scene):
         return CaribuTriangleSet(adaptor.mtg_to_cscene(scene))
     if adaptor.is_plantgl_scene(scene):
@@ -118,8 +120,9 @@ class CaribuScene:
 
     Parameters
     ----------
-    scene : dict, str, PlantGL scene or MTG
-        pid -> list of triangles, each a list of three tuples; or a .can file.
+    scene : dict, str, PlantGL scene, MTG, or (L-system, L-string)
+        pid -> list of triangles, each a list of three tuples; or a .can file. An L-string of L-Py
+        is drawn by its L-system.
     light : list or str
         Of (energy on the horizontal per m2, (dx, dy, dz)); or a .light file. Default: one from
         the zenith.

@@ -59,6 +59,12 @@ def mtg_to_cscene(mtg, property_name="geometry"):
     return {vid: triangles for vid, triangles in result.items() if triangles}
 
 
+def is_lsystem_pair(scene):
+    """Whether it is an L-system of L-Py and an L-string that it draws."""
+    is_pair = isinstance(scene, tuple) and len(scene) == 2
+    return is_pair and callable(getattr(scene[0], "sceneInterpretation", None))
+
+
 def is_mtg(scene):
     return callable(getattr(scene, "property", None)) and not isinstance(scene, Mapping)
 
