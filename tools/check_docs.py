@@ -26,7 +26,7 @@ FENCE = re.compile(r"^(?P<indent> *)```(?P<info>[^`\n]*)\n(?P<body>.*?)^ *```\s*
 TIME_LIMIT_S = 300
 
 # What a page may name: a path from the root, or the end of one, as "run.cpp" or "run/run.cpp".
-FOLDERS = "apps|bench|cmake|data|docs|examples|include|src|tests|tools"
+FOLDERS = "apps|bench|cmake|data|docs|examples|include|python|src|tests|tools"
 CODE = re.compile(r"`([^`\s]+)`")
 PATH = re.compile(rf"(?:{FOLDERS})/[^\s:]*$")
 FILE = re.compile(r"[\w/-]+\.(?:h|cpp|py|cmake|txt)$")

@@ -18,7 +18,7 @@ def fault(place, problem, why="", suggestion=""):
 
 
 def vertices_and_faces(place, vertices, faces):
-    """Vertices (n, 3) float64 and faces (m, 3) integers, or None if every three vertices are one."""
+    """Vertices (n, 3) float64; faces (m, 3) integers, or None if every three vertices are one."""
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     if faces is None:
         if vertices.ndim != 3 or vertices.shape[1:] != (3, 3):

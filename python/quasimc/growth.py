@@ -60,11 +60,11 @@ class GrowthSession:
         InputError
             If an organ of such an id is there already.
         """
-        return self._core.add(
-            mesh_arrays(
-                "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
-            )
+        mesh = mesh_arrays(
+            "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
         )
+        with self._lock:
+            return self._core.add(mesh)
 
     def change(
         self,
@@ -85,19 +85,11 @@ class GrowthSession:
         InputError
             If there is no such organ.
         """
-        self._core.change(
-            mesh_arrays(
-                "change",
-                vertices,
-                faces,
-                organ,
-                material,
-                name,
-                labels,
-                measured,
-                field_of_view_deg,
-            )
+        mesh = mesh_arrays(
+            "change", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
         )
+        with self._lock:
+            self._core.change(mesh)
 
     def remove(self, organ):
         """Removes the organ of an id, or those of several.
@@ -107,8 +99,9 @@ class GrowthSession:
         InputError
             If there is no such organ.
         """
-        for one in np.atleast_1d(organ).tolist():
-            self._core.remove(one)
+        with self._lock:
+            for one in np.atleast_1d(organ).tolist():
+                self._core.remove(one)
 
     def __contains__(self, organ):
         return self._core.has(int(organ))
@@ -119,7 +112,8 @@ class GrowthSession:
 
     def update_scene(self):
         """Takes over what was changed in the scene of the session: materials, ground, ..."""
-        self._core.set_frame(self._scene._whole_document(), self._scene._meshes)
+        with self._lock:
+            self._core.set_frame(self._scene._whole_document(), self._scene._meshes)
 
     def run(self, sources=None, *, progress=None, **options):
         """Computes the light of this step; the arguments are those of `Scene.run`.

@@ -121,9 +121,9 @@ class Groups(_Light):
 class Result(_Light):
     """The light of every organ.
 
-    ``result["absorbed_flux"]["PAR"].mean`` is an array with a number for each organ, in the order of
-    ``result.organs``; ``.standard_error``, ``.low`` and ``.high`` (95 %) go with it. The quantities
-    are those of `quasimc.quantities()`, and "sunlit_fraction".
+    ``result["absorbed_flux"]["PAR"].mean`` is an array with a number for each organ, in the order
+    of ``result.organs``; ``.standard_error``, ``.low`` and ``.high`` (95 %) go with it. The
+    quantities are those of `quasimc.quantities()`, and "sunlit_fraction".
 
     Attributes
     ----------

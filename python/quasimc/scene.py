@@ -37,7 +37,7 @@ def _band_keys(bands):
 
 
 class Scene:
-    """What light falls on: organs and their materials, and perhaps a ground and a cell that repeats.
+    """What light falls on: organs and their materials, perhaps a ground and a cell that repeats.
 
     Everything is stated by the names of the run file (docs/formats/run-file.md), and checked when
     the scene is built, which the first run does.
@@ -159,7 +159,8 @@ class Scene:
             Its name; or by the ids in `organ`; or one for each face.
         organ : int or array_like of int
             (m,): the id of the organ of each face, or of all; unique in the scene. Organs come in
-            the order of their ids. Default: all faces are one organ, with the next id that is free.
+            the order of their ids; those of `add_organ` without an id are then numbered from the
+            largest on. Default: all faces are one organ, with the next id that is free.
         name : str, dict or list of str
             Of the organs, ids in `organ` or in their order; one name for several is followed by the
             id.
@@ -264,7 +265,10 @@ class Scene:
         return self._organs
 
     def _whole_document(self):
-        return self._document or self._document_of(self._table)
+        table = _numbered(self._table, self._meshes)
+        if self._document is not None and table is self._table:
+            return self._document
+        return self._document_of(table)
 
     def _document_of(self, table):
         return _core.Document(table, self._name, self._folder)
@@ -348,6 +352,25 @@ class Scene:
         if self._built is None:
             return f"<Scene {self._name!r}, not built>"
         return f"<Scene {self._name!r}: {self._organs!r}>"
+
+
+def _numbered(table, meshes):
+    """The table with ids for the organs of shapes that have none, beyond those that are stated.
+
+    They come before the organs of meshes, and would else be numbered from 1.
+    """
+    organs = table.get("organ", [])
+    stated = [int(mesh["ids"].max()) for mesh in meshes if mesh["ids"] is not None]
+    if not stated or all("id" in organ for organ in organs):
+        return table
+    largest = max([*stated, *(organ["id"] for organ in organs if "id" in organ), 0])
+    numbered = []
+    for organ in organs:
+        if "id" not in organ:
+            largest += 1
+            organ = {"id": largest, **organ}
+        numbered.append(organ)
+    return {**table, "organ": numbered}
 
 
 def _warn(texts):

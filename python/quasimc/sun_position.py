@@ -111,8 +111,8 @@ def sun_day(latitude_deg, longitude_deg, date, *, elevation_m=0.0):
     Returns
     -------
     dict
-        kind ("ordinary", "polar_day", "polar_night"), transit, sunrise and sunset (texts as ISO 8601
-        writes them, or None), transit_elevation_deg.
+        kind ("ordinary", "polar_day", "polar_night"), transit, sunrise and sunset (texts as ISO
+        8601 writes them, or None), transit_elevation_deg.
     """
     place = _place(latitude_deg, longitude_deg, elevation_m, None, 12.0)
     return dict(_core.sun_day(place, _time_text(date)))

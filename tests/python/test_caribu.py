@@ -16,8 +16,10 @@ from quasimc.compat.caribu.file_adaptor import (
     read_opt,
     read_pattern,
 )
+from quasimc.compat.caribu.caribu_star import caribu_star
 from quasimc.compat.caribu.label import Label
 from quasimc.compat.caribu.light import light_sources, turtle
+from quasimc.compat.caribu.sky_tools import GenSky, GetLight
 from quasimc.compat.caribu.plantgl_adaptor import mtg_to_cscene, scene_to_cscene
 
 S = math.sqrt(2)
@@ -223,7 +225,7 @@ def test_lights_may_change_between_runs():
 
 def test_what_means_nothing_here_is_told_once(monkeypatch):
     monkeypatch.setattr(functions, "_warned", False)
-    with pytest.warns(quasimc.QuasimcWarning, match="screen_size, .*passed over|passed over") as seen:
+    with pytest.warns(quasimc.QuasimcWarning, match="passed over") as seen:
         square_scene().run(screen_size=1536, layers=10)
         square_scene().run(screen_size=1536, d_sphere=1)
     assert len(seen) == 1
@@ -335,6 +337,35 @@ def test_scenes_of_plantgl_and_mtgs_are_known_by_what_they_can_do():
     assert sorted(mtg_to_cscene(Mtg())) == [4, 6]
     assert sorted(CaribuScene([Shape(3)]).run(simplify=True)[1]["Ei"]) == [3]
     assert sorted(CaribuScene(Mtg()).run(simplify=True)[1]["Ei"]) == [4, 6]
+
+
+class Lsystem:
+    def sceneInterpretation(self, lstring):
+        return [Shape(pid) for pid, module in enumerate(lstring) if module == "L"]
+
+
+def test_strings_of_lpy_are_drawn_by_their_lsystem():
+    scene = CaribuScene((Lsystem(), "FLFL"))
+    assert list(scene.scene.keys()) == [1, 3]
+
+
+@pytest.mark.parametrize("kind", ["soc", "uoc"])
+def test_skies_in_cells_have_all_energy(kind):
+    text = GetLight.GetLight(GenSky.GenSky()(7.0, kind, 5, 6))
+    lights = [[float(x) for x in line.split()] for line in text.splitlines()]
+    assert len(lights) == 30 and sum(light[0] for light in lights) == pytest.approx(7, rel=1e-12)
+    assert all(np.linalg.norm(light[1:]) == pytest.approx(1) for light in lights)
+    assert all(light[3] < 0 for light in lights)
+    # Half of the light of a uniform sky comes from within 45 degrees, more of an overcast one.
+    high = sum(light[0] for light in lights if -light[3] > 0.5**0.5) / 7
+    assert high == pytest.approx(0.5, abs=1e-9) if kind == "uoc" else high > 0.55
+
+
+def test_exposure_to_the_sky_is_that_of_its_horizontal_light():
+    star, exposed = caribu_star({1: [LEAF]}, 16, convUnit=1)
+    assert star[1] == pytest.approx(1, abs=1e-3) and exposed[1] == pytest.approx(1, abs=1e-3)
+    by_triangle, _ = caribu_star({1: [LEAF, HIGHER]}, 1, True, convUnit=1)
+    assert by_triangle[1] == pytest.approx([0, 1], abs=1e-3)
 
 
 def test_a_picture_takes_values_and_gaps():

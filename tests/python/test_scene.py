@@ -86,6 +86,13 @@ def test_organs_of_shapes_files_and_meshes_stand_together(tmp_path):
     assert scene.organs.names == ["disk", "blade", "mesh"]
 
 
+def test_organs_without_an_id_take_none_that_is_stated():
+    scene = scene_of_material()
+    scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1)
+    scene.add_mesh([[0, 0, 3], [1, 0, 3], [0, 1, 3]], [[0, 1, 2]], organ=1, material="leaf")
+    assert scene.organs.ids.tolist() == [2, 1]
+
+
 def test_a_scene_can_be_changed_after_a_run():
     scene = canopy()
     before = scene.run(**FEW)["absorbed_flux"]["PAR"].mean[:-1]

@@ -94,6 +94,8 @@ def _read_scene(scene):
         return CaribuTriangleSet(scene)
     if all(hasattr(scene, name) for name in ("allvalues", "allids", "keys")):
         return CaribuTriangleSet({pid: list(scene[pid]) for pid in scene.keys()})
+    if adaptor.is_lsystem_pair(scene):
+        scene = scene[0].sceneInterpretation(scene[1])
     if adaptor.is_mtg(scene):
         return CaribuTriangleSet(adaptor.mtg_to_cscene(scene))
     if adaptor.is_plantgl_scene(scene):
@@ -118,13 +120,15 @@ class CaribuScene:
 
     Parameters
     ----------
-    scene : dict, str, PlantGL scene or MTG
-        pid -> list of triangles, each a list of three tuples; or a .can file.
+    scene : dict, str, PlantGL scene, MTG, or (L-system, L-string)
+        pid -> list of triangles, each a list of three tuples; or a .can file. An L-string of L-Py
+        is drawn by its L-system.
     light : list or str
         Of (energy on the horizontal per m2, (dx, dy, dz)); or a .light file. Default: one from
         the zenith.
     pattern : tuple or str
-        (xmin, ymin, xmax, ymax), ((xmin, ymin), (xmax, ymax)), or a .8 file; in the unit of the scene.
+        (xmin, ymin, xmax, ymax), ((xmin, ymin), (xmax, ymax)), or a .8 file; in the unit of the
+        scene.
     opt : dict or list of str
         Band -> material, or band -> {pid: material}; or .opt files, with a .can scene.
     soil_reflectance : dict
@@ -185,7 +189,9 @@ class CaribuScene:
 
     def _set_optics(self, opt, soil_reflectance, is_file):
         if opt is None:
-            bands = [self.default_band] if soil_reflectance is None else list(soil_reflectance.keys())
+            bands = [self.default_band]
+            if soil_reflectance is not None:
+                bands = list(soil_reflectance.keys())
             self.material = {band: self._for_all(self.default_material) for band in bands}
         elif isinstance(opt, dict):
             self.material = self._stated_materials(opt)
@@ -232,7 +238,8 @@ class CaribuScene:
         xs, ys = sorted(self.pattern[::2]), sorted(self.pattern[1::2])
         lowest = 0.0 if self.scene is None else self.scene.getZmin()
         z = lowest if z_soil is None else z_soil
-        a, b, c, d = [(x, y, z) for x, y in ((xs[0], ys[0]), (xs[1], ys[0]), (xs[1], ys[1]), (xs[0], ys[1]))]
+        a, b = (xs[0], ys[0], z), (xs[1], ys[0], z)
+        c, d = (xs[1], ys[1], z), (xs[0], ys[1], z)
         self.soil = [[a, b, c], [a, c, d]]
 
     # What is known without a run.
@@ -295,7 +302,8 @@ class CaribuScene:
         direct : bool
             Whether first hits alone count.
         infinite : bool
-            Whether the pattern repeats without end, over a ground of soil_reflectance unless direct.
+            Whether the pattern repeats without end; unless direct, over a ground of
+            soil_reflectance.
         d_sphere, layers, height, screen_size, screen_resolution
             Passed over, with one warning: light is followed to its end, along exact paths.
         sensors : dict
@@ -312,13 +320,19 @@ class CaribuScene:
         Returns
         -------
         raw, aggregated : dict
-            Band -> quantity -> pid -> list by triangles, and their mean. Per m2 and m2, whatever the
-            unit of the scene. Eabs_se and Ei_se are standard errors.
+            Band -> quantity -> pid -> list by triangles, and their mean. Per m2 and m2, whatever
+            the unit of the scene. Eabs_se and Ei_se are standard errors.
         """
         if self.scene is None:
             return {}, {}
         self._check(infinite, d_sphere, direct)
-        stated = dict(d_sphere=d_sphere, layers=layers, height=height, screen_size=screen_size, screen_resolution=screen_resolution)
+        stated = {
+            "d_sphere": d_sphere,
+            "layers": layers,
+            "height": height,
+            "screen_size": screen_size,
+            "screen_resolution": screen_resolution,
+        }
         warn_of_ignored(**{key: value for key, value in stated.items() if value is not None})
         traced = self._trace(direct, infinite, sensors)
         stated_options = options_of(precision, options)
@@ -438,7 +452,8 @@ class CaribuScene:
         triangles = as_array(self.scene.allvalues())
         axes.add_collection3d(Poly3DCollection(triangles, facecolors=colours))
         low, high = self.bbox()
-        axes.set(xlim=(low[0], high[0] or 1), ylim=(low[1], high[1] or 1), zlim=(low[2], high[2] + 1e-9))
+        for axis, from_, to in zip("xyz", low, high):
+            axes.set(**{f"{axis}lim": (from_, to if to > from_ else from_ + 1)})
         if display:
             pyplot.show()
         return axes, values

@@ -3,7 +3,7 @@
 Change one import of a script: ``from quasimc.compat.caribu.CaribuScene import CaribuScene``.
 """
 
-from . import caribu, file_adaptor, label, light, plantgl_adaptor
+from . import caribu, file_adaptor, label, light, plantgl_adaptor, sky_tools
 from .CaribuScene import CaribuScene
 from .caribu import (
     CaribuError,
@@ -25,4 +25,5 @@ __all__ = [
     "light",
     "light_sources",
     "plantgl_adaptor",
+    "sky_tools",
 ]

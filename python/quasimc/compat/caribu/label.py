@@ -1,4 +1,4 @@
-"""Labels of triangles in .can files: species (one digit or more), plant (5), leaf (3), element (3)."""
+"""Labels of triangles in .can files: species (1 digit or more), plant (5), leaf (3), element (3)."""
 
 
 class Label:

@@ -43,7 +43,7 @@ def triangles_of(geometry):
 
 
 def scene_to_cscene(scene):
-    """The triangles of a PlantGL scene: dict, shape.id -> list of triangles; shapes of one id together."""
+    """The triangles of a PlantGL scene: dict, shape.id -> list; shapes of one id together."""
     result = {}
     for shape in scene:
         found = triangles_of(shape)
@@ -57,6 +57,12 @@ def mtg_to_cscene(mtg, property_name="geometry"):
     geometries = mtg.property(property_name)
     result = {vid: triangles_of(geometry) for vid, geometry in geometries.items()}
     return {vid: triangles for vid, triangles in result.items() if triangles}
+
+
+def is_lsystem_pair(scene):
+    """Whether it is an L-system of L-Py and an L-string that it draws."""
+    is_pair = isinstance(scene, tuple) and len(scene) == 2
+    return is_pair and callable(getattr(scene[0], "sceneInterpretation", None))
 
 
 def is_mtg(scene):

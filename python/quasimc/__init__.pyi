@@ -1,0 +1,438 @@
+import datetime
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, Literal, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import sources as sources
+
+__version__: str
+
+Numbers = Union[float, Sequence[float], Mapping[str, float]]
+Time = Union[str, datetime.datetime]
+Array = npt.NDArray[np.float64]
+PerOrgan = Union[str, int, Mapping[int, object], Sequence[object], npt.NDArray[Any]]
+
+class Error(Exception): ...
+
+class InputError(Error, ValueError):
+    faults: list[dict[str, str]]
+    def __init__(self, text: str, faults: list[dict[str, str]]) -> None: ...
+
+class Stopped(Error, RuntimeError):
+    why: str
+    def __init__(self, text: str, why: str) -> None: ...
+
+class QuasimcWarning(UserWarning): ...
+
+class Progress:
+    fraction: float
+    seconds: float
+    expected_seconds: float
+    fraction_at_target: float
+    def __init__(
+        self, fraction: float, seconds: float, expected_seconds: float, fraction_at_target: float
+    ) -> None: ...
+
+class Source:
+    type: str
+    keys: dict[str, Any]
+    def __init__(self, type: str, **keys: Any) -> None: ...
+    def table(self) -> dict[str, Any]: ...
+    def __eq__(self, other: object) -> bool: ...
+
+def source_types() -> dict[str, str]: ...
+def sky_models() -> dict[str, str]: ...
+def directional(
+    *,
+    direction: Sequence[float] | npt.NDArray[Any] | None = None,
+    azimuth_deg: float | None = None,
+    elevation_deg: float | None = None,
+    irradiance_facing: Numbers | None = None,
+    irradiance_horizontal: Numbers | None = None,
+    name: str | None = None,
+    on_hours: Sequence[Any] | None = None,
+) -> Source: ...
+def sun(
+    *,
+    time: Time | None = None,
+    azimuth_deg: float | None = None,
+    elevation_deg: float | None = None,
+    disk: bool | None = None,
+    irradiance_facing: Numbers | None = None,
+    irradiance_horizontal: Numbers | None = None,
+    delta_t_s: float | None = None,
+    name: str | None = None,
+) -> Source: ...
+def sky(
+    model: str = "cie_overcast",
+    *,
+    irradiance_horizontal: Numbers,
+    name: str | None = None,
+    **keys: Any,
+) -> Source: ...
+def uniform_sky(*, irradiance_horizontal: Numbers, name: str | None = None) -> Source: ...
+def lamp(
+    type: str,
+    *,
+    power: Numbers | None = None,
+    photon_flux: Numbers | None = None,
+    luminous_flux: Numbers | None = None,
+    name: str | None = None,
+    on_hours: Sequence[Any] | None = None,
+    **keys: Any,
+) -> Source: ...
+
+class SunPosition:
+    azimuth_deg: float
+    elevation_deg: float
+    true_elevation_deg: float
+    zenith_deg: float
+    distance_au: float
+    declination_deg: float
+    equation_of_time_min: float
+    def __init__(self, position: Any) -> None: ...
+    @property
+    def vector(self) -> tuple[float, float, float]: ...
+
+def sun_position(
+    latitude_deg: float,
+    longitude_deg: float,
+    time: Time,
+    *,
+    elevation_m: float = 0.0,
+    pressure_hpa: float | None = None,
+    temperature_c: float = 12.0,
+    delta_t_s: float | None = None,
+) -> SunPosition: ...
+def sun_day(
+    latitude_deg: float, longitude_deg: float, date: Time, *, elevation_m: float = 0.0
+) -> dict[str, Any]: ...
+
+class Estimates:
+    name: str
+    unit: Any
+    bands: tuple[str, ...]
+    def __init__(
+        self, values: Array, name: str, unit: str | tuple[str, ...], bands: Sequence[str] = ()
+    ) -> None: ...
+    @property
+    def mean(self) -> Array: ...
+    @property
+    def standard_error(self) -> Array: ...
+    @property
+    def low(self) -> Array: ...
+    @property
+    def high(self) -> Array: ...
+    @property
+    def relative_error(self) -> Array: ...
+    def __getitem__(self, band: str) -> Estimates: ...
+    def __len__(self) -> int: ...
+
+class Estimate:
+    mean: float
+    standard_error: float
+    low: float
+    high: float
+    unit: str
+    def __init__(self, numbers: Sequence[float], unit: str) -> None: ...
+
+class Organs:
+    bands: tuple[str, ...]
+    units: tuple[str, ...]
+    length_unit: str
+    has_ground: bool
+    triangle_count: int
+    def __init__(self, scene: Any) -> None: ...
+    @property
+    def ids(self) -> npt.NDArray[np.int64]: ...
+    @property
+    def areas(self) -> Array: ...
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def labels(self) -> dict[str, list[str]]: ...
+    def index_of(self, organ: int) -> int: ...
+    def triangles(self, index: int) -> Array: ...
+    def __len__(self) -> int: ...
+
+class _Light:
+    def __getitem__(self, quantity: str) -> Estimates: ...
+    def keys(self) -> list[str]: ...
+    def __iter__(self) -> Iterator[str]: ...
+    def __len__(self) -> int: ...
+
+class Selection(_Light):
+    ids: list[int]
+    def __init__(self, result: Result, ids: Iterable[int]) -> None: ...
+
+class Groups(_Light):
+    groups: list[dict[str, Any]]
+    def __init__(self, core: Any, organs: Organs) -> None: ...
+    def to_pandas(self) -> Any: ...
+
+class Sums(_Light):
+    seconds: float
+    def __init__(self, values: Array, seconds: float, organs: Organs) -> None: ...
+    def to_pandas(self) -> Any: ...
+
+class Result(_Light):
+    organs: Organs
+    warnings: list[str]
+    sources: list[str]
+    method: str
+    reason: str
+    paths: int
+    replicates: int
+    rays: int
+    stop: str
+    fraction_at_target: float
+    build_seconds: float
+    trace_seconds: float
+    trace_cpu_seconds: float
+    escaped_is_remainder: bool
+    def __init__(
+        self,
+        core: Any,
+        organs: Organs,
+        warnings: Iterable[str] = (),
+        sources: Iterable[str] = (),
+        ratio_names: Iterable[str] = (),
+    ) -> None: ...
+    @property
+    def bands(self) -> tuple[str, ...]: ...
+    @property
+    def ratios(self) -> dict[str, Estimates]: ...
+    @property
+    def groups(self) -> Groups: ...
+    @property
+    def budget(self) -> dict[str, dict[str, Any]]: ...
+    @property
+    def canopy(self) -> dict[str, dict[str, Any]]: ...
+    @property
+    def detectors(self) -> list[dict[str, Any]]: ...
+    @property
+    def audit(self) -> dict[str, Any] | None: ...
+    def select(self, ids: Iterable[int]) -> Selection: ...
+    def to_pandas(self) -> Any: ...
+    def to_xarray(self) -> Any: ...
+    def plot(
+        self,
+        quantity: str = "absorbed_flux_density",
+        band: str | None = None,
+        **options: Any,
+    ) -> Any: ...
+
+class Series:
+    organs: Organs
+    times: list[dict[str, Any]]
+    warnings: list[str]
+    sources: list[str]
+    stop: str
+    traced: int
+    done: int
+    moments: int
+    audit_chance: float
+    rays: int
+    seconds: float
+    total_seconds: float
+    methods: dict[str, int]
+    def __init__(
+        self,
+        core: Any,
+        organs: Organs,
+        warnings: Iterable[str] = (),
+        sources: Iterable[str] = (),
+        ratio_names: Iterable[str] = (),
+    ) -> None: ...
+    @property
+    def days(self) -> dict[str, Sums]: ...
+    @property
+    def total(self) -> Sums: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, index: int) -> Result: ...
+    def __iter__(self) -> Iterator[Result]: ...
+    def to_pandas(self) -> Any: ...
+
+ProgressArgument = Union[bool, Callable[[Progress], object], None]
+SourcesArgument = Union[Source, Iterable[Union[Source, Mapping[str, Any]]], None]
+
+class Scene:
+    def __init__(
+        self,
+        bands: str | Sequence[str | Mapping[str, Any]] | Mapping[str, str] = "PAR",
+        *,
+        irradiance_unit: str | None = None,
+        length_unit: str | None = None,
+        up: Literal["z", "y"] | None = None,
+        north: Sequence[float] | None = None,
+        place: Mapping[str, float] | None = None,
+        title: str | None = None,
+    ) -> None: ...
+    def add_material(
+        self,
+        name: str,
+        reflectance: Numbers | None = None,
+        transmittance: Numbers | None = None,
+        *,
+        upper: Mapping[str, Any] | None = None,
+        lower: Mapping[str, Any] | None = None,
+        **keys: Any,
+    ) -> Scene: ...
+    def add_mesh(
+        self,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike | None = None,
+        *,
+        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
+        organ: npt.ArrayLike | None = None,
+        name: PerOrgan | None = None,
+        labels: Mapping[str, PerOrgan] | None = None,
+        measured: bool = True,
+        field_of_view_deg: float = 90.0,
+    ) -> Scene: ...
+    def add_organ(self, shape: str, *, material: str, **keys: Any) -> Scene: ...
+    def add_file(self, file: str | os.PathLike[str], **keys: Any) -> Scene: ...
+    def add_detector(self, type: str, **keys: Any) -> Scene: ...
+    def add_source(self, source: Source | str, **keys: Any) -> Scene: ...
+    def set_ground(self, material: str, **keys: Any) -> Scene: ...
+    def set_cell(
+        self,
+        x: Sequence[float] | None = None,
+        y: Sequence[float] | None = None,
+        z: Sequence[float] | None = None,
+    ) -> Scene: ...
+    def build(self) -> Organs: ...
+    @property
+    def organs(self) -> Organs: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @overload
+    def run(
+        self,
+        sources: SourcesArgument = None,
+        *,
+        time: Mapping[str, Any],
+        progress: ProgressArgument = None,
+        keep_times: bool = True,
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        max_depth: int = ...,
+        roulette_weight: float = ...,
+        window: str = ...,
+        engine: str = ...,
+        direct_light: str = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        audit: float = ...,
+        tally_memory_mb: float = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+    ) -> Series: ...
+    @overload
+    def run(
+        self,
+        sources: SourcesArgument = None,
+        *,
+        time: None = None,
+        progress: ProgressArgument = None,
+        keep_times: bool = True,
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        max_depth: int = ...,
+        roulette_weight: float = ...,
+        window: str = ...,
+        engine: str = ...,
+        direct_light: str = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        audit: float = ...,
+        tally_memory_mb: float = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+    ) -> Result: ...
+
+class GrowthSession:
+    def __init__(self, scene: Scene) -> None: ...
+    def add(
+        self,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike | None = None,
+        *,
+        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
+        organ: npt.ArrayLike | None = None,
+        name: PerOrgan | None = None,
+        labels: Mapping[str, PerOrgan] | None = None,
+        measured: bool = True,
+        field_of_view_deg: float = 90.0,
+    ) -> list[int]: ...
+    def change(
+        self,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike | None = None,
+        *,
+        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
+        organ: npt.ArrayLike,
+        name: PerOrgan | None = None,
+        labels: Mapping[str, PerOrgan] | None = None,
+        measured: bool = True,
+        field_of_view_deg: float = 90.0,
+    ) -> None: ...
+    def remove(self, organ: npt.ArrayLike) -> None: ...
+    def __contains__(self, organ: int) -> bool: ...
+    def __len__(self) -> int: ...
+    def update_scene(self) -> None: ...
+    def run(
+        self,
+        sources: SourcesArgument = None,
+        *,
+        progress: ProgressArgument = None,
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        max_depth: int = ...,
+        roulette_weight: float = ...,
+        window: str = ...,
+        engine: str = ...,
+        direct_light: str = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        audit: float = ...,
+        tally_memory_mb: float = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+    ) -> Result: ...
+    @property
+    def scene_builds(self) -> int: ...
+    @property
+    def tree_builds(self) -> int: ...
+
+def load(path: str | os.PathLike[str]) -> Scene: ...
+def options() -> list[dict[str, Any]]: ...
+def quantities() -> dict[str, str]: ...
+def shapes() -> list[str]: ...

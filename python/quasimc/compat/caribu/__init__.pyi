@@ -1,0 +1,1 @@
+from .CaribuScene import CaribuScene as CaribuScene
