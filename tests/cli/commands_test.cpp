@@ -263,10 +263,10 @@ TEST_F(ProgramTest, AReachedTargetIsStatusZero) {
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
-TEST_F(ProgramTest, AnInterruptedRunLeavesNothing) {
+TEST_F(ProgramTest, ATerminatedRunLeavesNothing) {
     folder_.write("out.csv", "old");
     const std::string command = "cd '" + folder_.path().string() +
-                                "' && timeout -s INT 0.3 '" QUASIMC_PROGRAM
+                                "' && timeout -s TERM 0.3 '" QUASIMC_PROGRAM
                                 "' run run.toml --paths 67108864 --replicates 1000 >/dev/null 2>&1";
     EXPECT_NE(std::system(command.c_str()), 0);  // NOLINT(concurrency-mt-unsafe)
     EXPECT_EQ(folder_.read("out.csv"), "old");
