@@ -129,20 +129,23 @@ std::vector<Triangle> uncovered(
     return parts_beside(t, windows, coplanar_tolerance(size_of(bounds_of(t)), scene_size));
 }
 
+/// By how many steps triangles are lifted off the plane that they were given in.
+using Lifts = std::map<std::uint32_t, int>;
+
 /// Makes the mesh anew, organ by organ.
 class Cutter {
   public:
-    /// @param lifted  triangles of sensors that lie on surfaces, ascending
+    /// @param lifts  of triangles of sensors that lie on something
     Cutter(
         DraftAssembly& scene,
         const SceneGeometry& geometry,
         std::span<const Cover> covers,
-        const std::vector<std::uint32_t>& lifted)
+        const Lifts& lifts)
         : scene_(scene),
           geometry_(geometry),
           owners_(scene, geometry),
           covers_(covers),
-          lifted_(lifted),
+          lifts_(lifts),
           size_(size_of(bounds_of(geometry))) {}
 
     std::shared_ptr<const SceneGeometry> run() {
@@ -196,12 +199,12 @@ class Cutter {
         organ.triangle_count = static_cast<std::uint32_t>(mesh_.size()) - organ.first_triangle;
     }
 
-    /// To the upper side, by more than hits are told apart (geometry/cast/rounding.h).
-    [[nodiscard]] Vec3 lift(const Triangle& t) const {
+    /// To the upper side; each step is more than hits are told apart (geometry/cast/rounding.h).
+    [[nodiscard]] Vec3 lift(const Triangle& t, int steps) const {
         constexpr double kLift = 4e-6;
         const Vec3 up = cross(t[1] - t[0], t[2] - t[0]);
         const double size = length(up);
-        return size > 0 ? kLift * size_ / size * up : Vec3{};
+        return size > 0 ? steps * kLift * size_ / size * up : Vec3{};
     }
 
     [[nodiscard]] std::span<const Cover> covers_of(std::uint32_t triangle) const {
@@ -221,8 +224,8 @@ class Cutter {
     /// Adds what is left of a triangle. @return the area that was cut away
     double add(std::uint32_t triangle) {
         const Triangle whole = geometry_[triangle];
-        if (std::binary_search(lifted_.begin(), lifted_.end(), triangle)) {
-            mesh_.push_back(moved(whole, lift(whole)));
+        if (const auto found = lifts_.find(triangle); found != lifts_.end()) {
+            mesh_.push_back(moved(whole, lift(whole, found->second)));
             return 0;
         }
         const std::span<const Cover> covers = covers_of(triangle);
@@ -242,7 +245,7 @@ class Cutter {
     const SceneGeometry& geometry_;
     Owners owners_;
     std::span<const Cover> covers_;
-    const std::vector<std::uint32_t>& lifted_;
+    const Lifts& lifts_;
     double size_;
     Mesh mesh_;
     std::vector<Instance> instances_;
@@ -269,19 +272,25 @@ std::vector<Coincidence> count_pairs(
     return counted;
 }
 
-/// The triangles of sensors that lie on surfaces, ascending.
+/// How far triangles of sensors are lifted that lie on surfaces, or on sensors that come before:
+/// each one step beyond those.
+/// @param covers  ordered by Cover::second
 template <typename IsSensor>
-std::vector<std::uint32_t> sensors_on_surfaces(
-    std::span<const Cover> covers, const IsSensor& is_sensor) {
-    std::vector<std::uint32_t> lifted;
+Lifts lifts_of_sensors(std::span<const Cover> covers, const IsSensor& is_sensor) {
+    Lifts lifts;
     for (const Cover& cover : covers) {
         if (is_sensor(cover.first) != is_sensor(cover.second)) {
-            lifted.push_back(is_sensor(cover.first) ? cover.first : cover.second);
+            lifts[is_sensor(cover.first) ? cover.first : cover.second] = 1;
         }
     }
-    std::sort(lifted.begin(), lifted.end());
-    lifted.erase(std::unique(lifted.begin(), lifted.end()), lifted.end());
-    return lifted;
+    for (const Cover& cover : covers) {
+        if (is_sensor(cover.first) && is_sensor(cover.second) && cover.first != cover.second) {
+            const auto before = lifts.find(cover.first);
+            const int steps = before == lifts.end() ? 1 : before->second + 1;
+            lifts[cover.second] = std::max(lifts[cover.second], steps);
+        }
+    }
+    return lifts;
 }
 
 }  // namespace
@@ -308,10 +317,9 @@ CutGeometry cut_covered(
          count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::both)) {
         told.pairs.push_back(pair);
     }
-    const std::vector<std::uint32_t> lifted =
-        sensors_on_surfaces({sensors, found.covers.end()}, is_sensor);
-    if (!covers.empty() || !lifted.empty()) {
-        result.geometry = Cutter(scene, geometry, covers, lifted).run();
+    const Lifts lifts = lifts_of_sensors({sensors, found.covers.end()}, is_sensor);
+    if (!covers.empty() || !lifts.empty()) {
+        result.geometry = Cutter(scene, geometry, covers, lifts).run();
     }
     return result;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -122,6 +123,7 @@ Node random_lamp(Draft& draft) {
 }  // namespace
 
 void add_sources(Draft& draft) {
+    constexpr double kMostLight = 1e15;  // that a run file may state
     const std::size_t count = draft.random.chance(.5) ? 1 : 1 + draft.random.below(3);
     const double brightness = draft.random.chance(.2) ? draft.random.power_of_ten(-6, 6) : 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -135,7 +137,7 @@ void add_sources(Draft& draft) {
         for (const char* key : {"irradiance_facing", "irradiance_horizontal", "power"}) {
             if (Node* values = find(source, key)) {
                 for (Node& value : items(*values)) {
-                    value = node_of(number_in(value) * factor);
+                    value = node_of(std::min(number_in(value) * factor, kMostLight));
                 }
             }
         }

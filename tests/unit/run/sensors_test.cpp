@@ -49,6 +49,24 @@ TEST_P(Sensors, SeeThePartOfTheSkyInTheirFieldOfView) {
     }
 }
 
+/// Three sensors in the plane of a plate: each counts all light.
+TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(sensor("sensor"));
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("a", "sensor", floor_of(0, 1, 0, 1, .5)));
+    builder.add_organ(organ("b", "sensor", floor_of(.2, 1.2, 0, 1, .5)));
+    builder.add_organ(organ("c", "sensor", floor_of(-.2, .8, 0, 1, .5)));
+    builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, .5)));
+    const Result result =
+        run_from(GetParam(), std::move(builder).build(), {sun(30, {1}), sky({1})});
+    const double all = 1 + std::sqrt(.75);
+    expect_holds(result.at(0, Quantity::incident_upper, 0), all);
+    for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+        expect_holds(result.at(i, Quantity::incident_upper, 0), all);
+    }
+}
+
 TEST_P(Sensors, SeeThePartOfTheGroundInTheirFieldOfView) {
     for (const double angle : {20.0, 60.0}) {
         const Result result = run_from(GetParam(), above_ground(angle), {sun(0, {1})});
