@@ -81,7 +81,7 @@ constexpr std::uint32_t kDirectionBlocks = 16;
 constexpr double kPixelsPerTriangle = 20;
 /// Skies that cost so many times the pixels that their paths are meant to have are traced from
 /// themselves, which then leaves the smaller errors for its time.
-constexpr double kMostOverPixels = 25;
+constexpr double kMostOverPixels = 30;
 /// So are skies of fewer directions times organs: all organs have the errors of the directions in
 /// common, those of paths cancel in what is large.
 constexpr double kFewestViews = 400;

@@ -153,6 +153,28 @@ TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
     EXPECT_TRUE(few.tasks({0, 4}).empty());
 }
 
+/// Sixty leaves as one organ or as sixty: of one the few directions of few paths are all the error.
+TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
+    const SeenStand open(false, {sky({1})});
+    const SamplingBudget many(open.prepared, SkyDirections(open.prepared), open.seen, 1024);
+    ASSERT_TRUE(many.sees_skies());
+    const std::uint32_t directions = many.tasks({0, 1024}).front().count;
+    ASSERT_LT(directions, 400);
+
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    builder.add_organ(organ("all leaves", "leaf", random_leaves(60, .2, 1, 5)));
+    const Scene scene = std::move(builder).build();
+    for (const std::uint64_t paths : {1024U, 65536U}) {
+        const Result first = run(scene, {sky({1})}, spec_of(Method::first_hits, paths));
+        const Result light = run(scene, {sky({1})}, spec_of(Method::light_tracing, paths));
+        EXPECT_EQ(
+            first.at(0, Quantity::absorbed_flux, 0).mean ==
+                light.at(0, Quantity::absorbed_flux, 0).mean,
+            paths == 1024);
+    }
+}
+
 TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
     const SeenStand open(false, {sun(20, {1})});
     EXPECT_FALSE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)
