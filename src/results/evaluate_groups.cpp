@@ -137,6 +137,9 @@ class GroupEvaluator {
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
             const OrganFinds finds(reader, band);
+            if (finds.is_settled()) {
+                continue;
+            }
             for (const QuantityEntry& entry : quantity_table()) {
                 if (finds.knows_finds()) {
                     SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];

@@ -132,6 +132,11 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
     const auto scattered = [&](double mean) { return find_among(mean, mean / most, most, count); };
     scattered_ = {scattered(upper), scattered(lower)};
     on_either_ = scattered(upper + lower);
+    const auto is_none = [](const SingleFind& find) { return find.more == 0 && find.less == 0; };
+    is_settled_ = is_none(on_either_);
+    for (const Kind* kind : {&direct_, &by_path_, &scattered_}) {
+        is_settled_ = is_settled_ && is_none(kind->upper) && is_none(kind->lower);
+    }
 }
 
 SingleFind OrganFinds::find(Quantity quantity) const {
@@ -204,6 +209,9 @@ SingleFind OrganFinds::find_among_points(Quantity quantity) const {
 
 Estimate OrganFinds::estimate(
     const QuantityEntry& entry, double per_area, std::span<const double> values) const {
+    if (is_settled_) {
+        return estimate_seen_or_bound(values, 0);
+    }
     const double unit = entry.is_flux ? 1 : per_area;
     if (knows_finds()) {
         const SingleFind one = find(entry.quantity);

@@ -23,6 +23,8 @@ class OrganFinds {
     /// Whether it is known what could have been found: all light that nothing stands in the way of,
     /// or what a find of each kind of light may bring.
     [[nodiscard]] bool knows_finds() const { return knows_unoccluded_ || knows_kinds_; }
+    /// Whether there are so many of each kind that one more changes nothing.
+    [[nodiscard]] bool is_settled() const { return is_settled_; }
     /// A find of a quantity, as flux. To be asked where knows_finds().
     [[nodiscard]] SingleFind find(Quantity quantity) const;
 
@@ -48,6 +50,7 @@ class OrganFinds {
     };
 
     bool knows_unoccluded_, knows_kinds_;
+    bool is_settled_ = false;
     double absorptance_;
     double bound_;  ///< where unoccluded light is not known: a find, in one replicate
     Kind direct_, scattered_;
