@@ -16,8 +16,8 @@ bool has_error(const Number& n) {
 
 /// Nothing was found: the chance of that, where the other number, less four of its errors, would
 /// have brought so many finds that the upper end is three.
-double chance_of_nothing(const Number& nothing, const Number& other, double slip) {
-    const double least = other.mean - 4 * other.error - slip;
+double chance_of_nothing(const Number& nothing, const Number& other, double slack) {
+    const double least = other.mean - 4 * other.error - slack;
     if (!has_error(other) || least <= 0) {
         return 1;
     }
@@ -27,15 +27,14 @@ double chance_of_nothing(const Number& nothing, const Number& other, double slip
 }  // namespace
 
 double chance_of(
-    const Number& a, double freedom_a, const Number& b, double freedom_b, double slip) {
+    const Number& a, double freedom_a, const Number& b, double freedom_b, double slack) {
     if (!has_error(a) || !has_error(b)) {
         if (has_error(a) == has_error(b)) {
             return 1;
         }
-        return has_error(a) ? chance_of_nothing(b, a, slip) : chance_of_nothing(a, b, slip);
+        return has_error(a) ? chance_of_nothing(b, a, slack) : chance_of_nothing(a, b, slack);
     }
-    const double rounding = kRounding * std::max(std::abs(a.mean), std::abs(b.mean));
-    const double difference = std::abs(a.mean - b.mean) - rounding - slip;
+    const double difference = std::abs(a.mean - b.mean) - slack;
     if (difference <= 0) {
         return 1;
     }
@@ -64,7 +63,8 @@ std::vector<Disagreement> disagreements(
                 if (!x.is_known || !y.is_known) {
                     continue;
                 }
-                const double chance = chance_of(x, a.freedom, y, b.freedom, it.slips[n]);
+                const double slack = slack_of(it, n, std::max(std::abs(x.mean), std::abs(y.mean)));
+                const double chance = chance_of(x, a.freedom, y, b.freedom, slack);
                 if (chance < level) {
                     found.push_back(
                         {n, a.way, b.way, chance,
@@ -78,6 +78,10 @@ std::vector<Disagreement> disagreements(
         }
     }
     return found;
+}
+
+double slack_of(const Case& it, std::size_t number, double mean) {
+    return it.slips[number] + it.roundings[number] * std::abs(mean);
 }
 
 std::size_t count_comparisons(const std::vector<Answer>& answers) {

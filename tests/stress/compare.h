@@ -16,16 +16,15 @@ struct Disagreement {
     std::string words;
 };
 
-/// Relative error that is left to rounding: windows of beams are larger than the scene by 2^-20
-/// each way, and triangles are traced in single precision.
-inline constexpr double kRounding = 5e-6;
-
 /// The chance that two numbers differ by so much or more if both ways are right: of Student's t
 /// with the degrees of freedom of Welch (1947), where both have errors; of finding nothing, where
 /// one has found nothing and says how much there may be at most (rule of three: three finds).
-/// @param slip  a difference that never counts
+/// @param slack  a difference that never counts
 [[nodiscard]] double chance_of(
-    const Number& a, double freedom_a, const Number& b, double freedom_b, double slip = 0);
+    const Number& a, double freedom_a, const Number& b, double freedom_b, double slack = 0);
+
+/// By how much two numbers of a case may differ without a fault: what slips through, and rounding.
+[[nodiscard]] double slack_of(const Case& it, std::size_t number, double mean);
 
 /// All pairs of ways, number by number, whose chance is below `level`.
 [[nodiscard]] std::vector<Disagreement> disagreements(

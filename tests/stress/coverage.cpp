@@ -34,8 +34,8 @@ std::optional<double> truth_of(
         const Number& n = answer.numbers[number];
         width += .5 * (n.high - n.low) / static_cast<double>(all[own].size());
     }
-    const bool is_sharp = best && best->standard_error < .2 * width &&
-                          width > 4 * (kRounding * best->mean + it.slips[number]);
+    const bool is_sharp =
+        best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);
     return is_sharp ? std::optional(best->mean) : std::nullopt;
 }
 

@@ -189,8 +189,7 @@ std::vector<Finding> compare_closely(
         }
         for (const auto& [way, other] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}}) {
             const Number& truth = means[other].numbers[d.number];
-            const double slack =
-                quantile * truth.error + kRounding * std::abs(truth.mean) + it.slips[d.number];
+            const double slack = quantile * truth.error + slack_of(it, d.number, truth.mean);
             const unsigned misses =
                 std::isnan(truth.error) ? 0 : count_misses(all[way], d.number, truth.mean, slack);
             if (chance_of_misses(misses, rules.last_seeds, rules.misses) < level) {

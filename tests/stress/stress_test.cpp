@@ -117,14 +117,14 @@ TEST(StressShrinking, LeavesWhatMatters) {
     EXPECT_LE(tables_at(small, "material").size(), 1U);
 }
 
-TEST(StressCampaign, FindsNothingInTheFirstScenes) {
+TEST(StressCampaign, FindsNothingInThirtyScenes) {
     const test::TemporaryFolder folder;
     Campaign campaign;
-    campaign.first = 1000000;
-    campaign.scenes = 40;
+    campaign.first = 101;
+    campaign.scenes = 30;
     campaign.out = folder.path();
     const Tally tally = run_campaign(campaign);
-    EXPECT_EQ(tally.scenes, 40U);
+    EXPECT_EQ(tally.scenes, 30U);
     EXPECT_GT(tally.comparisons, 4000U);
     EXPECT_EQ(tally.findings + tally.deaths, 0U) << folder.read("log.txt");
 }

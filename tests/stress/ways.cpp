@@ -1,5 +1,6 @@
 #include "stress/ways.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -178,6 +179,42 @@ std::vector<double> slips_of(const Node& document, const Scene& scene) {
     return slips;
 }
 
+/// The smallest height of the organ's triangles, as a part of the scene or its cell.
+double thinness_of(const Scene& scene, const Organ& organ) {
+    const Cell& cell = scene.cell();
+    const double size = std::max(
+        {scene.bounds().radius(), cell.along_x ? cell.size_x : 0, cell.along_y ? cell.size_y : 0});
+    double least = 1;
+    for (const Triangle& t : scene.triangles_of(organ)) {
+        const double longest =
+            std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+        if (longest > 0) {
+            least = std::min(least, length(area_vector(t)) / longest / size);
+        }
+    }
+    return least;
+}
+
+/// 5e-6: windows of beams are larger than the scene by 2^-20 each way. Of needles five times what
+/// rays take for one place (2^-22 of the scene) over their width.
+std::vector<double> roundings_of(const Scene& scene) {
+    constexpr double kRounding = 5e-6;
+    constexpr double kNeedle = 1e-3;
+    const std::size_t each = kCompared.size() * scene.bands().size() + 1;
+    std::vector<double> roundings;
+    double area = 0, weighted = 0;
+    for (const Organ& organ : scene.organs()) {
+        const double thinness = thinness_of(scene, organ);
+        const double own = thinness > kNeedle ? kRounding : 5 * 0x1p-22 / thinness;
+        roundings.insert(roundings.end(), each, own);
+        area += organ.area;
+        weighted += organ.area * own;
+    }
+    const double of_totals = area > 0 ? weighted / area : kRounding;
+    roundings.insert(roundings.end(), 2 * scene.bands().size(), of_totals);
+    return roundings;
+}
+
 bool has_lamps(const Node& document) {
     for (const Node* source : tables_at(document, "source")) {
         if (source->find("power") != nullptr) {
@@ -216,7 +253,8 @@ Case make_case(const Node& document) {
     RunFile run = read_run_document(document, "run.toml", files);
     std::optional<PlainScene> plain = plain_scene(document, run.scene);
     std::vector<double> slips = slips_of(document, run.scene);
-    return {std::move(run), std::move(plain), std::move(slips)};
+    std::vector<double> roundings = roundings_of(run.scene);
+    return {std::move(run), std::move(plain), std::move(slips), std::move(roundings)};
 }
 
 std::string name_of(Way way) {
