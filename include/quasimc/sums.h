@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -209,6 +210,9 @@ struct LightKind {
     std::vector<double> sunlit_reach = {};  ///< of suns, by region: the same of the area lit
     double step = 1;                        ///< light of a find in the first round, in units
     double many = 5;  ///< finds in each replicate from which on replicates tell all
+    /// How much of `reach` one find could be of light that no replicate has found at all: of a lit
+    /// part that slips through between lines none could cut more than that.
+    double unseen_reach = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const LightKind&, const LightKind&) = default;
 };

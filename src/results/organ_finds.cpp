@@ -119,8 +119,8 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
             }
             const OrganReader::Found found = reader.found(i, side, reader.replicates());
             const SingleFind find = find_among(
-                found.units * flux, found.finds(), reader.units_per_find(i, side) * flux, count,
-                light.many);
+                found.units * flux, found.finds(),
+                reader.units_per_find(i, side, found.units > 0) * flux, count, light.many);
             Kind& kind = is_path ? by_path_ : direct_;
             SingleFind& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
             sum = is_path ? larger(sum, find) : both(sum, find);

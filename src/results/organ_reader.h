@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -189,10 +190,13 @@ class OrganReader {
         return sum;
     }
     /// The most units of light that one find of a kind may bring to a side.
-    [[nodiscard]] double units_per_find(std::size_t kind, SurfaceSide side) const {
+    /// @param is_seen  whether some was found
+    [[nodiscard]] double units_per_find(std::size_t kind, SurfaceSide side, bool is_seen) const {
+        const double most =
+            is_seen ? std::numeric_limits<double>::infinity() : this->kind(kind).unseen_reach;
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            sum += reach_of(organ_.first_region + i, kind, side);
+            sum += std::min(most, reach_of(organ_.first_region + i, kind, side));
         }
         return organ_.area > 0 ? sum * sums_.per_find[kind] : 0;
     }

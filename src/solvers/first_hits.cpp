@@ -432,16 +432,18 @@ SumMeaning first_hits_meaning(const PreparedScene& prepared, const RunSpec& spec
     const Round first{0, spec.paths};
     std::vector<LightKind> counted;
     double of_line = 0;
+    double spacing = 0;
     for (const VisibilityTask& task : budget.tasks(first)) {
         const double step = budget.light_per_look(task, first);
         if (task.is_sky) {
             counted.push_back(kind_by_direction(prepared, task.count, step));
         } else {
             of_line = std::max(of_line, step);
+            spacing = std::max(spacing, budget.spacing(task));
         }
     }
     if (of_line > 0) {
-        counted.push_back(kind_by_line(prepared, budget.lights_with_lines(), of_line));
+        counted.push_back(kind_by_line(prepared, budget.lights_with_lines(), of_line, spacing));
     }
     std::vector<LightKind>& kinds = meaning.units.kinds;
     std::erase_if(kinds, [&](const LightKind& kind) {

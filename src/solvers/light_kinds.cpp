@@ -129,11 +129,19 @@ LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directi
 }
 
 /// A line brings a region at most what falls on a stretch as long as the region.
+///
+/// Lines of a replicate lie `spacing` apart, in a direction of their own: a lit part that is wider
+/// across them is met. One that no replicate has met is thus about as narrow in all of their
+/// directions, and a line that met it would cut no more than twice that.
 LightKind kind_by_line(
-    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step) {
+    const PreparedScene& prepared,
+    const std::vector<bool>& has_lines,
+    double step,
+    double spacing) {
     LightKind kind = kind_of(prepared, is_sun);
     kind.found_by = FoundBy::lines;
     kind.step = step;
+    kind.unseen_reach = 2 * spacing;
     const std::vector<double> longest = diameters(prepared);
     kind.reach.assign(2 * longest.size(), 0);
     kind.sunlit_reach.assign(longest.size(), 0);

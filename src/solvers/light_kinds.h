@@ -27,8 +27,9 @@ namespace quasimc {
 /// The suns, whose light is found along lines.
 /// @param has_lines  by light: those of which it is
 /// @param step  units of light that a unit of length of a line brings
+/// @param spacing  of the lines, local units, at most
 [[nodiscard]] LightKind kind_by_line(
-    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step);
+    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step, double spacing);
 
 /// Counts finds: what a look (along a direction, or some lines) brought to each side of a region is
 /// told triangle after triangle, those of a region next to each other.

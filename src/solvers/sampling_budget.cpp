@@ -178,8 +178,12 @@ double SamplingBudget::light_per_look(const VisibilityTask& task, const Round& r
     const double area = sampler.beam_direction()
                             ? sampler.flux()
                             : box.projected_area(sampler.draw_direction(0.5, 0.5).direction);
-    // Lines stand no further apart than the scene is wide over their number.
-    return light.probability * paths / task.beams * length(box.bounds.size()) / (task.count * area);
+    return light.probability * paths / task.beams * spacing(task) / area;
+}
+
+double SamplingBudget::spacing(const VisibilityTask& task) const {
+    // No more than the scene is wide over their number.
+    return length(prepared_.projection().entry_box().bounds.size()) / task.count;
 }
 
 VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {

@@ -56,6 +56,8 @@ class SamplingBudget {
     /// What a task's looks bring, in paths' light: a direction of the skies all that comes along
     /// it, a scan line so much for each unit of its length, local units, at most.
     [[nodiscard]] double light_per_look(const VisibilityTask& task, const Round& round) const;
+    /// How far apart the scan lines of a task stand at most, local units.
+    [[nodiscard]] double spacing(const VisibilityTask& task) const;
 
   private:
     void set_lines(const LineCost& cost, double paths);

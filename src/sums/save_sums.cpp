@@ -27,6 +27,7 @@ template <typename Visit, typename KindOrConst>
 void visit_kind(Visit& visit, KindOrConst& kind) {
     visit(kind.found_by), visit(kind.has_suns), visit(kind.spectra), visit(kind.flux);
     visit(kind.reach), visit(kind.sunlit_reach), visit(kind.step), visit(kind.many);
+    visit(kind.unseen_reach);
 }
 
 class Writer {

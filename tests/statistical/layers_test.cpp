@@ -65,9 +65,10 @@ TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
         const Estimate& thin = result.at(sensor, quantity, 0);
         constexpr int kReach = 5;  // 10^-5 is 2684 steps of the fixed point; beyond, steps count
         if (k <= kReach) {
-            EXPECT_TRUE(holds(
-                {fmt::format("{} nets tau .1, carried by a clear band", k), left, .1 * left, 22},
-                thin));
+            // Intervals take light as weak as this for that of few paths, though many bring it.
+            EXPECT_NEAR(thin.mean, left, .01 * left) << k << " nets";
+            EXPECT_LE(thin.low, left);
+            EXPECT_GE(thin.high, left);
         } else {
             EXPECT_NEAR(thin.mean, left, 0x1p-28);
         }
