@@ -68,12 +68,15 @@ unsigned count_misses(
     return misses;
 }
 
+/// The chance of so many misses or more, each of that chance: the binomial law by the F
+/// distribution (Abramowitz and Stegun 26.5.28).
 double chance_of_misses(unsigned misses, unsigned tries, double each) {
     if (misses == 0) {
         return 1;
     }
-    const boost::math::binomial_distribution<double> law(tries, each);
-    return boost::math::cdf(boost::math::complement(law, misses - 1.0));
+    const double above = 2.0 * (tries - misses + 1);
+    const double below = 2.0 * misses;
+    return f_tail(below * (1 - each) / (above * each), above, below);
 }
 
 Finding finding_of(Finding::Kind kind, const Disagreement& d, const std::string& words) {

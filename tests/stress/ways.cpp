@@ -14,10 +14,6 @@
 namespace quasimc::stress {
 namespace {
 
-constexpr std::array kCompared{
-    Quantity::absorbed_flux, Quantity::incident_upper, Quantity::incident_lower,
-    Quantity::incident_direct, Quantity::incident_scattered};
-
 Number number_of(const Estimate& e) {
     return {e.mean, e.standard_error, e.low, e.high, !std::isnan(e.mean)};
 }
@@ -25,7 +21,7 @@ Number number_of(const Estimate& e) {
 std::vector<Number> numbers_of(const Result& result) {
     std::vector<Number> numbers;
     for (std::size_t organ = 0; organ < result.organs(); ++organ) {
-        for (const Quantity q : kCompared) {
+        for (const Quantity q : kComparedQuantities) {
             for (std::size_t b = 0; b < result.bands; ++b) {
                 numbers.push_back(number_of(result.at(organ, q, b)));
             }
@@ -63,7 +59,7 @@ bool is_grazed(const Case& it, const Organ& organ) {
 
 /// Leaves the sunlit fraction of such organs out.
 void forget_grazed(const Case& it, std::vector<Number>& numbers) {
-    const std::size_t each = kCompared.size() * it.run.scene.bands().size() + 1;
+    const std::size_t each = kComparedQuantities.size() * it.run.scene.bands().size() + 1;
     for (std::size_t i = 0; i < it.run.scene.organs().size(); ++i) {
         if (is_grazed(it, it.run.scene.organs()[i])) {
             numbers[(i + 1) * each - 1].is_known = false;
@@ -137,84 +133,6 @@ Method method_of(Way way) {
     }
 }
 
-/// Irradiance of all far sources, and of lamps as far away as the scene is large; per band.
-std::vector<double> irradiance_of(const Node& document, const Scene& scene) {
-    const std::size_t bands = scene.bands().size();
-    const double radius = scene.bounds().radius();
-    std::vector<double> sum(bands);
-    for (const Node* source : tables_at(document, "source")) {
-        for (const char* key : {"irradiance_facing", "irradiance_horizontal"}) {
-            const std::vector<double> values = per_band_at(*source, key, bands, 0);
-            for (std::size_t b = 0; b < bands; ++b) {
-                sum[b] += values[b];
-            }
-        }
-        const std::vector<double> power = per_band_at(*source, "power", bands, 0);
-        for (std::size_t b = 0; b < bands; ++b) {
-            sum[b] += power[b] / (4 * std::numbers::pi * radius * radius);
-        }
-    }
-    return sum;
-}
-
-/// A millionth of that, in the order of the numbers.
-std::vector<double> slips_of(const Node& document, const Scene& scene) {
-    constexpr double kSlip = 1e-6;
-    std::vector<double> slips;
-    const std::vector<double> light = irradiance_of(document, scene);
-    double organs = 0, ground = 0;
-    for (const Organ& organ : scene.organs()) {
-        (organ.is_ground ? ground : organs) += organ.area;
-        for (const Quantity q : kCompared) {
-            for (const double e : light) {
-                slips.push_back(kSlip * e * (q == Quantity::absorbed_flux ? organ.area : 1));
-            }
-        }
-        slips.push_back(kSlip);
-    }
-    for (const double e : light) {
-        slips.push_back(kSlip * e * organs);
-        slips.push_back(kSlip * e * ground);
-    }
-    return slips;
-}
-
-/// The smallest height of the organ's triangles, as a part of the scene or its cell.
-double thinness_of(const Scene& scene, const Organ& organ) {
-    const Cell& cell = scene.cell();
-    const double size = std::max(
-        {scene.bounds().radius(), cell.along_x ? cell.size_x : 0, cell.along_y ? cell.size_y : 0});
-    double least = 1;
-    for (const Triangle& t : scene.triangles_of(organ)) {
-        const double longest =
-            std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
-        if (longest > 0) {
-            least = std::min(least, length(area_vector(t)) / longest / size);
-        }
-    }
-    return least;
-}
-
-/// 5e-6: windows of beams are larger than the scene by 2^-20 each way. Of needles five times what
-/// rays take for one place (2^-22 of the scene) over their width.
-std::vector<double> roundings_of(const Scene& scene) {
-    constexpr double kRounding = 5e-6;
-    constexpr double kNeedle = 1e-3;
-    const std::size_t each = kCompared.size() * scene.bands().size() + 1;
-    std::vector<double> roundings;
-    double area = 0, weighted = 0;
-    for (const Organ& organ : scene.organs()) {
-        const double thinness = thinness_of(scene, organ);
-        const double own = thinness > kNeedle ? kRounding : 5 * 0x1p-22 / thinness;
-        roundings.insert(roundings.end(), each, own);
-        area += organ.area;
-        weighted += organ.area * own;
-    }
-    const double of_totals = area > 0 ? weighted / area : kRounding;
-    roundings.insert(roundings.end(), 2 * scene.bands().size(), of_totals);
-    return roundings;
-}
-
 bool has_lamps(const Node& document) {
     for (const Node* source : tables_at(document, "source")) {
         if (source->find("power") != nullptr) {
@@ -266,7 +184,7 @@ std::string name_of(Way way) {
 std::vector<std::string> number_names(const Scene& scene) {
     std::vector<std::string> names;
     for (std::size_t organ = 0; organ < scene.organs().size(); ++organ) {
-        for (const Quantity q : kCompared) {
+        for (const Quantity q : kComparedQuantities) {
             for (const Band& band : scene.bands()) {
                 names.push_back(fmt::format(
                     "organ {} {} {}", organ, quantity_table()[static_cast<std::size_t>(q)].name,

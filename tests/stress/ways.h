@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,11 @@ struct Number {
     bool is_known = false;     ///< whether this way computes it
 };
 
+/// What is compared of each organ and band.
+inline constexpr std::array kComparedQuantities{
+    Quantity::absorbed_flux, Quantity::incident_upper, Quantity::incident_lower,
+    Quantity::incident_direct, Quantity::incident_scattered};
+
 /// What was asked, read and checked, and what the reference needs if it can do it.
 struct Case {
     RunFile run;
@@ -31,6 +37,10 @@ struct Case {
     /// thousandth of the scene, single precision leaves more.
     std::vector<double> roundings;
 };
+/// Case::slips and Case::roundings.
+[[nodiscard]] std::vector<double> slips_of(const Node& document, const Scene& scene);
+[[nodiscard]] std::vector<double> roundings_of(const Scene& scene);
+
 /// @throws InputError  if the document is no run file
 [[nodiscard]] Case make_case(const Node& document);
 
