@@ -38,6 +38,16 @@ void add_ground(Draft& draft) {
     set(ground, "material", node_of(random.pick(draft.materials)));
     const double height = random.chance(.2) ? 0 : random.between(-1, .3);
     set(ground, "height", node_of(draft.placed({0, 0, height}).z));
+    if (!draft.is_periodic && tables_at(draft.document, "organ").size() <= 3) {
+        // As wide as the organs it might have no width at all.
+        const bool is_y_up = find(draft.document, "up") != nullptr;
+        const Vec3 low = draft.placed({-.5, -.5, -.5});
+        const Vec3 high = draft.placed({1.5, 1.5, 1.5});
+        set(ground, "x", node_of(std::vector<double>{low.x, high.x}));
+        set(ground, is_y_up ? "z" : "y",
+            node_of(
+                is_y_up ? std::vector<double>{low.z, high.z} : std::vector<double>{low.y, high.y}));
+    }
     set(draft.document, "ground", std::move(ground));
     draft.anchors.push_back({{.5, .5, height}, {0, 0, 1}});
 }
