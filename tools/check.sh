@@ -64,7 +64,7 @@ step_tidy() {
     if [[ -n $full ]]; then
         tools/tidy.py --build build/dev src apps bench
     else
-        tools/tidy.py --build build/dev --changed --at-most 4 src apps bench
+        tools/tidy.py --build build/dev --changed src apps bench
     fi
 }
 

@@ -13,7 +13,7 @@ LONG = {"paths": 1 << 18, "method": "light_tracing", "max_paths": 1 << 30, "targ
 
 def test_a_callback_is_told_how_far_a_run_is():
     seen = []
-    canopy(200).run(progress=seen.append, paths=1 << 16, method="light_tracing", replicates=16)
+    canopy(200).run(progress=seen.append, paths=1 << 18, method="light_tracing", replicates=16)
     fractions = [progress.fraction for progress in seen]
     assert fractions and fractions == sorted(fractions)
     assert all(0 <= fraction <= 1 for fraction in fractions)
