@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -25,14 +26,16 @@ std::string usual_name(const std::string& run_file, const quasimc::PartNumber& n
 void trace_points(
     const RunArguments& arguments,
     const quasimc::PartNumber& number,
-    quasimc::RunFile first,
+    const quasimc::RunFile& first,
     quasimc::RunSweep& sweep,
     quasimc::PartWriter& writer) {
     const InterruptWatch interrupt(stopping_note(arguments));
     const auto tell = progress_line(progress_lines(arguments));
     std::size_t before = 0;  // moments of the points before
     for (std::size_t point = 0; point < sweep.size(); ++point) {
-        const quasimc::RunFile run = point == 0 ? std::move(first) : sweep.take(point);
+        const std::optional<quasimc::RunFile> later =
+            point == 0 ? std::nullopt : std::optional(sweep.take(point));
+        const quasimc::RunFile& run = later ? *later : first;
         const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(run);
         try {
             quasimc::trace_share(
@@ -57,13 +60,13 @@ Exit run_part(const RunArguments& arguments) {
     if (!arguments.quiet) {
         print_warnings(stored.runs.warnings());
     }
-    quasimc::RunFile first = stored.runs.take(0);
+    const quasimc::RunFile first = stored.runs.take(0);
     const std::string name =
         arguments.sums.empty() ? usual_name(arguments.file, number) : arguments.sums;
     quasimc::OutputFiles output({{name, "--sums"}}, inputs_of(arguments, first));
     quasimc::PartWriter writer(first, number, output.sink(0));
     try {
-        trace_points(arguments, number, std::move(first), stored.runs, writer);
+        trace_points(arguments, number, first, stored.runs, writer);
     } catch (const quasimc::InputError&) {
         output.throw_if_given_up();
         throw;

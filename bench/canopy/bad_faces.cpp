@@ -81,9 +81,8 @@ void add_stalk(ObjText& obj, const Vec3& center) {
 std::string flowers_with_bad_faces(std::uint32_t flowers) {
     ObjText obj;
     for (std::uint32_t i = 0; i < flowers; ++i) {
-        const Vec3 center{
-            .08 * (i % 5) + .01 * (i / 5 % 2), .07 * static_cast<double>(i / 5),
-            .1 + .02 * ((7 * i) % 5)};
+        const std::uint32_t row = i / 5;
+        const Vec3 center{.08 * (i % 5) + .01 * (row % 2), .07 * row, .1 + .02 * ((7 * i) % 5)};
         obj.group(fmt::format("stalk_{}", i + 1), "stalk");
         add_stalk(obj, center);
         for (int j = 0; j < kPetals; ++j) {

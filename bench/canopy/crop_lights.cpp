@@ -15,9 +15,10 @@ Sources lamps_of_greenhouse() {
     constexpr int kLamps = 4;
     Sources lamps;
     for (int i = 0; i < kLamps; ++i) {
+        const int row = i / 2;
         LampSpec lamp;
         lamp.name = "lamp " + std::to_string(i + 1);
-        lamp.position = {.4 + 1.6 * (i % 2), .5 + 2. * (i / 2), 2.6};
+        lamp.position = {.4 + 1.6 * (i % 2), .5 + 2. * row, 2.6};
         lamp.opening = {.kind = Opening::Kind::rectangle, .length = .3, .width = .2};
         lamp.pattern = cosine_pattern();
         lamp.flux = {400, 100};

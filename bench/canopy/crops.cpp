@@ -47,10 +47,11 @@ SceneBuilder builder_of_plants() {
     return builder;
 }
 
-void add_organ(SceneBuilder& builder, const char* material, std::vector<Triangle> triangles) {
+void add_organ(
+    SceneBuilder& builder, const char* material, const std::vector<Triangle>& triangles) {
     OrganSpec organ;
     organ.name = material;
-    organ.parts.push_back({material, std::move(triangles)});
+    organ.parts.push_back({material, triangles});
     builder.add_organ(std::move(organ));
 }
 
@@ -107,7 +108,8 @@ Scene make_maize(std::uint32_t triangles) {
     const auto rows = static_cast<std::uint32_t>(std::max(1., std::round(std::sqrt(plants / 4.))));
     for (std::uint32_t i = 0; i < plants; ++i) {
         const double x = .75 * (i % rows) + draws.between(-.02, .02);
-        const double y = .16 * static_cast<double>(i / rows) + draws.between(-.02, .02);
+        const std::uint32_t row = i / rows;
+        const double y = .16 * row + draws.between(-.02, .02);
         add_maize_plant(builder, {x, y, 0}, draws);
     }
     builder.set_ground({.material = "soil"});
@@ -201,7 +203,8 @@ Scene make_greenhouse(std::uint32_t triangles) {
     const auto plants = std::max(1U, triangles / kTallPlantTriangles);
     const auto rows = static_cast<std::uint32_t>(std::max(1., std::round(std::sqrt(plants / 2.))));
     for (std::uint32_t i = 0; i < plants; ++i) {
-        const Vec3 foot{kAisle * (i % rows), kAlongRow * static_cast<double>(i / rows), .3};
+        const std::uint32_t along = i / rows;
+        const Vec3 foot{kAisle * (i % rows), kAlongRow * along, .3};
         add_bush(builder, {.foot = foot, .height = 1.5, .leaves = 30, .leaf = .25}, draws);
     }
     builder.set_ground({.material = "floor"});
@@ -216,9 +219,8 @@ Scene make_row_crop(std::uint32_t triangles) {
     Draws draws;
     const std::uint32_t in_row = std::max(1U, triangles / (2 * kTriangles));
     for (std::uint32_t i = 0; i < 2 * in_row; ++i) {
-        const Vec3 foot{
-            kRow * (.5 + i % 2) + draws.between(-.02, .02),
-            kPlant * (.5 + static_cast<double>(i / 2)), 0};
+        const std::uint32_t along = i / 2;
+        const Vec3 foot{kRow * (.5 + i % 2) + draws.between(-.02, .02), kPlant * (.5 + along), 0};
         add_bush(builder, {.foot = foot, .height = .7, .leaves = 24, .leaf = .1}, draws);
     }
     builder.set_cell(
@@ -247,7 +249,7 @@ file = "flowers.obj"
 constexpr std::uint32_t kFlowerTriangles = 46;
 
 Scene make_flowers(std::uint32_t triangles) {
-    const std::string obj = flowers_with_bad_faces(std::max(1U, triangles / kFlowerTriangles));
+    std::string obj = flowers_with_bad_faces(std::max(1U, triangles / kFlowerTriangles));
     InputFiles files(".", [&](const std::filesystem::path& /*path*/) { return obj; });
     return read_run_text(kFlowerRun, "flowers.toml", files).scene;
 }

@@ -18,6 +18,7 @@ namespace {
 
 SceneBuilder frame_of(const Document& document, const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
+    arrays.reserve(meshes.size());
     for (const py::dict& mesh : meshes) {
         arrays.push_back(arrays_of(mesh));
     }

@@ -72,6 +72,7 @@ void give_memory_back() {
 /// @param meshes  dicts, which the caller keeps
 SceneHandle build(const Document& document, const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
+    arrays.reserve(meshes.size());
     for (const py::dict& mesh : meshes) {
         arrays.push_back(arrays_of(mesh));
     }
@@ -112,6 +113,14 @@ py::list names_of(const Scene& scene) {
     return names;
 }
 
+py::list empty_texts(std::size_t count) {
+    py::list texts(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        texts[i] = py::str("");
+    }
+    return texts;
+}
+
 /// Each key with the values of all organs; "" where an organ has none.
 py::dict labels_of(const Scene& scene) {
     py::dict labels;
@@ -119,11 +128,7 @@ py::dict labels_of(const Scene& scene) {
         for (const auto& [key, value] : scene.organs()[i].labels) {
             const py::str name(key);
             if (!labels.contains(name)) {
-                py::list empty(scene.organs().size());
-                for (std::size_t k = 0; k < scene.organs().size(); ++k) {
-                    empty[k] = py::str("");
-                }
-                labels[name] = empty;
+                labels[name] = empty_texts(scene.organs().size());
             }
             labels[name].cast<py::list>()[i] = py::str(value);
         }

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import threading
-
 import numpy as np
 
 from . import _core
+from ._lock import OneAtATime
 from ._meshes import mesh_arrays
 from ._progress import Listener
 from .organs import Organs
@@ -32,7 +31,7 @@ class GrowthSession:
     def __init__(self, scene):
         self._scene = scene
         self._core = _core.GrowthSession(scene._whole_document(), scene._meshes)
-        self._lock = threading.Lock()
+        self._lock = OneAtATime()
 
     def add(
         self,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 import warnings
 from collections.abc import Mapping
 
 from . import _core
+from ._lock import OneAtATime
 from ._meshes import mesh_arrays
 from ._progress import Listener
 from .errors import QuasimcWarning
@@ -93,7 +93,7 @@ class Scene:
         self._built = None
         self._organs = None
         self._simulator = _core.Simulator()
-        self._lock = threading.Lock()
+        self._lock = OneAtATime()
 
     @classmethod
     def _of_document(cls, document):

@@ -62,3 +62,17 @@ def test_the_bar_is_written_over_and_wiped():
     lines = stream.getvalue().split("\r")
     assert lines[1].startswith("[###############...............]  50 %, 1 s left")
     assert lines[-1] == "" and lines[-2].strip() == ""
+
+
+def test_a_callback_that_runs_its_own_scene_is_told_so():
+    scene = canopy(200)
+    told = []
+
+    def run_again(progress):
+        with pytest.raises(RuntimeError, match="is being computed"):
+            scene.run(paths=64)
+        told.append(progress)
+
+    scene.run(progress=run_again, paths=1 << 18, method="light_tracing", replicates=16)
+    assert told
+    assert scene.run(paths=64).stop == "paths_done"
