@@ -5,19 +5,21 @@
 
 namespace quasimc::python {
 
+void WatchedWork::do_work(const Work& work) {
+    try {
+        work([this](const Progress& progress) { tell(progress); }, stop_.get_token());
+    } catch (...) {
+        thrown_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+    changed_.notify_all();
+}
+
 void WatchedWork::run(const Work& work) {
     {
         const py::gil_scoped_release release;
-        const std::jthread worker([&] {
-            try {
-                work([this](const Progress& progress) { tell(progress); }, stop_.get_token());
-            } catch (...) {
-                thrown_ = std::current_exception();
-            }
-            const std::lock_guard lock(mutex_);
-            done_ = true;
-            changed_.notify_all();
-        });
+        const std::jthread worker([&] { do_work(work); });
         watch();
     }
     const bool by_key = interrupt_ && interrupt_->matches(PyExc_KeyboardInterrupt);

@@ -30,6 +30,7 @@ class WatchedWork {
     void run(const Work& work);
 
   private:
+    void do_work(const Work& work);
     void watch();
     void tell(const Progress& progress);
     void listen();

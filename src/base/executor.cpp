@@ -9,8 +9,9 @@ namespace quasimc {
 
 void Executor::run(
     std::uint64_t tasks, const std::function<void(std::uint64_t task, unsigned worker)>& work) {
-    const auto [begin, end] = share_.range(tasks);
-    parallel_blocks(end - begin, workers_, [&](std::uint64_t task, unsigned worker) {
+    const auto range = share_.range(tasks);
+    const std::uint64_t begin = range.first;
+    parallel_blocks(range.second - begin, workers_, [&](std::uint64_t task, unsigned worker) {
         throw_if_stopped(stop_);
         work(begin + task, worker);
         finish_task(worker);

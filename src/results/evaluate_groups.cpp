@@ -164,7 +164,7 @@ class GroupEvaluator {
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
         std::vector<double> incident;
-        for (std::size_t r = 0; r < replicates; ++r) {
+        for (std::uint32_t r = 0; r < replicates; ++r) {
             const Incident& in = sums.light[band * replicates + r];
             put_sample(r, in, per_area, samples);
             incident.push_back(

@@ -230,7 +230,7 @@ class OrganReader {
     [[nodiscard]] double reach_of(std::uint32_t region, std::size_t kind, SurfaceSide side) const {
         const auto& reach = this->kind(kind).reach;
         return reach.empty() ? (region == organ_.first_region ? 1 : 0)
-                             : reach[2 * region + index_of(side)];
+                             : reach[std::size_t{2} * region + index_of(side)];
     }
     [[nodiscard]] const Material& material_of(std::uint32_t region) const {
         return scene_.material(scene_.regions()[region]);

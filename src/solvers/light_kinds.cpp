@@ -158,7 +158,7 @@ LightKind kind_by_line(
             // What is seen at less is seen edge-on, as along the lines.
             constexpr double kEdgeOn = 0x1p-24;
             if (std::abs(along) > kEdgeOn * length(area)) {
-                kind.reach[2 * region + (along > 0 ? 1 : 0)] = longest[region];
+                kind.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];
             }
         });
         for (std::size_t i = 0; i < looks.size(); ++i) {

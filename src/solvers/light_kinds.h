@@ -84,7 +84,7 @@ class FindCounter {
         if (found.amount == 0) {
             return;
         }
-        const double most = reach_[2 * region_ + side] * step_;
+        const double most = reach_[std::size_t{2} * region_ + side] * step_;
         if (most > 0) {
             const double square =
                 found.amount * found.amount / (most * most * std::min(found.pieces, lines_));

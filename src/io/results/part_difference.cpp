@@ -22,6 +22,10 @@ std::string in_short(const Json& value) {
     return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
 }
 
+Json value_of(const Json& table, const std::string& key) {
+    return table.contains(key) ? table[key] : Json();
+}
+
 /// The first difference below a place, in the order of keys.
 std::string difference_at(const std::string& place, const Json& there, const Json& here) {
     if (there == here || std::find(kFree.begin(), kFree.end(), place) != kFree.end()) {
@@ -32,9 +36,10 @@ std::string difference_at(const std::string& place, const Json& there, const Jso
     }
     Json keys = there;
     keys.update(here);
-    for (const auto& [key, value] : keys.items()) {
-        const auto of = [&](const Json& json) { return json.contains(key) ? json[key] : Json(); };
-        const std::string found = difference_at(place + "." + key, of(there), of(here));
+    for (const auto& item : keys.items()) {
+        const std::string& key = item.key();
+        std::string found = difference_at(
+            fmt::format("{}.{}", place, key), value_of(there, key), value_of(here, key));
         if (!found.empty()) {
             return found;
         }

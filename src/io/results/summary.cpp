@@ -9,6 +9,7 @@
 #include "io/results/series_words.h"
 #include "io/results/stop_words.h"
 #include "io/results/summary_parts.h"
+#include "io/results/written.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
@@ -207,11 +208,10 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     }
     text += line("times", times_words(series, summary));
     text += line(
-        "run",
-        fmt::format(
-            "{} points, {}, {} paths x {} replicates at a time{}; {} rays", run.spec.sampler,
-            series_method(run.spec, summary), run.spec.paths, run.spec.replicates,
-            run.spec.effort == Effort::day ? " on average" : "", summary.rays));
+        "run", fmt::format(
+                   "{} points, {}, {} paths x {} replicates at a time{}; {} rays", run.spec.sampler,
+                   series_method(run.spec, summary), run.spec.paths, run.spec.replicates,
+                   run.spec.effort == Effort::day ? " on average" : "", summary.rays));
     text += stopped_line(stop_words(run, summary));
     text += line(
         "time",
