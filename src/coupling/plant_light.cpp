@@ -189,9 +189,8 @@ StepLight PlantLight::trace_unshaded(
     std::copy_if(
         shapes.begin(), shapes.end(), std::back_inserter(sensors),
         [](const PlacedShape& shape) { return shape.is_sensor; });
-    return is_asked && !sensors.empty()
-               ? trace(pass, sensors, unshaded_simulator_, check)
-               : unshaded_;
+    return is_asked && !sensors.empty() ? trace(pass, sensors, unshaded_simulator_, check)
+                                        : unshaded_;
 }
 
 void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<double>& values) const {
