@@ -185,7 +185,8 @@ SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
         for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
             area += reader.sunlit_area(r) / count;
         }
-        const double most = reader.sunlit_per_find(i) * reader.sunlit_area_per_find() / count;
+        const double most =
+            reader.sunlit_per_find(i, area > 0) * reader.sunlit_area_per_find() / count;
         sum = both(sum, find_among(area, found.finds(), most, count, reader.kind(i).many));
     }
     return sum;

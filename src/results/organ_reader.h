@@ -201,11 +201,18 @@ class OrganReader {
         return organ_.area > 0 ? sum * sums_.per_find[kind] : 0;
     }
     /// The same of area lit by suns, units of sunlit_area_per_find().
-    [[nodiscard]] double sunlit_per_find(std::size_t kind) const {
-        const auto& reach = this->kind(kind).sunlit_reach;
-        double sum = reach.empty() ? 1 : 0;
-        for (std::uint32_t i = 0; !reach.empty() && i < organ_.region_count; ++i) {
-            sum += reach[organ_.first_region + i];
+    /// @param is_seen  whether some was found
+    [[nodiscard]] double sunlit_per_find(std::size_t kind, bool is_seen) const {
+        const LightKind& light = this->kind(kind);
+        double sum = light.sunlit_reach.empty() ? 1 : 0;
+        for (std::uint32_t i = 0; !light.sunlit_reach.empty() && i < organ_.region_count; ++i) {
+            const std::uint32_t region = organ_.first_region + i;
+            const double longest = std::max(
+                reach_of(region, kind, SurfaceSide::upper),
+                reach_of(region, kind, SurfaceSide::lower));
+            const double part =
+                is_seen || longest <= light.unseen_reach ? 1 : light.unseen_reach / longest;
+            sum += part * light.sunlit_reach[region];
         }
         return sum * sums_.per_find[kind];
     }

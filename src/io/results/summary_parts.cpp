@@ -28,7 +28,10 @@ class PartFormat {
         return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
     }
     [[nodiscard]] std::string operator()(const Estimate& part) const {
-        const bool has_error = std::isfinite(part.standard_error) && part.standard_error > 0;
+        // What is exact differs between replicates by rounding alone.
+        constexpr double kRounding = 1e-13;
+        const bool has_error = std::isfinite(part.standard_error) &&
+                               part.standard_error > kRounding * std::abs(part.mean);
         return (*this)(part.mean) +
                (has_error ? fmt::format(" +- {:.2g}", part.standard_error) : std::string());
     }
