@@ -207,7 +207,7 @@ class CsvWriter {
 
     const RunFile* run_;
     TextSink sink_;
-    std::vector<std::string_view> labels_;
+    std::vector<std::string> labels_;
     bool has_head_ = false;
 };
 
@@ -223,7 +223,7 @@ class DaysWriter {
   private:
     const RunFile* run_;
     TextSink sink_;
-    std::vector<std::string_view> labels_;
+    std::vector<std::string> labels_;
 };
 
 /// The table of groups, or of groups and times (docs/formats/groups.md). The run must outlive it.

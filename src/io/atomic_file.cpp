@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <random>
 #include <system_error>
 #include <thread>
 
@@ -138,9 +139,9 @@ void AtomicFile::sync_place() const {
 
 void AtomicFile::name_temporary() {
     const fs::path name =
-        folder_of(path_) / fmt::format(".quasimc.{}.{}", ::getpid(), ::fileno(file_));
+        folder_of(path_) /
+        fmt::format(".quasimc.{}.{}.{:08x}", ::getpid(), ::fileno(file_), std::random_device()());
     const std::string descriptor = fmt::format("/proc/self/fd/{}", ::fileno(file_));
-    ::unlink(name.c_str());
     if (::linkat(AT_FDCWD, descriptor.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
         fail();
     }

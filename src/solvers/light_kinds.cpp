@@ -80,6 +80,31 @@ struct Look {
     double seen = 0, area = 0;
 };
 
+/// By region, how much area a sun lights for each unit of area across its light, at most.
+std::vector<double> slants(const PreparedScene& prepared) {
+    // Of very many suns some stand for all: their directions lie close.
+    constexpr double kMostLooks = 1e8;
+    const double looks =
+        static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
+    const auto stride = static_cast<std::size_t>(std::ceil(std::max(1.0, looks / kMostLooks)));
+    std::vector<double> most(prepared.scene().regions().size());
+    for (std::size_t light = 0; light < prepared.lights().size(); light += stride) {
+        if (!is_sun(prepared.lights()[light])) {
+            continue;
+        }
+        const Vec3 direction = direction_of(prepared.lights()[light]);
+        std::vector<Look> seen(most.size());
+        for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
+            seen[region].seen += std::abs(dot(area, direction));
+            seen[region].area += length(area);
+        });
+        for (std::size_t i = 0; i < most.size(); ++i) {
+            most[i] = std::max(most[i], seen[i].seen > 0 ? seen[i].area / seen[i].seen : 0);
+        }
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
@@ -88,6 +113,11 @@ std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
         kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); }),
         kind_of(prepared, is_lamp)};
     std::erase_if(kinds, [](const LightKind& kind) { return kind.spectra.empty(); });
+    for (LightKind& kind : kinds) {
+        if (kind.has_suns) {
+            kind.sunlit_reach = slants(prepared);
+        }
+    }
     return kinds;
 }
 

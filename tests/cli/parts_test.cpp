@@ -128,6 +128,7 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     for (const std::size_t size : {0UL, 10UL, 30UL, 60UL, whole.size() / 2, whole.size() - 1}) {
         EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("p2: is ")) << size;
     }
+    EXPECT_NE(refusal(whole + "x").find("more behind its end"), std::string::npos);
     std::string changed = whole;
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);

@@ -24,6 +24,30 @@ class SweepCommand : public ProgramTest {
     }
 };
 
+TEST_F(SweepCommand, KeepsTheLabelsOfOrgansAtEveryPoint) {
+    folder_.write(
+        "sweep.toml", replaced(good_run_file(), "[[organ]]", "[[organ]]\nlabels = { plant = 7 }") +
+                          "[sweep]\nseed = [1, 2, 3, 4]\npaths = [64, 128]\n");
+    ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
+    EXPECT_EQ(count(folder_.read("out.csv"), ",7,"), 8U) << folder_.read("out.csv");
+}
+
+TEST_F(SweepCommand, HasPointsThatAreDark) {
+    for (const char* days : {R"("2024-12-21", "2024-06-21")", R"("2024-06-21", "2024-12-21")"}) {
+        folder_.write(
+            "sweep.toml", good_run_file() +
+                              "[place]\nlatitude_deg = 80\nlongitude_deg = 8\n"
+                              "[time]\nday = \"2024-01-01\"\nstep_minutes = 360\n"
+                              "utc_offset_hours = 1\n[sweep]\ntime.day = [" +
+                              std::string(days) + "]\n");
+        ASSERT_EQ(run({"run", "sweep.toml", "--paths", "64"}).status, 0);
+        EXPECT_EQ(count(folder_.read("out.json"), "\n\"point\": {"), 2U);
+        const Outcome again = run({"run", "--from", "out.json"});
+        EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos)
+            << again.err;
+    }
+}
+
 TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     write_sweep("paths = [64, 128]\nseed = [1, 2]\n");
     const Outcome outcome = run({"run", "sweep.toml", "--groups-csv", "groups.csv"});

@@ -13,6 +13,7 @@
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/version.h"
+#include "results/groups.h"
 
 namespace quasimc {
 namespace {
@@ -71,9 +72,14 @@ void append_csv(std::string& out, const Estimate& estimate) {
     append_csv(out, estimate.high);
 }
 
+std::vector<std::string> label_columns(const Scene& scene) {
+    const std::vector<std::string_view> keys = label_keys(scene);
+    return {keys.begin(), keys.end()};
+}
+
 std::string csv_header(
     const std::vector<std::string>& first,
-    const std::vector<std::string_view>& labels,
+    const std::vector<std::string>& labels,
     const std::vector<std::string>& columns) {
     std::vector<std::string> taken = first;
     taken.insert(taken.end(), {"id", "name", "area"});
@@ -85,9 +91,9 @@ std::string csv_header(
         line += name + ",";
     }
     line += "id,name";
-    for (const std::string_view label : labels) {
+    for (const std::string& label : labels) {
         const bool clashes = std::find(taken.begin(), taken.end(), label) != taken.end();
-        line += "," + csv_field(clashes ? fmt::format("label_{}", label) : std::string(label));
+        line += "," + csv_field(clashes ? "label_" + label : label);
     }
     line += ",area";
     for (const std::string& column : columns) {
@@ -97,10 +103,9 @@ std::string csv_header(
     return line + "\n";
 }
 
-void append_organ(
-    std::string& out, const Organ& organ, const std::vector<std::string_view>& labels) {
+void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels) {
     fmt::format_to(std::back_inserter(out), "{},{}", organ.id, csv_field(organ.name));
-    for (const std::string_view key : labels) {
+    for (const std::string& key : labels) {
         const auto found = std::find_if(
             organ.labels.begin(), organ.labels.end(),
             [&](const auto& l) { return l.first == key; });

@@ -20,15 +20,17 @@ void append_csv(std::string& out, double value);
 /// Mean, standard error and upper end.
 void append_csv(std::string& out, const Estimate& estimate);
 
+/// Every key of a label, in the order in which they first appear: the same for all points of a
+/// sweep.
+[[nodiscard]] std::vector<std::string> label_columns(const Scene& scene);
 /// The line of names: `first`, those of labels (renamed if they clash), area, `columns` each with
 /// _se and _high.
 [[nodiscard]] std::string csv_header(
     const std::vector<std::string>& first,
-    const std::vector<std::string_view>& labels,
+    const std::vector<std::string>& labels,
     const std::vector<std::string>& columns);
 /// "id,name,labels,area" of an organ.
-void append_organ(
-    std::string& out, const Organ& organ, const std::vector<std::string_view>& labels);
+void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels);
 
 /// The light of an organ or of a group, column by column.
 /// @param light  a Result, a GroupResults or a SeriesSum

@@ -142,6 +142,9 @@ void PartReader::expect_end() {
     if (read_number() != kEnd) {
         refuse("is damaged, or of another run", "it has more times than the run");
     }
+    if (file_.peek() != std::ifstream::traits_type::eof()) {
+        refuse("is damaged", "there is more behind its end");
+    }
 }
 
 PartFiles::PartFiles(const std::vector<std::string>& paths) {

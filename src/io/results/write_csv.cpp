@@ -7,7 +7,6 @@
 #include "io/results/series_words.h"
 #include "io/results/written.h"
 #include "quasimc/file.h"
-#include "results/groups.h"
 
 namespace quasimc {
 namespace {
@@ -60,7 +59,7 @@ void append_results(
 }  // namespace
 
 CsvWriter::CsvWriter(const RunFile& run, TextSink sink)
-    : run_(&run), sink_(std::move(sink)), labels_(label_keys(run.scene)) {}
+    : run_(&run), sink_(std::move(sink)), labels_(label_columns(run.scene)) {}
 
 void CsvWriter::write_head(const Result& result) {
     const RunFile& run = *run_;

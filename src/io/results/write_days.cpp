@@ -6,12 +6,11 @@
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
 #include "quasimc/file.h"
-#include "results/groups.h"
 
 namespace quasimc {
 
 DaysWriter::DaysWriter(const RunFile& run, TextSink sink)
-    : run_(&run), sink_(std::move(sink)), labels_(label_keys(run.scene)) {
+    : run_(&run), sink_(std::move(sink)), labels_(label_columns(run.scene)) {
     sink_(csv_origin(run, "table of organs and days") + series_comments(run));
     const bool is_period = run.series->collapse == Collapse::period;
     sink_(csv_point_columns(run));

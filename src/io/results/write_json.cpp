@@ -251,12 +251,12 @@ void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
 void JsonWriter::State::add_moment(
     std::size_t time_step, const Result& result, std::size_t traced) {
     ++time_steps_;
+    if (writes_ && run_->sweep && !is_point_open_) {
+        begin_point();
+    }
     if (!writes_ || !is_written(*run_, time_step, result)) {
         write_organs(result, false);
         return;
-    }
-    if (run_->sweep && !is_point_open_) {
-        begin_point();
     }
     if (run_->series) {
         json_.begin_object(kSpaced);

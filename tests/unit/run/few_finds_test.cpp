@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -166,6 +167,30 @@ TEST(ManyDirections, FallIntoNarrowConesAsIntervalsPromise) {
 
 INSTANTIATE_TEST_SUITE_P(Ordinary, FewFinds, ::testing::Values(kFewFindsSeeds));
 INSTANTIATE_TEST_SUITE_P(Long, FewFinds, ::testing::Values(kManyFindsSeeds));
+
+/// Three finds are the bound of none, also on a leaf that the sun grazes.
+TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
+    double of_one = std::numeric_limits<double>::infinity();
+    double of_none = 0;
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        SceneBuilder builder = make_builder(1);
+        builder.add_material(matt("leaf", 0, 0));
+        builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
+        builder.add_organ(organ("steep", "leaf", {{{0, 0, .5}, {.2, 0, .5}, {0, .02, .699}}}));
+        RunSpec spec = spec_of(Method::light_tracing, 16);
+        spec.replicates = 4;
+        spec.seed = seed;
+        const Estimate lit =
+            run(std::move(builder).build(), {sun(0, {1})}, spec).sunlit_fraction[1];
+        if (lit.mean > 0) {
+            of_one = std::min(of_one, lit.mean);
+        } else {
+            of_none = lit.high;
+        }
+    }
+    ASSERT_TRUE(std::isfinite(of_one));
+    EXPECT_NEAR(of_none, 3 * of_one, .01 * of_none);
+}
 
 }  // namespace
 }  // namespace quasimc::test
