@@ -126,8 +126,8 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
     std::uint32_t before = UINT32_MAX;
     for (const double zenith_deg : {0., 80., 87.}) {
         const SeenStand endless(true, {sun(zenith_deg, {1})});
-        const SamplingBudget budget(
-            endless.prepared, SkyDirections(endless.prepared), endless.seen, kPaths);
+        const SkyDirections skies(endless.prepared);
+        const SamplingBudget budget(endless.prepared, skies, endless.seen, kPaths);
         ASSERT_TRUE(budget.has_lines(0)) << zenith_deg;
         const std::uint32_t lines = budget.tasks({0, kPaths}).front().count;
         const Vec3 direction = *endless.prepared.lights().front().source_sampler->beam_direction();
@@ -156,7 +156,8 @@ TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
 /// Sixty leaves as one organ or as sixty: of one the few directions of few paths are all the error.
 TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
     const SeenStand open(false, {sky({1})});
-    const SamplingBudget many(open.prepared, SkyDirections(open.prepared), open.seen, 1024);
+    const SkyDirections skies(open.prepared);
+    const SamplingBudget many(open.prepared, skies, open.seen, 1024);
     ASSERT_TRUE(many.sees_skies());
     const std::uint32_t directions = many.tasks({0, 1024}).front().count;
     ASSERT_LT(directions, 400);
