@@ -176,7 +176,8 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
         SceneBuilder builder = make_builder(1);
         builder.add_material(matt("leaf", 0, 0));
         builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
-        builder.add_organ(organ("steep", "leaf", {{{0, 0, .5}, {.2, 0, .5}, {0, .02, .699}}}));
+        builder.add_organ(
+            organ("steep", "leaf", {make_triangle({-.5, 0, .5}, {.5, 0, .5}, {0, .1, 1.49})}));
         RunSpec spec = spec_of(Method::light_tracing, 16);
         spec.replicates = 4;
         spec.seed = seed;
