@@ -81,7 +81,7 @@ def build(copy, jobs, families):
     # The build folder is where every build of this preset is, so that ccache knows the modules.
     environment = {"CCACHE_BASEDIR": str(copy), "CCACHE_NOHASHDIR": "1", **os.environ}
     folder = copy / "build/release"
-    settings = ["-DQUASIMC_BUILD_APPS=OFF", "-DQUASIMC_BUILD_TESTS=ON"]
+    settings = ["-DQUASIMC_BUILD_APPS=OFF", "-DQUASIMC_BUILD_PYTHON=OFF", "-DQUASIMC_BUILD_TESTS=ON"]
     run(["cmake", "--preset", "release", *settings], cwd=copy, env=environment)
     targets = ["quasimc_test_new_members"]
     if "format" in families:
