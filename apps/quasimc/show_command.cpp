@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "commands.h"
+#include "io/numbers.h"
+#include "io/output_files.h"
+#include "quasimc/quasimc.h"
+#include "show_values.h"
+#include "sources/source.h"
+#include "view/picture.h"
+#include "view/scene_picture.h"
+
+namespace {
+
+using quasimc::Faults;
+
+struct ShowArguments {
+    std::string file, output;
+    ValueChoice choice;
+    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
+    double opening = 0;
+    std::size_t threads = 0;
+    bool plain = false, bare = false;
+};
+
+/// Two numbers with a mark between them: "200,20".
+std::optional<std::pair<double, double>> two_numbers(std::string_view text, char mark) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto first = quasimc::parse_real(quasimc::trimmed(text.substr(0, at)));
+    const auto second = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
+    quasimc::ViewSpec view;
+    view.opening_deg = arguments.opening;
+    if (const quasimc::NamedView* named = quasimc::find_view(arguments.view)) {
+        view.azimuth_deg = named->azimuth_deg;
+        view.elevation_deg = named->elevation_deg;
+        return view;
+    }
+    const auto angles = two_numbers(arguments.view, ',');
+    if (!angles || !std::isfinite(angles->first) || !(std::abs(angles->second) <= 90)) {
+        std::string names;
+        for (const quasimc::NamedView& entry : quasimc::view_table()) {
+            names += fmt::format("{}, ", entry.name);
+        }
+        faults.add(
+            {"--view", fmt::format("'{}' is no view", arguments.view), "",
+             fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
+        return view;
+    }
+    view.azimuth_deg = angles->first;
+    view.elevation_deg = angles->second;
+    return view;
+}
+
+/// "x<0.5": the half that is shown, in the axes of the file.
+std::optional<quasimc::CutPlane> cut_of(std::string_view text, const quasimc::Orientation& axes) {
+    const std::size_t at = text.find_first_of("<>");
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view axis = quasimc::trimmed(text.substr(0, at));
+    const auto offset = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
+    const bool is_axis = axis == "x" || axis == "y" || axis == "z";
+    if (!is_axis || !offset || !std::isfinite(*offset)) {
+        return std::nullopt;
+    }
+    const quasimc::Vec3 along{
+        axis == "x" ? 1.0 : 0.0, axis == "y" ? 1.0 : 0.0, axis == "z" ? 1.0 : 0.0};
+    const double sign = text[at] == '<' ? 1 : -1;
+    return quasimc::CutPlane{sign * axes.inward(along), sign * *offset};
+}
+
+void set_cuts(
+    const ShowArguments& arguments,
+    const quasimc::Scene& scene,
+    quasimc::ScenePicture& picture,
+    Faults& faults) {
+    std::string_view rest = arguments.cuts;
+    while (!rest.empty()) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view text = rest.substr(0, comma);
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+        if (const auto cut = cut_of(text, scene.orientation())) {
+            picture.render.cuts.push_back(*cut);
+        } else {
+            faults.add(
+                {"--cut", fmt::format("'{}' is no half of space", text), "",
+                 "state what is shown, in the axes of the file: --cut 'x<0.5'"});
+        }
+    }
+}
+
+void set_size(const ShowArguments& arguments, quasimc::ScenePicture& picture, Faults& faults) {
+    const auto size = two_numbers(arguments.size, 'x');
+    const auto fits = [](double side) {
+        constexpr double kLeast = 16, kMost = 16384;
+        return side >= kLeast && side <= kMost && side == std::floor(side);
+    };
+    if (!size || !fits(size->first) || !fits(size->second)) {
+        faults.add(
+            {"--size", fmt::format("'{}' is no size", arguments.size), "",
+             "give width and height in pixels, 16 to 16384: 1200x900"});
+        return;
+    }
+    picture.width = static_cast<std::size_t>(size->first);
+    picture.height = static_cast<std::size_t>(size->second);
+}
+
+std::pair<double, double> range_of(const ShowArguments& arguments, Faults& faults) {
+    const auto range = two_numbers(arguments.range, ',');
+    if (!arguments.range.empty() && (!range || !(range->first < range->second))) {
+        faults.add(
+            {"--range", fmt::format("'{}' is no range", arguments.range), "",
+             "give the values of the first and the last colour: 0,500"});
+    }
+    return range.value_or(std::pair(0.0, 0.0));
+}
+
+/// The first sun of the run, or all that it has at once; those of a time.
+std::vector<quasimc::Vec3> suns_of(const quasimc::RunFile& run, const ShownValues* values) {
+    std::vector<quasimc::Vec3> suns;
+    const auto add = [&suns](const quasimc::Sources& sources) {
+        for (const auto& source : sources) {
+            if (source->is_sun()) {
+                suns.push_back(source->illuminate({}, 0.5, 0.5).to_light);
+            }
+        }
+    };
+    if (!run.series) {
+        add(run.sources);
+        return suns;
+    }
+    for (std::size_t i = 0; values != nullptr && i < run.series->notes.size(); ++i) {
+        if (run.series->notes[i].time == values->when) {
+            add(run.series->time_steps[i].sources);
+        }
+    }
+    return suns;
+}
+
+void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
+    picture.subtitle = fmt::format(
+        "{} organ{}, {} triangles", scene.organs().size(), scene.organs().size() == 1 ? "" : "s",
+        scene.triangle_count());
+    picture.render.shading = 0.7;
+    for (const quasimc::Organ& organ : scene.organs()) {
+        picture.render.colors.push_back(
+            organ.is_ground ? quasimc::Rgb{190, 170, 150} : quasimc::Rgb{150, 190, 110});
+    }
+}
+
+/// One colour for each value of a label.
+void color_by_label(
+    const quasimc::Scene& scene, const std::string& key, quasimc::ScenePicture& picture) {
+    auto& categories = picture.legend.categories;
+    for (const quasimc::Organ& organ : scene.organs()) {
+        const auto label = std::find_if(
+            organ.labels.begin(), organ.labels.end(),
+            [&](const auto& own) { return own.first == key; });
+        if (label == organ.labels.end()) {
+            picture.render.colors.push_back(quasimc::kNoValue);
+            continue;
+        }
+        auto found = std::find_if(categories.begin(), categories.end(), [&](const auto& category) {
+            return category.first == label->second;
+        });
+        if (found == categories.end()) {
+            categories.emplace_back(label->second, quasimc::category_color(categories.size()));
+            found = categories.end() - 1;
+        }
+        picture.render.colors.push_back(found->second);
+    }
+    if (categories.empty()) {
+        throw quasimc::InputError(
+            {{"--label", fmt::format("no organ has a label '{}'", key), "", ""}});
+    }
+    picture.subtitle = fmt::format("by {}", key);
+    picture.render.shading = 0.5;
+}
+
+void color_by_value(
+    const ShowArguments& arguments,
+    const quasimc::Scene& scene,
+    const ShownValues& values,
+    std::pair<double, double> range,
+    quasimc::ScenePicture& picture) {
+    std::vector<double> numbers, areas;
+    for (std::size_t i = 0; i < values.estimates.size(); ++i) {
+        const quasimc::Estimate& e = values.estimates[i];
+        const double error = e.mean == 0 ? std::nan("") : 100 * e.standard_error / std::abs(e.mean);
+        numbers.push_back(arguments.choice.error ? error : e.mean);
+        areas.push_back(scene.organs()[i].area);
+    }
+    picture.subtitle = arguments.choice.error ? fmt::format("standard error of {} (%)", values.name)
+                       : values.unit.empty()  ? values.name
+                                              : fmt::format("{} ({})", values.name, values.unit);
+    if (!values.when.empty()) {
+        picture.subtitle += ", " + values.when;
+    }
+    picture.legend = quasimc::scale_of(
+        numbers, areas, *quasimc::find_color_map(arguments.colors), picture.subtitle, range);
+    picture.render.colors = quasimc::colors_of(numbers, picture.legend);
+}
+
+bool is_svg(const std::string& path) {
+    return path.ends_with(".svg") || path.ends_with(".SVG");
+}
+
+Exit show(const ShowArguments& arguments) {
+    if (!quasimc::has_png()) {
+        throw quasimc::InputError(
+            {{"show", "this program can draw no pictures",
+              "it was built without libpng, stb or a font", ""}});
+    }
+    const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
+    const quasimc::RunFile& run = shown.run;
+    Faults faults;
+    quasimc::ScenePicture picture;
+    picture.title = run.title.empty() ? run.path : run.title;
+    picture.view = view_of(arguments, faults);
+    picture.with_words = !arguments.bare;
+    picture.render.threads = static_cast<unsigned>(arguments.threads);
+    set_cuts(arguments, run.scene, picture, faults);
+    set_size(arguments, picture, faults);
+    const auto range = range_of(arguments, faults);
+    faults.throw_if_any();
+    std::optional<ShownValues> values;
+    if (!arguments.label.empty()) {
+        color_by_label(run.scene, arguments.label, picture);
+    } else if (arguments.plain || shown.result_text.empty()) {
+        color_plainly(run.scene, picture);
+    } else {
+        values = read_shown_values(shown, arguments.file, arguments.choice);
+        color_by_value(arguments, run.scene, *values, range, picture);
+    }
+    picture.to_suns = suns_of(run, values ? &*values : nullptr);
+
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, run.inputs);
+    const auto canvas = is_svg(arguments.output)
+                            ? quasimc::make_svg_canvas(picture.width, picture.height)
+                            : quasimc::make_png_canvas(picture.width, picture.height);
+    draw_scene(*canvas, run.scene, picture);
+    output.sink(0)(canvas->finish());
+    output.commit();
+    output.throw_if_given_up();
+    return Exit::done;
+}
+
+std::vector<Flag> flags_of(ShowArguments& arguments) {
+    std::vector<std::string> maps;
+    for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
+        maps.emplace_back(map.name);
+    }
+    ValueChoice& choice = arguments.choice;
+    return {
+        {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
+        {.name = "-o,--output",
+         .target = &arguments.output,
+         .summary = "picture to write, PNG or SVG (.svg); - is standard output",
+         .required = true,
+         .type_name = "FILE"},
+        {.name = "--quantity",
+         .target = &choice.quantity,
+         .summary = "what colours tell: a quantity, sunlit_fraction or a ratio of the run",
+         .default_text = choice.quantity},
+        {"--band", &choice.band, "by default the first"},
+        {"--error", &choice.error, "show its standard error, per cent of the value"},
+        {"--time", &choice.time,
+         "of a run with [time]: the time that begins so; by default the sum"},
+        {.name = "--day",
+         .target = &choice.day,
+         .summary = "of a run with [time]: the sum of this day, 2024-06-21",
+         .excludes = "--time"},
+        {"--point", &choice.point, "of a sweep: which point, from 1"},
+        {"--label", &arguments.label, "colour organs by this label instead"},
+        {"--plain", &arguments.plain, "show the shape alone"},
+        {.name = "--view",
+         .target = &arguments.view,
+         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye, "
+                    "degrees",
+         .default_text = arguments.view},
+        {.name = "--opening",
+         .target = &arguments.opening,
+         .summary = "angle of view in degrees; 0: parallel lines of sight",
+         .range = std::pair(0.0, 150.0),
+         .default_text = "0"},
+        {"--cut", &arguments.cuts,
+         "show this half only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'"},
+        {.name = "--size",
+         .target = &arguments.size,
+         .summary = "pixels",
+         .default_text = arguments.size},
+        {.name = "--colors",
+         .target = &arguments.colors,
+         .summary = "of the scale",
+         .choices = maps,
+         .default_text = arguments.colors},
+        {"--range", &arguments.range, "values of the first and the last colour: 0,500"},
+        {"--bare", &arguments.bare, "without title, legend, scale bar and directions"},
+        {"--threads", &arguments.threads, "0: as many as there are"}};
+}
+
+}  // namespace
+
+Command show_command() {
+    const auto arguments = std::make_shared<ShowArguments>();
+    return {"show", "draw a picture of a scene and its light", flags_of(*arguments), [arguments] {
+                return show(*arguments);
+            }};
+}

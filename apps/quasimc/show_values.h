@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quasimc/quasimc.h"
+
+/// Which numbers of a result are shown.
+struct ValueChoice {
+    std::string quantity = "absorbed_flux_density", band;
+    std::string time, day;  ///< how the name of one begins
+    std::size_t point = 0;  ///< of a sweep, from 1; 0: the first
+    bool error = false;     ///< the standard error over the mean instead of the mean
+};
+
+/// The run that a file states or a result was made by, and the text of that result.
+struct ShownRun {
+    quasimc::RunFile run;
+    std::string result_text;  ///< empty: the file is a run file
+};
+[[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
+
+/// Numbers of each organ, with words for headings.
+struct ShownValues {
+    std::vector<quasimc::Estimate> estimates;  ///< in the order of the scene
+    std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
+    std::string when;                          ///< time, day or period; empty without [time]
+};
+/// @throws quasimc::InputError  if there are none of the kind
+[[nodiscard]] ShownValues read_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
