@@ -11,6 +11,7 @@
 #include "io/numbers.h"
 #include "io/output_files.h"
 #include "quasimc/quasimc.h"
+#include "show_charts.h"
 #include "show_values.h"
 #include "sources/source.h"
 #include "view/picture.h"
@@ -23,7 +24,7 @@ using quasimc::Faults;
 struct ShowArguments {
     std::string file, output;
     ValueChoice choice;
-    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
+    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts, chart;
     double opening = 0;
     std::size_t threads = 0;
     bool plain = false, bare = false;
@@ -218,24 +219,26 @@ bool is_svg(const std::string& path) {
     return path.ends_with(".svg") || path.ends_with(".SVG");
 }
 
-Exit show(const ShowArguments& arguments) {
-    if (!quasimc::has_png()) {
-        throw quasimc::InputError(
-            {{"show", "this program can draw no pictures",
-              "it was built without libpng, stb or a font", ""}});
-    }
-    const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
-    const quasimc::RunFile& run = shown.run;
-    Faults faults;
-    quasimc::ScenePicture picture;
-    picture.title = run.title.empty() ? run.path : run.title;
+/// Where the scene is looked at from, and what is shown of it.
+void set_view(
+    const ShowArguments& arguments,
+    const quasimc::Scene& scene,
+    quasimc::ScenePicture& picture,
+    Faults& faults) {
     picture.view = view_of(arguments, faults);
     picture.with_words = !arguments.bare;
     picture.render.threads = static_cast<unsigned>(arguments.threads);
-    set_cuts(arguments, run.scene, picture, faults);
-    set_size(arguments, picture, faults);
-    const auto range = range_of(arguments, faults);
-    faults.throw_if_any();
+    set_cuts(arguments, scene, picture, faults);
+}
+
+/// What the organs' colours tell, and title and suns of the picture.
+void set_colors(
+    const ShowArguments& arguments,
+    const ShownRun& shown,
+    std::pair<double, double> range,
+    quasimc::ScenePicture& picture) {
+    const quasimc::RunFile& run = shown.run;
+    picture.title = run.title.empty() ? run.path : run.title;
     std::optional<ShownValues> values;
     if (!arguments.label.empty()) {
         color_by_label(run.scene, arguments.label, picture);
@@ -246,12 +249,36 @@ Exit show(const ShowArguments& arguments) {
         color_by_value(arguments, run.scene, *values, range, picture);
     }
     picture.to_suns = suns_of(run, values ? &*values : nullptr);
+}
 
-    quasimc::OutputFiles output({{arguments.output, "-o"}}, run.inputs);
+Exit show(const ShowArguments& arguments) {
+    if (!quasimc::has_png()) {
+        throw quasimc::InputError(
+            {{"show", "this program can draw no pictures",
+              "it was built without libpng, stb or a font", ""}});
+    }
+    const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
+    Faults faults;
+    quasimc::ScenePicture picture;
+    set_size(arguments, picture, faults);
+    if (arguments.chart.empty()) {
+        set_view(arguments, shown.run.scene, picture, faults);
+    }
+    const auto range = range_of(arguments, faults);
+    faults.throw_if_any();
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.run.inputs);
     const auto canvas = is_svg(arguments.output)
                             ? quasimc::make_svg_canvas(picture.width, picture.height)
                             : quasimc::make_png_canvas(picture.width, picture.height);
-    draw_scene(*canvas, run.scene, picture);
+    if (arguments.chart.empty()) {
+        set_colors(arguments, shown, range, picture);
+        draw_scene(*canvas, shown.run.scene, picture);
+    } else {
+        draw_chart(
+            *canvas,
+            make_chart(chart_kind(arguments.chart), shown, arguments.file, arguments.choice),
+            static_cast<double>(picture.width), static_cast<double>(picture.height));
+    }
     output.sink(0)(canvas->finish());
     output.commit();
     output.throw_if_given_up();
@@ -284,6 +311,11 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .summary = "of a run with [time]: the sum of this day, 2024-06-21",
          .excludes = "--time"},
         {"--point", &choice.point, "of a sweep: which point, from 1"},
+        {.name = "--chart",
+         .target = &arguments.chart,
+         .summary = "draw a chart instead: light against height, how much area has how much, or "
+                    "the course of time",
+         .choices = {"profile", "histogram", "course"}},
         {"--label", &arguments.label, "colour organs by this label instead"},
         {"--plain", &arguments.plain, "show the shape alone"},
         {.name = "--view",

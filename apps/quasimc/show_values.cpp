@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "io/input_files.h"
-#include "io/results/read_estimates.h"
 #include "io/results/series_words.h"
 #include "io/runfile/units.h"
 
@@ -151,4 +150,31 @@ ShownValues read_shown_values(
     values.estimates.resize(run.scene.organs().size(), {unknown, unknown, unknown, unknown});
     values.when = query.part == "total" ? "sum of all times" : times.front().label;
     return values;
+}
+
+ShownCourse read_shown_course(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    if (!shown.run.series) {
+        throw quasimc::InputError(
+            {{path, "is of one time", "the run has no [time]", "choose another chart"}});
+    }
+    ValueChoice every = choice;
+    every.time = every.day = "";
+    ShownValues values;
+    quasimc::EstimateQuery query = query_of(shown.run, every, values);
+    query.list = "groups";
+    query.part = "moments";
+    query.label = choice.day;
+    if (shown.run.sweep) {
+        query.point = shown.run.point;
+    }
+    ShownCourse course{quasimc::read_estimates(shown.result_text, path, query), values.name, ""};
+    if (const quasimc::QuantityEntry* entry = find_quantity(choice.quantity)) {
+        const quasimc::Band& band = band_of(shown.run, choice.band);
+        course.unit = quasimc::unit_of(*entry, band, shown.run.scene.length_unit());
+    }
+    if (course.times.empty()) {
+        refuse_missing(path, choice, values);
+    }
+    return course;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/results/read_estimates.h"
 #include "quasimc/quasimc.h"
 
 /// Which numbers of a result are shown.
@@ -28,4 +29,13 @@ struct ShownValues {
 };
 /// @throws quasimc::InputError  if there are none of the kind
 [[nodiscard]] ShownValues read_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
+
+/// The light of all organs together at each time that the result has.
+struct ShownCourse {
+    std::vector<quasimc::TimedEstimates> times;  ///< with one value each; at least one time
+    std::string name, unit;
+};
+/// @throws quasimc::InputError  if there are no times, or none of the kind
+[[nodiscard]] ShownCourse read_shown_course(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);

@@ -1,6 +1,14 @@
 // Pictures from the command line.
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <vector>
+
+#include <png.h>
 
 #include <gtest/gtest.h>
 
@@ -101,6 +109,77 @@ TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
     for (const std::string& file : new_files()) {
         EXPECT_EQ(file.find("p.png"), std::string::npos) << file;
     }
+}
+
+TEST_F(ShowCommand, DrawsCharts) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const std::string profile = svg({"out.json", "--chart", "profile"});
+    EXPECT_NE(profile.find("height (m)</text>"), std::string::npos);
+    EXPECT_NE(svg({"out.json", "--chart", "histogram"}).find("area (%)</text>"), std::string::npos);
+    expect_fault({"show", "out.json", "-o", "p.png", "--chart", "course"}, "the run has no [time]");
+    expect_fault({"show", "run.toml", "-o", "p.png", "--chart", "profile"}, "is no result");
+    EXPECT_EQ(run({"show", "out.json", "-o", "p.png", "--chart", "pie"}).status, 2);
+}
+
+/// A picture in grey, means of squares of eight pixels: what the eye sees of it at a glance.
+std::vector<double> glance(const std::string& png) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_memory(&image, png.data(), png.size()), 0);
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+    EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0);
+    const std::size_t columns = image.width / 8, rows = image.height / 8;
+    std::vector<double> means(columns * rows);
+    for (std::size_t y = 0; y < 8 * rows; ++y) {
+        for (std::size_t x = 0; x < 8 * columns; ++x) {
+            means[y / 8 * columns + x / 8] += pixels[y * image.width + x] / 64.0;
+        }
+    }
+    return means;
+}
+
+std::string read_binary(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The largest difference of two glances, of 255; 255 if their sizes differ.
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double most = a.size() == b.size() ? 0 : 255;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        most = std::max(most, std::abs(a[i] - b[i]));
+    }
+    return most;
+}
+
+TEST_F(ShowCommand, DrawsThePicturesOfTheManual) {
+    const std::filesystem::path root = QUASIMC_SOURCE_DIR;
+    for (const char* name : {"leaves.toml", "leaves.tri"}) {
+        folder_.write(name, read_binary(root / "examples/01-leaves" / name));
+    }
+    ASSERT_EQ(run({"run", "leaves.toml"}).status, 0);
+    const std::vector<std::pair<std::string, std::vector<std::string>>> pictures{
+        {"leaves.png", {"--size", "900x640", "--opening", "40"}},
+        {"leaves_scattered_error.png",
+         {"--quantity", "incident_scattered", "--error", "--view", "top", "--cut", "z>5",
+          "--colors", "magma", "--size", "600x450"}},
+        {"leaves_profile.png", {"--chart", "profile", "--size", "600x450"}}};
+    std::vector<double> first;
+    for (const auto& [name, flags] : pictures) {
+        std::vector<std::string> arguments{"show", "leaves.json", "-o", "new.png"};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        ASSERT_EQ(run(arguments).status, 0);
+        const std::vector<double> drawn = glance(folder_.read("new.png"));
+        EXPECT_LT(difference(drawn, glance(read_binary(root / "docs/images" / name))), 6) << name;
+        first = first.empty() ? drawn : first;
+    }
+    ASSERT_EQ(
+        run({"show", "leaves.json", "-o", "new.png", "--size", "900x640", "--opening", "40",
+             "--band", "PAR", "--quantity", "incident_upper"})
+            .status,
+        0);
+    EXPECT_GT(difference(first, glance(folder_.read("new.png"))), 30) << "another quantity is seen";
 }
 
 }  // namespace
