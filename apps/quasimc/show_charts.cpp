@@ -191,6 +191,6 @@ Chart make_chart(
         chart = kind == ChartKind::profile ? profile(shown, values) : histogram(shown, values);
         chart.subtitle += values.when.empty() ? "" : "; " + values.when;
     }
-    chart.title = shown.run.title.empty() ? shown.run.path : shown.run.title;
+    chart.title = title_of(shown.run);
     return chart;
 }

@@ -12,9 +12,8 @@
 #include "io/output_files.h"
 #include "quasimc/quasimc.h"
 #include "show_charts.h"
+#include "show_colors.h"
 #include "show_values.h"
-#include "sources/source.h"
-#include "view/picture.h"
 #include "view/scene_picture.h"
 
 namespace {
@@ -129,96 +128,6 @@ std::pair<double, double> range_of(const ShowArguments& arguments, Faults& fault
     return range.value_or(std::pair(0.0, 0.0));
 }
 
-/// The first sun of the run, or all that it has at once; those of a time.
-std::vector<quasimc::Vec3> suns_of(const quasimc::RunFile& run, const ShownValues* values) {
-    std::vector<quasimc::Vec3> suns;
-    const auto add = [&suns](const quasimc::Sources& sources) {
-        for (const auto& source : sources) {
-            if (source->is_sun()) {
-                suns.push_back(source->illuminate({}, 0.5, 0.5).to_light);
-            }
-        }
-    };
-    if (!run.series) {
-        add(run.sources);
-        return suns;
-    }
-    for (std::size_t i = 0; values != nullptr && i < run.series->notes.size(); ++i) {
-        if (run.series->notes[i].time == values->when) {
-            add(run.series->time_steps[i].sources);
-        }
-    }
-    return suns;
-}
-
-void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
-    picture.subtitle = fmt::format(
-        "{} organ{}, {} triangles", scene.organs().size(), scene.organs().size() == 1 ? "" : "s",
-        scene.triangle_count());
-    picture.render.shading = 0.7;
-    for (const quasimc::Organ& organ : scene.organs()) {
-        picture.render.colors.push_back(
-            organ.is_ground ? quasimc::Rgb{190, 170, 150} : quasimc::Rgb{150, 190, 110});
-    }
-}
-
-/// One colour for each value of a label.
-void color_by_label(
-    const quasimc::Scene& scene, const std::string& key, quasimc::ScenePicture& picture) {
-    auto& categories = picture.legend.categories;
-    for (const quasimc::Organ& organ : scene.organs()) {
-        const auto label = std::find_if(
-            organ.labels.begin(), organ.labels.end(),
-            [&](const auto& own) { return own.first == key; });
-        if (label == organ.labels.end()) {
-            picture.render.colors.push_back(quasimc::kNoValue);
-            continue;
-        }
-        auto found = std::find_if(categories.begin(), categories.end(), [&](const auto& category) {
-            return category.first == label->second;
-        });
-        if (found == categories.end()) {
-            categories.emplace_back(label->second, quasimc::category_color(categories.size()));
-            found = categories.end() - 1;
-        }
-        picture.render.colors.push_back(found->second);
-    }
-    if (categories.empty()) {
-        throw quasimc::InputError(
-            {{"--label", fmt::format("no organ has a label '{}'", key), "", ""}});
-    }
-    picture.subtitle = fmt::format("by {}", key);
-    picture.render.shading = 0.5;
-}
-
-void color_by_value(
-    const ShowArguments& arguments,
-    const quasimc::Scene& scene,
-    const ShownValues& values,
-    std::pair<double, double> range,
-    quasimc::ScenePicture& picture) {
-    std::vector<double> numbers, areas;
-    for (std::size_t i = 0; i < values.estimates.size(); ++i) {
-        const quasimc::Estimate& e = values.estimates[i];
-        const double error = e.mean == 0 ? std::nan("") : 100 * e.standard_error / std::abs(e.mean);
-        numbers.push_back(arguments.choice.error ? error : e.mean);
-        areas.push_back(scene.organs()[i].area);
-    }
-    picture.subtitle = arguments.choice.error ? fmt::format("standard error of {} (%)", values.name)
-                       : values.unit.empty()  ? values.name
-                                              : fmt::format("{} ({})", values.name, values.unit);
-    if (!values.when.empty()) {
-        picture.subtitle += ", " + values.when;
-    }
-    picture.legend = quasimc::scale_of(
-        numbers, areas, *quasimc::find_color_map(arguments.colors), picture.subtitle, range);
-    picture.render.colors = quasimc::colors_of(numbers, picture.legend);
-}
-
-bool is_svg(const std::string& path) {
-    return path.ends_with(".svg") || path.ends_with(".SVG");
-}
-
 /// Where the scene is looked at from, and what is shown of it.
 void set_view(
     const ShowArguments& arguments,
@@ -238,7 +147,7 @@ void set_colors(
     std::pair<double, double> range,
     quasimc::ScenePicture& picture) {
     const quasimc::RunFile& run = shown.run;
-    picture.title = run.title.empty() ? run.path : run.title;
+    picture.title = title_of(run);
     std::optional<ShownValues> values;
     if (!arguments.label.empty()) {
         color_by_label(run.scene, arguments.label, picture);
@@ -246,17 +155,14 @@ void set_colors(
         color_plainly(run.scene, picture);
     } else {
         values = read_shown_values(shown, arguments.file, arguments.choice);
-        color_by_value(arguments, run.scene, *values, range, picture);
+        color_by_value(
+            run.scene, *values, {arguments.choice.error, arguments.colors, range}, picture);
     }
     picture.to_suns = suns_of(run, values ? &*values : nullptr);
 }
 
 Exit show(const ShowArguments& arguments) {
-    if (!quasimc::has_png()) {
-        throw quasimc::InputError(
-            {{"show", "this program can draw no pictures",
-              "it was built without libpng, stb or a font", ""}});
-    }
+    require_pictures("show");
     const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
     Faults faults;
     quasimc::ScenePicture picture;
@@ -267,9 +173,7 @@ Exit show(const ShowArguments& arguments) {
     const auto range = range_of(arguments, faults);
     faults.throw_if_any();
     quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.run.inputs);
-    const auto canvas = is_svg(arguments.output)
-                            ? quasimc::make_svg_canvas(picture.width, picture.height)
-                            : quasimc::make_png_canvas(picture.width, picture.height);
+    const auto canvas = make_canvas(arguments.output, picture.width, picture.height);
     if (arguments.chart.empty()) {
         set_colors(arguments, shown, range, picture);
         draw_scene(*canvas, shown.run.scene, picture);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -145,9 +144,8 @@ ShownValues read_shown_values(
     if (times.empty()) {
         refuse_missing(path, choice, values);
     }
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
     values.estimates = std::move(times.front().values);
-    values.estimates.resize(run.scene.organs().size(), {unknown, unknown, unknown, unknown});
+    values.estimates.resize(run.scene.organs().size(), kNoEstimate);
     values.when = query.part == "total" ? "sum of all times" : times.front().label;
     return values;
 }

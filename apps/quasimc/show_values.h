@@ -1,10 +1,21 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "io/results/read_estimates.h"
 #include "quasimc/quasimc.h"
+
+/// Of an organ that the result does not know.
+inline constexpr quasimc::Estimate kNoEstimate{
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+/// What a run is called: its title, or else its file.
+[[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
+    return run.title.empty() ? run.path : run.title;
+}
 
 /// Which numbers of a result are shown.
 struct ValueChoice {
