@@ -18,7 +18,6 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wcast-qual"
 #pragma GCC diagnostic ignored "-Wcast-align"
-#pragma GCC diagnostic ignored "-Wuseless-cast"
 #endif
 #include <stb/stb_truetype.h>
 #if defined(__GNUC__)
