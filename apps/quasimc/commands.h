@@ -8,4 +8,5 @@
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command list_command();
+[[nodiscard]] Command show_command();
 [[nodiscard]] Command sky_command();

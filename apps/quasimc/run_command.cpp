@@ -284,7 +284,7 @@ Exit merge(const RunArguments& arguments) {
 }
 
 /// The flags that name files to be written, and those files.
-std::array<std::pair<std::string_view, const std::string*>, 5> outputs_of(
+std::array<std::pair<std::string_view, const std::string*>, 6> outputs_of(
     const RunArguments& arguments) {
     return {{
         {"--csv", &arguments.csv},
@@ -292,6 +292,7 @@ std::array<std::pair<std::string_view, const std::string*>, 5> outputs_of(
         {"--days", &arguments.days},
         {"--groups-csv", &arguments.groups_csv},
         {"--groups-days", &arguments.groups_days},
+        {"--picture", &arguments.picture},
     }};
 }
 
@@ -349,6 +350,10 @@ std::vector<Flag> output_flags(RunArguments& arguments) {
          .target = &arguments.groups_days,
          .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
                     "standard output",
+         .type_name = "FILE"},
+        {.name = "--picture",
+         .target = &arguments.picture,
+         .summary = "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
          .type_name = "FILE"},
         {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
         {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};

@@ -40,6 +40,7 @@ RunWriters::Asked RunWriters::asked_outputs(
     ask(kDays, "days", arguments.days, run.output.days);
     ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
     ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
+    ask(kPicture, "picture", arguments.picture, run.output.picture);
     ask(kJson, "json", arguments.json, run.output.json);
     return asked;
 }
@@ -61,6 +62,10 @@ RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& fi
     if (wants(kGroupDays)) {
         group_days_.emplace(first, sink_of(kGroupDays));
     }
+    if (wants(kPicture)) {
+        const quasimc::OutputPath& file = asked_.paths[*asked_.numbers[kPicture]];
+        picture_.emplace(first, file.path, file.place);
+    }
     if (wants(kJson)) {
         json_.emplace(first, sink_of(kJson));
     } else if (!arguments.from.empty()) {
@@ -75,7 +80,7 @@ quasimc::SeriesEvents RunWriters::events(
     events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
         add_moment(time_step, result, traced);
     };
-    events.wants_total = run_->series && wants(kJson);
+    events.wants_total = run_->series && (wants(kJson) || picture_);
     if (days_ || group_days_ || events.wants_total) {
         events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
     }
@@ -94,12 +99,16 @@ void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSumm
     tell(days_);
     tell(groups_);
     tell(group_days_);
+    tell(picture_);
     write_json([&](auto& json) { json.next_run(run, summary); });
 }
 
 std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
     std::string digest;
     write_json([&](quasimc::JsonWriter& json) { digest = json.finish(summary); });
+    if (picture_) {
+        sink_of(kPicture)(picture_->draw(summary));
+    }
     outputs_.commit();
     return digest;
 }
@@ -135,6 +144,9 @@ void RunWriters::add_moment(
     }
     if (groups_) {
         groups_->add_moment(time_step, result);
+    }
+    if (picture_) {
+        picture_->add_moment(result);
     }
     write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
 }

@@ -11,10 +11,11 @@
 #include "option_flags.h"
 #include "output_choice.h"
 #include "quasimc/quasimc.h"
+#include "run_picture.h"
 
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json, days, groups_csv, groups_days;
+    std::string file, from, csv, json, days, groups_csv, groups_days, picture;
     OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
@@ -29,7 +30,8 @@ struct RunArguments {
 /// The files that a run may write, in the order in which they get their names: the result that has
 /// everything is the last.
 using Output = std::size_t;
-constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kJson = 4, kOutputs = 5;
+constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kPicture = 4, kJson = 5,
+                 kOutputs = 6;
 
 /// What the runs of a sweep write while they are computed, one after the other.
 class RunWriters {
@@ -82,5 +84,6 @@ class RunWriters {
     std::optional<quasimc::DaysWriter> days_;
     std::optional<quasimc::GroupsWriter> groups_;
     std::optional<quasimc::GroupDaysWriter> group_days_;
+    std::optional<RunPicture> picture_;
     std::optional<quasimc::JsonWriter> json_;
 };

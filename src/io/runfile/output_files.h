@@ -6,7 +6,7 @@
 namespace quasimc {
 
 /// The keys of [output] that name files.
-inline constexpr std::array<std::string_view, 5> kOutputFiles{
-    "csv", "json", "days", "groups_csv", "groups_days"};
+inline constexpr std::array<std::string_view, 6> kOutputFiles{
+    "csv", "json", "days", "groups_csv", "groups_days", "picture"};
 
 }  // namespace quasimc

@@ -140,6 +140,7 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
     output.days = paths["days"];
     output.groups_csv = paths["groups_csv"];
     output.groups_days = paths["groups_days"];
+    output.picture = paths["picture"];
     check_apart(table, paths);
     read_choice(table, bands, output);
     refuse_groups(table);

@@ -1,0 +1,196 @@
+#include "show_charts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "io/runfile/civil_time_text.h"
+#include "quasimc/sun.h"
+
+namespace {
+
+using quasimc::Chart;
+using quasimc::ChartMarks;
+using quasimc::ChartPoint;
+using quasimc::ChartSeries;
+using quasimc::Estimate;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr quasimc::Rgb kBlue{0, 114, 178};
+constexpr quasimc::Rgb kOrange{213, 94, 0};
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+    return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+/// The least and the largest of what is finite.
+struct Span {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    void add(double value) {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
+};
+
+/// Height of the middle of an organ's surface, over the axes' origin.
+double height_of(const quasimc::Scene& scene, const quasimc::Organ& organ) {
+    double moment = 0, area = 0;
+    for (const quasimc::Triangle& t : scene.triangles_of(organ)) {
+        const double own = quasimc::area(t);
+        moment += own * (t[0].z + t[1].z + t[2].z) / 3;
+        area += own;
+    }
+    return area > 0 ? moment / area : kNone;
+}
+
+/// Means of the organs of each of twenty layers, weighted with their areas.
+ChartSeries layer_means(
+    const ChartSeries& organs, const std::vector<double>& areas, const Span& heights) {
+    constexpr std::size_t kLayers = 20;
+    std::vector<double> light(kLayers), area(kLayers);
+    for (std::size_t i = 0; i < organs.points.size(); ++i) {
+        const ChartPoint& p = organs.points[i];
+        if (std::isfinite(p.x) && std::isfinite(p.y) && heights.high > heights.low) {
+            const double part = (p.y - heights.low) / (heights.high - heights.low);
+            const auto layer = std::min(kLayers - 1, static_cast<std::size_t>(part * kLayers));
+            light[layer] += areas[i] * p.x;
+            area[layer] += areas[i];
+        }
+    }
+    ChartSeries means{ChartMarks::line, kOrange, {}};
+    for (std::size_t i = 0; i < kLayers; ++i) {
+        if (area[i] > 0) {
+            const double middle = heights.low + (static_cast<double>(i) + 0.5) *
+                                                    (heights.high - heights.low) / kLayers;
+            means.points.push_back({light[i] / area[i], middle, kNone, kNone, kNone, kNone});
+        }
+    }
+    return means;
+}
+
+Chart profile(const ShownRun& shown, const ShownValues& values) {
+    const quasimc::Scene& scene = shown.run.scene;
+    ChartSeries organs{ChartMarks::dots, kBlue, {}};
+    std::vector<double> areas;
+    Span light, heights;
+    light.add(0);
+    for (std::size_t i = 0; i < values.estimates.size(); ++i) {
+        const quasimc::Organ& organ = scene.organs()[i];
+        const Estimate& e = values.estimates[i];
+        if (!organ.is_ground) {
+            organs.points.push_back({e.mean, height_of(scene, organ), e.low, e.high, kNone, kNone});
+            areas.push_back(organ.area);
+            light.add(e.mean);
+            heights.add(organs.points.back().y);
+        }
+    }
+    ChartSeries means = layer_means(organs, areas, heights);
+    Chart chart;
+    chart.subtitle = "organs with 95 % intervals; the line is the mean of a layer by area";
+    chart.x = quasimc::axis_about(light.low, light.high, with_unit(values.name, values.unit));
+    chart.y =
+        quasimc::axis_about(heights.low, heights.high, with_unit("height", scene.length_unit()));
+    chart.series = {std::move(organs), std::move(means)};
+    return chart;
+}
+
+Chart histogram(const ShownRun& shown, const ShownValues& values) {
+    constexpr std::size_t kColumns = 30;
+    Span light;
+    light.add(0);
+    for (const Estimate& e : values.estimates) {
+        light.add(e.mean);
+    }
+    Chart chart;
+    chart.subtitle = "part of the one-sided area of all organs";
+    chart.x = quasimc::axis_about(light.low, light.high, with_unit(values.name, values.unit));
+    std::vector<double> areas(kColumns);
+    double all = 0;
+    for (std::size_t i = 0; i < values.estimates.size(); ++i) {
+        const quasimc::Organ& organ = shown.run.scene.organs()[i];
+        const double part = chart.x.part(values.estimates[i].mean);
+        if (!organ.is_ground && std::isfinite(part)) {
+            // What lies on the border of two columns, as a fraction of 1 does, belongs to the
+            // lower.
+            const double column = std::ceil(part * kColumns - 1e-9) - 1;
+            areas[static_cast<std::size_t>(std::max(0.0, column))] += organ.area;
+            all += organ.area;
+        }
+    }
+    ChartSeries columns{ChartMarks::columns, kBlue, {}};
+    Span parts;
+    parts.add(0);
+    for (std::size_t i = 0; i < kColumns; ++i) {
+        const double middle =
+            chart.x.low + (static_cast<double>(i) + 0.5) * (chart.x.high - chart.x.low) / kColumns;
+        const double part = all > 0 ? 100 * areas[i] / all : 0;
+        columns.points.push_back({middle, part, kNone, kNone, kNone, kNone});
+        parts.add(part);
+    }
+    chart.y = quasimc::axis_about(0, parts.high, "area (%)");
+    chart.series = {std::move(columns)};
+    return chart;
+}
+
+/// Hours from the beginning of a day to a time, "2024-06-21T12:00+02:00"; NaN if it is none.
+double hours_of(const std::string& time, const std::string& first_day) {
+    quasimc::Faults faults;
+    const auto at = quasimc::parse_civil_time(time, std::nullopt, "", faults);
+    const std::string offset = time.size() > 16 ? time.substr(16) : "Z";
+    const auto start =
+        quasimc::parse_civil_time(first_day + "T00:00" + offset, std::nullopt, "", faults);
+    return at && start ? 24 * (quasimc::julian_day(*at) - quasimc::julian_day(*start)) : kNone;
+}
+
+Chart course(const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    const ShownCourse read = read_shown_course(shown, path, choice);
+    const std::string day = read.times.front().label.substr(0, 10);
+    ChartSeries line{ChartMarks::line, kBlue, {}};
+    Span hours, light;
+    light.add(0);
+    for (const quasimc::TimedEstimates& time : read.times) {
+        const Estimate& e = time.values.front();
+        const double hour = hours_of(time.label, day);
+        line.points.push_back({hour, e.mean, kNone, kNone, e.low, e.high});
+        hours.add(hour);
+        light.add(e.mean);
+    }
+    Chart chart;
+    chart.subtitle = "all organs together, with 95 % intervals";
+    chart.x = quasimc::axis_about(hours.low, hours.high, fmt::format("hours of {}", day));
+    chart.y = quasimc::axis_about(light.low, light.high, with_unit(read.name, read.unit));
+    chart.series = {std::move(line)};
+    return chart;
+}
+
+}  // namespace
+
+ChartKind chart_kind(const std::string& name) {
+    return name == "profile"     ? ChartKind::profile
+           : name == "histogram" ? ChartKind::histogram
+                                 : ChartKind::course;
+}
+
+Chart make_chart(
+    ChartKind kind, const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    if (shown.result_text.empty()) {
+        throw quasimc::InputError(
+            {{path, "is no result", "a chart shows light",
+              "give what `quasimc run --json` wrote"}});
+    }
+    Chart chart;
+    if (kind == ChartKind::course) {
+        chart = course(shown, path, choice);
+    } else {
+        const ShownValues values = read_shown_values(shown, path, choice);
+        chart = kind == ChartKind::profile ? profile(shown, values) : histogram(shown, values);
+        chart.subtitle += values.when.empty() ? "" : "; " + values.when;
+    }
+    chart.title = title_of(shown.run);
+    return chart;
+}

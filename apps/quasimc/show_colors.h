@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "show_values.h"
+#include "view/scene_picture.h"
+
+/// How values become colours.
+struct ScaleChoice {
+    bool error = false;                    ///< of the standard error, per cent of the value
+    std::string colors = "viridis";        ///< name of a colour map
+    std::pair<double, double> range = {};  ///< as in quasimc::scale_of
+};
+
+// Each gives every organ of a picture its colour, and the picture its second title and legend.
+
+void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture);
+/// One colour for each value of a label.
+/// @throws quasimc::InputError  if no organ has it
+void color_by_label(
+    const quasimc::Scene& scene, const std::string& key, quasimc::ScenePicture& picture);
+void color_by_value(
+    const quasimc::Scene& scene,
+    const ShownValues& values,
+    const ScaleChoice& choice,
+    quasimc::ScenePicture& picture);
+
+/// Directions towards the suns that a picture shows: all of a run without [time]; of one with it
+/// those of the time that is shown.
+/// @param values  that are shown, or null
+[[nodiscard]] std::vector<quasimc::Vec3> suns_of(
+    const quasimc::RunFile& run, const ShownValues* values);
+
+/// Draws SVG if the file is called so, else PNG.
+[[nodiscard]] std::unique_ptr<quasimc::Canvas> make_canvas(
+    const std::string& path, std::size_t width, std::size_t height);
+
+/// @throws quasimc::InputError  if the program was built without pictures
+/// @param place  for the message
+void require_pictures(const std::string& place);

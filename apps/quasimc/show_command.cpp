@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "commands.h"
+#include "io/numbers.h"
+#include "io/output_files.h"
+#include "quasimc/quasimc.h"
+#include "show_charts.h"
+#include "show_colors.h"
+#include "show_values.h"
+#include "view/scene_picture.h"
+
+namespace {
+
+using quasimc::Faults;
+
+struct ShowArguments {
+    std::string file, output;
+    ValueChoice choice;
+    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts, chart;
+    double opening = 0;
+    std::size_t threads = 0;
+    bool plain = false, bare = false;
+};
+
+/// Two numbers with a mark between them: "200,20".
+std::optional<std::pair<double, double>> two_numbers(std::string_view text, char mark) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto first = quasimc::parse_real(quasimc::trimmed(text.substr(0, at)));
+    const auto second = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
+    quasimc::ViewSpec view;
+    view.opening_deg = arguments.opening;
+    if (const quasimc::NamedView* named = quasimc::find_view(arguments.view)) {
+        view.azimuth_deg = named->azimuth_deg;
+        view.elevation_deg = named->elevation_deg;
+        return view;
+    }
+    const auto angles = two_numbers(arguments.view, ',');
+    if (!angles || !std::isfinite(angles->first) || !(std::abs(angles->second) <= 90)) {
+        std::string names;
+        for (const quasimc::NamedView& entry : quasimc::view_table()) {
+            names += fmt::format("{}, ", entry.name);
+        }
+        faults.add(
+            {"--view", fmt::format("'{}' is no view", arguments.view), "",
+             fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
+        return view;
+    }
+    view.azimuth_deg = angles->first;
+    view.elevation_deg = angles->second;
+    return view;
+}
+
+/// "x<0.5": the half that is shown, in the axes of the file.
+std::optional<quasimc::CutPlane> cut_of(std::string_view text, const quasimc::Orientation& axes) {
+    const std::size_t at = text.find_first_of("<>");
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view axis = quasimc::trimmed(text.substr(0, at));
+    const auto offset = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
+    const bool is_axis = axis == "x" || axis == "y" || axis == "z";
+    if (!is_axis || !offset || !std::isfinite(*offset)) {
+        return std::nullopt;
+    }
+    const quasimc::Vec3 along{
+        axis == "x" ? 1.0 : 0.0, axis == "y" ? 1.0 : 0.0, axis == "z" ? 1.0 : 0.0};
+    const double sign = text[at] == '<' ? 1 : -1;
+    return quasimc::CutPlane{sign * axes.inward(along), sign * *offset};
+}
+
+void set_cuts(
+    const ShowArguments& arguments,
+    const quasimc::Scene& scene,
+    quasimc::ScenePicture& picture,
+    Faults& faults) {
+    std::string_view rest = arguments.cuts;
+    while (!rest.empty()) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view text = rest.substr(0, comma);
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+        if (const auto cut = cut_of(text, scene.orientation())) {
+            picture.render.cuts.push_back(*cut);
+        } else {
+            faults.add(
+                {"--cut", fmt::format("'{}' is no half of space", text), "",
+                 "state what is shown, in the axes of the file: --cut 'x<0.5'"});
+        }
+    }
+}
+
+void set_size(const ShowArguments& arguments, quasimc::ScenePicture& picture, Faults& faults) {
+    const auto size = two_numbers(arguments.size, 'x');
+    const auto fits = [](double side) {
+        constexpr double kLeast = 16, kMost = 16384;
+        return side >= kLeast && side <= kMost && side == std::floor(side);
+    };
+    if (!size || !fits(size->first) || !fits(size->second)) {
+        faults.add(
+            {"--size", fmt::format("'{}' is no size", arguments.size), "",
+             "give width and height in pixels, 16 to 16384: 1200x900"});
+        return;
+    }
+    picture.width = static_cast<std::size_t>(size->first);
+    picture.height = static_cast<std::size_t>(size->second);
+}
+
+std::pair<double, double> range_of(const ShowArguments& arguments, Faults& faults) {
+    const auto range = two_numbers(arguments.range, ',');
+    if (!arguments.range.empty() && (!range || !(range->first < range->second))) {
+        faults.add(
+            {"--range", fmt::format("'{}' is no range", arguments.range), "",
+             "give the values of the first and the last colour: 0,500"});
+    }
+    return range.value_or(std::pair(0.0, 0.0));
+}
+
+/// Where the scene is looked at from, and what is shown of it.
+void set_view(
+    const ShowArguments& arguments,
+    const quasimc::Scene& scene,
+    quasimc::ScenePicture& picture,
+    Faults& faults) {
+    picture.view = view_of(arguments, faults);
+    picture.with_words = !arguments.bare;
+    picture.render.threads = static_cast<unsigned>(arguments.threads);
+    set_cuts(arguments, scene, picture, faults);
+}
+
+/// What the organs' colours tell, and title and suns of the picture.
+void set_colors(
+    const ShowArguments& arguments,
+    const ShownRun& shown,
+    std::pair<double, double> range,
+    quasimc::ScenePicture& picture) {
+    const quasimc::RunFile& run = shown.run;
+    picture.title = title_of(run);
+    std::optional<ShownValues> values;
+    if (!arguments.label.empty()) {
+        color_by_label(run.scene, arguments.label, picture);
+    } else if (arguments.plain || shown.result_text.empty()) {
+        color_plainly(run.scene, picture);
+    } else {
+        values = read_shown_values(shown, arguments.file, arguments.choice);
+        color_by_value(
+            run.scene, *values, {arguments.choice.error, arguments.colors, range}, picture);
+    }
+    picture.to_suns = suns_of(run, values ? &*values : nullptr);
+}
+
+Exit show(const ShowArguments& arguments) {
+    require_pictures("show");
+    const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
+    Faults faults;
+    quasimc::ScenePicture picture;
+    set_size(arguments, picture, faults);
+    if (arguments.chart.empty()) {
+        set_view(arguments, shown.run.scene, picture, faults);
+    }
+    const auto range = range_of(arguments, faults);
+    faults.throw_if_any();
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.run.inputs);
+    const auto canvas = make_canvas(arguments.output, picture.width, picture.height);
+    if (arguments.chart.empty()) {
+        set_colors(arguments, shown, range, picture);
+        draw_scene(*canvas, shown.run.scene, picture);
+    } else {
+        draw_chart(
+            *canvas,
+            make_chart(chart_kind(arguments.chart), shown, arguments.file, arguments.choice),
+            static_cast<double>(picture.width), static_cast<double>(picture.height));
+    }
+    output.sink(0)(canvas->finish());
+    output.commit();
+    output.throw_if_given_up();
+    return Exit::done;
+}
+
+std::vector<Flag> flags_of(ShowArguments& arguments) {
+    std::vector<std::string> maps;
+    for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
+        maps.emplace_back(map.name);
+    }
+    ValueChoice& choice = arguments.choice;
+    return {
+        {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
+        {.name = "-o,--output",
+         .target = &arguments.output,
+         .summary = "picture to write, PNG or SVG (.svg); - is standard output",
+         .required = true,
+         .type_name = "FILE"},
+        {.name = "--quantity",
+         .target = &choice.quantity,
+         .summary = "what colours tell: a quantity, sunlit_fraction or a ratio of the run",
+         .default_text = choice.quantity},
+        {"--band", &choice.band, "by default the first"},
+        {"--error", &choice.error, "show its standard error, per cent of the value"},
+        {"--time", &choice.time,
+         "of a run with [time]: the time that begins so; by default the sum"},
+        {.name = "--day",
+         .target = &choice.day,
+         .summary = "of a run with [time]: the sum of this day, 2024-06-21",
+         .excludes = "--time"},
+        {"--point", &choice.point, "of a sweep: which point, from 1"},
+        {.name = "--chart",
+         .target = &arguments.chart,
+         .summary = "draw a chart instead: light against height, how much area has how much, or "
+                    "the course of time",
+         .choices = {"profile", "histogram", "course"}},
+        {"--label", &arguments.label, "colour organs by this label instead"},
+        {"--plain", &arguments.plain, "show the shape alone"},
+        {.name = "--view",
+         .target = &arguments.view,
+         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye, "
+                    "degrees",
+         .default_text = arguments.view},
+        {.name = "--opening",
+         .target = &arguments.opening,
+         .summary = "angle of view in degrees; 0: parallel lines of sight",
+         .range = std::pair(0.0, 150.0),
+         .default_text = "0"},
+        {"--cut", &arguments.cuts,
+         "show this half only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'"},
+        {.name = "--size",
+         .target = &arguments.size,
+         .summary = "pixels",
+         .default_text = arguments.size},
+        {.name = "--colors",
+         .target = &arguments.colors,
+         .summary = "of the scale",
+         .choices = maps,
+         .default_text = arguments.colors},
+        {"--range", &arguments.range, "values of the first and the last colour: 0,500"},
+        {"--bare", &arguments.bare, "without title, legend, scale bar and directions"},
+        {"--threads", &arguments.threads, "0: as many as there are"}};
+}
+
+}  // namespace
+
+Command show_command() {
+    const auto arguments = std::make_shared<ShowArguments>();
+    return {"show", "draw a picture of a scene and its light", flags_of(*arguments), [arguments] {
+                return show(*arguments);
+            }};
+}

@@ -1,0 +1,178 @@
+#include "show_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "io/input_files.h"
+#include "io/results/series_words.h"
+#include "io/runfile/units.h"
+
+namespace {
+
+using quasimc::RunFile;
+
+std::string with_spaces(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+/// Quantities that a result may have of an organ.
+std::vector<std::string> quantity_names(const RunFile& run) {
+    std::vector<std::string> names;
+    for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
+        names.emplace_back(entry.name);
+    }
+    names.emplace_back("sunlit_fraction");
+    names.insert(names.end(), run.spec.ratios.begin(), run.spec.ratios.end());
+    return names;
+}
+
+const quasimc::QuantityEntry* find_quantity(const std::string& name) {
+    const auto& table = quasimc::quantity_table();
+    const auto* found = std::find_if(
+        table.begin(), table.end(), [&](const auto& entry) { return entry.name == name; });
+    return found == table.end() ? nullptr : found;
+}
+
+const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
+    const auto& bands = run.scene.bands();
+    const auto found = name.empty()
+                           ? bands.begin()
+                           : std::find_if(bands.begin(), bands.end(), [&](const auto& band) {
+                                 return band.name == name;
+                             });
+    if (found == bands.end()) {
+        std::vector<std::string> names;
+        for (const quasimc::Band& band : bands) {
+            names.push_back(band.name);
+        }
+        throw quasimc::InputError(
+            {{"--band", fmt::format("'{}' is no band of the run", name), "",
+              fmt::format("it has {}", fmt::join(names, ", "))}});
+    }
+    return *found;
+}
+
+/// Where the numbers stand in the file, and what they are called.
+quasimc::EstimateQuery query_of(
+    const RunFile& run, const ValueChoice& choice, ShownValues& values) {
+    quasimc::EstimateQuery query;
+    query.part = !run.series            ? ""
+                 : !choice.time.empty() ? "moments"
+                 : !choice.day.empty()  ? "days"
+                                        : "total";
+    query.label = choice.time.empty() ? choice.day : choice.time;
+    const quasimc::QuantityEntry* entry = find_quantity(choice.quantity);
+    const auto& ratios = run.spec.ratios;
+    if (entry != nullptr) {
+        const quasimc::Band& band = band_of(run, choice.band);
+        query.names = {std::string(entry->name), band.name};
+        values.name = fmt::format("{}, {}", with_spaces(std::string(entry->name)), band.name);
+        values.unit = quasimc::unit_of(*entry, band, run.scene.length_unit());
+        if (query.part == "days" || query.part == "total") {
+            values.unit = quasimc::summed_unit(values.unit).name;
+        }
+    } else if (choice.quantity == "sunlit_fraction") {
+        query.names = {"sunlit_fraction"};
+        values.name = "sunlit fraction";
+    } else if (std::find(ratios.begin(), ratios.end(), choice.quantity) != ratios.end()) {
+        query.names = {"ratios", choice.quantity};
+        values.name = choice.quantity;
+    } else {
+        throw quasimc::InputError(
+            {{"--quantity", fmt::format("'{}' is none that the result has", choice.quantity), "",
+              fmt::format("it may have {}", fmt::join(quantity_names(run), ", "))}});
+    }
+    return query;
+}
+
+void check_times(const RunFile& run, const ValueChoice& choice) {
+    quasimc::Faults faults;
+    for (const auto& [flag, text] :
+         {std::pair("--time", &choice.time), std::pair("--day", &choice.day)}) {
+        if (!run.series && !text->empty()) {
+            faults.add({flag, "the run has no [time]", "", "leave it out"});
+        }
+    }
+    faults.throw_if_any();
+}
+
+[[noreturn]] void refuse_missing(
+    const std::string& path, const ValueChoice& choice, const ShownValues& values) {
+    if (!choice.time.empty() || !choice.day.empty()) {
+        const bool is_time = !choice.time.empty();
+        throw quasimc::InputError(
+            {{is_time ? "--time" : "--day",
+              fmt::format(
+                  "{} has no {} of a {} that begins '{}'", path, values.name,
+                  is_time ? "time" : "day", is_time ? choice.time : choice.day),
+              "times without light are left out", "give it as the file does: 2024-06-21T12:00"}});
+    }
+    throw quasimc::InputError(
+        {{path, fmt::format("holds no {}", values.name),
+          "the run did not write it, or there is none", "look at [output] in the run file"}});
+}
+
+}  // namespace
+
+ShownRun read_shown_run(const std::string& path, std::size_t point) {
+    std::string text = quasimc::read_file(path);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool is_result = first != std::string::npos && text[first] == '{';
+    quasimc::RunSweep runs =
+        is_result ? quasimc::read_result_sweep(path).runs : quasimc::read_run_sweep(path);
+    if (point > runs.size()) {
+        throw quasimc::InputError({{"--point", fmt::format("there are {}", runs.size()), "", ""}});
+    }
+    return {runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string()};
+}
+
+ShownValues read_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    const RunFile& run = shown.run;
+    check_times(run, choice);
+    ShownValues values;
+    quasimc::EstimateQuery query = query_of(run, choice, values);
+    if (run.sweep) {
+        query.point = run.point;
+    }
+    std::vector<quasimc::TimedEstimates> times =
+        quasimc::read_estimates(shown.result_text, path, query);
+    if (times.empty()) {
+        refuse_missing(path, choice, values);
+    }
+    values.estimates = std::move(times.front().values);
+    values.estimates.resize(run.scene.organs().size(), kNoEstimate);
+    values.when = query.part == "total" ? "sum of all times" : times.front().label;
+    return values;
+}
+
+ShownCourse read_shown_course(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    if (!shown.run.series) {
+        throw quasimc::InputError(
+            {{path, "is of one time", "the run has no [time]", "choose another chart"}});
+    }
+    ValueChoice every = choice;
+    every.time = every.day = "";
+    ShownValues values;
+    quasimc::EstimateQuery query = query_of(shown.run, every, values);
+    query.list = "groups";
+    query.part = "moments";
+    query.label = choice.day;
+    if (shown.run.sweep) {
+        query.point = shown.run.point;
+    }
+    ShownCourse course{quasimc::read_estimates(shown.result_text, path, query), values.name, ""};
+    if (const quasimc::QuantityEntry* entry = find_quantity(choice.quantity)) {
+        const quasimc::Band& band = band_of(shown.run, choice.band);
+        course.unit = quasimc::unit_of(*entry, band, shown.run.scene.length_unit());
+    }
+    if (course.times.empty()) {
+        refuse_missing(path, choice, values);
+    }
+    return course;
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "io/results/read_estimates.h"
+#include "quasimc/quasimc.h"
+
+/// Of an organ that the result does not know.
+inline constexpr quasimc::Estimate kNoEstimate{
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+/// What a run is called: its title, or else its file.
+[[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
+    return run.title.empty() ? run.path : run.title;
+}
+
+/// Which numbers of a result are shown.
+struct ValueChoice {
+    std::string quantity = "absorbed_flux_density", band;
+    std::string time, day;  ///< how the name of one begins
+    std::size_t point = 0;  ///< of a sweep, from 1; 0: the first
+    bool error = false;     ///< the standard error over the mean instead of the mean
+};
+
+/// The run that a file states or a result was made by, and the text of that result.
+struct ShownRun {
+    quasimc::RunFile run;
+    std::string result_text;  ///< empty: the file is a run file
+};
+[[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
+
+/// Numbers of each organ, with words for headings.
+struct ShownValues {
+    std::vector<quasimc::Estimate> estimates;  ///< in the order of the scene
+    std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
+    std::string when;                          ///< time, day or period; empty without [time]
+};
+/// @throws quasimc::InputError  if there are none of the kind
+[[nodiscard]] ShownValues read_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
+
+/// The light of all organs together at each time that the result has.
+struct ShownCourse {
+    std::vector<quasimc::TimedEstimates> times;  ///< with one value each; at least one time
+    std::string name, unit;
+};
+/// @throws quasimc::InputError  if there are no times, or none of the kind
+[[nodiscard]] ShownCourse read_shown_course(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);

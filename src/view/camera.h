@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// Where a scene is looked at from: always towards the middle of what is shown.
+struct ViewSpec {
+    double azimuth_deg = 200;   ///< of the place of the eye, from north over east
+    double elevation_deg = 20;  ///< of that place, -90 to 90
+    double opening_deg = 0;     ///< angle that the longer side of the picture spans; 0: parallel
+                                ///< lines of sight, at most 150
+};
+
+/// A view that has a name.
+struct NamedView {
+    std::string_view name, summary;
+    double azimuth_deg, elevation_deg;
+};
+[[nodiscard]] const std::array<NamedView, 6>& view_table();
+[[nodiscard]] const NamedView* find_view(std::string_view name);
+
+/// A place in a picture, pixels from its top left corner.
+struct PixelPlace {
+    double x = 0, y = 0;
+};
+
+/// Lines of sight through the pixels of a picture that shows a box whole. World, z up.
+class Camera {
+  public:
+    /// @param shown  not empty
+    /// @param width, height  of the picture, pixels
+    Camera(
+        const ViewSpec& view,
+        const Orientation& axes,
+        const Bounds& shown,
+        double width,
+        double height);
+
+    struct SightLine {
+        Vec3 origin, direction;  ///< unit; all the scene is ahead
+    };
+    [[nodiscard]] SightLine through(const PixelPlace& place) const;
+    [[nodiscard]] PixelPlace place_of(const Vec3& point) const;
+    /// A direction of the world as it is seen: to the right, upwards, towards the eye.
+    [[nodiscard]] Vec3 seen(const Vec3& direction) const;
+    /// Pixels to a unit of length, in the plane through the middle of what is shown.
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] bool is_parallel() const { return distance_ == 0; }
+
+  private:
+    Vec3 middle_, right_, up_, back_;
+    double half_width_, half_height_;
+    double scale_ = 1;
+    double distance_ = 0;  // of the eye from the middle; 0: lines of sight are parallel
+    double start_ = 0;     // of parallel lines of sight, before the middle
+};
+
+}  // namespace quasimc

@@ -1,0 +1,190 @@
+#include "view/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "base/vec3.h"
+#include "geometry/cast/ray_caster.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
+
+/// What a line of sight meets.
+struct Sight {
+    std::uint32_t organ = kNothing;
+    float facing = 1;  // cosine between normal and line of sight
+
+    /// Whether it looks like what the next pixel sees, so that nothing can be missed between them.
+    [[nodiscard]] bool is_like(const Sight& other) const {
+        return organ == other.organ && std::abs(facing - other.facing) < 0.1F;
+    }
+};
+
+/// The part of a line of sight from which the scene is looked at.
+struct Reach {
+    double near = 0, far = std::numeric_limits<double>::infinity();
+
+    /// Cuts off where rate * t > room.
+    void cut(double rate, double room) {
+        if (rate > 0) {
+            far = std::min(far, room / rate);
+        } else if (rate < 0) {
+            near = std::max(near, room / rate);
+        } else if (room < 0) {
+            far = -1;
+        }
+    }
+};
+
+class Renderer {
+  public:
+    Renderer(const Scene& scene, const Camera& camera, const RenderSpec& spec)
+        : scene_(scene),
+          camera_(camera),
+          spec_(spec),
+          caster_(scene.shared_triangles(), Cell{}, Engine::embree),
+          box_(scene.bounds()),
+          sights_(spec.width * spec.height) {
+        // Lines of sight that run in a face of the box see what lies in it.
+        const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};
+        box_.add(box_.low - more);
+        box_.add(box_.high + more);
+    }
+
+    Image image() {
+        const unsigned threads = thread_count(spec_.threads);
+        parallel_blocks(spec_.height, threads, [this](std::uint64_t y, unsigned) {
+            for (std::size_t x = 0; x < spec_.width; ++x) {
+                sight(x, y) = look(center(x, y));
+            }
+        });
+        Image image(spec_.width, spec_.height, spec_.background);
+        parallel_blocks(spec_.height, threads, [&](std::uint64_t y, unsigned) {
+            for (std::size_t x = 0; x < spec_.width; ++x) {
+                image.at(x, y) = is_edge(x, y) ? smooth(x, y) : color(sight(x, y));
+            }
+        });
+        return image;
+    }
+
+  private:
+    static PixelPlace center(std::size_t x, std::size_t y) {
+        return {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5};
+    }
+    Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
+
+    [[nodiscard]] Reach reach_of(const Camera::SightLine& line) const {
+        Reach reach;
+        const Vec3 &o = line.origin, &d = line.direction;
+        reach.cut(d.x, box_.high.x - o.x);
+        reach.cut(-d.x, o.x - box_.low.x);
+        reach.cut(d.y, box_.high.y - o.y);
+        reach.cut(-d.y, o.y - box_.low.y);
+        reach.cut(d.z, box_.high.z - o.z);
+        reach.cut(-d.z, o.z - box_.low.z);
+        for (const CutPlane& plane : spec_.cuts) {
+            reach.cut(dot(plane.normal, d), plane.offset - dot(plane.normal, o));
+        }
+        return reach;
+    }
+
+    [[nodiscard]] Sight look(const PixelPlace& place) const {
+        const Camera::SightLine line = camera_.through(place);
+        const Reach reach = reach_of(line);
+        if (!(reach.near < reach.far)) {
+            return {};
+        }
+        const LocalMesh& mesh = caster_.mesh();
+        const Vec3 start = mesh.to_local(line.origin + reach.near * line.direction);
+        const CastHit cast = caster_.cast(start, line.direction, kNoTriangle);
+        const double length = (reach.far - reach.near) * mesh.scale;
+        if (cast.end != RayEnd::hit || double{cast.hit.t} > length) {
+            return {};
+        }
+        const Vec3 normal{cast.hit.normal[0], cast.hit.normal[1], cast.hit.normal[2]};
+        const RegionIndex region = scene_.region_of(caster_.source(cast.hit.triangle));
+        const double facing = std::abs(dot(normalized(normal), line.direction));
+        return {scene_.regions()[region.value].organ.value, static_cast<float>(facing)};
+    }
+
+    bool is_edge(std::size_t x, std::size_t y) {
+        const Sight& own = sight(x, y);
+        return (x > 0 && !own.is_like(sight(x - 1, y))) ||
+               (y > 0 && !own.is_like(sight(x, y - 1))) ||
+               (x + 1 < spec_.width && !own.is_like(sight(x + 1, y))) ||
+               (y + 1 < spec_.height && !own.is_like(sight(x, y + 1)));
+    }
+
+    [[nodiscard]] Rgb color(const Sight& seen) const {
+        if (seen.organ == kNothing) {
+            return spec_.background;
+        }
+        return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
+    }
+
+    /// The mean of the middle and four places about it, a rotated grid, as light mixes: the square
+    /// of a channel is nearly its light.
+    [[nodiscard]] Rgb smooth(std::size_t x, std::size_t y) {
+        constexpr std::array<PixelPlace, 4> kAbout{
+            {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
+        constexpr double kCount = 1 + kAbout.size();
+        std::array<double, 3> sum{};
+        const auto add = [&sum](const Rgb& c) {
+            sum[0] += 1.0 * c.r * c.r;
+            sum[1] += 1.0 * c.g * c.g;
+            sum[2] += 1.0 * c.b * c.b;
+        };
+        add(color(sight(x, y)));
+        const PixelPlace middle = center(x, y);
+        for (const PixelPlace& step : kAbout) {
+            add(color(look({middle.x + step.x, middle.y + step.y})));
+        }
+        const auto mean = [](double total) {
+            return static_cast<std::uint8_t>(std::lround(std::sqrt(total / kCount)));
+        };
+        return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+    }
+
+    const Scene& scene_;
+    const Camera& camera_;
+    const RenderSpec& spec_;
+    RayCaster caster_;
+    Bounds box_;
+    std::vector<Sight> sights_;
+};
+
+}  // namespace
+
+Bounds shown_bounds(const Scene& scene, const std::vector<CutPlane>& cuts) {
+    // Planes along axes cut the box; others leave it as it is.
+    Bounds box = scene.bounds();
+    const auto cut = [](double normal, double other, double offset, double& low, double& high) {
+        if (other == 0 && normal > 0) {
+            high = std::min(high, offset / normal);
+        } else if (other == 0 && normal < 0) {
+            low = std::max(low, offset / normal);
+        }
+    };
+    for (const CutPlane& plane : cuts) {
+        const Vec3& n = plane.normal;
+        cut(n.x, std::abs(n.y) + std::abs(n.z), plane.offset, box.low.x, box.high.x);
+        cut(n.y, std::abs(n.x) + std::abs(n.z), plane.offset, box.low.y, box.high.y);
+        cut(n.z, std::abs(n.x) + std::abs(n.y), plane.offset, box.low.z, box.high.z);
+    }
+    const bool is_empty =
+        box.low.x > box.high.x || box.low.y > box.high.y || box.low.z > box.high.z;
+    return is_empty ? Bounds{} : box;
+}
+
+Image render(const Scene& scene, const Camera& camera, const RenderSpec& spec) {
+    EXPECT(spec.colors.size() == scene.organs().size());
+    return Renderer(scene, camera, spec).image();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,144 @@
+#include "view/scene_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/vec3.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+namespace {
+
+constexpr Rgb kDark{30, 30, 30};
+constexpr Rgb kFaint{110, 110, 110};
+constexpr Rgb kSunMark{225, 120, 0};
+constexpr double kLegendWidth = 170;
+constexpr double kTitleHeight = 62;
+
+/// The parts of a picture that is 900 pixels high, times `scale` for others.
+struct Layout {
+    double scale, width, height;  // of all
+    double view_width, view_height, view_top;
+
+    explicit Layout(const ScenePicture& picture)
+        : scale(std::clamp(
+              std::min(static_cast<double>(picture.width), static_cast<double>(picture.height)) /
+                  900,
+              0.5,
+              8.0)),
+          width(static_cast<double>(picture.width)),
+          height(static_cast<double>(picture.height)),
+          view_width(width),
+          view_height(height),
+          view_top(0) {
+        if (picture.with_words) {
+            view_width = std::max(1.0, std::floor(width - kLegendWidth * scale));
+            view_top = std::floor(kTitleHeight * scale);
+            view_height = std::max(1.0, height - view_top);
+        }
+    }
+};
+
+void draw_arrow(
+    Canvas& canvas, const PixelPlace& from, const PixelPlace& to, const Rgb& color, double s) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    canvas.line(from, to, color, 2 * s);
+    if (length > 6 * s) {
+        const double dx = (to.x - from.x) / length * 9 * s, dy = (to.y - from.y) / length * 9 * s;
+        canvas.polygon(
+            std::array<PixelPlace, 3>{
+                {to,
+                 {to.x - dx - 0.4 * dy, to.y - dy + 0.4 * dx},
+                 {to.x - dx + 0.4 * dy, to.y - dy - 0.4 * dx}}},
+            color);
+    }
+}
+
+/// The north, the vertical and the suns as they are seen: as arrows in a circle.
+void draw_directions(
+    Canvas& canvas,
+    const Scene& scene,
+    const Camera& camera,
+    const ScenePicture& picture,
+    const Layout& layout) {
+    const double s = layout.scale, radius = 46 * s;
+    const PixelPlace middle{layout.view_width + 70 * s, layout.height - 78 * s};
+    canvas.disk(middle, radius + s, {225, 225, 225});
+    canvas.disk(middle, radius - s, {255, 255, 255});
+    const auto place = [&](const Vec3& direction, double part) {
+        const Vec3 seen = camera.seen(direction);
+        return PixelPlace{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
+    };
+    const auto arrow = [&](const Vec3& direction, const char* name, const Rgb& color) {
+        draw_arrow(canvas, middle, place(direction, 0.8), color, s);
+        const PixelPlace at = place(direction, 1.22);
+        const Vec3 seen = camera.seen(direction);
+        if (std::hypot(seen.x, seen.y) > 0.2) {
+            canvas.text(
+                {at.x, at.y + 5 * s}, name,
+                {.size = 13 * s, .anchor = TextAnchor::middle, .color = color});
+        }
+    };
+    arrow({0, 0, 1}, "up", kFaint);
+    arrow(scene.orientation().towards(0, 0), "N", kDark);
+    constexpr std::size_t kMostSuns = 40;
+    if (picture.to_suns.size() <= kMostSuns) {
+        for (const Vec3& sun : picture.to_suns) {
+            canvas.disk(place(sun, 0.9), 5 * s, kSunMark);
+        }
+    }
+    if (!picture.to_suns.empty() && picture.to_suns.size() <= kMostSuns) {
+        canvas.disk({middle.x - 22 * s, layout.height - 12 * s}, 5 * s, kSunMark);
+        canvas.text(
+            {middle.x - 12 * s, layout.height - 8 * s}, "sun", {.size = 12 * s, .color = kFaint});
+    }
+}
+
+void draw_scale_bar(
+    Canvas& canvas, const Scene& scene, const Camera& camera, const Layout& layout) {
+    const double s = layout.scale;
+    const double length = round_number_below(0.25 * layout.view_width / camera.scale());
+    const double pixels = length * camera.scale();
+    const PixelPlace left{18 * s, layout.height - 18 * s};
+    canvas.rectangle({left.x - 6 * s, left.y - 22 * s}, pixels + 12 * s, 32 * s, {255, 255, 255});
+    canvas.rectangle({left.x, left.y - 3 * s}, pixels, 5 * s, kDark);
+    canvas.text(
+        {left.x + 0.5 * pixels, left.y - 7 * s},
+        fmt::format(
+            "{} {}{}", tick_text(length, length), scene.length_unit(),
+            camera.is_parallel() ? "" : " in the middle"),
+        {.size = 13 * s, .anchor = TextAnchor::middle});
+}
+
+}  // namespace
+
+void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture) {
+    const Bounds shown = shown_bounds(scene, picture.render.cuts);
+    if (shown.empty()) {
+        throw InputError(
+            {{"--cut", "nothing of the scene is left", "it lies on the other side", ""}});
+    }
+    const Layout layout(picture);
+    const Camera camera(
+        picture.view, scene.orientation(), shown, layout.view_width, layout.view_height);
+    RenderSpec spec = picture.render;
+    spec.width = static_cast<std::size_t>(layout.view_width);
+    spec.height = static_cast<std::size_t>(layout.view_height);
+    canvas.image({0, layout.view_top}, render(scene, camera, spec));
+    if (!picture.with_words) {
+        return;
+    }
+    const double s = layout.scale;
+    canvas.text({18 * s, 28 * s}, picture.title, {.size = 20 * s});
+    canvas.text({18 * s, 50 * s}, picture.subtitle, {.size = 14 * s, .color = kFaint});
+    draw_legend(
+        canvas, picture.legend, {layout.view_width + 22 * s, layout.view_top + 30 * s},
+        std::max(20.0, layout.view_height - 260 * s), s);
+    draw_scale_bar(canvas, scene, camera, layout);
+    draw_directions(canvas, scene, camera, picture, layout);
+}
+
+}  // namespace quasimc

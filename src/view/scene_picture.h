@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/legend.h"
+#include "view/render.h"
+
+namespace quasimc {
+
+/// A scene and what is told about it, to be drawn.
+struct ScenePicture {
+    std::string title, subtitle;
+    ViewSpec view;
+    RenderSpec render;  ///< size and background are set here
+    Legend legend;
+    std::vector<Vec3> to_suns;  ///< unit, z up; drawn if there are few
+    bool with_words = true;     ///< title, legend, scale bar, directions
+    std::size_t width = 1200, height = 900;
+};
+
+/// @param canvas  of the picture's size
+/// @throws InputError  if cuts leave nothing of the scene
+void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture);
+
+}  // namespace quasimc

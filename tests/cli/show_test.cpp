@@ -1,0 +1,204 @@
+// Pictures from the command line.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <png.h>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "view/picture.h"
+
+namespace quasimc::test {
+namespace {
+
+class ShowCommand : public ProgramTest {
+  protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        if (!has_png()) {
+            GTEST_SKIP() << "built without pictures";
+        }
+    }
+    /// What a picture says, as SVG text.
+    [[nodiscard]] std::string svg(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "show");
+        arguments.insert(arguments.end(), {"-o", "p.svg", "--size", "400x300"});
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return outcome.status == 0 ? folder_.read("p.svg") : "";
+    }
+    void expect_fault(const std::vector<std::string>& arguments, const std::string& text) const {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    }
+};
+
+TEST_F(ShowCommand, DrawsResultsAndScenes) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    EXPECT_EQ(run({"show", "out.json", "-o", "light.png", "--size", "200x100"}).status, 0);
+    EXPECT_TRUE(folder_.read("light.png").starts_with("\x89PNG"));
+    const std::string light = svg({"out.json"});
+    EXPECT_NE(light.find("absorbed flux density, PAR (W m-2)</text>"), std::string::npos);
+    EXPECT_NE(light.find(">N</text>"), std::string::npos);
+    EXPECT_NE(light.find(" m</text>"), std::string::npos) << "scale bar";
+    const std::string error = svg({"out.json", "--quantity", "incident_upper", "--error"});
+    EXPECT_NE(error.find("standard error of incident upper, PAR (%)"), std::string::npos);
+    EXPECT_NE(svg({"run.toml", "--view", "top"}).find("3 organs, "), std::string::npos);
+    EXPECT_EQ(svg({"out.json", "--bare"}).find("<text"), std::string::npos);
+    const Outcome outcome = run({"show", "run.toml", "-o", "-", "--bare", "--size", "64x64"});
+    EXPECT_TRUE(outcome.out.starts_with("\x89PNG"));
+}
+
+TEST_F(ShowCommand, DrawsLabels) {
+    folder_.write(
+        "run.toml",
+        replaced(good_run_file(), "[[organ]]", "[[organ]]\nlabels = { plant = \"oak <7>\" }"));
+    EXPECT_NE(
+        svg({"run.toml", "--label", "plant"}).find(">oak &lt;7&gt;</text>"), std::string::npos);
+    expect_fault(
+        {"show", "run.toml", "-o", "p.png", "--label", "kind"}, "no organ has a label 'kind'");
+}
+
+TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
+    const std::string times =
+        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+        "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 1\nhours = [11, 13]\nsky = \"uniform\"\n";
+    folder_.write("days.toml", good_run_file() + times);
+    ASSERT_EQ(run({"run", "days.toml"}).status, 0);
+    EXPECT_NE(svg({"out.json"}).find("(J m-2), sum of all times"), std::string::npos);
+    EXPECT_NE(
+        svg({"out.json", "--time", "2024-06-21T12"}).find("(W m-2), 2024-06-21T12:00+01:00"),
+        std::string::npos);
+    EXPECT_NE(svg({"out.json", "--day", "2024-06-21"}).find(", 2024-06-21<"), std::string::npos);
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--time", "2025"}, "has no absorbed flux density");
+    folder_.write("sweep.toml", good_run_file() + "[sweep]\nseed = [1, 2]\n");
+    ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
+    EXPECT_FALSE(svg({"out.json", "--point", "2"}).empty());
+    expect_fault({"show", "out.json", "-o", "p.png", "--point", "3"}, "--point: there are 2");
+}
+
+TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--view", "north", "--cut", "q<1", "--size", "9x9",
+         "--range", "5,1"},
+        "--view: 'north' is no view");
+    const Outcome outcome = run(
+        {"show", "out.json", "-o", "p.png", "--view", "1,91", "--cut", "q<1", "--size", "9x9",
+         "--range", "5,1"});
+    for (const char* flag : {"--view: ", "--cut: ", "--size: ", "--range: "}) {
+        EXPECT_NE(outcome.err.find(flag), std::string::npos) << outcome.err;
+    }
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--quantity", "light"}, "it may have absorbed_flux");
+    expect_fault({"show", "out.json", "-o", "p.png", "--band", "UV"}, "it has PAR");
+    expect_fault({"show", "out.json", "-o", "p.png", "--time", "2024"}, "the run has no [time]");
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--cut", "z<-1000"}, "nothing of the scene is left");
+    expect_fault({"show", "out.json", "-o", "leaves.tri"}, "leaves.tri");
+    EXPECT_EQ(run({"show", "out.json"}).status, 2);
+    for (const std::string& file : new_files()) {
+        EXPECT_EQ(file.find("p.png"), std::string::npos) << file;
+    }
+}
+
+TEST_F(ShowCommand, IsWhatARunDraws) {
+    folder_.write("run.toml", "title = \"T\"\n" + good_run_file());
+    ASSERT_EQ(run({"run", "run.toml", "--picture", "run.png"}).status, 0);
+    ASSERT_EQ(run({"show", "out.json", "-o", "show.png"}).status, 0);
+    EXPECT_TRUE(folder_.read("run.png") == folder_.read("show.png"));
+    folder_.write(
+        "days.toml", "title = \"T\"\n" +
+                         replaced(
+                             good_run_file(), "json = \"out.json\"",
+                             "json = \"out.json\"\npicture = \"day.svg\"") +
+                         "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\n"
+                         "day = \"2024-06-21\"\nutc_offset_hours = 1\nhours = [11, 13]\n"
+                         "sky = \"uniform\"\n");
+    ASSERT_EQ(run({"run", "days.toml"}).status, 0);
+    ASSERT_EQ(run({"show", "out.json", "-o", "show.svg"}).status, 0);
+    EXPECT_TRUE(folder_.read("day.svg") == folder_.read("show.svg"));
+}
+
+TEST_F(ShowCommand, DrawsCharts) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const std::string profile = svg({"out.json", "--chart", "profile"});
+    EXPECT_NE(profile.find("height (m)</text>"), std::string::npos);
+    EXPECT_NE(svg({"out.json", "--chart", "histogram"}).find("area (%)</text>"), std::string::npos);
+    expect_fault({"show", "out.json", "-o", "p.png", "--chart", "course"}, "the run has no [time]");
+    expect_fault({"show", "run.toml", "-o", "p.png", "--chart", "profile"}, "is no result");
+    EXPECT_EQ(run({"show", "out.json", "-o", "p.png", "--chart", "pie"}).status, 2);
+}
+
+/// A picture in grey, means of squares of eight pixels: what the eye sees of it at a glance.
+std::vector<double> glance(const std::string& png) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_memory(&image, png.data(), png.size()), 0);
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
+    EXPECT_NE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr), 0);
+    const std::size_t columns = image.width / 8, rows = image.height / 8;
+    std::vector<double> means(columns * rows);
+    for (std::size_t y = 0; y < 8 * rows; ++y) {
+        for (std::size_t x = 0; x < 8 * columns; ++x) {
+            means[y / 8 * columns + x / 8] += pixels[y * image.width + x] / 64.0;
+        }
+    }
+    return means;
+}
+
+std::string read_binary(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The largest difference of two glances, of 255; 255 if their sizes differ.
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double most = a.size() == b.size() ? 0 : 255;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        most = std::max(most, std::abs(a[i] - b[i]));
+    }
+    return most;
+}
+
+TEST_F(ShowCommand, DrawsThePicturesOfTheManual) {
+    const std::filesystem::path root = QUASIMC_SOURCE_DIR;
+    for (const char* name : {"leaves.toml", "leaves.tri"}) {
+        folder_.write(name, read_binary(root / "examples/01-leaves" / name));
+    }
+    ASSERT_EQ(run({"run", "leaves.toml"}).status, 0);
+    const std::vector<std::pair<std::string, std::vector<std::string>>> pictures{
+        {"leaves.png", {"--size", "900x640", "--opening", "40"}},
+        {"leaves_scattered_error.png",
+         {"--quantity", "incident_scattered", "--error", "--view", "top", "--cut", "z>5",
+          "--colors", "magma", "--size", "600x450"}},
+        {"leaves_profile.png", {"--chart", "profile", "--size", "600x450"}}};
+    std::vector<double> first;
+    for (const auto& [name, flags] : pictures) {
+        std::vector<std::string> arguments{"show", "leaves.json", "-o", "new.png"};
+        arguments.insert(arguments.end(), flags.begin(), flags.end());
+        ASSERT_EQ(run(arguments).status, 0);
+        const std::vector<double> drawn = glance(folder_.read("new.png"));
+        EXPECT_LT(difference(drawn, glance(read_binary(root / "docs/images" / name))), 6) << name;
+        first = first.empty() ? drawn : first;
+    }
+    ASSERT_EQ(
+        run({"show", "leaves.json", "-o", "new.png", "--size", "900x640", "--opening", "40",
+             "--band", "PAR", "--quantity", "incident_upper"})
+            .status,
+        0);
+    EXPECT_GT(difference(first, glance(folder_.read("new.png"))), 30) << "another quantity is seen";
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,200 @@
+#include "view/scene_picture.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/error.h"
+#include "quasimc/scene.h"
+#include "view/axis.h"
+#include "view/picture.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr Rgb kRed{255, 0, 0}, kBlue{0, 0, 255}, kWhite{255, 255, 255};
+
+/// Horizontal squares of side 1: the first at the origin, the second above its eastern half and
+/// beyond it.
+Scene two_squares(UpAxis up = UpAxis::z) {
+    const Orientation axes(up, up == UpAxis::z ? Vec3{0, 1, 0} : Vec3{1, 0, 0});
+    SceneBuilder builder({{"PAR"}}, axes);
+    builder.add_material({"black", {SideOptics{}}, {SideOptics{}}});
+    for (const double step : {0.0, 1.0}) {
+        OrganSpec organ;
+        std::vector<Triangle> square =
+            make_parallelogram({0.5 * step, 0, 2 * step}, {1, 0, 0}, {0, 1, 0});
+        for (Triangle& triangle : square) {
+            for (Vec3& corner : triangle) {
+                corner = axes.outward(corner);
+            }
+        }
+        organ.parts.push_back({.material = "black", .triangles = square});
+        builder.add_organ(std::move(organ));
+    }
+    return std::move(builder).build();
+}
+
+Image picture_of(const Scene& scene, const ViewSpec& view, std::vector<CutPlane> cuts = {}) {
+    RenderSpec spec;
+    spec.width = 120;
+    spec.height = 90;
+    spec.colors = {kRed, kBlue};
+    spec.shading = 0;
+    spec.cuts = std::move(cuts);
+    const Camera camera(view, scene.orientation(), shown_bounds(scene, spec.cuts), 120, 90);
+    return render(scene, camera, spec);
+}
+
+/// How many pixels have a color.
+double count(const Image& image, const Rgb& color) {
+    return static_cast<double>(std::count(image.pixels.begin(), image.pixels.end(), color));
+}
+
+const ViewSpec kTop{180, 90, 0};
+
+TEST(Render, ShowsTheUpperSurfaceInFrontFromAbove) {
+    const Image image = picture_of(two_squares(), kTop);
+    // The bounds are 1.5 wide and 1 high: they fill the width but for the margin.
+    const double scale = 120 / (1.5 * 1.06);
+    EXPECT_NEAR(count(image, kBlue), scale * scale, 0.05 * scale * scale);
+    EXPECT_NEAR(count(image, kRed), 0.5 * scale * scale, 0.05 * scale * scale);
+    EXPECT_EQ(image.at(20, 45), kRed) << "the west is at the left";
+    EXPECT_EQ(image.at(90, 45), kBlue);
+    EXPECT_EQ(image.at(60, 2), kWhite);
+}
+
+TEST(Render, ShowsTheLowerSurfaceInFrontFromBelow) {
+    const Image image = picture_of(two_squares(), {180, -90, 0});
+    EXPECT_GT(count(image, kRed), 1.9 * count(image, kBlue));
+}
+
+TEST(Render, IsTheSameInAFileWithYUp) {
+    const ViewSpec view{200, 30, 0};
+    EXPECT_EQ(
+        picture_of(two_squares(UpAxis::z), view).pixels.size(),
+        picture_of(two_squares(UpAxis::y), view).pixels.size());
+    EXPECT_NEAR(
+        count(picture_of(two_squares(UpAxis::z), view), kBlue),
+        count(picture_of(two_squares(UpAxis::y), view), kBlue), 40);
+}
+
+TEST(Render, DoesNotDependOnThreads) {
+    const Scene scene = two_squares();
+    RenderSpec spec{.width = 64, .height = 48, .colors = {kRed, kBlue}};
+    const Camera camera({200, 30, 40}, scene.orientation(), scene.bounds(), 64, 48);
+    spec.threads = 1;
+    const Image one = render(scene, camera, spec);
+    spec.threads = 3;
+    EXPECT_EQ(one.pixels, render(scene, camera, spec).pixels);
+}
+
+TEST(Render, LeavesOutWhatIsCutAway) {
+    const Image image = picture_of(two_squares(), kTop, {{{0, 0, 1}, 1}});
+    EXPECT_EQ(count(image, kBlue), 0);
+    EXPECT_GT(count(image, kRed), 1000);
+    EXPECT_TRUE(shown_bounds(two_squares(), {{{0, 0, -1}, -5}}).empty());
+}
+
+TEST(Camera, ShowsABoxWholeFromEverywhere) {
+    const Bounds box = [] {
+        Bounds bounds;
+        bounds.add({100, -3, 0.5});
+        bounds.add({101, 4, 0.75});
+        return bounds;
+    }();
+    for (const double opening : {0.0, 30.0, 100.0}) {
+        for (int azimuth = 0; azimuth < 360; azimuth += 40) {
+            for (int elevation = -90; elevation <= 90; elevation += 30) {
+                const ViewSpec view{double(azimuth), double(elevation), opening};
+                const Camera camera(view, {}, box, 300, 200);
+                double least = 1e9;
+                for (int i = 0; i < 8; ++i) {
+                    const Vec3 corner{
+                        (i & 1) != 0 ? box.high.x : box.low.x,
+                        (i & 2) != 0 ? box.high.y : box.low.y,
+                        (i & 4) != 0 ? box.high.z : box.low.z};
+                    const PixelPlace at = camera.place_of(corner);
+                    EXPECT_TRUE(at.x >= 0 && at.x <= 300 && at.y >= 0 && at.y <= 200)
+                        << azimuth << ' ' << elevation << ' ' << opening;
+                    least = std::min({least, at.x, at.y, 300 - at.x, 200 - at.y});
+                    const Camera::SightLine line = camera.through(at);
+                    const Vec3 to = corner - line.origin;
+                    EXPECT_NEAR(dot(normalized(to), line.direction), 1, 1e-6);
+                }
+                EXPECT_LT(least, 12) << "it fills the picture";
+            }
+        }
+    }
+}
+
+TEST(Legend, LeavesFewBrightOrgansOutOfTheScale) {
+    const std::vector<double> values{1, 2, 3, 100};
+    const std::vector<double> areas{1, 1, 1, 1e-3};
+    const ColorMap& map = *find_color_map("viridis");
+    const Legend legend = scale_of(values, areas, map, "light");
+    EXPECT_EQ(legend.axis.low, 0);
+    EXPECT_EQ(legend.axis.high, 3);
+    EXPECT_TRUE(legend.is_exceeded);
+    EXPECT_EQ(colors_of(values, legend)[3], color_at(map, 1));
+    EXPECT_FALSE(scale_of(values, {1, 1, 1, 1}, map, "light").is_exceeded);
+    EXPECT_EQ(colors_of({std::nan("")}, legend)[0], kNoValue);
+    const Legend dark = scale_of({0, 0}, {1, 1}, map, "light");
+    EXPECT_LT(dark.axis.low, dark.axis.high);
+}
+
+TEST(ColorMap, GetsLighterAllTheWay) {
+    for (const ColorMap& map : color_map_table()) {
+        double before = -1;
+        for (int i = 0; i <= 100; ++i) {
+            const Rgb c = color_at(map, i / 100.0);
+            const double light = 0.2126 * std::pow(c.r, 2.2) + 0.7152 * std::pow(c.g, 2.2) +
+                                 0.0722 * std::pow(c.b, 2.2);
+            EXPECT_GT(light, before - 1e-9) << map.name << ' ' << i;
+            before = light;
+        }
+    }
+}
+
+TEST(Axis, HasRoundTicks) {
+    const Axis axis{0, 0.74, ""};
+    const std::vector<double> ticks = ticks_of(axis, 6);
+    ASSERT_EQ(ticks.size(), 8U);
+    EXPECT_EQ(tick_text(ticks[7], 0.1), "0.7");
+    EXPECT_EQ(tick_text(0, 1e-7), "0");
+    EXPECT_EQ(tick_text(2e6, 5e5), "2.0e+06");
+    EXPECT_EQ(round_number_below(0.3), 0.2);
+    EXPECT_EQ(axis_about(0.3, 9.7, "").low, 0);
+    EXPECT_EQ(axis_about(0.3, 9.7, "").high, 10);
+    const Axis point = axis_about(3, 3, "");
+    EXPECT_LT(point.low, point.high);
+}
+
+TEST(SvgCanvas, KeepsLettersAsLetters) {
+    const auto canvas = make_svg_canvas(200, 100);
+    canvas->text({10, 20}, "a < b & \"c\"", {});
+    canvas->line({0, 0}, {5, 5}, kRed, 1);
+    const std::string text = canvas->finish();
+    EXPECT_NE(text.find(">a &lt; b &amp; \"c\"</text>"), std::string::npos) << text;
+    EXPECT_NE(text.find("<polyline points=\"0.00,0.00 5.00,5.00\""), std::string::npos) << text;
+    EXPECT_TRUE(text.ends_with("</svg>\n"));
+}
+
+TEST(PngCanvas, DrawsLettersWhereTheyBelong) {
+    if (!has_png()) {
+        GTEST_SKIP() << "built without pictures";
+    }
+    const auto dark = [](TextAnchor anchor, bool upwards) {
+        const auto canvas = make_png_canvas(100, 100);
+        canvas->text({50, 50}, "QuasiMC", {.size = 14, .anchor = anchor, .upwards = upwards});
+        return canvas->finish();
+    };
+    // Pictures that differ have other bytes; the same ones the same.
+    EXPECT_EQ(dark(TextAnchor::start, false), dark(TextAnchor::start, false));
+    EXPECT_NE(dark(TextAnchor::start, false), dark(TextAnchor::end, false));
+    EXPECT_NE(dark(TextAnchor::start, false), dark(TextAnchor::start, true));
+}
+
+}  // namespace
+}  // namespace quasimc::test
