@@ -78,7 +78,7 @@ TEST_P(Sensors, CountAllLightThoughTheyAreWiderThanTheirCell) {
     builder.add_organ(organ("y", "sensor", floor_of(.1, .6, .2, 3.4, .6)));
     builder.add_organ(organ("both", "sensor", floor_of(-.5, 1.8, .2, 1.9, .9)));
     const Result result =
-        run_from(GetParam(), std::move(builder).build(), {sun(30, {1}), sky({1})});
+        run(std::move(builder).build(), {sun(30, {1}), sky({1})}, spec_of(GetParam(), 1U << 12U));
     const double all = 1 + std::sqrt(.75);
     for (const std::size_t i : {0U, 1U, 2U, 3U}) {
         expect_holds(result.at(i, Quantity::incident_upper, 0), all);
