@@ -13,6 +13,7 @@
 
 #include "quasimc/groups.h"
 #include "quasimc/run_spec.h"
+#include "quasimc/source.h"
 #include "quasimc/sums.h"
 
 namespace quasimc {
@@ -104,7 +105,8 @@ struct GroupResults {
 /// Where the light of one band went over a ground or in a canopy without end, as fractions of what
 /// falls on the horizontal (docs/theory/canopy-fractions.md). NaN what can't be told.
 struct CanopyFractions {
-    /// Flux that falls on the horizontal area of the cell or the ground: the denominator.
+    /// Flux that falls on the horizontal area of the cell or the ground. It follows from the
+    /// sources and has no error; fractions over a cell are of what each replicate has emitted.
     double incident = 0;
     Estimate reflectance;    ///< that leaves the scene upwards: the albedo of canopy and ground
     Estimate transmittance;  ///< that falls on the ground
@@ -179,6 +181,8 @@ struct EvaluationSpec {
     GroupSpec groups = {};
     /// On the horizontal, per band, of all sources; empty where it is not known (lamps).
     std::vector<double> horizontal_irradiance = {};
+    /// That shine: no interval reaches beyond what they could bring. Empty: it is not known.
+    Sources sources = {};
     unsigned threads = 1;  ///< never changes a number
 };
 

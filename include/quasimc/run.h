@@ -75,8 +75,8 @@ class Stopped : public std::runtime_error {
 /// What sums say of each organ, as run() would have reported it: everything but how it was found
 /// (Result::chosen, audit, stop, times).
 /// @param sums  of Simulator::sums() for this scene
-/// @param sources  of the run; without them Result::canopy of a scene that is not periodic along
-///        both axes is left out
+/// @param sources  of the run; without them intervals of direct light are not cut where it can't be
+///        more, and Result::canopy of a scene that is not periodic along both axes is left out
 [[nodiscard]] Result evaluate_run(
     const Sums& sums, const Scene& scene, const RunSpec& spec, const Sources& sources = {});
 

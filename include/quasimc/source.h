@@ -92,6 +92,12 @@ class Source {
         const Vec3& point, double u0, double u1) const = 0;
     /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
     [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
+    /// What a side with this unit normal would get at most, for a spectrum of 1, if nothing stood
+    /// in its way: an upper bound of its irradiance, for suns the irradiance itself or nearly.
+    /// Infinite where there is none, as next to a lamp.
+    [[nodiscard]] virtual double most_irradiance(const Vec3& /*normal*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
 
   private:
     std::string name_;

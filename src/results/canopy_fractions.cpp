@@ -84,8 +84,8 @@ std::vector<CanopyFractions> evaluate_canopy(
         const FractionMaker maker(flows[b], std::move(incident));
         CanopyFractions& own = fractions[b];
         own = {
-            maker.incident(), kNoFraction, kNoFraction, maker.fraction(&Flows::organs),
-            kNoFraction};
+            endless ? sums.emitted_flux[b] : maker.incident(), kNoFraction, kNoFraction,
+            maker.fraction(&Flows::organs), kNoFraction};
         if (ground != nullptr) {
             const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);
             own.reflectance = maker.fraction(endless ? &Flows::escaped : &Flows::escaped_scattered);

@@ -4,13 +4,17 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "results/light_limits.h"
 #include "results/organ_finds.h"
 #include "results/organ_reader.h"
+#include "results/totals.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -21,17 +25,20 @@ constexpr std::size_t kOrgansPerBlock = 256;
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
   public:
-    OrganEvaluator(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
+    OrganEvaluator(
+        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const LightLimits& limits)
         : sums_(sums),
           scene_(scene),
           spec_(spec),
+          limits_(limits),
           values_(sums.replicates.size()),
           incident_(sums.layout.bands, values_) {
         samples_.fill(values_);
     }
 
     /// Fills in all of an organ.
-    void evaluate(std::size_t index, Result& result) {
+    /// @param finds  per band: of what it absorbs, where one more or less counts
+    void evaluate(std::size_t index, Result& result, std::span<SingleFind> finds) {
         const Organ& organ = scene_.organs()[index];
         const OrganReader reader(sums_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
@@ -39,15 +46,17 @@ class OrganEvaluator {
             leave_out(index, ratios.size(), result);
             return;
         }
+        const OrganLimits limits = limits_.of(organ);
         for (std::size_t b = 0; b < result.bands; ++b) {
-            evaluate_band(reader, organ, index, b, result);
+            finds[b] = evaluate_band(reader, organ, index, b, limits, result);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] = not_negative(
                 estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]));
         }
         if (!result.sunlit_fraction.empty()) {
-            result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
+            const double most = organ.area > 0 ? limits.sunlit_area / organ.area : 0;
+            result.sunlit_fraction[index] = not_above(sunlit_fraction(reader, organ), most);
         }
     }
 
@@ -64,11 +73,13 @@ class OrganEvaluator {
         }
     }
 
-    void evaluate_band(
+    /// @returns a find of what it absorbs
+    SingleFind evaluate_band(
         const OrganReader& reader,
         const Organ& organ,
         std::size_t index,
         std::size_t band,
+        const OrganLimits& limits,
         Result& result) {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
@@ -80,9 +91,12 @@ class OrganEvaluator {
         const OrganFinds finds(reader, band);
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
-            result.values[(index * kQuantities + q) * result.bands + band] =
-                finds.estimate(entry, per_area, samples_[q]);
+            result.values[(index * kQuantities + q) * result.bands + band] = not_above(
+                finds.estimate(entry, per_area, samples_[q]),
+                limits.of(entry.quantity, band) * (entry.is_flux ? 1 : per_area));
         }
+        return finds.knows_finds() && !finds.is_settled() ? finds.find(Quantity::absorbed_flux)
+                                                          : SingleFind{};
     }
 
     std::vector<double>& sample_of(Quantity q) { return samples_[static_cast<std::size_t>(q)]; }
@@ -108,6 +122,7 @@ class OrganEvaluator {
     const Sums& sums_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
+    const LightLimits& limits_;
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
     std::vector<std::vector<double>> incident_;  // per band and replicate, per area
@@ -204,29 +219,6 @@ const std::array<QuantityEntry, kQuantities>& quantity_table() {
     return kTable;
 }
 
-namespace {
-
-/// The upper bound of what organs, or the ground, absorb together, where nothing was found: that of
-/// the one with the largest, for a sample finds one of them at most.
-void bound_unseen_totals(const Scene& scene, Result& result) {
-    for (std::size_t b = 0; b < result.bands; ++b) {
-        double organs = 0, ground = 0;
-        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
-            double& most = scene.organs()[i].is_ground ? ground : organs;
-            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).high);
-        }
-        const auto bound = [](Estimate& total, double high) {
-            if (total.mean == 0 && high > 0) {
-                total = {0, std::numeric_limits<double>::quiet_NaN(), 0, high};
-            }
-        };
-        bound(result.budget[b].absorbed_by_organs, organs);
-        bound(result.budget[b].absorbed_by_ground, ground);
-    }
-}
-
-}  // namespace
-
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
     const std::size_t organs = scene.organs().size();
@@ -236,17 +228,19 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
     result.values.resize(organs * kQuantities * result.bands);
     result.ratio_values.resize(organs * result.ratios);
     result.sunlit_fraction.resize(sums.units.sunlit_area > 0 ? organs : 0);
+    const LightLimits limits(scene, spec, sums.emitted_flux);
+    std::vector<SingleFind> finds(organs * result.bands);  // of what is absorbed
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        OrganEvaluator evaluator(sums, scene, spec);
+        OrganEvaluator evaluator(sums, scene, spec, limits);
         for (std::size_t i = first; i < last; ++i) {
-            evaluator.evaluate(i, result);
+            evaluator.evaluate(i, result, std::span(finds).subspan(i * result.bands, result.bands));
         }
     });
-    result.groups = evaluate_groups(sums, scene, spec);
+    result.groups = evaluate_groups(sums, scene, spec, limits);
     const BandFlows flows = read_flows(sums, scene);
     result.budget = evaluate_budget(flows);
-    bound_unseen_totals(scene, result);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
+    tell_errors_of_totals(sums, scene, finds, result);
     result.detectors = evaluate_detectors(sums, scene);
     result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
     result.paths = sums.paths;

@@ -42,8 +42,12 @@ struct GroupFind {
 class GroupEvaluator {
   public:
     GroupEvaluator(
-        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, GroupResults& results)
-        : sums_(sums), scene_(scene), spec_(spec), results_(results) {}
+        const Sums& sums,
+        const Scene& scene,
+        const EvaluationSpec& spec,
+        const LightLimits& limits,
+        GroupResults& results)
+        : sums_(sums), scene_(scene), spec_(spec), limits_(limits), results_(results) {}
 
     [[nodiscard]] GroupSums empty() const {
         const std::size_t replicates = sums_.replicates.size();
@@ -65,8 +69,9 @@ class GroupEvaluator {
 
     void evaluate(std::size_t group, const GroupSums& sums) const {
         std::vector<std::vector<double>> incident;  // of both sides, per band and replicate
+        const OrganLimits limits = limits_of(group);
         for (std::size_t b = 0; b < results_.bands; ++b) {
-            incident.push_back(evaluate_band(group, b, sums));
+            incident.push_back(evaluate_band(group, b, sums, limits));
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
             results_.ratio_values[group * results_.ratios + i] = not_negative(
@@ -74,7 +79,7 @@ class GroupEvaluator {
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
-            const Estimate sunlit = sunlit_area(group, sums.sunlit);
+            const Estimate sunlit = not_above(sunlit_area(group, sums.sunlit), limits.sunlit_area);
             results_.sunlit_area[group] = sunlit;
             results_.sunlit_fraction[group] = scaled(sunlit, area > 0 ? 1 / area : 0);
         }
@@ -113,6 +118,15 @@ class GroupEvaluator {
             per_replicate.begin(), per_replicate.end(), [&](double lit) { return lit >= all; });
         const double find = most / static_cast<double>(per_replicate.size());
         return estimate_finds(per_replicate, {.more = is_all ? 0 : find, .less = find});
+    }
+
+    /// The most that all organs of a group can get.
+    [[nodiscard]] OrganLimits limits_of(std::size_t group) const {
+        OrganLimits sum(results_.bands);
+        for (const std::uint32_t index : results_.groups[group].organs) {
+            sum += limits_.of(scene_.organs()[index]);
+        }
+        return sum;
     }
 
     [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
@@ -156,7 +170,10 @@ class GroupEvaluator {
 
     /// @returns the light that falls on both sides, per replicate
     std::vector<double> evaluate_band(
-        std::size_t group, std::size_t band, const GroupSums& sums) const {
+        std::size_t group,
+        std::size_t band,
+        const GroupSums& sums,
+        const OrganLimits& limits) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
         const GroupFind find = find_of(group, band);
@@ -181,9 +198,10 @@ class GroupEvaluator {
             const SingleFind known =
                 is_dark ? SingleFind{std::hypot(find.by_look[q], find.by_path[q]) * unit, 0}
                         : SingleFind{find.known[q].more * unit, find.known[q].less * unit};
-            results_.values[(group * kQuantities + q) * results_.bands + band] =
+            results_.values[(group * kQuantities + q) * results_.bands + band] = not_above(
                 knows_finds() ? estimate_finds(samples[q], known)
-                              : estimate_seen_or_bound(samples[q], most);
+                              : estimate_seen_or_bound(samples[q], most),
+                limits.of(entry.quantity, band) * unit);
         }
         return incident;
     }
@@ -191,6 +209,7 @@ class GroupEvaluator {
     const Sums& sums_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
+    const LightLimits& limits_;
     GroupResults& results_;
 };
 
@@ -208,14 +227,15 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
 
 }  // namespace
 
-GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+GroupResults evaluate_groups(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const LightLimits& limits) {
     GroupResults results = empty_groups(scene, spec.groups, spec.ratios.size());
     const std::size_t count = results.groups.size();
     if (sums.units.sunlit_area > 0) {
         results.sunlit_fraction.resize(count);
         results.sunlit_area.resize(count);
     }
-    const GroupEvaluator evaluator(sums, scene, spec, results);
+    const GroupEvaluator evaluator(sums, scene, spec, limits, results);
     const std::size_t replicates = sums.replicates.size();
     for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
         const std::size_t batch = std::min(kGroupsPerBatch, count - first);

@@ -124,6 +124,7 @@ EvaluationSpec evaluation_of(
         .direct_light = spec.direct_light,
         .groups = group_spec(spec),
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
+        .sources = sources,
         .threads = threads};
 }
 

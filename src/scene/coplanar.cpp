@@ -1,7 +1,9 @@
 #include "scene/coplanar.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "base/vec3.h"
@@ -105,6 +107,50 @@ void add_parts_beside(Polygon polygon, const Polygon& window, std::vector<Polygo
 }
 
 }  // namespace
+
+namespace {
+
+/// What of a convex polygon lies where `along` is at least 0.
+std::vector<Vec3> kept_part(
+    const std::vector<Vec3>& polygon, const std::function<double(const Vec3&)>& along) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3& p = polygon[i];
+        const Vec3& q = polygon[(i + 1) % polygon.size()];
+        const double from = along(p);
+        const double to = along(q);
+        if (from >= 0) {
+            kept.push_back(p);
+        }
+        if ((from > 0 && to < 0) || (from < 0 && to > 0)) {
+            kept.push_back(p + from / (from - to) * (q - p));
+        }
+    }
+    return kept;
+}
+
+}  // namespace
+
+std::vector<std::vector<Triangle>> parts_in_slabs(
+    const Triangle& t, const Vec3& axis, double width) {
+    constexpr double kRounding = 1e-9;
+    const std::array<double, 3> at{dot(t[0], axis), dot(t[1], axis), dot(t[2], axis)};
+    const auto [low, high] = std::minmax_element(at.begin(), at.end());
+    const double slabs = std::max(1.0, std::ceil((*high - *low) / width - kRounding));
+    std::vector<std::vector<Triangle>> parts;
+    for (double slab = 0; slab < slabs; ++slab) {
+        const double from = *low + slab * width;
+        const double to = slab + 1 < slabs ? from + width : *high;
+        std::vector<Vec3> polygon(t.begin(), t.end());
+        polygon = kept_part(polygon, [&](const Vec3& p) { return dot(p, axis) - from; });
+        polygon = kept_part(polygon, [&](const Vec3& p) { return to - dot(p, axis); });
+        std::vector<Triangle>& own = parts.emplace_back();
+        for (std::size_t i = 2; i < polygon.size(); ++i) {
+            own.push_back({polygon[0], polygon[i - 1], polygon[i]});
+        }
+    }
+    return parts;
+}
 
 std::vector<Triangle> parts_beside(
     const Triangle& t, const std::vector<Triangle>& windows, double tolerance) {

@@ -36,4 +36,9 @@ namespace quasimc {
 [[nodiscard]] std::vector<Triangle> parts_beside(
     const Triangle& t, const std::vector<Triangle>& windows, double tolerance);
 
+/// The parts of a triangle in slabs `width` > 0 thick across a unit `axis`, from its lowest corner
+/// along it: those of one slab after those of another, upper side up.
+[[nodiscard]] std::vector<std::vector<Triangle>> parts_in_slabs(
+    const Triangle& t, const Vec3& axis, double width);
+
 }  // namespace quasimc

@@ -129,8 +129,17 @@ std::vector<Triangle> uncovered(
     return parts_beside(t, windows, coplanar_tolerance(size_of(bounds_of(t)), scene_size));
 }
 
-/// By how many steps triangles are lifted off the plane that they were given in.
-using Lifts = std::map<std::uint32_t, int>;
+/// How a triangle of a sensor is lifted off the plane that it was given in.
+struct Lift {
+    int steps = 0;
+    /// Of one that lies on its own images: parts of which none does. Each list of them is lifted by
+    /// a step more than the one before.
+    std::vector<std::vector<Triangle>> parts = {};
+
+    /// Of what lies on all of it.
+    [[nodiscard]] int next() const { return steps + std::max(1, static_cast<int>(parts.size())); }
+};
+using Lifts = std::map<std::uint32_t, Lift>;
 
 /// Makes the mesh anew, organ by organ.
 class Cutter {
@@ -207,6 +216,21 @@ class Cutter {
         return size > 0 ? steps * kLift * size_ / size * up : Vec3{};
     }
 
+    /// Adds a triangle of a sensor where it is lifted to.
+    void add_lifted(const Triangle& whole, const Lift& by) {
+        if (by.parts.empty()) {
+            mesh_.push_back(moved(whole, lift(whole, by.steps)));
+            return;
+        }
+        int steps = by.steps;
+        for (const std::vector<Triangle>& part : by.parts) {
+            const Vec3 up = lift(whole, steps++);
+            for (const Triangle& t : part) {
+                mesh_.push_back(moved(t, up));
+            }
+        }
+    }
+
     [[nodiscard]] std::span<const Cover> covers_of(std::uint32_t triangle) const {
         const auto is_before = [](const Cover& c, std::uint32_t t) { return c.second < t; };
         const auto is_after = [](std::uint32_t t, const Cover& c) { return t < c.second; };
@@ -225,7 +249,7 @@ class Cutter {
     double add(std::uint32_t triangle) {
         const Triangle whole = geometry_[triangle];
         if (const auto found = lifts_.find(triangle); found != lifts_.end()) {
-            mesh_.push_back(moved(whole, lift(whole, found->second)));
+            add_lifted(whole, found->second);
             return 0;
         }
         const std::span<const Cover> covers = covers_of(triangle);
@@ -272,22 +296,58 @@ std::vector<Coincidence> count_pairs(
     return counted;
 }
 
+/// Parts of a triangle that is wider than the cell along an axis, each no wider than it.
+std::vector<std::vector<Triangle>> parts_in_cells(
+    const Triangle& whole, const Cell& cell, const Vec3& shift) {
+    std::vector<std::vector<Triangle>> parts{{whole}};
+    if (shift.x != 0) {
+        parts = parts_in_slabs(whole, {1, 0, 0}, cell.size_x);
+    }
+    if (shift.y == 0) {
+        return parts;
+    }
+    std::vector<std::vector<Triangle>> smaller;
+    for (const std::vector<Triangle>& strip : parts) {
+        for (const Triangle& t : strip) {
+            for (auto& part : parts_in_slabs(t, {0, 1, 0}, cell.size_y)) {
+                smaller.push_back(std::move(part));
+            }
+        }
+    }
+    return smaller;
+}
+
 /// How far triangles of sensors are lifted that lie on surfaces, or on sensors that come before:
 /// each one step beyond those.
 /// @param covers  ordered by Cover::second
 template <typename IsSensor>
-Lifts lifts_of_sensors(std::span<const Cover> covers, const IsSensor& is_sensor) {
+Lifts lifts_of_sensors(
+    std::span<const Cover> covers,
+    const SceneGeometry& geometry,
+    const Cell& cell,
+    const IsSensor& is_sensor) {
     Lifts lifts;
+    std::map<std::uint32_t, Vec3> onto_itself;  // how far along each axis, 0: not
     for (const Cover& cover : covers) {
         if (is_sensor(cover.first) != is_sensor(cover.second)) {
-            lifts[is_sensor(cover.first) ? cover.first : cover.second] = 1;
+            lifts[is_sensor(cover.first) ? cover.first : cover.second].steps = 1;
         }
+        if (is_sensor(cover.first) && cover.first == cover.second) {
+            Vec3& shift = onto_itself[cover.first];
+            shift = {
+                std::max(shift.x, std::abs(cover.shift.x)),
+                std::max(shift.y, std::abs(cover.shift.y)), 0};
+        }
+    }
+    for (const auto& [triangle, shift] : onto_itself) {
+        lifts[triangle].parts = parts_in_cells(geometry[triangle], cell, shift);
     }
     for (const Cover& cover : covers) {
         if (is_sensor(cover.first) && is_sensor(cover.second) && cover.first != cover.second) {
             const auto before = lifts.find(cover.first);
-            const int steps = before == lifts.end() ? 1 : before->second + 1;
-            lifts[cover.second] = std::max(lifts[cover.second], steps);
+            const int steps = before == lifts.end() ? 1 : before->second.next();
+            Lift& own = lifts[cover.second];
+            own.steps = std::max(own.steps, steps);
         }
     }
     return lifts;
@@ -317,7 +377,7 @@ CutGeometry cut_covered(
          count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::both)) {
         told.pairs.push_back(pair);
     }
-    const Lifts lifts = lifts_of_sensors({sensors, found.covers.end()}, is_sensor);
+    const Lifts lifts = lifts_of_sensors({sensors, found.covers.end()}, geometry, cell, is_sensor);
     if (!covers.empty() || !lifts.empty()) {
         result.geometry = Cutter(scene, geometry, covers, lifts).run();
     }

@@ -229,7 +229,8 @@ class FromOrgans final : public Solver {
             {point.region, side, std::abs(cosine), LightPart::direct, amount,
              sight.light->start_weights},
             tally);
-        if (sight.light->sun_share > 0) {
+        if (sight.light->sun_share > 0 &&
+            prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
                 to_fixed(kGain * sight.light->sun_share / sight.probability));

@@ -186,7 +186,6 @@ LightKind kind_by_line(
             looks[region].seen += std::abs(along);
             looks[region].area += length(area);
             // What is seen at less is seen edge-on, as along the lines.
-            constexpr double kEdgeOn = 0x1p-24;
             if (std::abs(along) > kEdgeOn * length(area)) {
                 kind.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];
             }

@@ -237,11 +237,16 @@ std::uint64_t LightTracer::shade(
             const double lit = light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
             const double cosine = 1 / static_cast<double>(facing.inverse_cosine[lane]);
             const double share =
-                prepared_.caster().mesh().exact_share(packet.triangle[lane], *beams_[group.source]);
+                prepared_.exact_share(packet.triangle[lane], path.direction, cosine);
+            const bool is_sunlit =
+                light.lit_area > 0 && facing.along[lane] != 0 &&
+                prepared_.is_sunlit(packet.triangle[lane], path.direction, cosine);
+            const double area_share =
+                is_sunlit ? prepared_.sunlit_share(packet.triangle[lane], path.direction) : 0;
             if (prepared_.in_field_of_view(primitive.region, cosine)) {
                 tally.add_two(
                     primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),
-                    layout.sunlit(0), to_fixed(facing.along[lane] == 0 ? 0 : share * lit));
+                    layout.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
                 score_absorbed(
                     prepared_,
                     {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},

@@ -53,6 +53,9 @@ class Directional final : public Source {
         return {-travel_, 1};
     }
     [[nodiscard]] double radiance(const Vec3&) const override { return 0; }
+    [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
+        return std::max(0.0, -dot(travel_, normal));
+    }
 
   private:
     Vec3 travel_;

@@ -9,6 +9,7 @@
 // of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -115,6 +116,11 @@ class Sky final : public Source {
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return to_light.z > 0 ? shape_.radiance(to_light) / integrals().z : 0;
+    }
+    /// By the triangle inequality, of the light that each component of its direction brings.
+    [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
+        const Vec3 facing{std::abs(normal.x), std::abs(normal.y), std::max(0.0, normal.z)};
+        return dot(facing, integrals()) / integrals().z;
     }
 
   private:

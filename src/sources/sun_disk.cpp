@@ -43,6 +43,14 @@ class Cone {
     }
     /// Integral over the cone of max(0, d.n), n a unit vector of which a = axis.n is given.
     [[nodiscard]] double positive_part(double a) const;
+    /// An upper bound of it that needs no quadrature: of a cone that is cut, all of it seen at the
+    /// largest cosine.
+    [[nodiscard]] double most_positive_part(double a) const {
+        if (std::abs(a) >= std::sin(radius_)) {
+            return std::max(0.0, a) * projected();
+        }
+        return solid_angle() * std::max(0.0, std::sin(std::asin(a) + radius_));
+    }
 
   private:
     Vec3 axis_, s_, t_;
@@ -129,6 +137,9 @@ class SunDisk final : public Source {
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return cone_.contains(to_light) ? 1 / cone_.projected() : 0;
+    }
+    [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
+        return cone_.most_positive_part(dot(normal, cone_.axis())) / cone_.projected();
     }
 
   private:

@@ -106,6 +106,9 @@ class UniformSky final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return to_light.z > 0 ? 1 / std::numbers::pi : 0;
     }
+    [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
+        return 0.5 * (1 + normal.z);
+    }
 };
 
 }  // namespace

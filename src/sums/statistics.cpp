@@ -41,6 +41,10 @@ Estimate estimate_seen_or_bound(std::span<const double> values, double per_find)
 Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
     const Estimate e =
         estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));
+    return widened(e, find);
+}
+
+Estimate widened(const Estimate& e, const SingleFind& find) {
     if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
         return e;
     }
@@ -77,6 +81,14 @@ double interval_quantile(unsigned df) {
         return quantiles;
     }();
     return df < table.size() ? table[df] : student_t_quantile(0.975, df);
+}
+
+Estimate not_above(const Estimate& e, double most) {
+    if (most == 0 && e.mean == 0) {
+        return {};
+    }
+    const auto limited = [&](double end) { return end > most ? most : end; };
+    return {e.mean, e.standard_error, limited(e.low), limited(e.high)};
 }
 
 Estimate estimate_mean(std::span<const double> values) {

@@ -20,6 +20,12 @@ namespace quasimc {
 /// throughout stays too: it misses the truth.
 [[nodiscard]] Estimate not_negative(const Estimate& e);
 
+/// The estimate of an amount that can't be above `most`: of its interval what is not, which holds
+/// the truth as often as all of it; of one that lies above throughout the limit itself. The mean
+/// stays what it is, and may lie above by chance, or it would be biased. Where nothing can be, 0 is
+/// certain.
+[[nodiscard]] Estimate not_above(const Estimate& e, double most);
+
 /// An amount of which nothing was seen in `events` independent tries, each of which could have
 /// brought `most`: 0, with the upper 95 % limit 3 most / events (rule of three: Hanley and
 /// Lippman-Hand 1983).
@@ -43,6 +49,10 @@ struct SingleFind {
 /// rule of three, of many Student's t. Where no find was made and `find.more` > 0: that of
 /// estimate_unseen(). Nothing of the interval is below 0. See docs/theory/statistics.md.
 [[nodiscard]] Estimate estimate_finds(std::span<const double> values, const SingleFind& find);
+
+/// An estimate that rests on finds, of which its standard error and interval do not tell yet: both
+/// widened as those of estimate_finds() are.
+[[nodiscard]] Estimate widened(const Estimate& e, const SingleFind& find);
 
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);

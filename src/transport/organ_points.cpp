@@ -48,8 +48,21 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
     const LocalMesh& mesh = prepared_.caster().mesh();
     const std::uint32_t triangle =
         first_image_.empty() ? scene_triangle : image_at(scene_triangle, u, v);
-    const Vec3 up = mesh.exact_across(triangle);
-    return {mesh.point(triangle, u, v), normalized(up), triangle, prepared_.region(triangle)};
+    return {
+        mesh.point(triangle, u, v), normalized(across(scene_triangle, triangle)), triangle,
+        prepared_.region(triangle)};
+}
+
+/// Across a triangle on its upper side: as it is rounded, or as given where that turns it.
+Vec3 OrganPoints::across(std::uint32_t scene_triangle, std::uint32_t mesh_triangle) const {
+    constexpr double kLeast = 1e-5;
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const Vec3 rounded = mesh.exact_across(mesh_triangle);
+    const Vec3 given =
+        mesh.scale * mesh.scale * area_vector(prepared_.scene().triangles()[scene_triangle]);
+    const Vec3 off = given - rounded;
+    const bool is_turned = dot(off, off) > kLeast * kLeast * dot(given, given);
+    return is_turned && dot(given, given) > 0 ? given : rounded;
 }
 
 /// The image of a triangle that has the point (u, v) in the cell.

@@ -31,6 +31,7 @@ class OrganPoints {
   private:
     void list_images();
     [[nodiscard]] OrganPoint on_triangle(std::uint32_t scene_triangle, double u, double v) const;
+    [[nodiscard]] Vec3 across(std::uint32_t scene_triangle, std::uint32_t mesh_triangle) const;
     [[nodiscard]] std::uint32_t image_at(std::uint32_t scene_triangle, double u, double v) const;
     [[nodiscard]] bool in_cell(const Vec3& local) const;
 

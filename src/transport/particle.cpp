@@ -91,7 +91,7 @@ class ParticleTracer {
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
-        const double share = prepared_.caster().mesh().exact_share(surface.triangle, direction_);
+        const double share = prepared_.exact_share(surface.triangle, direction_, surface.cosine);
         if (share != 1) [[unlikely]] {
             let_pass(surface, 1 - share);
         }
@@ -118,10 +118,13 @@ class ParticleTracer {
             {surface.region, surface.side, surface.cosine, LightPart::direct, amount,
              path_.light->start_weights},
             tally_);
-        if (path_.light->lit_area > 0 && surface.cosine > 0) {
+        if (path_.light->lit_area > 0 && surface.cosine > 0 &&
+            prepared_.is_sunlit(surface.triangle, direction_, surface.cosine)) {
             tally_.add(
                 layout.sunlit(surface.region),
-                to_fixed(share * path_.weight * path_.light->lit_area / surface.cosine));
+                to_fixed(
+                    prepared_.sunlit_share(surface.triangle, direction_) * path_.weight *
+                    path_.light->lit_area / surface.cosine));
         }
     }
 

@@ -169,6 +169,20 @@ void PreparedScene::set_spectrum(BoundSource& light) {
     }
 }
 
+double PreparedScene::grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const {
+    constexpr double kLeast = 1e-4;  // by which an amount of light is mended
+    const double scale = caster_->mesh().scale;
+    const Vec3 given = area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
+    const double exact = scale * scale * std::abs(dot(given, direction));
+    const double rounded = std::abs(dot(caster_->mesh().across(mesh_triangle), direction));
+    return rounded > 0 && std::abs(exact - rounded) > kLeast * rounded ? exact / rounded : 1;
+}
+
+bool PreparedScene::lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const {
+    const Vec3 across = area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
+    return std::abs(dot(across, direction)) > kEdgeOn * length(across);
+}
+
 bool PreparedScene::reaches(
     const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
     if (std::isfinite(distance)) {

@@ -39,6 +39,9 @@ struct PrimitiveInfo {
     std::uint32_t material = 0;
 };
 
+/// The cosine up to which light runs along a surface: corners are told apart in single precision.
+inline constexpr double kEdgeOn = 0x1p-24;
+
 /// A scene with its lights, ready to trace: what all solvers and threads share. Const after
 /// construction.
 class PreparedScene {
@@ -99,6 +102,30 @@ class PreparedScene {
         return has_narrow_ ? least_cosine_[region] : 0;
     }
     [[nodiscard]] bool has_narrow() const { return has_narrow_; }
+    /// By how much of its area a triangle that is_sunlit() counts where it is hit: rounding that
+    /// turns it leaves that as it is.
+    [[nodiscard]] double sunlit_share(std::uint32_t mesh_triangle, const Vec3& direction) const {
+        return caster_->mesh().exact_share(mesh_triangle, direction);
+    }
+    /// How much light along `direction` falls on a triangle of the mesh, over what falls on its
+    /// rounded corners: not 1 of thin triangles (LocalMesh::exact_share), nor of those that
+    /// rounding turns where light grazes them. @param cosine  dot(unit normal, direction) as traced
+    [[nodiscard]] double exact_share(
+        std::uint32_t mesh_triangle, const Vec3& direction, double cosine) const {
+        constexpr double kGrazing = 0.1;
+        const double share = caster_->mesh().exact_share(mesh_triangle, direction);
+        return share != 1 || std::abs(cosine) > kGrazing ? share
+                                                         : grazed_share(mesh_triangle, direction);
+    }
+    /// Whether light of a sun along `direction` (of either sign) makes a triangle of the mesh count
+    /// as sunlit: not where it runs along the surface as given, to rounding (kEdgeOn).
+    /// @param cosine  dot(unit normal, direction) as traced
+    [[nodiscard]] bool is_sunlit(
+        std::uint32_t mesh_triangle, const Vec3& direction, double cosine) const {
+        // Rounding of the corners hardly turns a surface by more.
+        constexpr double kSteep = 1e-3;
+        return std::abs(cosine) > kSteep || lights_as_given(mesh_triangle, direction);
+    }
     /// Whether light passes between `place` on triangle `self` of the mesh and what is at
     /// `distance` (local units; infinite: the sky). Sensors let it pass.
     [[nodiscard]] bool reaches(
@@ -118,6 +145,8 @@ class PreparedScene {
     [[nodiscard]] bool has_transparent() const { return has_transparent_; }
 
   private:
+    [[nodiscard]] double grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const;
+    [[nodiscard]] bool lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const;
     [[nodiscard]] bool is_open(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     void set_regions();

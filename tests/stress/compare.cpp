@@ -63,7 +63,7 @@ std::vector<Disagreement> disagreements(
                 if (!x.is_known || !y.is_known) {
                     continue;
                 }
-                const double slack = slack_of(it, n, std::max(std::abs(x.mean), std::abs(y.mean)));
+                const double slack = slack_between(it, n, a, b);
                 const double chance = chance_of(x, a.freedom, y, b.freedom, slack);
                 if (chance < level) {
                     found.push_back(
@@ -82,6 +82,31 @@ std::vector<Disagreement> disagreements(
 
 double slack_of(const Case& it, std::size_t number, double mean) {
     return it.slips[number] + it.roundings[number] * std::abs(mean);
+}
+
+double slack_between(const Case& it, std::size_t number, const Answer& a, const Answer& b) {
+    const auto larger = [&](std::size_t n) {
+        return std::max(std::abs(a.numbers[n].mean), std::abs(b.numbers[n].mean));
+    };
+    const Scene& scene = it.run.scene;
+    const std::size_t bands = scene.bands().size();
+    const std::size_t each = kComparedQuantities.size() * bands + 1;
+    const std::size_t first_total = scene.organs().size() * each;
+    const double own = slack_of(it, number, larger(number));
+    if (number < first_total) {
+        return own;
+    }
+    // Totals stand band by band, organs and ground; of an organ what it absorbs comes first.
+    const std::size_t band = (number - first_total) / 2;
+    const bool is_of_ground = (number - first_total) % 2 == 1;
+    double parts = 0;
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        const std::size_t n = i * each + band;
+        const bool is_part = scene.organs()[i].is_ground == is_of_ground;
+        const bool is_known = a.numbers[n].is_known && b.numbers[n].is_known;
+        parts += is_part && is_known ? slack_of(it, n, larger(n)) : 0;
+    }
+    return std::max(own, parts);
 }
 
 std::size_t count_comparisons(const std::vector<Answer>& answers) {

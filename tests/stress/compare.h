@@ -26,6 +26,11 @@ struct Disagreement {
 /// By how much two numbers of a case may differ without a fault: what slips through, and rounding.
 [[nodiscard]] double slack_of(const Case& it, std::size_t number, double mean);
 
+/// The same of two answers. What organs, or the ground, absorb in all may differ by what each of
+/// them may: rounding has one sign for all rays that meet a triangle.
+[[nodiscard]] double slack_between(
+    const Case& it, std::size_t number, const Answer& a, const Answer& b);
+
 /// All pairs of ways, number by number, whose chance is below `level`.
 [[nodiscard]] std::vector<Disagreement> disagreements(
     const Case& it, const std::vector<Answer>& answers, double level);

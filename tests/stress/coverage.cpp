@@ -48,9 +48,16 @@ Coverage coverage_of_way(const Case& it, const std::vector<Answers>& all, std::s
             continue;
         }
         ++coverage.numbers;
+        double of_number = 0;
         for (std::size_t s = 0; s < held.size(); ++s) {
             const Number& n = all[own][s].numbers[i];
-            held[s] += n.low <= *truth && *truth <= n.high ? 1 : 0;
+            const double holds = n.low <= *truth && *truth <= n.high ? 1 : 0;
+            held[s] += holds;
+            of_number += holds / static_cast<double>(held.size());
+        }
+        if (of_number < coverage.worst_held) {
+            coverage.worst_held = of_number;
+            coverage.worst = i;
         }
     }
     if (coverage.numbers == 0) {

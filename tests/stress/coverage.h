@@ -14,6 +14,8 @@ struct Coverage {
     double held = 1;   ///< share of the numbers, mean over the seeds
     double error = 0;  ///< its standard error, from the seeds
     std::size_t numbers = 0;
+    std::size_t worst = 0;  ///< of these the number that is held least often
+    double worst_held = 1;  ///< how often
 
     /// Below nine in ten for certain: more than five standard errors.
     [[nodiscard]] bool is_finding() const { return numbers > 0 && held + 5 * error < .9; }

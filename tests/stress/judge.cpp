@@ -192,7 +192,8 @@ std::vector<Finding> compare_closely(
         }
         for (const auto& [way, other] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}}) {
             const Number& truth = means[other].numbers[d.number];
-            const double slack = quantile * truth.error + slack_of(it, d.number, truth.mean);
+            const double slack =
+                quantile * truth.error + slack_between(it, d.number, means[way], means[other]);
             const unsigned misses =
                 std::isnan(truth.error) ? 0 : count_misses(all[way], d.number, truth.mean, slack);
             if (chance_of_misses(misses, rules.last_seeds, rules.misses) < level) {

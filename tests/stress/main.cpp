@@ -1,13 +1,15 @@
 // Searches for scenes of which a number is wrong: docs/develop/testing.md.
 //     quasimc_stress --seed 1 --scenes 1000 --seconds 600 --out FOLDER [--coverage-every 500]
 //     quasimc_stress --judge FILE.toml       judges one run file
-//     quasimc_stress --print NUMBER          prints the run file of a scene
+//     quasimc_stress --coverage FILE.toml    tells how often its intervals hold the truth, 200
+//     seeds quasimc_stress --print NUMBER          prints the run file of a scene
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,12 +29,27 @@ int judge_file(const std::string& path) {
     return verdict.findings.empty() ? 0 : 1;
 }
 
+int count_coverage(const std::string& path) {
+    const Campaign usual;
+    const Case it = make_case(read_toml(read_file(path), path));
+    const std::vector<std::string> names = number_names(it.run.scene);
+    for (const Coverage& c : coverage_of(it, usual.coverage, usual.coverage_seeds, 1)) {
+        fmt::print(
+            "{}: of {} numbers' intervals {:.4f} +- {:.4f} hold the truth, the fewest {:.3f} of "
+            "{}\n",
+            name_of(c.way), c.numbers, c.held, c.error, c.worst_held,
+            c.numbers > 0 ? names[c.worst] : "none");
+    }
+    return 0;
+}
+
 int usage() {
     fmt::print(
         stderr,
         "usage: quasimc_stress [--seed N] [--scenes K] [--seconds S] [--coverage-every E]\n"
         "                      [--coverage-seeds C] --out FOLDER\n"
         "       quasimc_stress --judge FILE\n"
+        "       quasimc_stress --coverage FILE\n"
         "       quasimc_stress --print NUMBER\n");
     return 2;
 }
@@ -44,6 +61,9 @@ int stress(int argc, char** argv) {
         const std::string value = argv[i + 1];
         if (flag == "--judge") {
             return judge_file(value);
+        }
+        if (flag == "--coverage") {
+            return count_coverage(value);
         }
         if (flag == "--print") {
             fmt::print("{}", to_toml(random_run(std::stoull(value))));

@@ -67,6 +67,24 @@ TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
     }
 }
 
+/// Sensors that lie on their own images, through the borders of the cell along x, y and both.
+TEST_P(Sensors, CountAllLightThoughTheyAreWiderThanTheirCell) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(sensor("sensor"));
+    builder.add_material(matt("black", 0, 0));
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("x", "sensor", floor_of(.1, 2.6, .2, .7, .3)));
+    builder.add_organ(organ("y", "sensor", floor_of(.1, .6, .2, 3.4, .6)));
+    builder.add_organ(organ("both", "sensor", floor_of(-.5, 1.8, .2, 1.9, .9)));
+    const Result result =
+        run(std::move(builder).build(), {sun(30, {1}), sky({1})}, spec_of(GetParam(), 1U << 12U));
+    const double all = 1 + std::sqrt(.75);
+    for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+        expect_holds(result.at(i, Quantity::incident_upper, 0), all);
+    }
+}
+
 TEST_P(Sensors, SeeThePartOfTheGroundInTheirFieldOfView) {
     for (const double angle : {20.0, 60.0}) {
         const Result result = run_from(GetParam(), above_ground(angle), {sun(0, {1})});

@@ -111,7 +111,7 @@ TEST_F(SimulatorTest, GivesSumsThatSayTheSameOnceSavedAndLoaded) {
     RunSpec spec = short_run();
     const Result direct = quasimc::run(scene, sources_, spec);
     const Sums sums = load_sums(save_sums(simulator_.sums(scene, sources_, spec)));
-    const Result result = evaluate_run(sums, scene, spec);
+    const Result result = evaluate_run(sums, scene, spec, sources_);
     EXPECT_TRUE(same_bits(result, direct));
     EXPECT_EQ(result.paths, direct.paths);
     EXPECT_EQ(result.rays, direct.rays);

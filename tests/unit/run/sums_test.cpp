@@ -47,7 +47,7 @@ TEST_P(RunSums, SayWhatTheRunSays) {
     const RunSpec spec = small_spec(GetParam());
     const Scene scene = few_leaves();
     expect_equal(
-        evaluate(Simulator().sums(scene, two_lights(), spec), scene, {}),
+        evaluate(Simulator().sums(scene, two_lights(), spec), scene, {.sources = two_lights()}),
         run(scene, two_lights(), spec));
 }
 
@@ -59,7 +59,7 @@ TEST_P(RunSums, OfRoundsAddUpToThoseOfTheWholeRun) {
     Sums sums = load_sums(save_sums(simulator.sums(scene, two_lights(), spec)));
     sums += second;
     spec.max_paths = 2 * spec.paths;  // run() does these two rounds
-    expect_equal(evaluate(sums, scene, {}), run(scene, two_lights(), spec));
+    expect_equal(evaluate(sums, scene, {.sources = two_lights()}), run(scene, two_lights(), spec));
 }
 
 TEST_P(RunSums, OfAnotherRunAreRefused) {

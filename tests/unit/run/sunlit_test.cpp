@@ -97,7 +97,7 @@ TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
             sources.push_back(sky({sky_irradiance}));
         }
         const Result result =
-            run(std::move(builder).build(), sources, spec_of(Method::light_tracing, 256));
+            run(std::move(builder).build(), sources, spec_of(Method::light_tracing, 8192));
         EXPECT_EQ(result.sunlit_fraction[1].mean, 0);
         return result.sunlit_fraction[1].high;
     };

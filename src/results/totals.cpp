@@ -1,0 +1,83 @@
+#include "results/totals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quasimc {
+namespace {
+
+/// The upper bound of what organs, or the ground, absorb together, where nothing was found: that of
+/// the one with the largest, for a sample finds one of them at most.
+void bound_unseen_totals(const Scene& scene, Result& result) {
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        double organs = 0, ground = 0;
+        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+            double& most = scene.organs()[i].is_ground ? ground : organs;
+            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).high);
+        }
+        const auto bound = [](Estimate& total, double high) {
+            if (total.mean == 0 && high > 0) {
+                total = {0, std::numeric_limits<double>::quiet_NaN(), 0, high};
+            }
+        };
+        bound(result.budget[b].absorbed_by_organs, organs);
+        bound(result.budget[b].absorbed_by_ground, ground);
+    }
+}
+
+/// What one find more or less changes in what organs absorb together, and the ground.
+struct TotalFind {
+    SingleFind organs, ground;
+};
+
+/// Of points of organs, each of which looks for light of its own organ: the most that one brings.
+/// Of light from its sources, of which each organ may lack a find: of all of them.
+TotalFind total_find(
+    const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, std::size_t band) {
+    const bool by_points = sums.layout.unoccluded_light == UnoccludedLight::summed;
+    const auto together = [&](double a, double b) {
+        return by_points ? std::max(a, b) : std::hypot(a, b);
+    };
+    TotalFind total;
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        const SingleFind& own = finds[i * sums.layout.bands + band];
+        SingleFind& sum = scene.organs()[i].is_ground ? total.ground : total.organs;
+        if (own.more > 0 || own.less > 0) {
+            sum = {together(sum.more, own.more), together(sum.less, own.less)};
+        }
+    }
+    return total;
+}
+
+/// Widens a total of which something was found. @param per_flux  its unit
+void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
+    if (total.mean > 0) {
+        total = widened(total, {find.more * per_flux, find.less * per_flux});
+    }
+}
+
+}  // namespace
+
+void tell_errors_of_totals(
+    const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, Result& result) {
+    bound_unseen_totals(scene, result);
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        const TotalFind find = total_find(sums, scene, finds, b);
+        BandBudget& budget = result.budget[b];
+        widen(budget.absorbed_by_organs, find.organs);
+        widen(budget.absorbed_by_ground, find.ground);
+        if (!result.canopy.empty() && result.canopy[b].incident > 0) {
+            CanopyFractions& canopy = result.canopy[b];
+            widen(canopy.absorptance, find.organs, 1 / canopy.incident);
+            widen(canopy.ground_absorptance, find.ground, 1 / canopy.incident);
+        }
+        // Where all light that is emitted goes, no part gets more.
+        for (Estimate* part :
+             {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped}) {
+            *part = sums.emitted_flux.empty() ? *part : not_above(*part, sums.emitted_flux[b]);
+        }
+    }
+}
+
+}  // namespace quasimc

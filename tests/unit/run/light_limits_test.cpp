@@ -1,0 +1,114 @@
+// No interval reaches beyond what is physically possible.
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "geometry/shapes/shapes.h"
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+/// A leaf of .1 x .1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
+Scene make_shaded_slope(double slope, const std::string& material = "leaf") {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .1));
+    builder.add_material(sensor("sensor"));
+    std::vector<Triangle> leaf = floor_of(0, .1, 0, .1, 1);
+    for (Triangle& triangle : leaf) {
+        for (Vec3& corner : triangle) {
+            corner.z += slope * corner.x;
+        }
+    }
+    builder.add_organ(organ("leaf", material, leaf));
+    builder.add_organ(organ("roof", "leaf", floor_of(-2, 2, -2, 2, 4)));
+    builder.add_organ(organ("floor", "leaf", floor_of(-2, 2, -2, 2, 0)));
+    return std::move(builder).build();
+}
+
+class LightLimits : public BothWays {
+  protected:
+    [[nodiscard]] Result few(const Scene& scene, const Sources& sources) const {
+        RunSpec spec = spec_of(GetParam(), 16);
+        spec.replicates = 4;
+        return run(scene, sources, spec);
+    }
+    static double direct_high(const Result& result) {
+        return result.at(0, Quantity::incident_direct, 0).high;
+    }
+};
+
+TEST_P(LightLimits, DirectLightOfASunIsAtMostWhatFallsOnTheSlope) {
+    for (const double slope : {0.0, .5, 1000.0, 1e6}) {
+        const Scene scene = make_shaded_slope(slope);
+        const double cosine = 1 / std::hypot(slope, 1);
+        const Result result = few(scene, {sun(0, {3})});
+        EXPECT_LE(direct_high(result), 3 * cosine * (1 + 1e-12)) << slope;
+        EXPECT_GE(direct_high(result), 0) << slope;
+    }
+}
+
+TEST_P(LightLimits, DirectLightOfASkyIsAtMostThatOfTheOpenField) {
+    const Scene scene = make_shaded_slope(0);
+    EXPECT_LE(direct_high(few(scene, {sky({2})})), 2 * (1 + 1e-12));
+    EXPECT_LE(direct_high(few(scene, {sky({2}), sun(0, {3})})), 5 * (1 + 1e-12));
+}
+
+TEST_P(LightLimits, AnOrganIsSunlitToAtMostAllOfIt) {
+    for (const double slope : {0.0, .5, 1000.0, 1e6}) {
+        const Result result = few(make_shaded_slope(slope), {sun(0, {3})});
+        for (std::size_t i = 0; i < result.organs(); ++i) {
+            EXPECT_LE(result.sunlit_fraction[i].high, 1) << slope << " organ " << i;
+        }
+        for (const Estimate& group : result.groups.sunlit_fraction) {
+            EXPECT_LE(group.high, 1 + 1e-12) << slope;
+        }
+    }
+}
+
+TEST_P(LightLimits, NoPartOfTheLightIsMoreThanAll) {
+    const Result result = few(make_shaded_slope(.5), {sun(30, {3}), sky({1})});
+    const double emitted = result.budget[0].emitted.mean * (1 + 1e-3);
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        EXPECT_LE(result.at(i, Quantity::absorbed_flux, 0).high, emitted);
+    }
+    EXPECT_LE(result.budget[0].absorbed_by_organs.high, emitted);
+    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).high, emitted);
+}
+
+/// The truth is inside: of a leaf in the open that all methods see as lit.
+TEST_P(LightLimits, WhatIsReachedIsNotCutOff) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .1));
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
+    const Scene scene = std::move(builder).build();
+    const Result result = few(scene, {sun(40, {3}), sky({2})});
+    const double truth = 2 + 3 * std::cos(40 * std::numbers::pi / 180);
+    EXPECT_NEAR(direct_high(result), truth, 1e-5 * truth);
+    EXPECT_LE(result.at(0, Quantity::incident_direct, 0).low, truth * (1 + 1e-5));
+    EXPECT_EQ(result.sunlit_fraction[0].high, 1);
+}
+
+/// A sun exactly along a surface lights neither of its sides, whatever cosines of 1e-17 rounding
+/// leaves.
+TEST_P(LightLimits, ASunAlongASurfaceLightsNoneOfIt) {
+    for (const double turned : {0.0, .3, 1.0, 2.5}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .3, .1));
+        const Vec3 along{std::cos(turned), std::sin(turned), 0};
+        builder.add_organ(
+            organ("wall", "leaf", make_triangle({0, 0, 0}, along, along + Vec3{0, 0, 1})));
+        builder.add_organ(organ("floor", "leaf", floor_of(-2, 2, -2, 2, -1)));
+        const Result result = trace(std::move(builder).build(), {sun(0, {1})}, 1 << 12);
+        EXPECT_EQ(result.sunlit_fraction[0].mean, 0) << turned;
+        EXPECT_EQ(result.sunlit_fraction[0].high, 0) << turned;
+        EXPECT_NEAR(result.sunlit_fraction[1].mean, 1, 1e-4) << turned;
+    }
+}
+
+QUASIMC_BOTH_WAYS(LightLimits);
+
+}  // namespace
+}  // namespace quasimc::test
