@@ -51,8 +51,13 @@ std::vector<double> csv_column(const std::string& table, const std::string& name
 }
 
 TEST(SharedLibrary, GivesTheNumbersOfTheProgram) {
-    const std::string example = std::string(QUASIMC_SOURCE_DIR) + "/examples/01-leaves/leaves.toml";
     const TemporaryFolder folder;
+    for (const char* file : {"leaves.toml", "leaves.tri"}) {
+        std::filesystem::copy(
+            std::filesystem::path(QUASIMC_SOURCE_DIR) / "examples" / "01-leaves" / file,
+            folder.path() / file);
+    }
+    const std::string example = (folder.path() / "leaves.toml").string();
     const Outcome said = run_program(folder.path(), {"run", "-q", "--csv", "-", example});
     ASSERT_EQ(said.status, 0) << said.err;
 

@@ -1,4 +1,4 @@
-# Installs BUILD under a temporary prefix, builds the STRANGER's project against it, and the program
+# Installs BUILD under a temporary prefix, builds the STRANGER's projects in C++ and C against it, and the program
 # that the PAGE of documentation shows, and runs both.
 
 set(work "${BUILD}/tests/install/work")
@@ -54,6 +54,15 @@ run("${CMAKE_COMMAND}" --build "${work}/build")
 run("${work}/build/stranger")
 if(NOT output STREQUAL "${VERSION}\n")
     message(FATAL_ERROR "the stranger's program printed '${output}', not ${VERSION}")
+endif()
+
+# The shared library, for C alone.
+run("${CMAKE_COMMAND}" -S "${STRANGER}_c" -B "${work}/build_c" -G "${GENERATOR}"
+    "-DCMAKE_PREFIX_PATH=${work}/moved" -DCMAKE_BUILD_TYPE=Release)
+run("${CMAKE_COMMAND}" --build "${work}/build_c")
+run("${work}/build_c/stranger")
+if(NOT output STREQUAL "${VERSION}\n")
+    message(FATAL_ERROR "the stranger's program in C printed '${output}', not ${VERSION}")
 endif()
 
 run("${CMAKE_COMMAND}" -S "${work}/page" -B "${work}/page/build" -G "${GENERATOR}"
