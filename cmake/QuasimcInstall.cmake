@@ -1,4 +1,8 @@
-# The installed package: find_package(quasimc REQUIRED), then link quasimc::quasimc.
+# The installed package: find_package(quasimc REQUIRED), then link quasimc::quasimc (C++, static); or
+# find_package(quasimc REQUIRED COMPONENTS c), then link quasimc::c (C, shared).
+#
+# Each file belongs to a component, which is a Debian package too (QuasimcDebian.cmake): program,
+# library, dev, python.
 
 include(CMakePackageConfigHelpers)
 
@@ -6,22 +10,46 @@ set(quasimc_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/quasimc")
 get_property(quasimc_libraries GLOBAL PROPERTY QUASIMC_LIBRARIES)
 
 install(TARGETS quasimc ${quasimc_libraries} EXPORT quasimcTargets
-        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-install(
-    EXPORT quasimcTargets
-    NAMESPACE quasimc::
-    DESTINATION "${quasimc_package_dir}")
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
+install(TARGETS quasimc_shared EXPORT quasimcSharedTargets
+        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT dev)
+foreach(targets IN ITEMS quasimcTargets quasimcSharedTargets)
+    install(
+        EXPORT ${targets}
+        NAMESPACE quasimc::
+        DESTINATION "${quasimc_package_dir}"
+        COMPONENT dev)
+endforeach()
 # The public headers, and no others: users link the modules and never see inside them.
 install(
     DIRECTORY "${PROJECT_SOURCE_DIR}/include/quasimc" "${PROJECT_BINARY_DIR}/generated/quasimc"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+    COMPONENT dev
     FILES_MATCHING
     PATTERN "*.h")
 if(TARGET quasimc_app)
-    install(TARGETS quasimc_app quasimc_environment RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+    install(TARGETS quasimc_app quasimc_environment
+            RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
     # A link, copied as one: QuasiMC by the name of the older program.
     install(FILES "$<TARGET_FILE_DIR:quasimc_environment>/MonteCarlo"
-            DESTINATION "${CMAKE_INSTALL_BINDIR}")
+            DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
+endif()
+
+# The Python package, where Debian's Python looks for it under /usr.
+set(QUASIMC_PYTHON_DESTINATION "lib/python3/dist-packages"
+    CACHE STRING "Folder of the Python package, below the prefix")
+if(TARGET quasimc_python)
+    install(TARGETS quasimc_python
+            LIBRARY DESTINATION "${QUASIMC_PYTHON_DESTINATION}/quasimc" COMPONENT python)
+    install(
+        DIRECTORY "${PROJECT_SOURCE_DIR}/python/quasimc"
+        DESTINATION "${QUASIMC_PYTHON_DESTINATION}"
+        COMPONENT python
+        FILES_MATCHING
+        PATTERN "*.py"
+        PATTERN "*.pyi"
+        PATTERN "py.typed"
+        PATTERN "__pycache__" EXCLUDE)
 endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/quasimcConfig.cmake.in"
@@ -34,4 +62,5 @@ install(
           "${PROJECT_BINARY_DIR}/quasimcConfigVersion.cmake"
           "${PROJECT_SOURCE_DIR}/cmake/FindQuasimcEmbree.cmake"
           "${PROJECT_SOURCE_DIR}/cmake/FindQuasimcTomlplusplus.cmake"
-    DESTINATION "${quasimc_package_dir}")
+    DESTINATION "${quasimc_package_dir}"
+    COMPONENT dev)

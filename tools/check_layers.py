@@ -48,6 +48,7 @@ PUBLIC_HEADERS = {
     "series.h": "run",
     "growth_session.h": "run",
     "file.h": "io",
+    "capi.h": "capi",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"
 

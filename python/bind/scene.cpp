@@ -14,7 +14,7 @@
 #include "document.h"
 #include "io/input_files.h"
 #include "io/runfile/run_file.h"
-#include "mesh_arrays.h"
+#include "scene/mesh_arrays.h"
 
 namespace quasimc::python {
 namespace {

@@ -7,8 +7,8 @@
 #include <pybind11/pybind11.h>
 
 #include "io/runfile/document.h"
-#include "mesh_arrays.h"
 #include "quasimc/scene.h"
+#include "scene/mesh_arrays.h"
 
 namespace quasimc::python {
 

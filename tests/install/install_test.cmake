@@ -1,4 +1,4 @@
-# Installs BUILD under a temporary prefix, builds the STRANGER's project against it, and the program
+# Installs BUILD under a temporary prefix, builds the STRANGER's projects in C++ and C against it, and the program
 # that the PAGE of documentation shows, and runs both.
 
 set(work "${BUILD}/tests/install/work")
@@ -21,7 +21,7 @@ file(MAKE_DIRECTORY "${work}")
 file(RENAME "${work}/prefix" "${work}/moved")
 
 # What users see of the library. Whoever adds to it, adds it here.
-set(public detector.h error.h file.h groups.h growth_session.h material.h mesh.h quasimc.h result.h run.h run_spec.h scene.h series.h
+set(public capi.h detector.h error.h file.h groups.h growth_session.h material.h mesh.h quasimc.h result.h run.h run_spec.h scene.h series.h
            share.h source.h sums.h sun.h vec3.h version.h)
 list(TRANSFORM public PREPEND quasimc/)
 file(GLOB_RECURSE installed RELATIVE "${work}/moved/include" "${work}/moved/include/*")
@@ -54,6 +54,15 @@ run("${CMAKE_COMMAND}" --build "${work}/build")
 run("${work}/build/stranger")
 if(NOT output STREQUAL "${VERSION}\n")
     message(FATAL_ERROR "the stranger's program printed '${output}', not ${VERSION}")
+endif()
+
+# The shared library, for C alone.
+run("${CMAKE_COMMAND}" -S "${STRANGER}_c" -B "${work}/build_c" -G "${GENERATOR}"
+    "-DCMAKE_PREFIX_PATH=${work}/moved" -DCMAKE_BUILD_TYPE=Release)
+run("${CMAKE_COMMAND}" --build "${work}/build_c")
+run("${work}/build_c/stranger")
+if(NOT output STREQUAL "${VERSION}\n")
+    message(FATAL_ERROR "the stranger's program in C printed '${output}', not ${VERSION}")
 endif()
 
 run("${CMAKE_COMMAND}" -S "${work}/page" -B "${work}/page/build" -G "${GENERATOR}"

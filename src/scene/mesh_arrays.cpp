@@ -1,4 +1,4 @@
-#include "mesh_arrays.h"
+#include "scene/mesh_arrays.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include "quasimc/error.h"
 
-namespace quasimc::python {
+namespace quasimc {
 namespace {
 
 /// Makes the organs of arrays one after the other.
@@ -162,4 +162,4 @@ void add_organs(const MeshArrays& arrays, SceneBuilder& builder) {
     }
 }
 
-}  // namespace quasimc::python
+}  // namespace quasimc

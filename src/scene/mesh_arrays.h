@@ -9,7 +9,7 @@
 
 #include "quasimc/scene.h"
 
-namespace quasimc::python {
+namespace quasimc {
 
 /// Organs as arrays, which must outlive it.
 struct MeshArrays {
@@ -36,4 +36,4 @@ struct MeshArrays {
 /// Adds the organs. @throws InputError  if a face names a vertex that is not there
 void add_organs(const MeshArrays& arrays, SceneBuilder& builder);
 
-}  // namespace quasimc::python
+}  // namespace quasimc

@@ -1,0 +1,260 @@
+#pragma once
+
+/* QuasiMC in plain C, for programs in C and in all languages that call C: docs/guide/c.md shows
+ * how.
+ *
+ * Everything is made of numbers, texts, arrays and three kinds of handles. Nothing is thrown across
+ * this interface. Functions that can fail return a quasimc_status, and quasimc_last_error() then
+ * tells what was wrong. Texts are UTF-8 and end in a zero byte; those returned live as long as the
+ * handle that they were asked of, and are never NULL unless it is said. A handle is for one thread
+ * at a time; different handles may be used at the same time. Freeing NULL does nothing. */
+
+/* Not the C++ headers of these names: a C compiler has none of those. */
+#include <stdint.h> /* NOLINT(modernize-deprecated-headers) */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Changes when a program that was compiled for another number no longer works. */
+#define QUASIMC_ABI_VERSION 1
+
+/** What is to be computed: organs, materials, light, how to run. */
+typedef struct quasimc_scene quasimc_scene;
+/** A canopy whose organs change from step to step. */
+typedef struct quasimc_growth quasimc_growth;
+/** The light on every organ. */
+typedef struct quasimc_result quasimc_result;
+
+/** What a function returns. The same numbers are exit statuses of the program. */
+enum quasimc_status {
+    QUASIMC_DONE = 0,
+    QUASIMC_INPUT_ERROR = 1, /**< something stated is wrong; all faults are told, one per line */
+    QUASIMC_MISUSE = 2,      /**< a NULL, an index or a name that is not there, a handle in use */
+    QUASIMC_INTERNAL_ERROR = 3, /**< our fault, or memory ran out */
+    QUASIMC_STOPPED = 4         /**< a run ended before there was a result */
+};
+
+/** Hears now and then how far a run is, in the thread that called it.
+ *  @param fraction  of the run that is done, 0 to 1
+ *  @param seconds  so far
+ *  @param expected_seconds  in all; grows when a target needs more paths
+ *  @param user  what was given with the function
+ *  @returns 0 to go on; anything else ends the run, whose result is then that of what was done
+ */
+typedef int (*quasimc_progress)(
+    double fraction, double seconds, double expected_seconds, void* user);
+
+/* ---- The library ---- */
+
+/** QUASIMC_ABI_VERSION of the library. */
+int quasimc_abi_version(void);
+/** "major.minor.patch". */
+const char* quasimc_version(void);
+/** What was wrong with the last call in this thread that failed; "" if none did. Until the next. */
+const char* quasimc_last_error(void);
+
+/* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ---- */
+
+/** An empty scene. Paths of files are relative to the current folder. */
+int quasimc_scene_new(quasimc_scene** scene);
+/** What a run file says; what it says under [output] is passed over. */
+int quasimc_scene_load(const char* run_file, quasimc_scene** scene);
+void quasimc_scene_free(quasimc_scene* scene);
+
+/** States anything as a piece of a run file (TOML). Tables are joined with what was stated, lists
+ *  of tables ([[material]], [[source]], [[organ]], ...) are appended, single values replaced. */
+int quasimc_scene_state(quasimc_scene* scene, const char* toml);
+
+/** Adds a waveband. @param unit  of irradiance; NULL or "": W m-2 */
+int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit);
+/** Adds a material, both sides alike.
+ *  @param reflectance, transmittance  `bands` numbers each, 0 to 1; NULL: 0 */
+int quasimc_scene_add_material(
+    quasimc_scene* scene,
+    const char* name,
+    const double* reflectance,
+    const double* transmittance,
+    int64_t bands);
+/** Adds organs made of triangles, in the order of their ids; they come behind those that were
+ *  stated or loaded. The arrays are copied.
+ *  @param vertices  x, y, z of each: 3 * vertex_count numbers
+ *  @param faces  three numbers of vertices each, from 0: 3 * face_count; NULL: every three vertices
+ *         are a face, and face_count is a third of vertex_count
+ *  @param organ_of_face  ids, face_count numbers; NULL: one organ, with the next id that is free
+ *  @param materials  a name, or several with a line break between them
+ *  @param material_of_face  which of these, from 0: face_count numbers; NULL: the first, of all */
+int quasimc_scene_add_mesh(
+    quasimc_scene* scene,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face);
+/** Names an organ that quasimc_scene_add_mesh was given with this id. */
+int quasimc_scene_set_name(quasimc_scene* scene, int64_t organ, const char* name);
+/** Labels it: "plant" = "3". */
+int quasimc_scene_set_label(
+    quasimc_scene* scene, int64_t organ, const char* key, const char* value);
+/** Sets a horizontal ground: under the canopy, or of the whole cell. */
+int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double height);
+/** Repeats the scene without end along x and y. */
+int quasimc_scene_set_cell(
+    quasimc_scene* scene, double x_low, double x_high, double y_low, double y_high);
+/** Where the scene lies, for suns by time: degrees, north and east positive; m. */
+int quasimc_scene_set_place(
+    quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m);
+
+/* Sources. Irradiance and power: one number for each of `bands` bands, in their units. */
+
+/** Parallel light that travels along (x, y, z). @param irradiance_facing  on a plane across it */
+int quasimc_scene_add_directional(
+    quasimc_scene* scene,
+    double x,
+    double y,
+    double z,
+    const double* irradiance_facing,
+    int64_t bands);
+/** The sun. @param azimuth_deg  clockwise from north */
+int quasimc_scene_add_sun(
+    quasimc_scene* scene,
+    double azimuth_deg,
+    double elevation_deg,
+    const double* irradiance_facing,
+    int64_t bands);
+/** The sun of a moment, "2024-06-21T12:00:00+02:00"; the scene needs a place. */
+int quasimc_scene_add_sun_at(
+    quasimc_scene* scene, const char* time, const double* irradiance_facing, int64_t bands);
+/** A sky that asks for nothing more, or for the first sun: "uniform", "cie_overcast", ... */
+int quasimc_scene_add_sky(
+    quasimc_scene* scene, const char* model, const double* irradiance_horizontal, int64_t bands);
+/** A lamp that shines alike in all directions. @param power  W (umol s-1) as bands are in W m-2 */
+int quasimc_scene_add_point_lamp(
+    quasimc_scene* scene, double x, double y, double z, const double* power, int64_t bands);
+/** Takes all sources away. */
+int quasimc_scene_clear_sources(quasimc_scene* scene);
+
+/** Sets an option of the run, docs/guide/options.md: "paths" "4096", "method" "auto". */
+int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
+
+/** Computes the light on every organ. What did not change since the last run is not built again.
+ *  The bits of the result are those of the program.
+ *  @param progress  may be NULL; it must not use the scene
+ *  @param result  to be freed by the caller; of one moment: [time] and [sweep] are refused */
+int quasimc_scene_run(
+    quasimc_scene* scene, quasimc_progress progress, void* user, quasimc_result** result);
+
+/* ---- Growth ---- */
+
+/** A canopy that begins with what the scene says. Sources and options of a step are those that the
+ *  scene has then. The scene must not be freed before it. */
+int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth);
+void quasimc_growth_free(quasimc_growth* growth);
+/** Adds organs behind the others; as quasimc_scene_add_mesh, but that ids must be stated. */
+int quasimc_growth_add_mesh(
+    quasimc_growth* growth,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face);
+/** Puts organs in the place of those of the same ids. */
+int quasimc_growth_change_mesh(
+    quasimc_growth* growth,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face);
+int quasimc_growth_remove(quasimc_growth* growth, int64_t organ);
+/** Takes over what changed in the scene beside sources and options: materials, ground, ... */
+int quasimc_growth_update_scene(quasimc_growth* growth);
+/** The light of this step: the bits of a single run of the same organs in the same order. */
+int quasimc_growth_run(
+    quasimc_growth* growth, quasimc_progress progress, void* user, quasimc_result** result);
+
+/* ---- Results. They live by themselves, whatever becomes of scene and growth. ---- */
+
+void quasimc_result_free(quasimc_result* result);
+
+/** Organs in the order of the scene, the ground, if any, last; counted from 0. */
+int64_t quasimc_result_organ_count(const quasimc_result* result);
+/** -1 and an error if there is no such organ. */
+int64_t quasimc_result_organ_id(const quasimc_result* result, int64_t organ);
+/** Where the organ of an id stands; -1 if there is none. */
+int64_t quasimc_result_find_organ(const quasimc_result* result, int64_t id);
+/** NULL and an error if there is no such organ. */
+const char* quasimc_result_organ_name(const quasimc_result* result, int64_t organ);
+/** NULL if it has no such label. */
+const char* quasimc_result_organ_label(
+    const quasimc_result* result, int64_t organ, const char* key);
+/** One-sided; square units of length. -1 and an error if there is no such organ. */
+double quasimc_result_organ_area(const quasimc_result* result, int64_t organ);
+
+int64_t quasimc_result_band_count(const quasimc_result* result);
+/** NULL and an error if there is no such band. */
+const char* quasimc_result_band_name(const quasimc_result* result, int64_t band);
+const char* quasimc_result_band_unit(const quasimc_result* result, int64_t band);
+
+/** The quantities of organs and bands: "absorbed_flux", ... */
+int64_t quasimc_quantity_count(void);
+/** NULL and an error if there is no such quantity. */
+const char* quasimc_quantity_name(int64_t quantity);
+
+/** A number of every organ.
+ *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a ratio that was asked
+ *         for, "R:FR"
+ *  @param band  its name; NULL for the latter two
+ *  @param statistic  "mean", "standard_error", or "low" and "high", the ends of the 95 % interval
+ *  @param values  room for `count` numbers
+ *  @param count  quasimc_result_organ_count() */
+int quasimc_result_get(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count);
+/** A sum (or mean per area) over all organs but the ground, with its own error.
+ *  @param values  room for four: mean, standard error, low, high */
+int quasimc_result_get_total(
+    const quasimc_result* result, const char* quantity, const char* band, double* values);
+/** Where the light of a band went. @param item  "emitted", "absorbed_by_organs",
+ *  "absorbed_by_ground", "escaped", "cut_off" or "roulette". @param values  room for four */
+int quasimc_result_get_budget(
+    const quasimc_result* result, const char* item, const char* band, double* values);
+
+/** Groups of organs: the first is all of them, then those of the options groups and layers. */
+int64_t quasimc_result_group_count(const quasimc_result* result);
+/** "all", the key of a label, or "layer"; NULL and an error if there is no such group. */
+const char* quasimc_result_group_by(const quasimc_result* result, int64_t group);
+/** The value of the label, or the name of the layer. */
+const char* quasimc_result_group_value(const quasimc_result* result, int64_t group);
+/** As quasimc_result_get, of every group. */
+int quasimc_result_get_groups(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count);
+
+/** A number of the run: "paths" (per replicate), "replicates", "rays", "fraction_at_target",
+ *  "build_seconds", "trace_seconds", "trace_cpu_seconds". */
+int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value);
+/** A text of the run: "method", "reason", "stop". NULL and an error if there is no such text. */
+const char* quasimc_result_text(const quasimc_result* result, const char* key);
+/** What is allowed but probably not meant. */
+int64_t quasimc_result_warning_count(const quasimc_result* result);
+/** NULL and an error if there is no such warning. */
+const char* quasimc_result_warning(const quasimc_result* result, int64_t warning);
+
+#ifdef __cplusplus
+}
+#endif

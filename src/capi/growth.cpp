@@ -1,0 +1,125 @@
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "capi/guard.h"
+#include "capi/handles.h"
+#include "capi/meshes.h"
+
+namespace quasimc::capi {
+namespace {
+
+/// What the scene says, but for its light.
+SceneBuilder frame_of(const Statement& statement) {
+    InputFiles files = statement.files();
+    return read_frame_document(
+               statement.document(), statement.name(), files,
+               [&](SceneBuilder& builder) {
+                   for (const OrganSpec& organ : statement.organs()) {
+                       builder.add_organ(organ);
+                   }
+               })
+        .builder;
+}
+
+/// Gives the organs of arrays to a session, one after the other.
+template <typename Take>
+int give_organs(quasimc_growth* growth, const RawMesh& mesh, const Take& take) {
+    return guarded([&] {
+        quasimc_growth& all = deref(growth, "growth");
+        const InUse use(all.in_use);
+        static_cast<void>(deref(mesh.organ_of_face, "organ_of_face"));
+        for (OrganSpec& organ : organs_of(mesh)) {
+            take(all.session, std::move(organ));
+        }
+    });
+}
+
+}  // namespace
+}  // namespace quasimc::capi
+
+using namespace quasimc::capi;  // NOLINT(google-build-using-namespace): this file defines its own
+
+int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth) {
+    return guarded([&] {
+        quasimc_growth*& out = deref(growth, "growth");
+        out = nullptr;
+        quasimc_scene& all = deref(scene, "scene");
+        const InUse use(all.in_use);
+        quasimc::GrowthSession session(frame_of(all.statement));
+        out = new quasimc_growth{&all, std::move(session)};  // NOLINT: a handle
+    });
+}
+
+void quasimc_growth_free(quasimc_growth* growth) {
+    delete growth;  // NOLINT: a handle
+}
+
+int quasimc_growth_add_mesh(
+    quasimc_growth* growth,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face) {
+    return give_organs(
+        growth,
+        {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
+         "add"},
+        [](quasimc::GrowthSession& session, quasimc::OrganSpec organ) {
+            session.add(std::move(organ));
+        });
+}
+
+int quasimc_growth_change_mesh(
+    quasimc_growth* growth,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face) {
+    return give_organs(
+        growth,
+        {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
+         "change"},
+        [](quasimc::GrowthSession& session, quasimc::OrganSpec organ) {
+            session.change(std::move(organ));
+        });
+}
+
+int quasimc_growth_remove(quasimc_growth* growth, int64_t organ) {
+    return guarded([&] {
+        quasimc_growth& all = deref(growth, "growth");
+        const InUse use(all.in_use);
+        all.session.remove(organ);
+    });
+}
+
+int quasimc_growth_update_scene(quasimc_growth* growth) {
+    return guarded([&] {
+        quasimc_growth& all = deref(growth, "growth");
+        const InUse use(all.in_use);
+        all.session.set_frame(frame_of(all.scene->statement));
+    });
+}
+
+int quasimc_growth_run(
+    quasimc_growth* growth, quasimc_progress progress, void* user, quasimc_result** result) {
+    return guarded([&] {
+        quasimc_result*& out = deref(result, "result");
+        out = nullptr;
+        quasimc_growth& all = deref(growth, "growth");
+        const InUse use(all.in_use);
+        const InUse scene_in_use(all.scene->in_use);
+        out = run_light(
+                  all.scene->statement, all.session.scene(), {}, progress, user,
+                  [&](const quasimc::LightOfRun& light, const quasimc::RunControl& control) {
+                      return all.session.run(light.sources, light.spec, control);
+                  })
+                  .release();
+    });
+}

@@ -1,0 +1,79 @@
+#include "capi/guard.h"
+
+#include <new>
+
+#include "quasimc/error.h"
+#include "quasimc/run.h"
+#include "quasimc/version.h"
+
+namespace quasimc::capi {
+namespace {
+
+/// The one thing that is kept between calls: of each thread by itself, and never read by a run.
+std::string& message_of_thread() {
+    thread_local std::string message;
+    return message;
+}
+
+int failed(int status, const char* words) noexcept {
+    try {
+        message_of_thread() = words;
+    } catch (...) {
+        message_of_thread().clear();  // no memory for the words
+    }
+    return status;
+}
+
+}  // namespace
+
+int guarded(const std::function<void()>& work) noexcept {
+    try {
+        work();
+        return QUASIMC_DONE;
+    } catch (const InputError& error) {
+        return failed(QUASIMC_INPUT_ERROR, error.what());
+    } catch (const Misuse& error) {
+        return failed(QUASIMC_MISUSE, error.what());
+    } catch (const Stopped& error) {
+        return failed(QUASIMC_STOPPED, error.what());
+    } catch (const std::bad_alloc&) {
+        return failed(QUASIMC_INTERNAL_ERROR, "memory ran out");
+    } catch (const std::exception& error) {
+        return failed(QUASIMC_INTERNAL_ERROR, error.what());
+    } catch (...) {
+        return failed(QUASIMC_INTERNAL_ERROR, "an unknown error");
+    }
+}
+
+const char* last_error() noexcept {
+    return message_of_thread().c_str();
+}
+
+std::string text_of(const char* text, const char* name) {
+    return &deref(text, name);
+}
+
+std::string optional_text(const char* text) {
+    return text == nullptr ? "" : text;
+}
+
+InUse::InUse(bool& flag) : flag_(flag) {
+    if (flag) {
+        throw Misuse("the handle is in use: its progress function must not use it");
+    }
+    flag = true;
+}
+
+}  // namespace quasimc::capi
+
+int quasimc_abi_version(void) {
+    return QUASIMC_ABI_VERSION;
+}
+
+const char* quasimc_version(void) {
+    return quasimc::version().data();  // of a literal: a zero byte follows
+}
+
+const char* quasimc_last_error(void) {
+    return quasimc::capi::last_error();
+}

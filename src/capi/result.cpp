@@ -1,0 +1,335 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "capi/guard.h"
+#include "capi/handles.h"
+
+namespace quasimc::capi {
+namespace {
+
+/// An item of a list that is counted from 0. @throws Misuse  if there is none
+template <typename List>
+const auto& item_at(const List& list, std::int64_t index, const char* what) {
+    if (index < 0 || index >= static_cast<std::int64_t>(list.size())) {
+        throw Misuse(fmt::format("there is no {} {}: there are {}", what, index, list.size()));
+    }
+    return list[static_cast<std::size_t>(index)];
+}
+
+const Organ& organ_at(const quasimc_result* result, std::int64_t organ) {
+    return item_at(deref(result, "result").scene->organs(), organ, "organ");
+}
+
+const OrganGroup& group_at(const quasimc_result* result, std::int64_t group) {
+    return item_at(deref(result, "result").result.groups.groups, group, "group");
+}
+
+/// A statistic by its name.
+double Estimate::*statistic_of(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, double Estimate::*>, 4> kStatistics{
+        {{"mean", &Estimate::mean},
+         {"standard_error", &Estimate::standard_error},
+         {"low", &Estimate::low},
+         {"high", &Estimate::high}}};
+    for (const auto& [of_statistic, member] : kStatistics) {
+        if (of_statistic == name) {
+            return member;
+        }
+    }
+    throw Misuse(fmt::format("no statistic '{}': mean, standard_error, low or high", name));
+}
+
+std::size_t band_of(const quasimc_result& result, const char* name) {
+    const std::string band = text_of(name, "band");
+    const std::vector<Band>& bands = result.scene->bands();
+    const auto found =
+        std::find_if(bands.begin(), bands.end(), [&](const Band& b) { return b.name == band; });
+    if (found == bands.end()) {
+        throw Misuse(fmt::format("there is no band '{}'", band));
+    }
+    return static_cast<std::size_t>(found - bands.begin());
+}
+
+/// What is known of organs, or of groups: rows of estimates.
+struct Rows {
+    const std::vector<Estimate>& values;
+    const std::vector<Estimate>& sunlit;
+    const std::vector<Estimate>& ratios;
+    std::size_t count;
+};
+
+Rows rows_of_organs(const Result& result) {
+    return {result.values, result.sunlit_fraction, result.ratio_values, result.organs()};
+}
+
+Rows rows_of_groups(const GroupResults& groups) {
+    return {groups.values, groups.sunlit_fraction, groups.ratio_values, groups.groups.size()};
+}
+
+/// One number of every row: where it begins, and how far it is from row to row.
+struct Column {
+    const Estimate* first;
+    std::size_t stride;
+};
+
+Column column_of(
+    const quasimc_result& result, const Rows& rows, const char* quantity, const char* band) {
+    const std::string name = text_of(quantity, "quantity");
+    for (const QuantityEntry& entry : quantity_table()) {
+        if (entry.name == name) {
+            const std::size_t bands = result.result.bands;
+            const auto number = static_cast<std::size_t>(entry.quantity);
+            return {
+                rows.values.data() + number * bands + band_of(result, band), kQuantities * bands};
+        }
+    }
+    if (name == "sunlit_fraction" && rows.sunlit.size() == rows.count) {
+        return {rows.sunlit.data(), 1};
+    }
+    const auto ratio = std::find(result.ratios.begin(), result.ratios.end(), name);
+    if (ratio == result.ratios.end()) {
+        throw Misuse(fmt::format("the result has no quantity '{}'", name));
+    }
+    return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
+}
+
+void copy_column(
+    const quasimc_result& result,
+    const Rows& rows,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    std::int64_t count) {
+    if (count != static_cast<std::int64_t>(rows.count)) {
+        throw Misuse(fmt::format("there is room for {} values: there are {}", count, rows.count));
+    }
+    double Estimate::*member = statistic_of(text_of(statistic, "statistic"));
+    const Column column = column_of(result, rows, quantity, band);
+    double* out = &deref(values, "values");
+    for (std::size_t i = 0; i < rows.count; ++i) {
+        out[i] = column.first[i * column.stride].*member;
+    }
+}
+
+void copy_estimate(const Estimate& estimate, double* values) {
+    double* out = &deref(values, "values");
+    const std::array<double, 4> numbers{
+        estimate.mean, estimate.standard_error, estimate.low, estimate.high};
+    std::copy(numbers.begin(), numbers.end(), out);
+}
+
+const Estimate& budget_item(const BandBudget& budget, std::string_view item) {
+    constexpr std::array<std::pair<std::string_view, Estimate BandBudget::*>, 6> kItems{
+        {{"emitted", &BandBudget::emitted},
+         {"absorbed_by_organs", &BandBudget::absorbed_by_organs},
+         {"absorbed_by_ground", &BandBudget::absorbed_by_ground},
+         {"escaped", &BandBudget::escaped},
+         {"cut_off", &BandBudget::cut_off},
+         {"roulette", &BandBudget::roulette}}};
+    for (const auto& [name, member] : kItems) {
+        if (name == item) {
+            return budget.*member;
+        }
+    }
+    throw Misuse(fmt::format("the budget has no item '{}'", item));
+}
+
+double number_of(const Result& result, std::string_view key) {
+    const std::array<std::pair<std::string_view, double>, 7> numbers{
+        {{"paths", static_cast<double>(result.paths)},
+         {"replicates", static_cast<double>(result.replicates)},
+         {"rays", static_cast<double>(result.rays)},
+         {"fraction_at_target", result.fraction_at_target},
+         {"build_seconds", result.build_seconds},
+         {"trace_seconds", result.trace_seconds},
+         {"trace_cpu_seconds", result.trace_cpu_seconds}}};
+    for (const auto& [name, number] : numbers) {
+        if (name == key) {
+            return number;
+        }
+    }
+    throw Misuse(fmt::format("a result has no number '{}'", key));
+}
+
+const char* text_by_key(const quasimc_result& result, std::string_view key) {
+    if (key == "method") {
+        return result.method.c_str();
+    }
+    if (key == "reason") {
+        return result.result.chosen.reason.c_str();
+    }
+    if (key == "stop") {
+        return result.stop.c_str();
+    }
+    throw Misuse(fmt::format("a result has no text '{}'", key));
+}
+
+const char* label_by_key(const Organ& organ, const std::string& key) {
+    for (const auto& [name, value] : organ.labels) {
+        if (name == key) {
+            return value.c_str();
+        }
+    }
+    return nullptr;
+}
+
+std::int64_t place_of(const Scene& scene, std::int64_t id) {
+    const auto& organs = scene.organs();
+    const auto found = std::find_if(
+        organs.begin(), organs.end(), [&](const Organ& organ) { return organ.id == id; });
+    return found == organs.end() ? -1 : found - organs.begin();
+}
+
+constexpr const char* kNoText = nullptr;
+
+}  // namespace
+}  // namespace quasimc::capi
+
+using namespace quasimc::capi;  // NOLINT(google-build-using-namespace): this file defines its own
+
+void quasimc_result_free(quasimc_result* result) {
+    delete result;  // NOLINT: a handle
+}
+
+int64_t quasimc_result_organ_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(deref(result, "result").scene->organs().size()); });
+}
+
+int64_t quasimc_result_organ_id(const quasimc_result* result, int64_t organ) {
+    return guarded_or<int64_t>(-1, [&] { return organ_at(result, organ).id; });
+}
+
+int64_t quasimc_result_find_organ(const quasimc_result* result, int64_t id) {
+    return guarded_or<int64_t>(-1, [&] { return place_of(*deref(result, "result").scene, id); });
+}
+
+const char* quasimc_result_organ_name(const quasimc_result* result, int64_t organ) {
+    return guarded_or(kNoText, [&] { return organ_at(result, organ).name.c_str(); });
+}
+
+const char* quasimc_result_organ_label(
+    const quasimc_result* result, int64_t organ, const char* key) {
+    return guarded_or(
+        kNoText, [&] { return label_by_key(organ_at(result, organ), text_of(key, "key")); });
+}
+
+double quasimc_result_organ_area(const quasimc_result* result, int64_t organ) {
+    return guarded_or(-1.0, [&] { return organ_at(result, organ).area; });
+}
+
+int64_t quasimc_result_band_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(deref(result, "result").scene->bands().size()); });
+}
+
+const char* quasimc_result_band_name(const quasimc_result* result, int64_t band) {
+    return guarded_or(kNoText, [&] {
+        return item_at(deref(result, "result").scene->bands(), band, "band").name.c_str();
+    });
+}
+
+const char* quasimc_result_band_unit(const quasimc_result* result, int64_t band) {
+    return guarded_or(kNoText, [&] {
+        return item_at(deref(result, "result").scene->bands(), band, "band").unit.c_str();
+    });
+}
+
+int64_t quasimc_quantity_count(void) {
+    return quasimc::kQuantities;
+}
+
+const char* quasimc_quantity_name(int64_t quantity) {
+    return guarded_or(kNoText, [&] {
+        // Names are literals: a zero byte follows.
+        return item_at(quasimc::quantity_table(), quantity, "quantity").name.data();
+    });
+}
+
+int quasimc_result_get(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count) {
+    return guarded([&] {
+        const quasimc_result& all = deref(result, "result");
+        copy_column(all, rows_of_organs(all.result), quantity, band, statistic, values, count);
+    });
+}
+
+int quasimc_result_get_total(
+    const quasimc_result* result, const char* quantity, const char* band, double* values) {
+    return guarded([&] {
+        const quasimc_result& all = deref(result, "result");
+        const Rows rows = rows_of_groups(all.result.groups);
+        copy_estimate(*column_of(all, rows, quantity, band).first, values);
+    });
+}
+
+int quasimc_result_get_budget(
+    const quasimc_result* result, const char* item, const char* band, double* values) {
+    return guarded([&] {
+        const quasimc_result& all = deref(result, "result");
+        const quasimc::BandBudget& budget = all.result.budget[band_of(all, band)];
+        copy_estimate(budget_item(budget, text_of(item, "item")), values);
+    });
+}
+
+int64_t quasimc_result_group_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(-1, [&] {
+        return static_cast<int64_t>(deref(result, "result").result.groups.groups.size());
+    });
+}
+
+const char* quasimc_result_group_by(const quasimc_result* result, int64_t group) {
+    return guarded_or(kNoText, [&] { return group_at(result, group).by.c_str(); });
+}
+
+const char* quasimc_result_group_value(const quasimc_result* result, int64_t group) {
+    return guarded_or(kNoText, [&] { return group_at(result, group).value.c_str(); });
+}
+
+int quasimc_result_get_groups(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count) {
+    return guarded([&] {
+        const quasimc_result& all = deref(result, "result");
+        const Rows rows = rows_of_groups(all.result.groups);
+        copy_column(all, rows, quantity, band, statistic, values, count);
+    });
+}
+
+int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value) {
+    return guarded([&] {
+        deref(value, "value") = number_of(deref(result, "result").result, text_of(key, "key"));
+    });
+}
+
+const char* quasimc_result_text(const quasimc_result* result, const char* key) {
+    return guarded_or(
+        kNoText, [&] { return text_by_key(deref(result, "result"), text_of(key, "key")); });
+}
+
+int64_t quasimc_result_warning_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(deref(result, "result").warnings.size()); });
+}
+
+const char* quasimc_result_warning(const quasimc_result* result, int64_t warning) {
+    return guarded_or(kNoText, [&] {
+        return item_at(deref(result, "result").warnings, warning, "warning").c_str();
+    });
+}

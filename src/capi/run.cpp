@@ -1,0 +1,103 @@
+#include <stop_token>
+
+#include "capi/guard.h"
+#include "capi/handles.h"
+#include "io/results/json_parts.h"
+#include "io/runfile/options.h"
+#include "quasimc/error.h"
+
+namespace quasimc::capi {
+namespace {
+
+std::string warning_text(const Warning& warning) {
+    return warning.place.empty() ? warning.text : warning.place + ": " + warning.text;
+}
+
+LightOfRun read_light(const Statement& statement, const Scene& scene) {
+    if (statement.document().find("sweep") != nullptr) {
+        throw InputError(
+            {{statement.name() + ": [sweep]", "there are several runs in this scene",
+              "a run is of one moment", "run each by itself"}});
+    }
+    InputFiles files = statement.files();
+    LightOfRun light = read_light_document(statement.document(), statement.name(), files, scene);
+    if (light.series) {
+        throw InputError(
+            {{statement.name() + ": [time]", "there are several times in this scene",
+              "a run is of one moment", "state the light of a moment by its sources"}});
+    }
+    return light;
+}
+
+}  // namespace
+
+std::unique_ptr<quasimc_result> run_light(
+    const Statement& statement,
+    std::shared_ptr<const Scene> scene,
+    const std::vector<Warning>& warnings,
+    quasimc_progress progress,
+    void* user,
+    const Run& run) {
+    const LightOfRun light = read_light(statement, *scene);
+    std::stop_source stop;
+    RunControl control{.stop = stop.get_token()};
+    if (progress != nullptr) {
+        control.on_progress = [&](const Progress& news) {
+            if (progress(news.fraction, news.seconds, news.expected_seconds, user) != 0) {
+                stop.request_stop();
+            }
+        };
+    }
+    auto result = std::make_unique<quasimc_result>();
+    result->result = run(light, control);
+    result->scene = std::move(scene);
+    result->ratios = light.spec.ratios;
+    for (const auto* from : {&warnings, &light.warnings}) {
+        for (const Warning& warning : *from) {
+            result->warnings.push_back(warning_text(warning));
+        }
+    }
+    result->method = method_name(result->result.chosen.method);
+    result->stop = stop_name(result->result.stop);
+    return result;
+}
+
+namespace {
+
+void build_scene(quasimc_scene& scene) {
+    if (scene.built) {
+        return;
+    }
+    const Statement& statement = scene.statement;
+    InputFiles files = statement.files();
+    SceneOfRun read = read_scene_document(
+        statement.document(), statement.name(), files, [&](SceneBuilder& builder) {
+            for (const OrganSpec& organ : statement.organs()) {
+                builder.add_organ(organ);
+            }
+        });
+    scene.built = std::make_shared<const Scene>(std::move(read.scene));
+    scene.warnings = std::move(read.warnings);
+}
+
+}  // namespace
+}  // namespace quasimc::capi
+
+using namespace quasimc::capi;  // NOLINT(google-build-using-namespace): this file defines its own
+
+int quasimc_scene_run(
+    quasimc_scene* scene, quasimc_progress progress, void* user, quasimc_result** result) {
+    return guarded([&] {
+        quasimc_result*& out = deref(result, "result");
+        out = nullptr;
+        quasimc_scene& all = deref(scene, "scene");
+        const InUse use(all.in_use);
+        build_scene(all);
+        out = run_light(
+                  all.statement, all.built, all.warnings, progress, user,
+                  [&](const quasimc::LightOfRun& light, const quasimc::RunControl& control) {
+                      return all.simulator.run(*all.built, light.sources, light.spec, control);
+                  })
+                  .release();
+    });
+}

@@ -1,0 +1,135 @@
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "capi/guard.h"
+#include "capi/handles.h"
+#include "capi/meshes.h"
+
+namespace quasimc::capi {
+namespace {
+
+/// Changes what a scene says of what light falls on: it is built anew.
+int change_scene(quasimc_scene* scene, const std::function<void(Statement&)>& change) {
+    return guarded([&] {
+        quasimc_scene& all = deref(scene, "scene");
+        const InUse use(all.in_use);
+        change(all.statement);
+        all.built.reset();
+    });
+}
+
+template <typename... Arguments>
+int make_scene(quasimc_scene** scene, const Arguments&... arguments) {
+    quasimc_scene*& out = deref(scene, "scene");
+    out = nullptr;
+    out = new quasimc_scene{Statement(arguments...)};  // NOLINT: a handle
+    return QUASIMC_DONE;
+}
+
+Member text_member(std::string key, std::string text) {
+    return {std::move(key), 0, {std::move(text)}};
+}
+
+}  // namespace
+}  // namespace quasimc::capi
+
+using namespace quasimc::capi;  // NOLINT(google-build-using-namespace): this file defines its own
+using quasimc::Node;
+
+int quasimc_scene_new(quasimc_scene** scene) {
+    return guarded([&] { make_scene(scene); });
+}
+
+int quasimc_scene_load(const char* run_file, quasimc_scene** scene) {
+    return guarded([&] { make_scene(scene, text_of(run_file, "run_file")); });
+}
+
+void quasimc_scene_free(quasimc_scene* scene) {
+    delete scene;  // NOLINT: a handle
+}
+
+int quasimc_scene_state(quasimc_scene* scene, const char* toml) {
+    return change_scene(scene, [&](Statement& statement) { statement.add(text_of(toml, "toml")); });
+}
+
+int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit) {
+    return change_scene(scene, [&](Statement& statement) {
+        Node::Table band{text_member("name", text_of(name, "name"))};
+        if (const std::string of_band = optional_text(unit); !of_band.empty()) {
+            band.push_back(text_member("unit", of_band));
+        }
+        statement.add_table("band", std::move(band));
+    });
+}
+
+int quasimc_scene_add_material(
+    quasimc_scene* scene,
+    const char* name,
+    const double* reflectance,
+    const double* transmittance,
+    int64_t bands) {
+    return change_scene(scene, [&](Statement& statement) {
+        Node::Table material{text_member("name", text_of(name, "name"))};
+        const auto count = static_cast<std::size_t>(bands);
+        if (reflectance != nullptr) {
+            material.push_back({"reflectance", 0, numbers_node({reflectance, count})});
+        }
+        if (transmittance != nullptr) {
+            material.push_back({"transmittance", 0, numbers_node({transmittance, count})});
+        }
+        statement.add_table("material", std::move(material));
+    });
+}
+
+int quasimc_scene_add_mesh(
+    quasimc_scene* scene,
+    const double* vertices,
+    int64_t vertex_count,
+    const int32_t* faces,
+    int64_t face_count,
+    const int64_t* organ_of_face,
+    const char* materials,
+    const int32_t* material_of_face) {
+    return change_scene(scene, [&](Statement& statement) {
+        statement.add_organs(organs_of(
+            {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
+             fmt::format("{}: mesh {}", statement.name(), scene->meshes + 1)}));
+        ++scene->meshes;
+    });
+}
+
+int quasimc_scene_set_name(quasimc_scene* scene, int64_t organ, const char* name) {
+    return change_scene(
+        scene, [&](Statement& statement) { statement.organ(organ).name = text_of(name, "name"); });
+}
+
+int quasimc_scene_set_label(
+    quasimc_scene* scene, int64_t organ, const char* key, const char* value) {
+    return change_scene(scene, [&](Statement& statement) {
+        quasimc::Labels& labels = statement.organ(organ).labels;
+        const std::string name = text_of(key, "key");
+        std::erase_if(labels, [&](const auto& label) { return label.first == name; });
+        labels.emplace_back(name, text_of(value, "value"));
+    });
+}
+
+int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double height) {
+    return change_scene(scene, [&](Statement& statement) {
+        statement.set_table(
+            "ground",
+            {text_member("material", text_of(material, "material")), {"height", 0, {height}}});
+    });
+}
+
+int quasimc_scene_set_cell(
+    quasimc_scene* scene, double x_low, double x_high, double y_low, double y_high) {
+    return change_scene(scene, [&](Statement& statement) {
+        statement.set_table(
+            "cell", {{"x", 0, numbers_node(std::array{x_low, x_high})},
+                     {"y", 0, numbers_node(std::array{y_low, y_high})}});
+    });
+}

@@ -1,0 +1,145 @@
+#include "capi/statement.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "io/runfile/options.h"
+#include "quasimc/error.h"
+
+namespace quasimc::capi {
+namespace {
+
+constexpr const char* kPiece = "statement";  // how messages call a piece of a run file
+
+Node* find_in(Node::Table& table, const std::string& key) {
+    const auto found = std::find_if(
+        table.begin(), table.end(), [&](const Member& member) { return member.key == key; });
+    return found == table.end() ? nullptr : &found->node;
+}
+
+/// Lines of pieces say nothing once the pieces are joined.
+void forget_lines(Node& node) {
+    node.line = 0;
+    if (auto* table = std::get_if<Node::Table>(&node.value)) {
+        for (Member& member : *table) {
+            member.line = 0;
+            forget_lines(member.node);
+        }
+    } else if (auto* list = std::get_if<Node::List>(&node.value)) {
+        std::for_each(list->begin(), list->end(), forget_lines);
+    }
+}
+
+bool is_list_of_tables(const Node& node) {
+    const auto* list = node.as<Node::List>();
+    return list != nullptr && !list->empty() && list->front().as<Node::Table>() != nullptr;
+}
+
+void join(Node::Table& into, Node::Table from);
+
+void join_values(const std::string& key, Node& into, Node from) {
+    if (into.value.index() != from.value.index()) {
+        throw InputError(
+            {{kPiece, fmt::format("{} is {}", key, from.type_name()),
+              fmt::format("it was stated as {} before", into.type_name()), ""}});
+    }
+    if (auto* table = std::get_if<Node::Table>(&into.value)) {
+        join(*table, std::get<Node::Table>(std::move(from.value)));
+    } else if (is_list_of_tables(into)) {
+        auto& list = std::get<Node::List>(into.value);
+        for (Node& item : std::get<Node::List>(from.value)) {
+            list.push_back(std::move(item));
+        }
+    } else {
+        into = std::move(from);
+    }
+}
+
+void join(Node::Table& into, Node::Table from) {
+    for (Member& member : from) {
+        if (Node* known = find_in(into, member.key)) {
+            join_values(member.key, *known, std::move(member.node));
+        } else {
+            into.push_back(std::move(member));
+        }
+    }
+}
+
+}  // namespace
+
+Statement::Statement()
+    : document_{Node::Table{}}, name_("scene"), folder_(std::filesystem::current_path().string()) {}
+
+Statement::Statement(const std::string& run_file)
+    : document_(read_toml(read_file(run_file), run_file)),
+      name_(run_file),
+      folder_(std::filesystem::absolute(run_file).parent_path().string()) {}
+
+void Statement::add(const std::string& toml) {
+    Node piece = read_toml(toml, kPiece);
+    forget_lines(piece);
+    Node joined = document_;  // nothing is stated if a key is refused
+    join(std::get<Node::Table>(joined.value), std::get<Node::Table>(std::move(piece.value)));
+    document_ = std::move(joined);
+}
+
+void Statement::add_table(const std::string& key, Node::Table table) {
+    join(top(), {{key, 0, {Node::List{{std::move(table)}}}}});
+}
+
+void Statement::set_table(const std::string& key, Node::Table table) {
+    remove(key);
+    top().push_back({key, 0, {std::move(table)}});
+}
+
+void Statement::remove(const std::string& key) {
+    std::erase_if(top(), [&](const Member& member) { return member.key == key; });
+}
+
+void Statement::set_option(const std::string& key, const std::string& text) {
+    const Option* option = find_option(key);
+    option = option != nullptr ? option : find_former_option(key);
+    if (option == nullptr) {
+        throw InputError(
+            {{"option '" + key + "'", "no such option", "", "docs/guide/options.md lists them"}});
+    }
+    add(fmt::format("[run]\n{} = {}\n", key, option_toml(parse_option(*option, text))));
+}
+
+void Statement::add_organs(std::vector<OrganSpec> organs) {
+    for (const OrganSpec& organ : organs) {
+        if (organ.id && places_.contains(*organ.id)) {
+            throw InputError(
+                {{fmt::format("organ {}", *organ.id), "there is an organ of this id",
+                  "ids are unique", "give all faces of an organ in one call"}});
+        }
+    }
+    for (OrganSpec& organ : organs) {
+        if (organ.id) {
+            places_.emplace(*organ.id, organs_.size());
+        }
+        organs_.push_back(std::move(organ));
+    }
+}
+
+OrganSpec& Statement::organ(std::int64_t id) {
+    const auto place = places_.find(id);
+    if (place == places_.end()) {
+        throw InputError(
+            {{fmt::format("organ {}", id), "no mesh has an organ of this id", "",
+              "add its mesh first"}});
+    }
+    return organs_[place->second];
+}
+
+Node numbers_node(std::span<const double> numbers) {
+    Node::List list;
+    for (const double number : numbers) {
+        list.push_back({number});
+    }
+    return {std::move(list)};
+}
+
+}  // namespace quasimc::capi

@@ -1,0 +1,143 @@
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "unit/capi/canopy.h"
+
+namespace quasimc::test {
+namespace {
+
+bool error_tells(const char* words) {
+    return std::string(quasimc_last_error()).find(words) != std::string::npos;
+}
+
+TEST(CStatements, PiecesOfARunFileAreJoined) {
+    const SceneHandle scene = new_scene();
+    ASSERT_EQ(
+        quasimc_scene_state(
+            scene.get(), "bands = [\"PAR\"]\n[[material]]\nname = \"leaf\"\nreflectance = 0.1\n"),
+        QUASIMC_DONE);
+    ASSERT_EQ(
+        quasimc_scene_state(
+            scene.get(),
+            "[[material]]\nname = \"soil\"\nreflectance = 0.2\n"
+            "[ground]\nmaterial = \"soil\"\nx = [-1, 1]\ny = [-1, 1]\n[run]\npaths = 64\n"),
+        QUASIMC_DONE);
+    ASSERT_EQ(
+        quasimc_scene_state(
+            scene.get(),
+            "[run]\nseed = 3\nmethod = \"light_tracing\"\n[[source]]\ntype = \"directional\"\n"
+            "direction = [0, 0, -1]\nirradiance_facing = 100\n"),
+        QUASIMC_DONE);
+    ASSERT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_DONE);
+    const ResultHandle result = run(*scene);
+    ASSERT_TRUE(result);
+    double paths = 0;
+    ASSERT_EQ(quasimc_result_get_number(result.get(), "paths", &paths), QUASIMC_DONE);
+    EXPECT_EQ(paths, 64);
+    EXPECT_STREQ(quasimc_result_text(result.get(), "method"), "light_tracing");
+    double emitted[4];
+    ASSERT_EQ(quasimc_result_get_budget(result.get(), "emitted", "PAR", emitted), QUASIMC_DONE);
+    EXPECT_GT(emitted[0], 0);
+}
+
+TEST(CStatements, AKeyOfAnotherKindIsRefusedAndChangesNothing) {
+    const SceneHandle scene = small_canopy(1);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    EXPECT_EQ(quasimc_scene_state(scene.get(), "title = \"x\"\nrun = 5\n"), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("run is an integer")) << quasimc_last_error();
+    EXPECT_EQ(quasimc_scene_state(scene.get(), "run = = 5"), QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+}
+
+TEST(CStatements, EveryKindOfSourceShines) {
+    const double light[] = {100, 50};
+    const std::vector<std::function<int(quasimc_scene*)>> sources{
+        [&](auto* s) { return quasimc_scene_add_directional(s, 0.1, 0, -1, light, 2); },
+        [&](auto* s) { return quasimc_scene_add_sun(s, 90, 60, light, 2); },
+        [&](auto* s) {
+            return quasimc_scene_set_place(s, 52, 6, 10) +
+                   quasimc_scene_add_sun_at(s, "2024-06-21T12:00:00+02:00", light, 2);
+        },
+        [&](auto* s) { return quasimc_scene_add_sky(s, "uniform", light, 2); },
+        [&](auto* s) { return quasimc_scene_add_point_lamp(s, 0.5, 0.5, 3, light, 2); }};
+    const SceneHandle scene = small_canopy(2);
+    for (const auto& add : sources) {
+        ASSERT_EQ(quasimc_scene_clear_sources(scene.get()), QUASIMC_DONE);
+        ASSERT_EQ(add(scene.get()), QUASIMC_DONE) << quasimc_last_error();
+        const ResultHandle result = run(*scene);
+        ASSERT_TRUE(result);
+        EXPECT_GT(column(*result, "absorbed_flux", "PAR").back(), 0);
+    }
+}
+
+TEST(CStatements, FaultsAreToldAllAtOnceInTheWordsOfTheProgram) {
+    const SceneHandle scene = small_canopy(1);
+    const double light[] = {-1, 50};
+    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "green", light, 2), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_set_option(scene.get(), "paths", "0"), QUASIMC_DONE);
+    quasimc_result* result = nullptr;
+    EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(result, nullptr);
+    EXPECT_TRUE(error_tells("green")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("paths is 0")) << quasimc_last_error();
+}
+
+TEST(CStatements, FaultyArraysAreRefused) {
+    const SceneHandle scene = small_canopy(1);
+    SquareLeaf leaf = square_leaf(2);
+    leaf.faces[4] = 4;
+    EXPECT_EQ(add_leaf(*scene, leaf), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("face 1 names vertex 4")) << quasimc_last_error();
+    EXPECT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("there is an organ of this id")) << quasimc_last_error();
+    leaf = square_leaf(2);
+    const std::int32_t materials[] = {0, 2};
+    EXPECT_EQ(
+        quasimc_scene_add_mesh(
+            scene.get(), leaf.vertices.data(), 4, leaf.faces.data(), 2, nullptr, "leaf\nsoil",
+            materials),
+        QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("material 2")) << quasimc_last_error();
+    EXPECT_EQ(
+        quasimc_scene_add_mesh(
+            scene.get(), leaf.vertices.data(), 4, nullptr, 2, nullptr, "leaf", nullptr),
+        QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("every three vertices")) << quasimc_last_error();
+    EXPECT_TRUE(run(*scene));  // none of it was taken over
+}
+
+TEST(CStatements, AnOrganMayBeOfSeveralMaterials) {
+    const SceneHandle scene = lit_soil();
+    const SquareLeaf leaf = square_leaf(1);
+    const std::int32_t materials[] = {1, 0};
+    ASSERT_EQ(
+        quasimc_scene_add_mesh(
+            scene.get(), leaf.vertices.data(), 4, leaf.faces.data(), 2, leaf.organ.data(),
+            "leaf\nsoil", materials),
+        QUASIMC_DONE);
+    const SceneHandle alike = lit_soil();
+    ASSERT_EQ(add_leaf(*alike, leaf), QUASIMC_DONE);
+    // Soil absorbs more than leaves do.
+    EXPECT_GT(
+        column(*run(*scene), "absorbed_flux", "NIR")[0],
+        1.2 * column(*run(*alike), "absorbed_flux", "NIR")[0]);
+}
+
+TEST(CStatements, SeveralTimesAreRefused) {
+    const SceneHandle scene = small_canopy(1);
+    ASSERT_EQ(
+        quasimc_scene_state(
+            scene.get(),
+            "place = { latitude_deg = 52, longitude_deg = 6 }\n"
+            "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 2\n"),
+        QUASIMC_DONE);
+    quasimc_result* result = nullptr;
+    EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("a run is of one moment")) << quasimc_last_error();
+}
+
+}  // namespace
+}  // namespace quasimc::test
