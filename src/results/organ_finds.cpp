@@ -30,6 +30,8 @@ SingleFind find_among(
     if (mean == 0) {
         return {most, 0};
     }
+    // Of so little light that it is no step of a sum it is not known how many: one.
+    finds = finds > 0 ? finds : 1;
     const double few = std::max(0.0, 1 - finds / (many * replicates));
     const double usual = mean / finds;
     return {few * std::max(usual, most / (finds + 1)), few * usual};

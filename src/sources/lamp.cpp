@@ -193,9 +193,13 @@ class Lamp final : public Source {
         local.opening.radius *= projection.scale();
         const bool is_bounded = body_.opening.kind != Opening::Kind::point &&
                                 body_.opening.kind != Opening::Kind::disk && !by_area_;
+        const Vec3 half_line = body_.opening.kind == Opening::Kind::line
+                                   ? 0.5 * local.opening.length * local.axes.n
+                                   : Vec3{};
         auto sampler = std::make_unique<LampEmitter>(
             LampStarts(local, pattern_, projection),
-            LampPlace{{local.center, local.radius()}, is_bounded}, projection.world_area());
+            LampPlace{{local.center, local.radius()}, is_bounded, half_line},
+            projection.world_area());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {

@@ -30,6 +30,8 @@ struct LampPlace {
     /// Whether illuminate() draws so that what it brings to a place is bounded however near that
     /// is.
     bool has_bounded_irradiance = false;
+    /// Of a line, from its centre to an end: its irradiance grows as 1 / distance. 0 for others.
+    Vec3 half_line = {};
 };
 
 /// A source that has been told what scene it lights: draws the starts of paths. Const, shared by

@@ -49,7 +49,9 @@ NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
         lamp.body = place->body;
         const std::vector<Trial> trials = trials_of(light, place->body.center);
         lamp.scatter_radius = radius_about(trials, *place, light.usual_irradiance);
-        lamp.organ_part = place->has_bounded_irradiance ? 0 : kPartOfOrgan;
+        lamp.half_line = place->half_line;
+        const bool is_line = dot(lamp.half_line, lamp.half_line) > 0;
+        lamp.organ_part = place->has_bounded_irradiance && !is_line ? 0 : kPartOfOrgan;
         const bool is_near = std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
             return lights_near(light, trial.region, trial.place);
         });
@@ -135,10 +137,17 @@ bool NearLamps::scatters_near(const BoundSource& light, const Vec3& place) const
 bool NearLamps::lights_near(
     const BoundSource& light, std::uint32_t region, const Vec3& place) const {
     const Lamp& lamp = lamp_of(light);
-    return lamp.organ_part > 0 &&
-           is_within(
-               place, lamp.body.center,
-               1.5 * lamp.body.radius + lamp.organ_part * organ_size_[region]);
+    if (lamp.organ_part == 0) {
+        return false;
+    }
+    const double reach = lamp.organ_part * organ_size_[region];
+    const double square = dot(lamp.half_line, lamp.half_line);
+    if (square == 0) {
+        return is_within(place, lamp.body.center, 1.5 * lamp.body.radius + reach);
+    }
+    const double along = dot(place - lamp.body.center, lamp.half_line) / square;
+    const Vec3 nearest = lamp.body.center + std::clamp(along, -1.0, 1.0) * lamp.half_line;
+    return is_within(place, nearest, reach);
 }
 
 }  // namespace quasimc

@@ -37,6 +37,7 @@ class NearLamps {
         double organ_part = 0;      ///< of the size of an organ, within which light on it is
                                     ///< near; 0: none is
         double irradiance = 0;
+        Vec3 half_line;  ///< LampPlace::half_line
     };
     [[nodiscard]] const Lamp& lamp_of(const BoundSource& light) const {
         return lamps_[static_cast<std::size_t>(&light - prepared_.lights().data())];
