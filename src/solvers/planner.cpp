@@ -26,8 +26,8 @@ struct Thresholds {
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
-/// Lamps outside the sphere about the scene, as long as organs have so many paths each: nothing is
-/// near enough to a lamp to be much brighter than the rest.
+/// Lamps outside the sphere about the scene, as long as organs have so many paths each: few
+/// things if any are near enough to a lamp to be much brighter than the rest.
 constexpr double kDarkBelowFarLamps = 0.5;
 constexpr double kPathsToSpare = 16;
 /// Mean albedo from which on leaves count as bright.

@@ -155,11 +155,12 @@ TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
     EXPECT_NE(
         outcome.err.find("--target-error: a part of a run can't keep to it"), std::string::npos)
         << outcome.err;
-    folder_.write("audit.toml", replaced(good_run_file(), "[run]\n", "[run]\naudit = 0.5\n"));
+    folder_.write("run.toml", replaced(good_run_file(), "[run]\n", "[run]\naudit = 0.5\n"));
     EXPECT_NE(
-        run({"run", "audit.toml", "--part", "1/2"})
-            .err.find("audit.toml: audit: a part of a run can't keep to it"),
+        run({"run", "run.toml", "--part", "1/2"})
+            .err.find("run.toml: audit: a part of a run can't keep to it"),
         std::string::npos);
+    folder_.write("run.toml", good_run_file());
     EXPECT_NE(outcome.err.find("audit"), std::string::npos);
     for (const char* wrong : {"0/2", "3/2", "1/", "/2", "1", "1/2x", "-1/2", "1/99999999"}) {
         const Outcome refused = run({"run", "run.toml", "--part", wrong});

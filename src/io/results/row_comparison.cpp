@@ -30,18 +30,25 @@ std::string_view text_at_begin(std::string_view line, std::string_view key) {
                : std::string_view();
 }
 
-/// The first place at which two values differ, and both: "absorbed_flux.PAR.mean: 1 there, 2 here".
+/// The first place at which both have a value and these differ, and both of them:
+/// "absorbed_flux.PAR.mean: 1 there, 2 here"; "" if nowhere. What one of them leaves out was not
+/// asked for.
 std::string first_difference(const std::string& place, const Json& there, const Json& here) {
-    if (there.is_object() && here.is_object()) {
-        for (const auto& item : there.items()) {
-            const Json other = here.contains(item.key()) ? here[item.key()] : Json();
-            if (item.value() != other) {
-                const std::string name = place.empty() ? item.key() : place + "." + item.key();
-                return first_difference(name, item.value(), other);
+    if (!there.is_object() || !here.is_object()) {
+        return there == here
+                   ? ""
+                   : fmt::format("{}: {} there, {} here", place, there.dump(), here.dump());
+    }
+    for (const auto& item : there.items()) {
+        if (here.contains(item.key())) {
+            const std::string name = place.empty() ? item.key() : place + "." + item.key();
+            std::string found = first_difference(name, item.value(), here[item.key()]);
+            if (!found.empty()) {
+                return found;
             }
         }
     }
-    return fmt::format("{}: {} there, {} here", place, there.dump(), here.dump());
+    return "";
 }
 
 /// What a row is of: "organ 3 'leaf'", "group plant 7".
@@ -82,13 +89,14 @@ bool RowComparison::next_stored(std::string& row) {
     return false;
 }
 
-std::string RowComparison::words_of(const std::string& there, const std::string& here) const {
+std::string RowComparison::words_of(std::string_view there, std::string_view here) const {
     const Json a = Json::parse(there, nullptr, false), b = Json::parse(here, nullptr, false);
     const std::string when = when_.empty() ? "" : ", " + when_;
     if (a.is_discarded() || b.is_discarded()) {
         return fmt::format("a row there is no JSON{}", when);
     }
-    return fmt::format("{}{}: {}", subject_of(b), when, first_difference("", a, b));
+    const std::string found = first_difference("", a, b);
+    return found.empty() ? "" : fmt::format("{}{}: {}", subject_of(b), when, found);
 }
 
 void RowComparison::compare(std::string_view line) {
@@ -104,20 +112,18 @@ void RowComparison::compare(std::string_view line) {
     if (!next_stored(there) || without_comma(there) == without_comma(line)) {
         return;
     }
-    if (differing_++ == 0) {
-        first_ = words_of(std::string(without_comma(there)), std::string(without_comma(line)));
+    const std::string words = words_of(without_comma(there), without_comma(line));
+    if (!words.empty() && differing_++ == 0) {
+        first_ = words;
     }
 }
 
 std::string RowComparison::difference() {
-    const std::size_t compared = stored_rows_;
     for (std::string rest; next_stored(rest);) {
     }
-    if (compared == 0 || (differing_ == 0 && stored_rows_ == rows_)) {
+    // Other times may have been asked for: which row is which can't be told then.
+    if (differing_ == 0 || stored_rows_ != rows_) {
         return "";
-    }
-    if (stored_rows_ != rows_) {
-        return fmt::format("{} rows of numbers there, {} here", stored_rows_, rows_);
     }
     return fmt::format("{} of {} rows of numbers differ; {}", differing_, rows_, first_);
 }

@@ -31,13 +31,14 @@ class RowComparison {
     /// More of the text of the result that is written.
     void add(std::string_view text) { written_.add(text); }
 
-    /// Where they differ, in words: how many rows, and the first number; "" if nowhere, or if the
-    /// stored result has no rows. To be asked at the end.
+    /// Where they differ, in words: how many rows, and the first number; "" if nowhere, or if they
+    /// have not as many rows (of other times). Numbers that one of them leaves out don't count. To
+    /// be asked at the end.
     [[nodiscard]] std::string difference();
 
   private:
     /// "organ 3 'leaf', 2024-06-21T12:00: absorbed_flux.PAR: 1 there, 2 here".
-    [[nodiscard]] std::string words_of(const std::string& there, const std::string& here) const;
+    [[nodiscard]] std::string words_of(std::string_view there, std::string_view here) const;
     [[nodiscard]] bool next_stored(std::string& row);
     void compare(std::string_view line);
 
