@@ -46,7 +46,7 @@ void trace_points(
                 },
                 {.on_progress = tell, .stop = interrupt.token()});
         } catch (const quasimc::InputError& error) {
-            rethrow_of_file(error, run);
+            rethrow_of_file(error, run, arguments.flags.overrides());
         }
         before += moments.size();
     }

@@ -15,8 +15,12 @@
 [[nodiscard]] ProgressLines progress_lines(const RunArguments& arguments);
 /// What says, at the first Ctrl-C, that there may be a second.
 [[nodiscard]] std::function<void()> stopping_note(const RunArguments& arguments);
-/// Faults that show only when a run begins are of the run file.
-[[noreturn]] void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file);
+/// Faults that show only when a run begins are of the run file, or of the flags that set what is
+/// wrong.
+[[noreturn]] void rethrow_of_file(
+    const quasimc::InputError& error,
+    const quasimc::RunFile& file,
+    const std::vector<quasimc::Override>& flags);
 
 /// Computes a part of the run, or of all runs of a sweep, and writes its sums.
 [[nodiscard]] Exit run_part(const RunArguments& arguments);

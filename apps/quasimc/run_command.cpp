@@ -19,6 +19,7 @@
 #include "part_run.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
+#include "repetition.h"
 #include "run_writers.h"
 
 quasimc::StoredSweep read_runs(const RunArguments& arguments) try {
@@ -47,31 +48,21 @@ std::function<void()> stopping_note(const RunArguments& arguments) {
     return [] { std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr); };
 }
 
-void rethrow_of_file(const quasimc::InputError& error, const quasimc::RunFile& file) {
+void rethrow_of_file(
+    const quasimc::InputError& error,
+    const quasimc::RunFile& file,
+    const std::vector<quasimc::Override>& flags) {
     std::vector<quasimc::Fault> faults = error.faults();
     for (quasimc::Fault& fault : faults) {
-        fault.place = file.path + ": " + fault.place;
+        const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& stated) {
+            return stated.key == fault.place;
+        });
+        fault.place = flag != flags.end() ? flag->place : file.path + ": " + fault.place;
     }
     throw quasimc::InputError(std::move(faults));
 }
 
 namespace {
-
-std::string comparison(
-    const RunArguments& arguments,
-    const quasimc::StoredSweep& stored,
-    const std::string& organs_sha256) {
-    if (arguments.from.empty() || organs_sha256.empty()) {
-        return "";
-    }
-    const bool is_same = organs_sha256 == stored.organs_sha256;
-    const bool can_tell = stored.is_comparable && !stored.organs_sha256.empty();
-    const std::string_view verdict =
-        is_same    ? "the same numbers as in"
-        : can_tell ? "OTHER numbers than in"
-                   : "whether the numbers are the same can't be told (another version wrote it):";
-    return fmt::format("{:<10}{} {}\n", "repeated", verdict, arguments.from);
-}
 
 /// What an audit found goes to stderr, quiet or not: it is about errors.
 void print_audit(double chance) {
@@ -193,7 +184,7 @@ class SweepRun {
             if (parts_ != nullptr) {
                 throw;
             }
-            rethrow_of_file(error, *run_);
+            rethrow_of_file(error, *run_, arguments_.flags.overrides());
         }
         add_point(last_, all_);
         return true;
@@ -269,12 +260,20 @@ Exit run(const RunArguments& arguments, quasimc::StoredSweep stored, quasimc::Pa
     }
     end_progress_line();
     const std::string digest = sweep.writers().finish(sweep.last());
+    const Repetition repetition =
+        judge_repetition(arguments, stored, digest, sweep.writers().difference(), sweep.all().stop);
     print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
     print_audit(sweep.all().audit_chance);
     if (!arguments.quiet) {
-        sweep.writers().print_summary(sweep.all(), comparison(arguments, stored, digest));
+        sweep.writers().print_summary(
+            sweep.all(), repetition.verdict.empty()
+                             ? ""
+                             : fmt::format("{:<10}{}\n", "repeated", repetition.verdict));
     }
     sweep.writers().throw_if_given_up();
+    if (repetition.has_failed) {
+        throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
+    }
     return exit_of(sweep.file(), sweep.all());
 }
 

@@ -66,11 +66,27 @@ RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& fi
         const quasimc::OutputPath& file = asked_.paths[*asked_.numbers[kPicture]];
         picture_.emplace(first, file.path, file.place);
     }
-    if (wants(kJson)) {
-        json_.emplace(first, sink_of(kJson));
-    } else if (!arguments.from.empty()) {
-        json_.emplace(first);  // for the digest
+    const OutputChoice& choice = arguments.choice;
+    const bool has_all_rows = choice.quantities.empty() && choice.bands.empty() && !choice.night;
+    if (!arguments.from.empty() && arguments.from != "-" && has_all_rows) {
+        comparison_.emplace(arguments.from);
     }
+    if (wants(kJson) || !arguments.from.empty()) {
+        json_.emplace(first, json_sink());  // for the digest if for nothing else
+    }
+}
+
+quasimc::TextSink RunWriters::json_sink() {
+    quasimc::TextSink file = wants(kJson) ? sink_of(kJson) : quasimc::TextSink();
+    if (!comparison_) {
+        return file;
+    }
+    return [this, file = std::move(file)](std::string_view text) {
+        comparison_->add(text);
+        if (file) {
+            file(text);
+        }
+    };
 }
 
 quasimc::SeriesEvents RunWriters::events(
@@ -80,7 +96,7 @@ quasimc::SeriesEvents RunWriters::events(
     events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
         add_moment(time_step, result, traced);
     };
-    events.wants_total = run_->series && (wants(kJson) || picture_);
+    events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_);
     if (days_ || group_days_ || events.wants_total) {
         events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
     }
@@ -111,6 +127,10 @@ std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
     }
     outputs_.commit();
     return digest;
+}
+
+std::string RunWriters::difference() {
+    return comparison_ && json_ ? comparison_->difference() : "";
 }
 
 void RunWriters::print_summary(

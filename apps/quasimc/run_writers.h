@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/output_files.h"
+#include "io/results/row_comparison.h"
 #include "option_flags.h"
 #include "output_choice.h"
 #include "quasimc/quasimc.h"
@@ -50,6 +51,9 @@ class RunWriters {
     /// @param summary  of the last point
     /// @returns the digest of the organs, if it was asked for
     std::string finish(const quasimc::SeriesSummary& summary);
+    /// Where the rows of numbers differ from those of the result that is repeated, in words; "" if
+    /// nowhere or without --from. To be asked after finish().
+    [[nodiscard]] std::string difference();
 
     /// @param all  of all points
     /// @param comparison  with the result that was repeated; ends the text
@@ -70,6 +74,8 @@ class RunWriters {
     [[nodiscard]] quasimc::TextSink sink_of(Output output) {
         return outputs_.sink(*asked_.numbers[output]);
     }
+    /// Where the text of the JSON result goes; empty if nobody reads it.
+    [[nodiscard]] quasimc::TextSink json_sink();
     /// No room for what the writer keeps until the end costs no more than its own file.
     template <typename Action>
     void write_json(Action action);
@@ -85,5 +91,6 @@ class RunWriters {
     std::optional<quasimc::GroupsWriter> groups_;
     std::optional<quasimc::GroupDaysWriter> group_days_;
     std::optional<RunPicture> picture_;
+    std::optional<quasimc::RowComparison> comparison_;  // with the result that is repeated
     std::optional<quasimc::JsonWriter> json_;
 };

@@ -54,7 +54,8 @@ double variance_of_measured(const Scene& scene, const Result& result) {
     return sum / count;
 }
 
-void print_case(const Case& one, const Effort& effort) {
+/// @returns how many times as good as what auto chooses the best method is
+double print_case(const Case& one, const Effort& effort) {
     const Scene scene = make_canopy(one.canopy);
     RunSpec spec;
     spec.method = Method::automatic;
@@ -78,6 +79,7 @@ void print_case(const Case& one, const Effort& effort) {
     }
     std::printf("\n");
     std::fflush(stdout);
+    return best / merit[chosen];
 }
 
 /// A lamp of no size amid the leaves.
@@ -141,11 +143,17 @@ void print_planner(const Effort& effort) {
     std::printf(
         "  %-38s %7s %9s  %9s  %9s\n", "leaves, albedo, source", "gain", "sources", "organs",
         "lit");
+    constexpr double kMuch = 2;
+    double worst = 1;
+    std::size_t above = 0;
     for (const Case& one : make_cases(effort)) {
         if (!(one.canopy.is_repeated && one.sources.front()->traits() == kLampTraits)) {
-            print_case(one, effort);
+            const double times = print_case(one, effort);
+            worst = std::max(worst, times);
+            above += times > kMuch ? 1 : 0;
         }
     }
+    std::printf("%zu cases above %g times the best, at most %.2g times\n", above, kMuch, worst);
 }
 
 }  // namespace quasimc::bench

@@ -176,6 +176,8 @@ struct StoredSweep {
     RunSweep runs;
     std::string organs_sha256;
     bool is_comparable = true;
+    std::string program_version = {};  ///< that wrote it
+    bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});

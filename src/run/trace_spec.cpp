@@ -28,13 +28,16 @@ RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_
     constexpr std::uint64_t kFewestPaths = 64;
     RunSpec spec = series;
     if (plan.effort != 1) {
+        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMostPaths;
         const auto shared = [&](std::uint64_t paths) {
             const double part = plan.effort * static_cast<double>(paths);
-            return std::clamp(
-                static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths), kMostPaths);
+            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths));
         };
         spec.paths = shared(series.paths);
-        spec.max_paths = series.max_paths > 0 ? shared(series.max_paths) : 0;
+        // Halves of a power of two are one, as some samplers need it.
+        for (; spec.paths > most; spec.paths /= 2) {
+        }
+        spec.max_paths = series.max_paths > 0 ? std::min(shared(series.max_paths), most) : 0;
     }
     spec.target_error = std::min(1.0, series.target_error * plan.target);
     spec.seed = seed_of(series.seed, trace);

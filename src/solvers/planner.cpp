@@ -26,8 +26,16 @@ struct Thresholds {
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
+/// Lamps outside the sphere about the scene, as long as organs have so many paths each: few
+/// things if any are near enough to a lamp to be much brighter than the rest.
+constexpr double kDarkBelowFarLamps = 0.5;
+constexpr double kPathsToSpare = 16;
 /// Mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
+/// The part of all scattered light that sharp lobes scatter, from which on dark leaves under a sun
+/// are never traced from the organs: what is left to noise is the light of these lobes, and it has
+/// paths from the sun.
+constexpr double kMuchSharpLight = 0.3;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
 /// has paths of its own.
 constexpr double kMostLostToGloss = 12;
@@ -35,9 +43,18 @@ constexpr double kMostLostToGloss = 12;
 /// What the sources are, dark ones left out.
 struct Lighting {
     bool lamp = false, sun = false, sky = false;
+    bool near_lamp = false;  ///< inside the sphere about the scene
 };
 
-Lighting lighting_of(const Sources& sources) {
+/// Whether a lamp, as seen from the middle of the scene, is inside the sphere about it, or does not
+/// shine there.
+bool is_near(const Source& lamp, const Bounds& bounds) {
+    constexpr double kMiddle = 0.5;
+    const double distance = lamp.illuminate(bounds.center(), kMiddle, kMiddle).distance;
+    return !(distance > bounds.radius() && std::isfinite(distance));
+}
+
+Lighting lighting_of(const Scene& scene, const Sources& sources) {
     Lighting lighting;
     for (const auto& source : sources) {
         const auto spectrum = source->spectrum();
@@ -45,32 +62,50 @@ Lighting lighting_of(const Sources& sources) {
             (source->is_lamp()  ? lighting.lamp
              : source->is_sun() ? lighting.sun
                                 : lighting.sky) = true;
+            lighting.near_lamp =
+                lighting.near_lamp || (source->is_lamp() && is_near(*source, scene.bounds()));
         }
     }
     return lighting;
 }
 
-/// Mean over organs (by area), sides and bands of what is not absorbed; sensors left out.
-double mean_albedo(const Scene& scene) {
-    double area = 0;
-    double scattered = 0;
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// What surfaces do to light, means over organs (by area) and sides; sensors left out.
+struct Scattering {
+    double mean_albedo = 0;     ///< of the bands
+    double brightest_band = 0;  ///< the largest of their albedos
+    double sharp_part = 0;      ///< of the scattered light: that of sharp lobes
+    [[nodiscard]] bool is_bright() const { return mean_albedo >= kBright; }
+};
+
+Scattering scattering_of(const Scene& scene) {
+    double area = 0, sharp = 0;
+    std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
         const Material& material = scene.material(region);
-        if (material.is_transparent()) {
-            continue;
-        }
         for (const SurfaceSide side : kSurfaceSides) {
-            for (const double albedo : material.side(side).albedo()) {
-                area += region.area;
-                scattered += region.area * albedo;
+            if (material.is_transparent()) {
+                continue;
+            }
+            area += region.area;
+            for (std::size_t b = 0; b < scattered.size(); ++b) {
+                scattered[b] += region.area * material.side(side).albedo()[b];
+            }
+            for (const Lobe& lobe : material.side(side).lobes()) {
+                sharp += is_sharp(*lobe.shape) ? region.area * mean(lobe.albedo) : 0;
             }
         }
     }
-    return area > 0 ? scattered / area : 0;
-}
-
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    if (!(area > 0) || scattered.empty()) {
+        return {};
+    }
+    const double all = mean(scattered);
+    return {
+        all / area, *std::max_element(scattered.begin(), scattered.end()) / area,
+        all > 0 ? sharp / all : 0};
 }
 
 double brightest_peak(const Side& side) {
@@ -92,12 +127,28 @@ std::string_view name_of(const Lighting& lighting) {
 
 /// The gain of equal shares from which on organs are better. From organs the light of a sun or a
 /// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
-double gain_asked(const Scene& scene, const Lighting& lighting) {
+/// @param has_paths_to_spare  whether each organ has many
+double gain_asked(const Scene& scene, const Lighting& lighting, bool has_paths_to_spare) {
+    const Scattering scattering = scattering_of(scene);
+    if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
+        return std::numeric_limits<double>::infinity();
+    }
     const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
-    const double gain = mean_albedo(scene) < kBright ? table.dark : table.bright;
     const bool is_small = lighting.sun || lighting.lamp;
+    const bool has_far_lamps_alone = !lighting.sun && !lighting.sky && !lighting.near_lamp;
+    double gain = scattering.is_bright() ? table.bright : table.dark;
+    if (has_far_lamps_alone && has_paths_to_spare && scattering.brightest_band < kBright) {
+        gain = kDarkBelowFarLamps;
+    }
     return is_small ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
                     : gain;
+}
+
+bool has_paths_to_spare(const Scene& scene, const RunSpec& spec) {
+    const auto measured = std::count_if(
+        scene.organs().begin(), scene.organs().end(),
+        [](const Organ& organ) { return organ.measured && organ.area > 0; });
+    return static_cast<double>(spec.paths) >= kPathsToSpare * static_cast<double>(measured);
 }
 
 /// The middle one of the areas of the organs that are measured; 0 if none is.
@@ -178,7 +229,7 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     if (spec.method != Method::automatic) {
         return {spec.method, "asked for"};
     }
-    const Lighting lighting = lighting_of(sources);
+    const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;
     const double gain = (is_far ? emptiness(scene, spec.paths) : 1) * gain_of_equal_shares(scene);
     // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
@@ -186,7 +237,13 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     const bool can_start_from_organs = std::isfinite(gain) &&
                                        !(lighting.lamp && scene.cell().periodic()) &&
                                        !need_escaped_light(scene.detectors());
-    if (can_start_from_organs && gain >= gain_asked(scene, lighting)) {
+    if (can_start_from_organs &&
+        gain >= gain_asked(scene, lighting, has_paths_to_spare(scene, spec))) {
+        if (gain < kLamps.dark) {
+            return {
+                Method::from_organs,
+                "each organ has paths to spare to look for the lamps, which stand apart from all"};
+        }
         return {
             Method::from_organs,
             fmt::format(
@@ -203,10 +260,11 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
             fmt::format("pictures of {} triangles would take too long", scene.triangles().size())};
     }
     return {
-        Method::first_hits, fmt::format(
-                                "what {} {} is found without random paths{}", name_of(lighting),
-                                lighting.sun && lighting.sky ? "light" : "lights",
-                                lighting.lamp ? "; lamps are traced from themselves" : "")};
+        Method::first_hits,
+        fmt::format(
+            "what {} {} is found without random paths, where that pays{}", name_of(lighting),
+            lighting.sun && lighting.sky ? "light" : "lights",
+            lighting.lamp ? "; lamps are traced from themselves" : "")};
 }
 
 }  // namespace quasimc

@@ -224,9 +224,53 @@ TEST_F(ProgramTest, FromRepeatsARun) {
 
 TEST_F(ProgramTest, FromTellsOtherNumbers) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const Outcome asked = run({"run", "--from", "out.json", "--seed", "99"});
+    EXPECT_EQ(asked.status, 0) << asked.err;
     EXPECT_NE(
-        run({"run", "--from", "out.json", "--seed", "99"}).out.find("OTHER numbers than"),
-        std::string::npos);
+        asked.out.find("OTHER numbers than in out.json, as asked by --seed 99"), std::string::npos)
+        << asked.out;
+    // Those of a file that was changed: the same program computes what it did.
+    const std::string stored = folder_.read("out.json");
+    const std::size_t digit = stored.find("\"mean\":", stored.find("\n{\"id\":")) + 9;
+    std::string changed = stored;
+    changed[digit] = changed[digit] == '7' ? '8' : '7';
+    folder_.write("changed.json", changed);
+    const Outcome other = run({"run", "--from", "changed.json", "-q"});
+    EXPECT_EQ(other.status, 1);
+    EXPECT_NE(
+        other.err.find(" rows of numbers differ; organ 1 'third': absorbed_flux"),
+        std::string::npos)
+        << other.err;
+    folder_.write("old.json", replaced(stored, "\"organs_sha256\": \"", "\"organs_sha256\": \"x"));
+    EXPECT_EQ(run({"run", "--from", "old.json"}).status, 1);
+}
+
+/// What nobody can promise: the digits of another version, or of a run that time ended.
+TEST_F(ProgramTest, FromForgivesOtherNumbersOfOtherRuns) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const std::string stored =
+        replaced(folder_.read("out.json"), "\"organs_sha256\": \"", "\"organs_sha256\": \"x");
+    folder_.write(
+        "old.json", replaced(stored, "\"program_version\": \"", "\"program_version\": \"9"));
+    const Outcome old = run({"run", "--from", "old.json"});
+    EXPECT_EQ(old.status, 0) << old.err;
+    EXPECT_NE(old.out.find("OTHER numbers than in old.json, which version 9"), std::string::npos)
+        << old.out;
+    folder_.write("cut.json", replaced(stored, "\"paths_done\"", "\"interrupted\""));
+    const Outcome cut = run({"run", "--from", "cut.json"});
+    EXPECT_EQ(cut.status, 0) << cut.err;
+    EXPECT_NE(cut.out.find("whose run was stopped before its end"), std::string::npos) << cut.out;
+}
+
+TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
+    folder_.write("plant.opf", "<?xml version=\"1.0\"?>\n<opf>\n0.1 .2 .3 = \n</opf>\n");
+    for (const char* name : {"leaves.tri", "plant.opf"}) {
+        const Outcome outcome = run({"run", name});
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_TRUE(outcome.err.starts_with(std::string(name) + ": is no run file (" + name + ":1"))
+            << outcome.err;
+        EXPECT_NE(outcome.err.find("names files of geometry and weather"), std::string::npos);
+    }
 }
 
 TEST_F(ProgramTest, FromRefusesAChangedInput) {

@@ -132,6 +132,20 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     std::string changed = whole;
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
+    // Whatever is in it: a title too.
+    for (const char* word : {"\"title\"", "\"run\"", "leaf"}) {
+        changed = whole;
+        char& letter = changed[whole.find(word) + 2];
+        letter = static_cast<char>(letter ^ 1);
+        EXPECT_NE(refusal(changed).find("p2: is damaged (its checksum"), std::string::npos) << word;
+    }
+}
+
+TEST_F(PartsTest, TellNoTimesOfTheirMerger) {
+    compute_parts(1);
+    const Outcome merged = run({"merge", "p1"});
+    EXPECT_EQ(merged.out.find("million paths/s"), std::string::npos) << merged.out;
+    EXPECT_NE(merged.out.find("traced in parts"), std::string::npos) << merged.out;
 }
 
 TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
@@ -139,9 +153,14 @@ TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
         run({"run", "run.toml", "--part", "1/2", "--target-error", "0.1", "--audit", "0.5"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(
-        outcome.err.find("run.toml: target_error: a part of a run can't keep to it"),
-        std::string::npos)
+        outcome.err.find("--target-error: a part of a run can't keep to it"), std::string::npos)
         << outcome.err;
+    folder_.write("run.toml", replaced(good_run_file(), "[run]\n", "[run]\naudit = 0.5\n"));
+    EXPECT_NE(
+        run({"run", "run.toml", "--part", "1/2"})
+            .err.find("run.toml: audit: a part of a run can't keep to it"),
+        std::string::npos);
+    folder_.write("run.toml", good_run_file());
     EXPECT_NE(outcome.err.find("audit"), std::string::npos);
     for (const char* wrong : {"0/2", "3/2", "1/", "/2", "1", "1/2x", "-1/2", "1/99999999"}) {
         const Outcome refused = run({"run", "run.toml", "--part", wrong});

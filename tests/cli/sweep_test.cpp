@@ -48,6 +48,20 @@ TEST_F(SweepCommand, HasPointsThatAreDark) {
     }
 }
 
+TEST_F(SweepCommand, HasZerosWhereNoSourceShines) {
+    write_sweep("source.1.irradiance_facing = [400, 0]\n");
+    const Outcome outcome = run({"run", "sweep.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(
+        outcome.err.find(
+            "[sweep]: at 1 of 2 points no source has any light, and all numbers are 0: "
+            "first at point 2 (source.1.irradiance_facing = 0)"),
+        std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(count(folder_.read("out.csv"), "\n0,1,third,"), 1U) << folder_.read("out.csv");
+    EXPECT_EQ(run({"run", "--from", "out.json"}).status, 0);
+}
+
 TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     write_sweep("paths = [64, 128]\nseed = [1, 2]\n");
     const Outcome outcome = run({"run", "sweep.toml", "--groups-csv", "groups.csv"});

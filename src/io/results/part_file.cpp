@@ -18,7 +18,8 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kFirstLine = "QuasiMC part, format 1\n";
+constexpr std::string_view kFirstLine = "QuasiMC part, format 2\n";
+constexpr std::string_view kName = "QuasiMC part, ";
 constexpr std::uint64_t kMostParts = 1'000'000;
 /// Stands for the number of a moment behind the last one.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
@@ -63,21 +64,28 @@ PartNumber read_part_number(const std::string& text, const std::string& place) {
 
 PartWriter::PartWriter(const RunFile& run, const PartNumber& number, TextSink sink)
     : sink_(std::move(sink)) {
-    sink_(kFirstLine);
-    sink_(bytes_of(number.part) + bytes_of(number.parts));
+    write(std::string(kFirstLine) + bytes_of(number.part) + bytes_of(number.parts));
     const std::string head = head_of(run);
-    sink_(bytes_of(head.size()));
-    sink_(head);
+    write(bytes_of(head.size()));
+    write(head);
+    write_digest();
+}
+
+void PartWriter::write(const std::string& bytes) {
+    digest_.add(bytes);
+    sink_(bytes);
 }
 
 void PartWriter::add(std::size_t moment, const Sums& sums) {
     const std::string bytes = save_sums(sums);
-    sink_(bytes_of(moment) + bytes_of(bytes.size()));
-    sink_(bytes);
+    write(bytes_of(moment) + bytes_of(bytes.size()));
+    write(bytes);
+    write_digest();
 }
 
 void PartWriter::finish() {
-    sink_(bytes_of(kEnd));
+    write(bytes_of(kEnd));
+    write_digest();
 }
 
 PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, std::ios::binary) {
@@ -88,9 +96,13 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
     }
     std::string line(kFirstLine.size(), '\0');
     file_.read(line.data(), static_cast<std::streamsize>(line.size()));
+    if (file_ && line != kFirstLine && line.starts_with(kName)) {
+        refuse("is of another format", "another version of the program wrote it");
+    }
     if (!file_ || line != kFirstLine) {
         refuse("is no part of a run", "a file that `quasimc run --part` wrote is needed");
     }
+    digest_.add(line);
     const std::string numbers = read_bytes(2 * sizeof(std::uint64_t));
     std::memcpy(&number_.part, numbers.data(), sizeof number_.part);
     std::memcpy(&number_.parts, numbers.data() + sizeof number_.part, sizeof number_.parts);
@@ -98,6 +110,14 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
         refuse("is damaged", "its number among the parts can't be");
     }
     head_ = read_block();
+    check_digest();
+}
+
+void PartReader::check_digest() {
+    const std::string expected = digest_.hex();
+    if (read_bytes(expected.size()) != expected) {
+        refuse("is damaged", "its checksum is another one");
+    }
 }
 
 void PartReader::refuse(const std::string& problem, const std::string& why) const {
@@ -113,6 +133,7 @@ std::string PartReader::read_bytes(std::uint64_t count) {
     if (!file_) {
         refuse("is cut off", "the run that wrote it may not have ended yet");
     }
+    digest_.add(bytes);
     return bytes;
 }
 
@@ -131,8 +152,10 @@ Sums PartReader::next(std::size_t moment) {
     if (read_number() != moment) {
         refuse("is damaged, or of another run", "it has the sums of other times");
     }
+    const std::string block = read_block();
+    check_digest();
     try {
-        return load_sums(read_block());
+        return load_sums(block);
     } catch (const std::invalid_argument& error) {
         refuse("is damaged", error.what());
     }
@@ -142,6 +165,7 @@ void PartReader::expect_end() {
     if (read_number() != kEnd) {
         refuse("is damaged, or of another run", "it has more times than the run");
     }
+    check_digest();
     if (file_.peek() != std::ifstream::traits_type::eof()) {
         refuse("is damaged", "there is more behind its end");
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/runfile/run_file.h"
+#include "io/sha256.h"
 #include "quasimc/file.h"
 #include "quasimc/sums.h"
 
@@ -26,14 +27,19 @@ struct PartNumber {
 /// Writes the sums of a part, moment by moment.
 class PartWriter {
   public:
-    /// Writes what the run is made from.
+    /// Writes what the run is made from. Behind it, every sum and the end stands the SHA-256 of all
+    /// bytes before.
     PartWriter(const RunFile& run, const PartNumber& number, TextSink sink);
     /// @param moment  counted through all points of a sweep, ascending
     void add(std::size_t moment, const Sums& sums);
     void finish();
 
   private:
+    void write(const std::string& bytes);
+    void write_digest() { write(digest_.hex()); }
+
     TextSink sink_;
+    Sha256 digest_;
 };
 
 /// Reads them, in the same order.
@@ -57,10 +63,13 @@ class PartReader {
     [[nodiscard]] std::string read_bytes(std::uint64_t count);
     [[nodiscard]] std::uint64_t read_number();
     [[nodiscard]] std::string read_block();
+    /// @throws InputError  if the bytes before are not those that were written
+    void check_digest();
 
     std::string path_;
     std::ifstream file_;
     std::uint64_t bytes_ = 0;
+    Sha256 digest_;
     PartNumber number_;
     std::string head_;
 };

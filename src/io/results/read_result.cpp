@@ -98,6 +98,13 @@ void check_format(const Json& head, const std::string& path) {
     }
 }
 
+/// Whether the run ended before its paths were done, by time or Ctrl-C.
+bool is_cut_short(const Json& head) {
+    const auto done = head.find("done");
+    const std::string stop = done != head.end() ? text_of(*done, "stop") : "";
+    return stop == stop_name(StopReason::interrupted) || stop == stop_name(StopReason::time_is_up);
+}
+
 std::vector<InputFile> stored_inputs(const Json& head) {
     std::vector<InputFile> inputs;
     const auto list = head.find("inputs");
@@ -209,7 +216,8 @@ StoredSweep read_result_text(
     return {
         read_sweep_document(
             std::move(document), name, [files] { return files; }, overrides),
-        text_of(head, "organs_sha256"), head.at("format_version") == kResultVersion};
+        text_of(head, "organs_sha256"), head.at("format_version") == kResultVersion,
+        text_of(head, "program_version"), is_cut_short(head)};
 }
 
 StoredSweep read_result_sweep(const std::string& path, const std::vector<Override>& overrides) {

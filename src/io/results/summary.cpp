@@ -67,7 +67,15 @@ std::string method_line(const RunSpec& spec, const Result& result) {
         "method", fmt::format("{}: {}", method_name(result.chosen.method), result.chosen.reason));
 }
 
+/// Whether light was traced elsewhere: the sums come from parts of a run.
+bool is_merged(std::uint64_t rays, double trace_seconds) {
+    return rays > 0 && trace_seconds == 0;
+}
+
 std::string time_line(const Result& result) {
+    if (is_merged(result.rays, result.trace_seconds)) {
+        return line("time", fmt::format("traced in parts, {} rays", result.rays));
+    }
     const double all = static_cast<double>(result.paths) * result.replicates;
     return line(
         "time", fmt::format(
@@ -199,6 +207,20 @@ std::string stopped_line(const std::string& words) {
     return words.empty() ? "" : line("stopped", words);
 }
 
+std::string series_time_line(const SeriesSummary& summary) {
+    if (is_merged(summary.rays, summary.trace_seconds)) {
+        return line("time", fmt::format("{:.3g} s to put the parts together", summary.seconds));
+    }
+    return line(
+        "time",
+        fmt::format(
+            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
+            "files {:.3g}",
+            summary.seconds, summary.build_seconds, summary.trace_seconds,
+            summary.trace_cpu_seconds,
+            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
+}
+
 /// How the times of a series were computed.
 std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
@@ -213,14 +235,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
                    series_method(run.spec, summary), run.spec.paths, run.spec.replicates,
                    run.spec.effort == Effort::day ? " on average" : "", summary.rays));
     text += stopped_line(stop_words(run, summary));
-    text += line(
-        "time",
-        fmt::format(
-            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
-            "files {:.3g}",
-            summary.seconds, summary.build_seconds, summary.trace_seconds,
-            summary.trace_cpu_seconds,
-            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
+    text += series_time_line(summary);
     if (run.spec.target_error > 0) {
         text += line(
             "target", fmt::format(
@@ -265,11 +280,7 @@ std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::si
         text += line(
             "target", fmt::format("reached by {} of {} traces", summary.at_target, summary.traced));
     }
-    return text + line(
-                      "time", fmt::format(
-                                  "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU)",
-                                  summary.seconds, summary.build_seconds, summary.trace_seconds,
-                                  summary.trace_cpu_seconds));
+    return text + series_time_line(summary);
 }
 
 /// The first and the last points, if there are many.

@@ -104,6 +104,14 @@ const Option* find_former_option(std::string_view key) {
     return find_in(former_option_table(), key);
 }
 
+std::vector<std::string_view> option_keys() {
+    std::vector<std::string_view> keys;
+    for (const Option& option : option_table()) {
+        keys.push_back(option.key);
+    }
+    return keys;
+}
+
 std::string replacement_words(const Option& former, const OptionValue& value) {
     RunSpec spec;
     former.set(spec, value);

@@ -64,6 +64,9 @@ struct Option {
 [[nodiscard]] const Option* find_option(std::string_view key);
 [[nodiscard]] const Option* find_former_option(std::string_view key);
 
+/// The keys of the table of options, for suggestions.
+[[nodiscard]] std::vector<std::string_view> option_keys();
+
 /// What to tell who states a former option with a value that it takes: "trace_from = "organs" is
 /// now method = "from_organs"".
 [[nodiscard]] std::string replacement_words(const Option& former, const OptionValue& value);

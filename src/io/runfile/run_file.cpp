@@ -163,9 +163,20 @@ void check_effort(const Sections& sections, Faults& faults) {
     }
 }
 
+/// Nights need no source; all else is checked with one in its place.
+void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const std::vector<double> one(scene.bands().size(), 1.0);
+    check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
+}
+
 /// Checks the run with its sources, or those of a moment of its series that has light, if any.
-void check_with_sources(const Sections& sections, const Scene& scene, Faults& faults) {
+void check_with_sources(
+    const Sections& sections, const Scene& scene, Faults& faults, Darkness darkness) {
     const RunSpec& spec = sections.options.spec;
+    if (!sections.series && darkness == Darkness::allowed && is_dark(sections.sources.sources)) {
+        check_in_darkness(scene, spec, faults);
+        return;
+    }
     if (!sections.series) {
         check_run(scene, sections.sources.sources, spec, faults);
         return;
@@ -174,9 +185,7 @@ void check_with_sources(const Sections& sections, const Scene& scene, Faults& fa
     const auto lit =
         std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
     if (lit == plans.end()) {
-        // Nights alone need no source; all else is checked with one in its place.
-        const std::vector<double> one(scene.bands().size(), 1.0);
-        check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
+        check_in_darkness(scene, spec, faults);
         return;
     }
     const auto moment = static_cast<std::size_t>(lit - plans.begin());
@@ -236,6 +245,22 @@ std::vector<Warning> lint_of(const Sections& sections) {
     return sections.is_on_base ? lint_materials({*sections.scene, {}, {}}) : lint(*sections.scene);
 }
 
+/// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
+Node read_file_of_run(const std::string& text, const std::string& name) {
+    try {
+        return read_toml(text, name);
+    } catch (const InputError& error) {
+        const std::string extension = std::filesystem::path(name).extension().string();
+        if (extension.empty() || extension == ".toml") {
+            throw;
+        }
+        throw InputError(
+            {{name, "is no run file", error.faults().front().text(),
+              "give a run file, which is TOML and names files of geometry and weather; "
+              "`quasimc --dump-default` prints one"}});
+    }
+}
+
 /// Where a run file is. Paths in what comes through a pipe count from the current folder.
 std::filesystem::path absolute_path(const std::string& path) {
     namespace fs = std::filesystem;
@@ -245,6 +270,13 @@ std::filesystem::path absolute_path(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_dark(const Sources& sources) {
+    return std::all_of(sources.begin(), sources.end(), [](const auto& source) {
+        const auto spectrum = source->spectrum();
+        return std::all_of(spectrum.begin(), spectrum.end(), [](double x) { return x == 0; });
+    });
+}
 
 std::vector<TimeStep> moments_of(const RunFile& run) {
     if (run.series) {
@@ -266,13 +298,14 @@ RunFile read_run_document(
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides,
-    const Scene* base) {
+    const Scene* base,
+    Darkness darkness) {
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
     Sections sections = read_sections(top, files, overrides, base);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, *sections.scene, faults);
+        check_with_sources(sections, *sections.scene, faults, darkness);
         check_effort(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
@@ -335,7 +368,7 @@ LightOfRun read_light_document(
     top.finish();
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, scene, faults);
+        check_with_sources(sections, scene, faults, Darkness::refused);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
@@ -361,7 +394,7 @@ RunSweep read_run_sweep(const std::string& path, const std::vector<Override>& ov
     noted.note(path, absolute, text);
     noted.mark_run_file();
     return read_sweep_document(
-        read_toml(text, name), name, [noted] { return noted; }, overrides);
+        read_file_of_run(text, name), name, [noted] { return noted; }, overrides);
 }
 
 RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {

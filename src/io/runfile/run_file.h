@@ -21,15 +21,23 @@ namespace quasimc {
     InputFiles& files,
     const std::vector<Override>& overrides = {});
 
+/// Whether no source has any light.
+[[nodiscard]] bool is_dark(const Sources& sources);
+
+/// What is to be said of a run without any light: its numbers are zeros.
+enum class Darkness { refused, allowed };
+
 /// The same from a document that is parsed already, and has no [sweep].
 /// @param base  a scene with the organs, ground and cell of the document: where lights, materials
 ///        and settings alone differ from those of the base, they are not read again
+/// @param darkness  of a run without [time]; nights of those with it are allowed
 [[nodiscard]] RunFile read_run_document(
     Node document,
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides = {},
-    const Scene* base = nullptr);
+    const Scene* base = nullptr,
+    Darkness darkness = Darkness::refused);
 
 /// Puts faults into the order of the file's lines.
 void sort_by_line(std::vector<Fault>& faults, const std::string& file);

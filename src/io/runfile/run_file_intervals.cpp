@@ -82,6 +82,31 @@ std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t
     return any ? std::optional(readings) : std::nullopt;
 }
 
+/// What falls into two intervals is summed twice. @param intervals  sorted
+void warn_of_overlaps(const std::vector<Interval>& intervals, TableReader& table) {
+    std::size_t overlaps = 0;
+    std::string first;
+    for (std::size_t i = 1; i < intervals.size(); ++i) {
+        const Interval& before = intervals[i - 1];
+        const double apart = seconds_from(before.start, intervals[i].start);
+        if (before.seconds > 0 && apart < before.seconds - kSlack) {
+            first = overlaps++ == 0
+                        ? fmt::format(
+                              "{} begins {:.0f} min after {}, which lasts {} min",
+                              civil_time_text(intervals[i].start), apart / 60,
+                              civil_time_text(before.start), shortest(before.seconds / 60))
+                        : first;
+        }
+    }
+    if (overlaps > 0) {
+        table.warn_at(
+            *table.any("times"),
+            fmt::format(
+                "{} of the times overlap, and sums over days count their light twice: {}", overlaps,
+                first));
+    }
+}
+
 std::vector<Interval> read_times(TimeContext& context) {
     TableReader& table = *context.table;
     std::vector<Interval> intervals;
@@ -107,6 +132,7 @@ std::vector<Interval> read_times(TimeContext& context) {
     std::stable_sort(intervals.begin(), intervals.end(), [](const auto& a, const auto& b) {
         return julian_day(a.start) < julian_day(b.start);
     });
+    warn_of_overlaps(intervals, table);
     return intervals;
 }
 

@@ -18,8 +18,9 @@ const FormatEntry* read_format(TableReader& table, const std::string& file) {
     const FormatEntry* entry = format_of_path(file);
     if (entry == nullptr && !file.empty()) {
         table.fault_at(
-            "file", fmt::format("the format of '{}' can't be told from its name", file), "",
-            "add format = one of " + joined(names, ", "));
+            "file", fmt::format("the format of '{}' can't be told from its name", file),
+            fmt::format("the formats that are read are {}", joined(names, ", ")),
+            "add format if it is one of them, or convert the file");
     }
     return entry;
 }

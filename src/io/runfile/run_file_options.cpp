@@ -9,14 +9,6 @@
 namespace quasimc {
 namespace {
 
-std::vector<std::string_view> option_keys() {
-    std::vector<std::string_view> keys;
-    for (const Option& option : option_table()) {
-        keys.push_back(option.key);
-    }
-    return keys;
-}
-
 /// A list of texts, or of numbers, as a value.
 std::optional<OptionValue> list_value(const Node::List& list) {
     std::vector<std::string> words;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "io/results/written.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
 
@@ -29,6 +30,9 @@ class FileCache {
 };
 
 namespace {
+
+/// No more points are read once so many faults were found.
+constexpr std::size_t kMostPointFaults = 100;
 
 bool is_same(const Fault& a, const Fault& b) {
     return a.text() == b.text();
@@ -88,6 +92,12 @@ class RunSweep::State {
     }
 
   private:
+    /// A fault, the first point that has it, and how many do.
+    struct PointFault {
+        Fault fault;
+        std::size_t first = 0, points = 0;
+    };
+
     /// A flag would undo a part of the sweep.
     void check_overrides() {
         for (const Override& stated : overrides_) {
@@ -103,7 +113,7 @@ class RunSweep::State {
     }
 
     [[nodiscard]] RunFile read(std::size_t point) {
-        if (!is_swept()) {
+        if (document_.find("sweep") == nullptr) {
             InputFiles files = files_();
             return read_run_document(document_, reporter_.file, files, overrides_);
         }
@@ -113,28 +123,66 @@ class RunSweep::State {
         InputFiles files = files_();
         files.read_through([this](auto reader) { return cache_.around(std::move(reader)); });
         const Scene* base = first_ && plan_.keeps_geometry() ? &first_->scene : nullptr;
-        return read_run_document(std::move(document), reporter_.file, files, overrides_, base);
+        return read_run_document(
+            std::move(document), reporter_.file, files, overrides_, base, Darkness::allowed);
+    }
+
+    [[nodiscard]] bool is_full() const {
+        return reporter_.is_full() || point_faults_.size() >= kMostPointFaults;
     }
 
     void read_all() {
-        for (std::size_t i = 0; i < size() && !reporter_.is_full(); ++i) {
+        for (std::size_t i = 0; i < size() && !is_full(); ++i) {
             try {
                 note(i, read(i));
             } catch (const InputError& error) {
-                add_new(error);
+                add_new(i, error);
+            }
+        }
+        for (PointFault& each : point_faults_) {
+            reporter_.faults.add(named(std::move(each)));
+        }
+        warn_of_darkness();
+    }
+
+    /// What is wrong at one point is often wrong at all of them.
+    void add_new(std::size_t point, const InputError& error) {
+        for (const Fault& fault : error.faults()) {
+            const auto known = std::find_if(
+                point_faults_.begin(), point_faults_.end(),
+                [&](const auto& each) { return is_same(each.fault, fault); });
+            if (known == point_faults_.end()) {
+                point_faults_.push_back({fault, point, 1});
+            } else {
+                ++known->points;
             }
         }
     }
 
-    /// What is wrong at one point is often wrong at all of them.
-    void add_new(const InputError& error) {
-        for (const Fault& fault : error.faults()) {
-            const auto& known = reporter_.faults.all();
-            if (std::none_of(known.begin(), known.end(), [&](const Fault& each) {
-                    return is_same(each, fault);
-                })) {
-                reporter_.faults.add(fault);
-            }
+    /// With the point, where a fault is of some points and has no line that would tell.
+    [[nodiscard]] Fault named(PointFault each) const {
+        const std::string line = reporter_.file + ":";
+        const bool has_line = each.fault.place.starts_with(line) &&
+                              each.fault.place.substr(line.size()).find_first_of("0123456789") == 0;
+        if (is_swept() && !has_line && each.points < size()) {
+            each.fault.place += ", " + words_of(each.first);
+        }
+        return std::move(each.fault);
+    }
+
+    /// "point 3 (seed = 2)".
+    [[nodiscard]] std::string words_of(std::size_t point) const {
+        return fmt::format("point {} ({})", point + 1, point_words({plan_.values_at(point), {}}));
+    }
+
+    void warn_of_darkness() {
+        if (dark_points_ > 0) {
+            reporter_.warnings.push_back(
+                {reporter_.file,
+                 fmt::format(
+                     "[sweep]: at {} of {} points no source has any light, and all numbers are 0: "
+                     "first at {}",
+                     dark_points_, size(), words_of(first_dark_))});
         }
     }
 
@@ -153,6 +201,9 @@ class RunSweep::State {
             }
         }
         points_->push_back({plan_.values_at(point), run.source_notes});
+        if (is_swept() && !run.series && is_dark(run.sources)) {
+            first_dark_ = dark_points_++ == 0 ? point : first_dark_;
+        }
         if (!first_) {
             labels_ = label_keys_of(run.scene);
             first_ = std::move(run);
@@ -191,6 +242,8 @@ class RunSweep::State {
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> told_;
     std::set<std::string> labels_;
+    std::vector<PointFault> point_faults_;
+    std::size_t dark_points_ = 0, first_dark_ = 0;
     std::shared_ptr<std::vector<SweepPoint>> points_ = std::make_shared<std::vector<SweepPoint>>();
 };
 

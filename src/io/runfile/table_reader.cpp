@@ -66,7 +66,9 @@ TableReader::TableReader(const Node& node, std::string what, Reporter& reporter)
 }
 
 const Node* TableReader::any(std::string_view key) {
-    known_.push_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
+        known_.push_back(key);
+    }
     return node_->find(key);
 }
 

@@ -320,7 +320,8 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
         {"file = 'none.tri'\nmaterial = 'leaf'\n",
          "file 'none.tri' can't be read (No such file or directory)"},
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
-         "the format of 'a.dat' can't be told from its name"},
+         "the format of 'a.dat' can't be told from its name (the formats that are read are tri, "
+         "obj, ply)"},
         {"file = 'a.tri'\nformat = 'stl'\nmaterial = 'leaf'\n", "format is 'stl'"},
         {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},

@@ -179,6 +179,27 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     }
 }
 
+TEST(RunFileTime, WarnsOfTimesThatOverlap) {
+    const auto overlap_warnings = [](const std::string& keys) {
+        std::string texts;
+        for (const Warning& warning : read_text(with_time(keys)).warnings) {
+            texts += warning.text.find("overlap") != std::string::npos ? warning.text : "";
+        }
+        return texts;
+    };
+    const std::string times =
+        "times = ['2024-06-21T12:00+01:00', '2024-06-21T11:30+01:00', '2024-06-21T13:00+01:00']\n";
+    EXPECT_NE(
+        overlap_warnings(times + "duration_minutes = 60\n")
+            .find("1 of the times overlap, and sums over days count their light twice: "
+                  "2024-06-21T12:00+01:00 begins 30 min after 2024-06-21T11:30+01:00, which lasts "
+                  "60 min"),
+        std::string::npos)
+        << overlap_warnings(times + "duration_minutes = 60\n");
+    EXPECT_EQ(overlap_warnings(times + "duration_minutes = 30\n"), "");
+    EXPECT_EQ(overlap_warnings(times), "");
+}
+
 TEST(RunFileTime, WarnsOfAClockFromElsewhere) {
     const RunFile run = read_text(with_time(
         "times = ['2024-06-21T12:00-07:00']\nutc_offset_hours = -7\n",

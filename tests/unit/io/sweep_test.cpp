@@ -143,7 +143,14 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
     for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
              {"", "[sweep]: it has no keys"},
              {"sun.elevation_deg = [1]\n", "write source.sun.elevation_deg"},
-             {"bands.PAR = [1]\n", "'bands.PAR' can't be swept"},
+             {"bands.PAR = [1]\n", "'bands.PAR' can't be swept (it is one for all points)"},
+             {"title = ['a', 'b']\n", "'title' can't be swept (it is one for all points)"},
+             {"source = [1]\n", "'source' can't be swept (it is a section); name a key of it"},
+             {"pahts = [1]\n",
+              "'pahts' can't be swept (it is no option of the run); did you "
+              "mean 'paths'?"},
+             {"'' = [1]\n", "[sweep]: '' is no key (a part of it is empty)"},
+             {"'run.' = [1]\n", "[sweep]: 'run.' is no key (a part of it is empty)"},
              {"run.groups = [['plant']]\n", "'run.groups' can't be swept"},
              {"ratios = [['R:FR']]\n", "it is one for all points"},
              {"paths = 64\n", "paths is an integer"},
@@ -155,7 +162,9 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
              {"source.3.name = ['x']\n", "there is no 'source.3'"},
              {"material.leaf.upper.reflectance = [0.1]\n", "there is no 'material.leaf.upper'"},
              {"material.leaf.name.first = ['a']\n", "'material.leaf.name' is a text"}}) {
-        EXPECT_TRUE(mentions(sweep_faults(keys), message)) << keys;
+        const std::vector<std::string> faults = sweep_faults(keys);
+        EXPECT_TRUE(mentions(faults, message)) << keys << faults.back();
+        EXPECT_FALSE(mentions(faults, "unknown key 'sweep'")) << keys;
     }
     std::string many;
     for (const char* key : {"seed", "paths", "replicates", "max_depth", "audit", "max_paths"}) {

@@ -75,9 +75,10 @@ TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
 }
 
 TEST(Planner, TracesLampsFromThemselves) {
-    EXPECT_EQ(plan({}, {lamp()}).method, Method::light_tracing);
+    const StandSpec bright{.leaf = matt("leaf", .4, .4)};
+    EXPECT_EQ(plan(bright, {lamp()}).method, Method::light_tracing);
     // A dark source is none.
-    EXPECT_EQ(plan({}, {lamp(), sun(0, {0})}).method, Method::light_tracing);
+    EXPECT_EQ(plan(bright, {lamp(), sun(0, {0})}).method, Method::light_tracing);
     EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).method, Method::first_hits);
 }
 
@@ -122,10 +123,30 @@ TEST(Planner, KnowsThatShinyLeavesHideTheSun) {
         EXPECT_EQ(plan(shiny, {sun(0, {1})}).method, Method::first_hits);
         EXPECT_EQ(plan(shiny, {sky({1})}).method, Method::from_organs);
         const StandSpec one{.measured = 1, .leaf = leaf};
-        EXPECT_EQ(plan(one, {sun(0, {1})}).method, Method::from_organs);
+        EXPECT_EQ(plan(one, {sun(0, {1})}).method, Method::first_hits);
     }
     const StandSpec dull{.measured = 2, .leaf = glossy("phong", 20)};
     EXPECT_EQ(plan(dull, {sun(0, {1})}).method, Method::from_organs);
+}
+
+/// Lamps that stand apart from dark leaves are looked for from all of them, if there are paths to
+/// spare; not lamps amid the leaves, nor with bright leaves, nor with a sun.
+TEST(Planner, LooksForLampsThatStandApartFromDarkLeaves) {
+    const auto planned = [](double height, double albedo, std::uint64_t paths) {
+        LampSpec spec;
+        spec.name = "lamp";
+        spec.position = {.5, .5, height};
+        spec.flux = {1};
+        RunSpec run;
+        run.method = Method::automatic;
+        run.paths = paths;
+        const StandSpec stand{.leaf = matt("leaf", albedo, albedo)};
+        return plan_method(make_stand(stand), {make_lamp(spec)}, run).method;
+    };
+    EXPECT_EQ(planned(3, .1, 1 << 14), Method::from_organs);
+    EXPECT_EQ(planned(.5, .1, 1 << 14), Method::light_tracing);
+    EXPECT_EQ(planned(3, .4, 1 << 14), Method::light_tracing);
+    EXPECT_EQ(planned(3, .1, 1 << 10), Method::light_tracing);
 }
 
 TEST(Planner, NeverTracesRepeatedLampsFromTheOrgans) {

@@ -277,6 +277,22 @@ TEST(Series, OfADayHasTheTargetForItsSum) {
     EXPECT_GT(paths[0], 8 * paths[2]);
 }
 
+/// Whatever the brightest hour would deserve.
+TEST(Series, OfADayKeepsToTheMostPaths) {
+    RunSpec spec = small_spec();
+    spec.paths = 256;
+    spec.max_paths = 256;
+    spec.effort = Effort::day;
+    std::vector<std::uint64_t> paths;
+    SeriesEvents events;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        paths.push_back(result.paths);
+    };
+    static_cast<void>(run_series(make_scene(), fading_day(), spec, events));
+    EXPECT_EQ(paths[0], 256U);
+    EXPECT_LT(paths[2], 256U);
+}
+
 TEST(Series, LeavesOutSumsThatNobodyWants) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
