@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import quasimc
+from quasimc.compat.caribu import CaribuScene_nodes as nodes
 from quasimc.compat.caribu import caribu as functions
 from quasimc.compat.caribu.CaribuScene import CaribuScene
 from quasimc.compat.caribu.caribu import mixed_radiosity, radiosity, raycasting, x_raycasting
@@ -19,7 +20,8 @@ from quasimc.compat.caribu.file_adaptor import (
 from quasimc.compat.caribu.caribu_star import caribu_star
 from quasimc.compat.caribu.label import Label
 from quasimc.compat.caribu.light import light_sources, turtle
-from quasimc.compat.caribu.sky_tools import GenSky, GetLight
+from quasimc.compat.caribu.sky_tools import GenSky, Gensun, GetLight, GetLightsSun
+from quasimc.compat.caribu.sky_tools import spitters_horaire
 from quasimc.compat.caribu.plantgl_adaptor import mtg_to_cscene, scene_to_cscene
 
 S = math.sqrt(2)
@@ -383,3 +385,65 @@ def test_the_mixed_function_repeats_over_a_ground():
         [LOWER_HALF, UPPER_HALF], [(0.06, 0.04)] * 2, ZENITH, (0, 0, 1, 1), 0.15, 0.5, 2, 1.0
     )
     assert light["Ei"][0] == pytest.approx(100, abs=2)
+
+
+def test_the_sun_of_a_day_and_an_hour():
+    energy, azimuth, zenith = Gensun.Gensun()(500.0, 172, 12, 45.0)
+    assert energy == 500 and math.degrees(zenith) == pytest.approx(45 - 23.45, abs=0.02)
+    assert abs(math.degrees(azimuth)) == pytest.approx(180)  # in the south, X+ is north
+    morning = Gensun.Gensun()(500.0, 172, 8, 45.0)
+    assert math.sin(morning[1]) < 0 < math.sin(Gensun.Gensun()(500.0, 172, 16, 45.0)[1])
+    # As the position of the sun by the precise algorithm, at an hour near that of true solar time.
+    precise = quasimc.sun_position(45.0, 0.0, "2023-06-21T08:02+00:00")
+    assert 90 - math.degrees(morning[2]) == pytest.approx(precise.elevation_deg, abs=0.5)
+    assert -math.degrees(morning[1]) % 360 == pytest.approx(precise.azimuth_deg, abs=0.5)
+    light = [float(x) for x in GetLightsSun.GetLightsSun(morning).split()]
+    assert light[0] == 500 and light[3] == pytest.approx(-math.cos(morning[2]))
+    expected = light_sources(90 - math.degrees(morning[2]), -math.degrees(morning[1]), 500)[0]
+    assert light[1:] == pytest.approx(expected[1])
+    assert Gensun.Gensun()(500.0, 172, 1, 45.0)[0] == 0
+
+
+def test_the_diffuse_part_of_an_hour():
+    at_noon = lambda rg: spitters_horaire.RdRsH(rg, 172, 12, 45.0)  # noqa: E731
+    assert at_noon(100) == 1 and at_noon(0) == 1
+    outside = 1370 * (1 + 0.033 * math.cos(2 * math.pi * 172 / 365))
+    outside *= spitters_horaire.sin_elevation(172, 12, 45.0)
+    assert at_noon(0.3 * outside) == pytest.approx(1 - 6.4 * 0.08**2)
+    assert at_noon(0.5 * outside) == pytest.approx(1.47 - 1.66 * 0.5)
+    sine = math.cos(math.radians(45 - 23.45))
+    clear = 0.847 - 1.61 * sine + 1.04 * sine**2
+    assert at_noon(0.9 * outside) == pytest.approx(clear, abs=1e-3)
+    fractions = [at_noon(share * outside) for share in np.linspace(0, 1, 200)]
+    assert all(b <= a + 0.01 for a, b in zip(fractions, fractions[1:]))
+    assert spitters_horaire.RdRsH(100, 172, 1, 45.0) == 1
+
+
+def test_nodes_give_scenes_and_outputs():
+    scene = nodes.newCaribuScene({1: [LEAF]}, ZENITH, scene_unit="m")
+    same, aggregated, raw = nodes.runCaribu(scene)
+    assert same is scene and list(raw) == ["band1"]
+    light, name = nodes.selectOutput(aggregated, "Ei", "band1")
+    assert name == "Ei" and light[1] == pytest.approx(100, abs=0.01)
+    assert nodes.selectOutput(aggregated["band1"], "Ei")[0] == light
+    assert nodes.getIncidentEnergy(scene)[0] == 100
+
+
+def test_a_scene_as_plain_lists():
+    scene = square_scene(opt={"PAR": (0.1, 0.05)}, soil_reflectance={"PAR": 0.2}, soil_mesh=1)
+    triangles, groups, materials, bands, albedo = scene.as_primitive()
+    assert len(triangles) == 5 and groups == ["lower", "lower", "upper", "soil", "soil"]
+    assert materials == {"PAR": [(0.1, 0.05)] * 3 + [(0.2,)] * 2}
+    assert bands == ["PAR"] and albedo == {"PAR": 0.2}
+
+
+def test_triangles_are_moved_into_the_pattern():
+    far = [(x + 7, y - 3, z) for x, y, z in LOWER_HALF]
+    scene = CaribuScene({5: [far], 6: [UPPER_HALF]}, ZENITH, pattern=(1, 1, 0, 0))
+    before = scene.run(infinite=True, simplify=True)[1]["Ei"]
+    assert scene.runPeriodise() is scene
+    assert np.allclose(scene.scene[5], [LOWER_HALF]) and np.allclose(scene.scene[6], [UPPER_HALF])
+    after = scene.run(infinite=True, simplify=True)[1]["Ei"]
+    assert after[5] == pytest.approx(before[5], rel=1e-3)
+    with pytest.raises(ValueError):
+        CaribuScene({5: [far]}).runPeriodise()

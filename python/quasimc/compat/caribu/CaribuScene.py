@@ -277,6 +277,52 @@ class CaribuScene:
         qi = next(iter(self.soil_aggregated.values()))["Ei"]
         return qi, qi * self._pattern_area()
 
+    # Other forms of the scene.
+
+    def as_primitive(self):
+        """The scene as plain lists, the soil, if any, last.
+
+        Returns
+        -------
+        triangles : list
+        groups : list
+            The pid of each triangle; `soil_label` of the soil's.
+        materials : dict
+            Band -> list of materials, one for each triangle.
+        bands : list
+        albedo : dict
+            Band -> reflectance of the soil.
+        """
+        pids = [] if self.scene is None else self.scene.allids()
+        triangles = [] if self.scene is None else self.scene.allvalues()
+        soil = self.soil or []
+        groups = pids + [self.soil_label] * len(soil)
+        bands = list(self.material)
+        return triangles + soil, groups, self._materials(pids), bands, dict(self.soil_reflectance)
+
+    def runPeriodise(self):
+        """Moves each triangle as a whole so that its centre lies in the pattern.
+
+        The light of an infinite scene does not depend on it. Pids stay as they are, and the scene
+        can be run on.
+
+        Returns
+        -------
+        CaribuScene
+            This one.
+        """
+        if self.pattern is None:
+            raise ValueError("runPeriodise needs a pattern")
+        if self.scene is not None:
+            xs, ys = sorted(self.pattern[::2]), sorted(self.pattern[1::2])
+            low, size = (xs[0], ys[0]), (xs[1] - xs[0], ys[1] - ys[0])
+            moved = {
+                pid: [_moved_into(triangle, low, size) for triangle in triangles]
+                for pid, triangles in self.scene.items()
+            }
+            self.scene = CaribuTriangleSet(moved)
+        return self
+
     # Running.
 
     def run(
@@ -471,6 +517,15 @@ class CaribuScene:
         return [
             0.0 if math.isnan(v) else min(max((v - low) / scale, 0.0), 1.0) ** power for v in values
         ]
+
+
+def _moved_into(triangle, low, size):
+    """The triangle, its centre moved by whole cells to between `low` and `low` + `size`."""
+    points = [tuple(point) for point in triangle]
+    shift = [
+        -size[k] * math.floor((sum(p[k] for p in points) / 3 - low[k]) / size[k]) for k in (0, 1)
+    ]
+    return [(x + shift[0], y + shift[1], z) for x, y, z in points]
 
 
 def _numbers_of(pids):

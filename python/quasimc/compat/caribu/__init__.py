@@ -3,7 +3,7 @@
 Change one import of a script: ``from quasimc.compat.caribu.CaribuScene import CaribuScene``.
 """
 
-from . import caribu, file_adaptor, label, light, plantgl_adaptor, sky_tools
+from . import CaribuScene_nodes, caribu, file_adaptor, label, light, plantgl_adaptor, sky_tools
 from .CaribuScene import CaribuScene
 from .caribu import (
     CaribuError,
@@ -19,6 +19,7 @@ __all__ = [
     "CaribuOptionError",
     "CaribuRunError",
     "CaribuScene",
+    "CaribuScene_nodes",
     "caribu",
     "file_adaptor",
     "label",

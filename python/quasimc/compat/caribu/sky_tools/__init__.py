@@ -1,5 +1,5 @@
-"""Skies as texts of lights."""
+"""Skies and suns as texts of lights."""
 
-from . import GenSky, GetLight, turtle
+from . import GenSky, Gensun, GetLight, GetLightsSun, spitters_horaire, turtle
 
-__all__ = ["GenSky", "GetLight", "turtle"]
+__all__ = ["GenSky", "Gensun", "GetLight", "GetLightsSun", "spitters_horaire", "turtle"]

@@ -1,0 +1,38 @@
+"""The sun of a day and an hour."""
+
+from __future__ import annotations
+
+import math
+
+from .spitters_horaire import declination, sin_elevation
+
+
+class Gensun:
+    """Calling it gives the sun: (energy on the horizontal, azimuth, zenith), radians."""
+
+    def __call__(self, Rsun=1.0, DOY=1, heureTU=12, lat=0.0):
+        """The sun, as a cell of `GenSky` is stated.
+
+        Parameters
+        ----------
+        Rsun : float
+            Energy on the horizontal; nothing while the sun is down.
+        DOY, heureTU : float
+            Day of the year, and hour: true solar time.
+        lat : float
+            Latitude, degrees.
+
+        Returns
+        -------
+        energy, azimuth, zenith : float
+            Azimuth from X+ to Y+, where X+ is north and Y+ is west, as in `light_sources`.
+        """
+        sine = sin_elevation(DOY, heureTU, lat)
+        down, place = declination(DOY), math.radians(lat)
+        angle = math.radians(15 * (heureTU - 12))
+        west = math.cos(down) * math.sin(angle)
+        north = math.sin(down) * math.cos(place) - math.cos(down) * math.sin(place) * math.cos(
+            angle
+        )
+        zenith = math.atan2(math.hypot(west, north), sine)
+        return (Rsun if sine > 0 else 0.0), math.atan2(west, north), zenith
