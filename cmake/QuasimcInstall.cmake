@@ -30,6 +30,10 @@ install(
 if(TARGET quasimc_app)
     install(TARGETS quasimc_app quasimc_environment
             RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
+    if(TARGET quasimc_ranks)
+        install(TARGETS quasimc_ranks
+                LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/quasimc" COMPONENT program)
+    endif()
     # A link, copied as one: QuasiMC by the name of the older program.
     install(FILES "$<TARGET_FILE_DIR:quasimc_environment>/MonteCarlo"
             DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)

@@ -12,13 +12,16 @@
 
 #include <fmt/format.h>
 
+#include "checkpoint_run.h"
 #include "commands.h"
+#include "help_run.h"
 #include "interrupt.h"
 #include "io/results/audit_words.h"
 #include "io/results/part_file.h"
 #include "part_run.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
+#include "rank_team.h"
 #include "repetition.h"
 #include "run_writers.h"
 
@@ -117,12 +120,19 @@ void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all)
 class SweepRun {
   public:
     /// @param parts  which the sums of the runs are taken from; null: they are traced
-    SweepRun(const RunArguments& arguments, quasimc::RunSweep& sweep, quasimc::PartFiles* parts)
+    /// @param team  which they are traced with; null: alone
+    SweepRun(
+        const RunArguments& arguments,
+        quasimc::RunSweep& sweep,
+        quasimc::PartFiles* parts,
+        quasimc::RunTeam* team)
         : arguments_(arguments),
           sweep_(sweep),
           parts_(parts),
+          team_(team),
           run_(next_file(0)),
           writers_(arguments, *run_),
+          checkpoint_(arguments, *run_),
           tell_(progress_line(progress_lines(arguments))) {}
 
     void compute() {
@@ -132,6 +142,7 @@ class SweepRun {
             writers_.next_run(*next, last_);
             run_ = std::move(next);
         }
+        checkpoint_.flush();
     }
 
     /// Of all points that are done. Its total is that of the last one.
@@ -170,9 +181,11 @@ class SweepRun {
         }
         try {
             const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(*run_);
+            checkpoint_.set_moments_before(moments_before_);
             last_ = quasimc::run_series(simulator_, run_->scene, moments, spec, events(), stop);
             moments_before_ += moments.size();
         } catch (const quasimc::Stopped& stopped) {
+            checkpoint_.flush();
             if (point_ == 0) {
                 throw;
             }
@@ -205,6 +218,11 @@ class SweepRun {
 
     [[nodiscard]] quasimc::SeriesEvents events() {
         quasimc::SeriesEvents events = writers_.events(progress());
+        events.checkpoint = checkpoint_.hooks();
+        events.team = team_;
+        if (team_ != nullptr) {
+            team_->point = point_;
+        }
         if (parts_ != nullptr) {
             events.sums_of = [this](std::size_t moment) {
                 return parts_->next(moments_before_ + moment);
@@ -216,10 +234,12 @@ class SweepRun {
     const RunArguments& arguments_;
     quasimc::RunSweep& sweep_;
     quasimc::PartFiles* parts_;
+    quasimc::RunTeam* team_;
     std::size_t point_ = 0;
     std::size_t moments_before_ = 0;  // of the points before
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
+    CheckpointRun checkpoint_;
     std::function<void(const quasimc::Progress&)> tell_;
     quasimc::Simulator simulator_;
     quasimc::SeriesSummary last_, all_;
@@ -249,11 +269,15 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
-Exit run(const RunArguments& arguments, quasimc::StoredSweep stored, quasimc::PartFiles* parts) {
+Exit run(
+    const RunArguments& arguments,
+    quasimc::StoredSweep stored,
+    quasimc::PartFiles* parts,
+    quasimc::RunTeam* team = nullptr) {
     if (!arguments.quiet) {
         print_warnings(stored.runs.warnings());
     }
-    SweepRun sweep(arguments, stored.runs, parts);
+    SweepRun sweep(arguments, stored.runs, parts, team);
     sweep.compute();
     if (parts != nullptr) {
         parts->expect_end();
@@ -275,6 +299,19 @@ Exit run(const RunArguments& arguments, quasimc::StoredSweep stored, quasimc::Pa
         throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
     }
     return exit_of(sweep.file(), sweep.all());
+}
+
+/// With the other ranks of the job, if there are any.
+Exit run_with_others(const RunArguments& arguments) {
+    const std::unique_ptr<RankTeam> ranks = RankTeam::join();
+    if (!ranks) {
+        return run(arguments, read_runs(arguments), nullptr);
+    }
+    quasimc::RunTeam& team = ranks->team();
+    return ranks->run([&] {
+        return team.is_first ? run(arguments, read_runs(arguments), nullptr, &team)
+                             : help_run(arguments, team);
+    });
 }
 
 Exit merge(const RunArguments& arguments) {
@@ -315,6 +352,10 @@ void check_usage(const RunArguments& arguments) {
     }
     if (arguments.part.empty() && !arguments.sums.empty()) {
         throw UsageError("--sums: is the file of a --part");
+    }
+    if (arguments.checkpoint.empty() &&
+        (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
+        throw UsageError("--every and --resume: are of a --checkpoint");
     }
     for (const auto& [flag, path] : outputs_of(arguments)) {
         if (!arguments.part.empty() && !path->empty()) {
@@ -378,7 +419,21 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
         {.name = "--sums",
          .target = &arguments.sums,
          .summary = "write the part here; by default NAME.KofN.part in the current folder",
-         .type_name = "FILE"}};
+         .type_name = "FILE"},
+        {.name = "--checkpoint",
+         .target = &arguments.checkpoint,
+         .summary = "keep here what was computed, so that --resume can go on from it",
+         .type_name = "FILE",
+         .excludes = "--part"},
+        {.name = "--every",
+         .target = &arguments.every,
+         .summary = "seconds from one checkpoint to the next",
+         .type_name = "SECONDS",
+         .range = std::pair(0.0, 1e6),
+         .default_text = "60"},
+        {"--resume", &arguments.resume,
+         "go on from the checkpoint, if it is there; target_error, target_fraction, max_paths and "
+         "max_seconds may be others than before"}};
     for (Flag& flag : output_flags(arguments)) {
         flags.push_back(std::move(flag));
     }
@@ -405,8 +460,7 @@ Command run_command() {
     return {
         "run", "compute the light on every organ of a scene", flags_of_run(*arguments),
         [arguments] {
-            return arguments->part.empty() ? run(*arguments, read_runs(*arguments), nullptr)
-                                           : run_part(*arguments);
+            return arguments->part.empty() ? run_with_others(*arguments) : run_part(*arguments);
         },
         [arguments] { check_usage(*arguments); }};
 }

@@ -16,6 +16,9 @@ std::vector<quasimc::InputFile> inputs_of(
     if (!arguments.from.empty()) {
         add(arguments.from);
     }
+    if (!arguments.checkpoint.empty()) {
+        add(arguments.checkpoint);
+    }
     std::for_each(arguments.parts.begin(), arguments.parts.end(), add);
     return inputs;
 }

@@ -20,7 +20,11 @@ struct RunArguments {
     OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
-    std::string part, sums;          ///< of `run` alone
+    std::string part, sums;  ///< of `run` alone, as what follows:
+    std::string checkpoint;
+    static constexpr double kUsualEvery = 60;
+    double every = kUsualEvery;  ///< seconds
+    bool resume = false;
     std::vector<std::string> parts;  ///< of `merge` alone: files
 };
 

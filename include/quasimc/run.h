@@ -29,6 +29,9 @@ struct Progress {
     double fraction_at_target = 0;  ///< of the organs, after the last round; 0 without a target
 };
 
+struct RunCheckpoint;  // src/run/run_state.h
+struct RunTeam;        // src/run/run_team.h
+
 /// What a caller hears of a run, and how it may end it.
 struct RunControl {
     std::function<void(const Progress&)> on_progress = {};
@@ -43,6 +46,11 @@ struct RunControl {
     /// Seconds that a run may still take after such a stop, if none of its rounds was complete: a
     /// few paths are then traced, so that there is a result. 0: there is none (Stopped).
     double seconds_after_stop = 0;
+    /// Where the state of the run is kept, and from what it goes on; null: nowhere.
+    const RunCheckpoint* checkpoint = nullptr;
+    /// Other processes that trace with this one; null: none.
+    const RunTeam* team = nullptr;
+    std::size_t moment = 0;  ///< the run's number in both
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.

@@ -49,6 +49,9 @@ struct SeriesEvents {
     /// Where the sums of a traced moment come from if shares of them were traced elsewhere
     /// (trace_share); asked in the order of moments. Empty: everything is traced here.
     std::function<Sums(std::size_t time_step)> sums_of = {};
+    /// As RunControl::checkpoint; moments have their numbers in the series.
+    const RunCheckpoint* checkpoint = nullptr;
+    const RunTeam* team = nullptr;  ///< as RunControl::team
     bool wants_total = true;  ///< whether SeriesSummary::total is computed
 };
 

@@ -11,6 +11,36 @@
 
 namespace quasimc {
 
+/// Which tasks are done: those of so many calls of Executor::run(), and of the next call those
+/// before a task.
+struct TaskPosition {
+    std::uint64_t calls = 0, task = 0;
+    friend bool operator==(const TaskPosition&, const TaskPosition&) = default;
+};
+
+/// Now and then no task is at work, so that what was done can be kept.
+struct TaskPauses {
+    std::function<bool()> is_due;  ///< asked after tasks; costs next to nothing
+    std::function<void(const TaskPosition& done)> on_pause;
+};
+
+/// Where the tasks of a call of Executor::run() are handed out.
+struct TaskRange {
+    std::atomic<std::uint64_t>* next = nullptr;  ///< the next task; others may take from it as well
+    std::uint64_t end = 0;
+    bool is_all = true;  ///< all tasks that are left: it can be paused
+};
+
+/// Processes that run the same tasks together, each some of them. All call the same functions, in
+/// the same order.
+struct TaskTeam {
+    static constexpr std::uint64_t kGivenUp = ~std::uint64_t{0};
+    /// Where this process takes its tasks of [begin, end) from. Returns once all have called it.
+    std::function<TaskRange(std::uint64_t begin, std::uint64_t end)> begin;
+    /// Returns what the first process has said, once all have said something.
+    std::function<std::uint64_t(std::uint64_t own)> meet;
+};
+
 /// Runs tasks on the threads of this process, and tells how far they are.
 class Executor {
   public:
@@ -32,6 +62,16 @@ class Executor {
     [[nodiscard]] unsigned workers() const { return workers_; }
     [[nodiscard]] const std::stop_token& stop() const { return stop_; }
 
+    /// Makes pauses from now on. Only of a whole share.
+    void set_pauses(TaskPauses pauses) { pauses_ = std::move(pauses); }
+    /// Shares tasks with other processes; it must outlive the executor. Only of a whole share.
+    void set_team(const TaskTeam* team) { team_ = team; }
+    /// The next calls of run() begin with the tasks after those that are done already.
+    void start_at(const TaskPosition& done) {
+        done_before_ = done;
+        calls_ = 0;
+    }
+
     /// Tells how many tasks the next calls of run() have together.
     void announce(std::uint64_t tasks) {
         const auto [begin, end] = share_.range(tasks);
@@ -42,18 +82,31 @@ class Executor {
     /// Runs `work(task, worker)` once for every task in [0, tasks) that belongs to the share,
     /// handed out in order to whoever is free. The first exception thrown stops the rest and is
     /// rethrown here. Results must not depend on `worker`, which is below workers().
+    /// @param gather  called before every pause: brings together what workers keep for themselves
     /// @throws StopRequested  if a stop was requested before all were done
     void run(
-        std::uint64_t tasks, const std::function<void(std::uint64_t task, unsigned worker)>& work);
+        std::uint64_t tasks,
+        const std::function<void(std::uint64_t task, unsigned worker)>& work,
+        const std::function<void()>& gather = {});
 
   private:
     using Clock = std::chrono::steady_clock;
+    using Work = std::function<void(std::uint64_t task, unsigned worker)>;
+    [[nodiscard]] std::uint64_t first_task(std::uint64_t begin, std::uint64_t end) const;
+    [[nodiscard]] std::uint64_t run_together(
+        std::uint64_t begin, std::uint64_t end, const Work& work);
+    [[nodiscard]] std::uint64_t run_until_pause(
+        const TaskRange& range, std::uint64_t begin, std::uint64_t end, const Work& work);
     void finish_task(unsigned worker);
 
     unsigned workers_;
     std::function<void(double)> on_progress_;
     std::stop_token stop_;
     Share share_;
+    TaskPauses pauses_;
+    const TaskTeam* team_ = nullptr;
+    TaskPosition done_before_;
+    std::uint64_t calls_ = 0;  // of run(), that are complete
     std::uint64_t announced_ = 0;
     std::atomic<std::uint64_t> done_{0};
     Clock::time_point last_told_ = Clock::now();

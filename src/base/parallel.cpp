@@ -18,6 +18,15 @@ void parallel_blocks(
     unsigned workers,
     const std::function<void(std::uint64_t block, unsigned worker)>& work) {
     std::atomic<std::uint64_t> next{0};
+    parallel_blocks(next, blocks, workers, work);
+}
+
+void parallel_blocks(
+    std::atomic<std::uint64_t>& next,
+    std::uint64_t blocks,
+    unsigned workers,
+    const std::function<void(std::uint64_t block, unsigned worker)>& work) {
+    const std::uint64_t begin = std::min(next.load(), blocks);
     std::mutex mutex;
     std::exception_ptr failure;
     const auto loop = [&](unsigned worker) {
@@ -33,7 +42,9 @@ void parallel_blocks(
     };
     {
         const auto extra = static_cast<unsigned>(
-            std::min<std::uint64_t>(std::max(workers, 1U), std::max<std::uint64_t>(blocks, 1)) - 1);
+            std::min<std::uint64_t>(
+                std::max(workers, 1U), std::max<std::uint64_t>(blocks - begin, 1)) -
+            1);
         std::vector<std::jthread> threads;
         threads.reserve(extra);
         for (unsigned worker = 1; worker <= extra; ++worker) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -11,6 +12,14 @@ namespace quasimc {
 /// handed out in index order to whoever is free. The first exception thrown stops the rest and is
 /// rethrown here. Which worker runs a block is left to chance: results must not depend on `worker`.
 void parallel_blocks(
+    std::uint64_t blocks,
+    unsigned workers,
+    const std::function<void(std::uint64_t block, unsigned worker)>& work);
+
+/// The same of the blocks from `next` on, which is left behind the last one handed out. Whoever
+/// sets it to `blocks` meanwhile ends the handing out: what was handed out is still done.
+void parallel_blocks(
+    std::atomic<std::uint64_t>& next,
     std::uint64_t blocks,
     unsigned workers,
     const std::function<void(std::uint64_t block, unsigned worker)>& work);

@@ -26,16 +26,83 @@ Sums make_sums(const PreparedScene& prepared, const RunSpec& spec) {
 
 }  // namespace
 
-void RoundTracer::trace(const Round& round) {
-    if (round.first == 0) {
-        spec_.paths = round.count;
-        solver_ = make_solver({prepared_, sampler_, spec_, executor_.stop()});
-    }
-    Sums sums = round.first == 0  ? make_sums(prepared_, spec_)
-                : may_be_stopped_ ? *done_
-                                  : std::move(*done_);
-    solver_->solve(round, executor_, sums);
+void RoundTracer::make_solver_for(std::uint64_t first_paths) {
+    spec_.paths = first_paths;
+    solver_ = make_solver({prepared_, sampler_, spec_, executor_.stop()});
+}
+
+void RoundTracer::restore(Sums sums, std::uint64_t first_paths) {
     done_ = std::move(sums);
+    first_paths_ = first_paths;
+}
+
+void RoundTracer::set_pauses(
+    std::function<bool()> is_due,
+    std::function<void(const TaskPosition& done, const Sums& partial)> on_pause) {
+    executor_.set_pauses(
+        {std::move(is_due),
+         [this, tell = std::move(on_pause)](const TaskPosition& done) { tell(done, *partial_); }});
+}
+
+void RoundTracer::set_team(const RunTeam* team, std::uint64_t moment) {
+    team_ = team;
+    moment_ = moment;
+    executor_.set_team(team != nullptr ? &team->tasks : nullptr);
+}
+
+void RoundTracer::order(
+    const Round& round, const TaskPosition& tasks, std::uint64_t first_paths) const {
+    if (team_ != nullptr) {
+        static_cast<void>(team_->order(
+            {.point = team_->point,
+             .moment = moment_,
+             .first_paths = first_paths,
+             .round = round,
+             .tasks = tasks}));
+    }
+}
+
+void RoundTracer::solve(const Round& round, Sums& sums) {
+    partial_ = &sums;
+    solver_->solve(round, executor_, sums);
+    if (team_ != nullptr) {
+        add_up(*team_, sums);
+    }
+    partial_ = nullptr;
+}
+
+void RoundTracer::trace(const Round& round, std::optional<PartialRound> from) {
+    const std::uint64_t first_paths = round.first == 0 ? round.count : first_paths_;
+    const TaskPosition tasks = from ? from->tasks : TaskPosition();
+    if (round.first == 0 || !solver_) {
+        make_solver_for(first_paths);
+    }
+    executor_.start_at(tasks);
+    Sums sums = from               ? std::move(from->sums)
+                : round.first == 0 ? make_sums(prepared_, spec_)
+                : may_be_stopped_  ? *done_
+                                   : std::move(*done_);
+    order(round, tasks, first_paths);
+    solve(round, sums);
+    done_ = std::move(sums);
+    first_paths_ = first_paths;
+}
+
+void RoundTracer::help(const TeamOrder& order) {
+    if (prepared_.lights().empty()) {
+        return;
+    }
+    if (order.first_paths != first_paths_ || !solver_) {
+        first_paths_ = order.first_paths;
+        make_solver_for(first_paths_);
+        set_pauses({}, [](const TaskPosition&, const Sums&) {});
+    }
+    if (order.is_prepare != 0) {
+        return;
+    }
+    executor_.start_at(order.tasks);
+    Sums sums = make_sums(prepared_, spec_);
+    solve(order.round, sums);
 }
 
 }  // namespace quasimc

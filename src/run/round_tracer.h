@@ -1,16 +1,26 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/executor.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/sums.h"
+#include "run/run_team.h"
 #include "samplers/sampler.h"
 #include "solvers/solver.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
+
+/// Of a round that is not complete: which tasks are done, and all sums so far.
+struct PartialRound {
+    TaskPosition tasks;
+    Sums sums;
+};
 
 /// Traces the rounds of a run, and keeps the sums of those that are complete.
 class RoundTracer {
@@ -32,13 +42,32 @@ class RoundTracer {
     /// A round whose first point is number 0 begins anew: when it is complete, its sums replace all
     /// others.
     /// @throws StopRequested  if it was stopped: the sums are what they were before
-    void trace(const Round& round);
+    /// @param from  what was done of it before; the tasks behind that are traced
+    void trace(const Round& round, std::optional<PartialRound> from = {});
+    /// Takes over the sums of rounds that are complete. @param first_paths  of the first of them
+    void restore(Sums sums, std::uint64_t first_paths);
+    /// Traces rounds together with other processes.
+    void set_team(const RunTeam* team, std::uint64_t moment = 0);
+    /// Traces tasks of a round that the first process of the team has ordered.
+    void help(const TeamOrder& order);
+    /// Pauses while rounds are traced.
+    /// @param on_pause  is told of the tasks done, and the sums with them
+    void set_pauses(
+        std::function<bool()> is_due,
+        std::function<void(const TaskPosition& done, const Sums& partial)> on_pause);
 
     [[nodiscard]] bool has_sums() const { return done_.has_value(); }
+    /// Of the first of the rounds that are complete.
+    [[nodiscard]] std::uint64_t first_paths() const { return first_paths_; }
     /// Of the rounds that are complete; there must be one.
     [[nodiscard]] const Sums& sums() const { return *done_; }
+    [[nodiscard]] Sums take_sums() && { return std::move(*done_); }
 
   private:
+    void make_solver_for(std::uint64_t first_paths);
+    void solve(const Round& round, Sums& sums);
+    void order(const Round& round, const TaskPosition& tasks, std::uint64_t first_paths) const;
+
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     RunSpec spec_;
@@ -46,6 +75,10 @@ class RoundTracer {
     bool may_be_stopped_;
     std::unique_ptr<Solver> solver_;
     std::optional<Sums> done_;
+    std::uint64_t first_paths_ = 0;
+    Sums* partial_ = nullptr;  // while a round is traced
+    const RunTeam* team_ = nullptr;
+    std::uint64_t moment_ = 0;
 };
 
 }  // namespace quasimc

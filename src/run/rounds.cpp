@@ -25,43 +25,43 @@ constexpr std::uint64_t kInsuredPart = 64;
 
 void Pace::add(std::uint64_t paths, double seconds) {
     const auto count = static_cast<double>(paths);
-    if (count > last_.paths) {
-        before_ = last_;
+    if (count > last.paths) {
+        before = last;
     }
-    last_ = {count, seconds};
+    last = {count, seconds};
 }
 
 double Pace::seconds_for(std::uint64_t paths) const {
-    const double mean = last_.seconds / last_.paths;
-    if (before_.paths == 0 || before_.paths >= last_.paths) {
+    const double mean = last.seconds / last.paths;
+    if (before.paths == 0 || before.paths >= last.paths) {
         return mean * static_cast<double>(paths);
     }
     // What has taken less than this tells little of the cost of a round: half of it is left to
     // the paths.
     constexpr double kLongEnough = 0.2;
-    const double slope = (last_.seconds - before_.seconds) / (last_.paths - before_.paths);
-    const double least = last_.seconds < kLongEnough ? mean / 2 : 0;
+    const double slope = (last.seconds - before.seconds) / (last.paths - before.paths);
+    const double least = last.seconds < kLongEnough ? mean / 2 : 0;
     const double each = std::clamp(slope, least, mean);
-    return std::max(0.0, last_.seconds + each * (static_cast<double>(paths) - last_.paths));
+    return std::max(0.0, last.seconds + each * (static_cast<double>(paths) - last.paths));
 }
 
 bool Rounds::fits(std::uint64_t paths) const {
-    return pace_.seconds_for(paths) <= kSureOfTime * seconds_left();
+    return state_.pace.seconds_for(paths) <= kSureOfTime * seconds_left();
 }
 
 Round Rounds::begin(std::uint64_t paths) {
-    is_trial_ = paths < spec_.paths;
-    done_ = 0;
+    state_.is_trial = paths < spec_.paths;
+    state_.done = 0;
     count_ = paths;
     return {0, paths};
 }
 
 std::optional<Round> Rounds::next() {
-    if (done_ == 0) {
-        ++trials_;
+    if (state_.done == 0) {
+        ++state_.trials;
         return begin(first_paths());
     }
-    return is_trial_ ? after_trial() : as_many_again();
+    return state_.is_trial ? after_trial() : as_many_again();
 }
 
 std::uint64_t Rounds::first_paths() const {
@@ -75,34 +75,35 @@ std::uint64_t Rounds::first_paths() const {
 /// All paths if they fit; if not, another trial if that costs little; if not, the most that fit.
 std::optional<Round> Rounds::after_trial() {
     if (!has_limit()) {
-        const std::uint64_t next = kTrialGrowth * done_;
+        const std::uint64_t next = kTrialGrowth * state_.done;
         return begin(next <= spec_.paths / kInsuredPart ? next : spec_.paths);
     }
     if (fits(spec_.paths)) {
         return begin(spec_.paths);
     }
-    const std::uint64_t tried = done_;
-    const double most_for_trial = (trials_ == 1 ? kMostForSecond : kMostForLater) * seconds_left();
+    const std::uint64_t tried = state_.done;
+    const double most_for_trial =
+        (state_.trials == 1 ? kMostForSecond : kMostForLater) * seconds_left();
     if (kTrialGrowth * tried < spec_.paths &&
-        kTrialGrowth * pace_.seconds_for(tried) <= most_for_trial) {
-        ++trials_;
+        kTrialGrowth * state_.pace.seconds_for(tried) <= most_for_trial) {
+        ++state_.trials;
         return begin(kTrialGrowth * tried);
     }
-    is_trial_ = false;
+    state_.is_trial = false;
     std::uint64_t paths = tried;
     while (2 * paths < spec_.paths && fits(2 * paths)) {
         paths *= 2;
     }
     if (paths >= kTrialGrowth * tried) {
         const Round round = begin(paths);
-        is_trial_ = false;
+        state_.is_trial = false;
         return round;
     }
     return as_many_again();
 }
 
 std::optional<Round> Rounds::as_many_again() {
-    if (done_ >= spec_.paths && !asks_for_more()) {
+    if (state_.done >= spec_.paths && !asks_for_more()) {
         return std::nullopt;
     }
     if (spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
@@ -110,22 +111,22 @@ std::optional<Round> Rounds::as_many_again() {
         return std::nullopt;
     }
     const std::uint64_t limit = spec_.max_paths > 0 ? spec_.max_paths : kMostPoints;
-    if (asks_for_more() && done_ * 2 > limit) {
+    if (asks_for_more() && state_.done * 2 > limit) {
         stop_ = StopReason::path_limit;
         return std::nullopt;
     }
-    const bool is_too_much = !asks_for_more() && done_ * 2 > spec_.paths;
-    if (is_too_much || (has_limit() && pace_.seconds_for(done_) > seconds_left())) {
+    const bool is_too_much = !asks_for_more() && state_.done * 2 > spec_.paths;
+    if (is_too_much || (has_limit() && state_.pace.seconds_for(state_.done) > seconds_left())) {
         stop_ = StopReason::time_is_up;
         return std::nullopt;
     }
-    count_ = done_;
-    return Round{done_, count_};
+    count_ = state_.done;
+    return Round{state_.done, count_};
 }
 
 void Rounds::finish(double seconds, double fraction_at_target) {
-    pace_.add(count_, seconds - seconds_);
-    done_ += count_;
+    state_.pace.add(count_, seconds - seconds_);
+    state_.done += count_;
     seconds_ = seconds;
     at_target_ = fraction_at_target;
 }

@@ -14,17 +14,23 @@ namespace quasimc {
 
 /// How long rounds have taken, and from that how long others will: so much for each, and so much
 /// for each path.
-class Pace {
-  public:
+struct Pace {
     void add(std::uint64_t paths, double seconds);
     /// For a round of so many paths. At least one must have been added.
     [[nodiscard]] double seconds_for(std::uint64_t paths) const;
 
-  private:
     struct Timed {
         double paths = 0, seconds = 0;
     };
-    Timed last_, before_;  // before_: fewer paths; 0 if there is none
+    Timed last, before;  ///< before: fewer paths; 0 if there is none
+};
+
+/// How far the rounds of a run are, between two of them.
+struct RoundsState {
+    std::uint64_t done = 0;  ///< paths
+    int trials = 0;
+    bool is_trial = false;  ///< what is done
+    Pace pace;
 };
 
 /// Decides how many points to trace next: the specification's first, then, while a target or a
@@ -56,6 +62,14 @@ class Rounds {
     /// Takes note of the round just traced.
     /// @param seconds  since the run began
     void finish(double seconds, double fraction_at_target);
+    /// Between two rounds.
+    [[nodiscard]] const RoundsState& state() const { return state_; }
+    /// Goes on where other rounds were.
+    /// @param fraction_at_target  of what they have traced
+    void restore(const RoundsState& state, double fraction_at_target) {
+        state_ = state;
+        at_target_ = fraction_at_target;
+    }
     /// The round just begun was given up.
     void interrupt(StopReason why) { stop_ = why; }
 
@@ -63,10 +77,10 @@ class Rounds {
     [[nodiscard]] double at_target() const { return at_target_; }
     /// Share of the work known so far that was done before this round, and that this round is.
     [[nodiscard]] double fraction_before() const {
-        return static_cast<double>(done_) / static_cast<double>(done_ + count_);
+        return static_cast<double>(state_.done) / static_cast<double>(state_.done + count_);
     }
     [[nodiscard]] double share() const {
-        const std::uint64_t known = is_trial_ ? spec_.paths : done_ + count_;
+        const std::uint64_t known = state_.is_trial ? spec_.paths : state_.done + count_;
         return static_cast<double>(count_) / static_cast<double>(known);
     }
 
@@ -85,11 +99,9 @@ class Rounds {
     const RunSpec& spec_;
     std::uint64_t fewest_;
     bool may_be_stopped_;
-    std::uint64_t done_ = 0, count_ = 0;  // paths: before the round at hand, and of it
-    int trials_ = 0;
-    bool is_trial_ = false;
+    RoundsState state_;
+    std::uint64_t count_ = 0;  // paths of the round at hand
     double seconds_ = 0, at_target_ = 0;
-    Pace pace_;
     StopReason stop_ = StopReason::paths_done;
 };
 

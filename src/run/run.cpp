@@ -21,6 +21,7 @@
 #include "run/early_stop.h"
 #include "run/round_tracer.h"
 #include "run/rounds.h"
+#include "run/run_checkpoint.h"
 #include "run/simulator.h"
 #include "samplers/hash.h"
 #include "solvers/catalogue.h"
@@ -348,6 +349,13 @@ Result Simulator::State::trace(
     if (spec.max_seconds > 0) {
         early.set_limit(spec.max_seconds + grace_seconds(spec, control));
     }
+    if (control.team != nullptr) {
+        static_cast<void>(control.team->order(
+            {.is_prepare = 1,
+             .point = control.team->point,
+             .moment = control.moment,
+             .first_paths = spec.paths}));
+    }
     const PreparedScene prepared = prepare(scene, sources, spec, early.token());
     if (prepared.lights().empty()) {
         return unlit_result(scene, spec);
@@ -360,20 +368,48 @@ Result Simulator::State::trace(
     }
 
     const double cpu_before = cpu_seconds();
-    Reporter reporter(control.on_progress, start);
+    const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
+    const Traced traced =
+        trace_rounds(prepared, spec, asked, control, early, {start, build_seconds});
+    Result result = make_result(traced.sums, scene, asked);
+    result.stop = traced.stop;
+    result.fraction_at_target = traced.at_target;
+    result.build_seconds = build_seconds;
+    result.trace_seconds = seconds_since(start) - build_seconds;
+    result.trace_cpu_seconds = cpu_seconds() - cpu_before;
+    return result;
+}
+
+Simulator::State::Traced Simulator::State::trace_rounds(
+    const PreparedScene& prepared,
+    const RunSpec& spec,
+    const EvaluationSpec& asked,
+    const RunControl& control,
+    EarlyStop& early,
+    const RunStart& start) {
+    Reporter reporter(control.on_progress, start.time);
     Executor executor(
         thread_count(spec.threads),
         control.on_progress ? [&](double part) { reporter.report(part); }
                             : std::function<void(double)>(),
         early.token());
-    const EvaluationSpec asked = evaluation_of(scene, sources, spec, executor.workers());
-    Rounds rounds(spec, fewest_paths(scene, spec), build_seconds, control.stop.stop_possible());
+    Rounds rounds(
+        spec, fewest_paths(prepared.scene(), spec), start.build_seconds,
+        control.stop.stop_possible());
     RoundTracer tracer(prepared, sampler_for(spec.sampler), spec, executor, early.is_possible());
+    tracer.set_team(control.team, control.moment);
+    StateKeeper keeper(control, prepared, spec);
+    const auto at_target = [&] {
+        return spec.target_error > 0
+                   ? fraction_at_target(tracer.sums(), prepared.scene(), asked, spec.target_error)
+                   : 0;
+    };
+    keeper.begin(rounds, tracer, at_target);
     std::optional<Sums> few;
     while (const auto round = rounds.next()) {
         reporter.begin_round(rounds);
         try {
-            tracer.trace(*round);
+            tracer.trace(*round, keeper.begin_round(*round));
         } catch (const StopRequested&) {
             few = tracer.has_sums() ? std::nullopt : trace_few(prepared, spec, control);
             if (!tracer.has_sums() && !few) {
@@ -385,21 +421,15 @@ Result Simulator::State::trace(
         if (spec.max_seconds > 0) {
             early.set_limit(spec.max_seconds);
         }
-        rounds.finish(
-            seconds_since(start),
-            spec.target_error > 0
-                ? fraction_at_target(tracer.sums(), scene, asked, spec.target_error)
-                : 0);
+        rounds.finish(seconds_since(start.time), at_target());
+        keeper.finish_round(rounds, tracer);
     }
-
     early.set_limit(INFINITY);
-    Result result = make_result(few ? *few : tracer.sums(), scene, asked);
-    result.stop = rounds.stop();
-    result.fraction_at_target = rounds.at_target();
-    result.build_seconds = build_seconds;
-    result.trace_seconds = seconds_since(start) - build_seconds;
-    result.trace_cpu_seconds = cpu_seconds() - cpu_before;
-    return result;
+    if (!few && rounds.stop() != StopReason::interrupted) {
+        keeper.finish(tracer);
+    }
+    return {
+        few ? std::move(*few) : std::move(tracer).take_sums(), rounds.stop(), rounds.at_target()};
 }
 
 }  // namespace quasimc

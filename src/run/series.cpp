@@ -152,7 +152,10 @@ class SeriesRun {
         RunControl control{
             .on_progress = progress_of(i),
             .stop = stop_,
-            .seconds_after_stop = i == 0 ? kForFirst : 0};
+            .seconds_after_stop = i == 0 ? kForFirst : 0,
+            .checkpoint = events_.checkpoint,
+            .team = events_.team,
+            .moment = i};
         share_time(plans_[i].effort, spec, control);
         std::optional<Sums> given;
         if (events_.sums_of) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,13 +10,21 @@
 #include <string>
 
 #include "geometry/cast/ray_caster.h"
+#include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "run/early_stop.h"
+#include "run/run_team.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
+
+/// When a run began, and how long the scene was prepared.
+struct RunStart {
+    std::chrono::steady_clock::time_point time;
+    double build_seconds = 0;
+};
 
 /// What a Simulator keeps from run to run, and what it does with it.
 class Simulator::State {
@@ -40,6 +49,19 @@ class Simulator::State {
         const RunSpec& spec,
         const RunControl& control,
         EarlyStop& early);
+    /// What the rounds of a run have brought.
+    struct Traced {
+        Sums sums;
+        StopReason stop;
+        double at_target;
+    };
+    [[nodiscard]] Traced trace_rounds(
+        const PreparedScene& prepared,
+        const RunSpec& spec,
+        const EvaluationSpec& asked,
+        const RunControl& control,
+        EarlyStop& early,
+        const RunStart& start);
     /// Of a run that was stopped before its first round was complete: sums of a few paths, if the
     /// caller gives them time and it is enough.
     [[nodiscard]] std::optional<Sums> trace_few(

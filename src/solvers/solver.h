@@ -15,6 +15,7 @@ namespace quasimc {
 struct Round {
     std::uint64_t first = 0;  ///< points traced before
     std::uint64_t count = 0;
+    friend bool operator==(const Round&, const Round&) = default;
 };
 
 /// A way of computing the light on surfaces.

@@ -27,8 +27,15 @@ Json value_of(const Json& table, const std::string& key) {
 }
 
 /// The first difference below a place, in the order of keys.
-std::string difference_at(const std::string& place, const Json& there, const Json& here) {
-    if (there == here || std::find(kFree.begin(), kFree.end(), place) != kFree.end()) {
+std::string difference_at(
+    const std::string& place,
+    const Json& there,
+    const Json& here,
+    std::span<const std::string_view> free) {
+    const auto has = [&](const auto& list) {
+        return std::find(list.begin(), list.end(), place) != list.end();
+    };
+    if (there == here || has(kFree) || has(free)) {
         return "";
     }
     if (!there.is_object() || !here.is_object()) {
@@ -39,7 +46,7 @@ std::string difference_at(const std::string& place, const Json& there, const Jso
     for (const auto& item : keys.items()) {
         const std::string& key = item.key();
         std::string found = difference_at(
-            fmt::format("{}.{}", place, key), value_of(there, key), value_of(here, key));
+            fmt::format("{}.{}", place, key), value_of(there, key), value_of(here, key), free);
         if (!found.empty()) {
             return found;
         }
@@ -61,13 +68,14 @@ Json contents_of_inputs(const Json& head) {
 
 }  // namespace
 
-std::string difference_of_runs(const std::string& there, const std::string& here) {
+std::string difference_of_runs(
+    const std::string& there, const std::string& here, std::span<const std::string_view> free) {
     const Json a = Json::parse(there, nullptr, false), b = Json::parse(here, nullptr, false);
     if (!a.is_object() || !b.is_object()) {
         return "it is damaged";
     }
-    const auto compare = [](const std::string& place, const Json& x, const Json& y) {
-        return difference_at(place, x, y);
+    const auto compare = [&](const std::string& place, const Json& x, const Json& y) {
+        return difference_at(place, x, y, free);
     };
     std::string found = compare(
         "program_version", a.value("program_version", Json()), b.value("program_version", Json()));

@@ -1,0 +1,31 @@
+#pragma once
+
+// What `quasimc` asks of MPI, as a table of plain functions: the only unit of the program that
+// knows MPI (ranks.cpp) is a library of its own, which is loaded when ranks are many, and not
+// before.
+
+#include <cstdint>
+
+extern "C" {
+
+/// The ranks of a job. All functions are called from one thread, and all but abort by all ranks in
+/// the same order.
+struct QuasimcRanks {
+    std::uint64_t version;  ///< of this table
+    std::uint64_t rank, ranks;
+    std::uint64_t node, nodes;    ///< machines, or what shares memory
+    std::uint64_t* node_counter;  ///< 8 bytes that the ranks of a node share
+    std::uint64_t is_first_of_node;
+    void (*barrier)();
+    void (*broadcast)(std::uint64_t* numbers, std::uint64_t count);  ///< from rank 0
+    void (*add_up)(std::int64_t* numbers, std::uint64_t count);      ///< to rank 0
+    void (*finalize)();
+    void (*abort)(int status);  ///< of all ranks
+};
+
+/// Version of the table.
+constexpr std::uint64_t kQuasimcRanksVersion = 1;
+
+/// Starts MPI. @returns null if it can't be started
+const QuasimcRanks* quasimc_ranks();
+}

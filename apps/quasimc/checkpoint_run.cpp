@@ -1,0 +1,48 @@
+#include "checkpoint_run.h"
+
+#include <cstdio>
+
+namespace {
+
+/// What a state has no place for.
+void refuse_audit(const quasimc::RunFile& run) {
+    if (run.spec.audit > 0) {
+        throw quasimc::InputError(
+            {{run.path + ": audit", "a run with a checkpoint can't be audited",
+              "the state of an audit is not kept",
+              "leave --checkpoint out, or audit with a run of its own"}});
+    }
+}
+
+}  // namespace
+
+CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
+    if (arguments.checkpoint.empty()) {
+        return;
+    }
+    refuse_audit(first);
+    file_.emplace(
+        arguments.checkpoint, first, arguments.every,
+        arguments.resume ? quasimc::CheckpointStart::resume : quasimc::CheckpointStart::anew);
+    if (arguments.resume && !file_->was_there() && !arguments.quiet) {
+        std::fprintf(
+            stderr, "note: %s is not there yet: the run begins anew\n",
+            arguments.checkpoint.c_str());
+    }
+    hooks_.state_of = [this](std::size_t moment) {
+        return file_->state_of(moments_before_ + moment);
+    };
+    hooks_.is_due = [this] { return file_->is_due(); };
+    hooks_.save = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
+        file_->save(moments_before_ + moment, state);
+    };
+    hooks_.finish = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
+        file_->finish(moments_before_ + moment, state);
+    };
+}
+
+void CheckpointRun::flush() {
+    if (file_) {
+        file_->flush();
+    }
+}

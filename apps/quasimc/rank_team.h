@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "command_line.h"
+#include "run/run_team.h"
+
+/// The ranks of a job that MPI's launcher has started to run the program together.
+class RankTeam {
+  public:
+    /// Joins them; null if there are not several, or the program is built without MPI.
+    /// @throws quasimc::InputError  if there are, but MPI can't be started
+    [[nodiscard]] static std::unique_ptr<RankTeam> join();
+
+    virtual ~RankTeam() = default;
+    RankTeam(const RankTeam&) = delete;
+    RankTeam& operator=(const RankTeam&) = delete;
+
+    [[nodiscard]] quasimc::RunTeam& team() { return team_; }
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+    /// Does the work of this rank, and then leaves the job in order. If it can't go on, prints why
+    /// and ends the program on all ranks.
+    [[nodiscard]] virtual Exit run(const std::function<Exit()>& work) = 0;
+
+  protected:
+    RankTeam() = default;
+    quasimc::RunTeam team_;
+    std::uint64_t size_ = 1;
+};

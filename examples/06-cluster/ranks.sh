@@ -1,0 +1,17 @@
+#!/bin/sh
+# A run on the ranks of a SLURM job, which goes on after whatever ends it:
+#   sbatch ranks.sh canopy.toml
+# Ninety seconds before the limit of time SLURM tells the batch shell, which puts the job back into
+# the queue; the checkpoint has what was done.
+#SBATCH --ntasks-per-node=2
+#SBATCH --nodes=4
+#SBATCH --cpus-per-task=16
+#SBATCH --time=04:00:00
+#SBATCH --signal=B:USR1@90
+#SBATCH --requeue
+run="$1"
+shift
+trap 'scontrol requeue "$SLURM_JOB_ID"' USR1
+"${MPIRUN:-mpirun}" --bind-to none "${QUASIMC:-quasimc}" run "$run" --threads "${SLURM_CPUS_PER_TASK:-1}" \
+    --checkpoint "$run.checkpoint" --resume --progress "$@" &
+wait $!

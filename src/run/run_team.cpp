@@ -1,0 +1,123 @@
+#include "run/run_team.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/executor.h"
+#include "base/parallel.h"
+#include "base/stop.h"
+#include "quasimc/run.h"
+#include "run/round_tracer.h"
+#include "run/trace_spec.h"
+#include "samplers/catalogue.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+namespace {
+
+__extension__ using Wide = __int128;
+
+/// Numbers that 2^31 processes could add up: a bin as two halves.
+constexpr unsigned kHalf = 32;
+constexpr std::int64_t kLowHalf = (std::int64_t{1} << kHalf) - 1;
+/// Bins that are sent at a time.
+constexpr std::size_t kBinsAtOnce = std::size_t{1} << 18U;
+
+void put_steps(const ExactBins& bins, std::size_t first, std::vector<std::int64_t>& numbers) {
+    for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
+        const ExactBins::Steps steps = bins.steps(first + i);
+        numbers[3 * i] = steps.carries;
+        numbers[3 * i + 1] = steps.low >> kHalf;
+        numbers[3 * i + 2] = steps.low & kLowHalf;
+    }
+}
+
+void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, ExactBins& bins) {
+    for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
+        const Wide low = (Wide{numbers[3 * i + 1]} << kHalf) + numbers[3 * i + 2];
+        bins.add(
+            first + i, ExactBins::Steps{
+                           numbers[3 * i] + static_cast<std::int64_t>(low / ExactBins::kCarry),
+                           static_cast<std::int64_t>(low % ExactBins::kCarry)});
+    }
+}
+
+}  // namespace
+
+void add_up(const RunTeam& team, Sums& sums) {
+    for (ExactBins& bins : sums.replicates) {
+        ExactBins total(team.is_first ? bins.size() : 0);
+        for (std::size_t first = 0; first < bins.size(); first += kBinsAtOnce) {
+            std::vector<std::int64_t> numbers(3 * std::min(kBinsAtOnce, bins.size() - first));
+            put_steps(bins, first, numbers);
+            team.add_up(numbers);
+            if (team.is_first) {
+                take_steps(numbers, first, total);
+            }
+        }
+        bins = team.is_first ? std::move(total) : ExactBins(bins.size());
+    }
+}
+
+TeamOrder TeamHelper::help(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const RunTeam& team,
+    TeamOrder order) {
+    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
+    const std::uint64_t point = order.point;
+    while (order.is_end == 0 && order.point == point) {
+        const std::size_t moment = order.moment;
+        std::uint64_t traces = 0;  // before it
+        for (std::size_t i = 0; i < moment; ++i) {
+            traces += plans[i].factor > 0 && plans[i].traced == i ? 1 : 0;
+        }
+        order = help_moment(
+            scene, time_steps[moment].sources, trace_spec(spec, plans[moment], traces), team,
+            order);
+    }
+    return order;
+}
+
+TeamOrder TeamHelper::help_moment(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const RunTeam& team,
+    TeamOrder order) {
+    RunSpec planned = spec;
+    planned.method = plan_method(scene, sources, spec).method;
+    const PreparedScene prepared(
+        scene, sources, planned.window, caster_for(scene, planned.engine), std::stop_token());
+    const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
+    Executor executor(thread_count(planned.threads));
+    RoundTracer tracer(prepared, *sampler, planned, executor, false);
+    tracer.set_team(&team);
+    const TeamOrder first = order;
+    while (order.is_end == 0 && order.point == first.point && order.moment == first.moment) {
+        try {
+            tracer.help(order);
+        } catch (const StopRequested&) {  // by the first process, which goes on or ends
+        }
+        order = team.order({});
+    }
+    return order;
+}
+
+std::shared_ptr<const RayCaster> TeamHelper::caster_for(const Scene& scene, Engine engine) {
+    const auto triangles = scene.shared_triangles();
+    const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
+                      (triangles == triangles_ || *triangles == *triangles_);
+    if (!same) {
+        caster_.reset();  // its memory first
+        caster_ =
+            std::make_shared<const RayCaster>(triangles, scene.cell(), engine, std::stop_token());
+        cell_ = scene.cell();
+        engine_ = engine;
+    }
+    triangles_ = triangles;
+    return caster_;
+}
+
+}  // namespace quasimc

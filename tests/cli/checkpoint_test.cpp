@@ -1,0 +1,151 @@
+// Runs that are killed, and go on from their checkpoint.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+/// A table without the lines on how it was made.
+std::string table_rows(const std::string& table) {
+    const std::size_t at = table.find("id,name");
+    return at == std::string::npos ? "no table" : table.substr(at);
+}
+
+class CheckpointTest : public ProgramTest {
+  protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        folder_.write(
+            "day.toml", good_run_file() +
+                            "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                            "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-20\"\n"
+                            "utc_offset_hours = 1\nhours = [9, 14]\nsky = \"uniform\"\n");
+        folder_.write(
+            "sweep.toml", good_run_file() + "[sweep]\nmax_depth = [1, 2]\nseed = [1, 2, 3]\n");
+    }
+    /// Kills a run again and again after some time, and lets it go on in other numbers of threads.
+    /// @returns how often it was killed
+    [[nodiscard]] int run_and_kill(const std::string& run, int kills) const {
+        const Outcome outcome = shell(
+            "RANDOM=1; killed=0\n"
+            "for i in $(seq 1 " +
+            std::to_string(kills) +
+            "); do\n"
+            "  \"$quasimc\" run " +
+            run +
+            " --checkpoint c --resume --every 0 --quiet --threads "
+            "$((1 + i % 3)) & pid=$!\n"
+            "  sleep 0.$(printf %02d $((RANDOM % 12)))\n"
+            "  kill -9 $pid 2>/dev/null; wait $pid\n"
+            "  [ $? = 137 ] && killed=$((killed + 1))\n"
+            "done 2>/dev/null; echo $killed");
+        return std::stoi(outcome.out);
+    }
+    void expect_the_bits_of_the_whole(const std::string& run, int kills) const {
+        ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);
+        EXPECT_GT(run_and_kill(run + " --csv out.csv", kills), 0);
+        const Outcome last =
+            shell("\"$quasimc\" run " + run + " --csv out.csv --checkpoint c --resume --quiet");
+        EXPECT_EQ(last.status, 0) << last.err;
+        EXPECT_EQ(table_rows(folder_.read("out.csv")), table_rows(folder_.read("whole.csv")));
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+            EXPECT_FALSE(entry.path().filename().string().starts_with(".quasimc.c")) << entry;
+        }
+    }
+};
+
+TEST_F(CheckpointTest, LosesNothingOfARunThatIsKilled) {
+    expect_the_bits_of_the_whole("run.toml --method light_tracing --paths 524288", 6);
+}
+
+TEST_F(CheckpointTest, LosesNothingOfTimesThatAreKilled) {
+    expect_the_bits_of_the_whole("day.toml --paths 65536", 6);
+}
+
+TEST_F(CheckpointTest, LosesNothingOfASweepThatIsKilled) {
+    expect_the_bits_of_the_whole("sweep.toml --method light_tracing --paths 131072", 6);
+}
+
+TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
+    ASSERT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"}).status, 0);
+    const Outcome again = run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"});
+    EXPECT_EQ(again.status, 1);
+    EXPECT_EQ(
+        again.err,
+        "c: is there already (a run that begins would overwrite it); state --resume to go on from "
+        "it, or remove it\n");
+    ASSERT_EQ(
+        run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"}).status, 0);
+    EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
+    ASSERT_EQ(
+        run({"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
+             "b.csv"})
+            .status,
+        0);
+    ASSERT_EQ(run({"run", "run.toml", "--max-paths", "1024", "--csv", "w.csv"}).status, 0);
+    EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
+    EXPECT_NE(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
+}
+
+TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
+    ASSERT_EQ(run({"run", "day.toml", "--checkpoint", "c"}).status, 0);
+    const auto refusal = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"run", "day.toml", "--checkpoint", "c", "--resume"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.status, 1);
+        return outcome.err;
+    };
+    EXPECT_EQ(refusal({"--seed", "9"}), "c: is of another run (run.run.seed: 1 there, 9 here)\n");
+    const std::string whole = folder_.read("c");
+    for (const std::size_t at : {40UL, whole.size() / 2, whole.size() - 1}) {
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ 1);
+        folder_.write("c", changed);
+        EXPECT_EQ(refusal({}), "c: is damaged (its checksum is not that of its bytes)\n");
+    }
+    folder_.write("c", whole.substr(0, 9));
+    EXPECT_TRUE(refusal({}).starts_with("c: is no checkpoint"));
+    folder_.write("c", whole);
+    std::string done = folder_.read("c.done");
+    done[done.size() / 2] = static_cast<char>(done[done.size() / 2] ^ 1);
+    folder_.write("c.done", done);
+    EXPECT_TRUE(refusal({}).starts_with("c.done: is damaged"));
+    std::filesystem::remove(folder_.path() / "c.done");
+    EXPECT_TRUE(refusal({}).starts_with("c.done: can't be read"));
+}
+
+TEST_F(CheckpointTest, IsKeptWhenARunIsInterrupted) {
+    const std::string run =
+        "\"$quasimc\" run run.toml --method light_tracing --paths 4194304 "
+        "--replicates 2 --quiet --checkpoint c --every 0";
+    const Outcome stopped = shell("timeout --foreground --preserve-status -s INT 0.5 " + run);
+    EXPECT_EQ(stopped.status, 130) << stopped.err;
+    // The paths that the run has traced are not traced again: the checkpoint has grown.
+    EXPECT_GT(folder_.read("c").size(), 2000U);
+}
+
+TEST_F(CheckpointTest, HasNoPlaceForAuditsAndParts) {
+    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--audit", "0.5"}).status, 1);
+    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--part", "1/2"}).status, 2);
+    EXPECT_EQ(run({"run", "run.toml", "--resume"}).status, 2);
+    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "run.toml", "--resume"}).status, 1);
+    EXPECT_EQ(new_files(), std::vector<std::string>{});
+}
+
+class LongCheckpointTest : public CheckpointTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(LongCheckpointTest, LosesNothingAtFiftyKills) {
+    expect_the_bits_of_the_whole("day.toml --paths 524288", GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, LongCheckpointTest, ::testing::Values(50));
+
+}  // namespace
+}  // namespace quasimc::test

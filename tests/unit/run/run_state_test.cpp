@@ -1,0 +1,146 @@
+// Runs that go on from a state that was kept.
+
+#include "run/run_state.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+/// Keeps every state that a run has, as bytes.
+struct KeptStates {
+    std::vector<std::string> saved;
+    std::string finished;
+    std::optional<RunState> from;
+
+    RunCheckpoint hooks() {
+        RunCheckpoint hooks;
+        hooks.state_of = [this](std::size_t) { return std::move(from); };
+        hooks.is_due = [] { return true; };
+        hooks.save = [this](std::size_t, const RunSnapshot& s) { saved.push_back(save_state(s)); };
+        hooks.finish = [this](std::size_t, const RunSnapshot& s) { finished = save_state(s); };
+        return hooks;
+    }
+};
+
+Scene kept_scene() {
+    return leaf_over_ground();
+}
+Sources kept_lights() {
+    return {sun(30, {1}), sky({1})};
+}
+
+Result run_kept(RunSpec spec, KeptStates& states, unsigned threads = 1) {
+    spec.threads = threads;
+    std::stop_source never;
+    const RunCheckpoint hooks = states.hooks();
+    RunControl control{.stop = never.get_token()};
+    control.checkpoint = &hooks;
+    return run(kept_scene(), kept_lights(), spec, control);
+}
+
+void expect_equal_runs(const Result& a, const Result& b) {
+    EXPECT_EQ(a.paths, b.paths);
+    EXPECT_EQ(a.rays, b.rays);
+    EXPECT_EQ(a.stop, b.stop);
+    EXPECT_EQ(a.fraction_at_target, b.fraction_at_target);
+    EXPECT_TRUE(std::equal(
+        a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
+        [](const Estimate& x, const Estimate& y) {
+            return x.mean == y.mean && x.low == y.low && x.high == y.high;
+        }));
+}
+
+class RunStates : public ::testing::TestWithParam<Method> {
+  protected:
+    /// A run with several tasks.
+    [[nodiscard]] static RunSpec spec() {
+        RunSpec spec = spec_of(GetParam(), 1U << 15U);
+        spec.replicates = 3;
+        return spec;
+    }
+};
+
+TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
+    RunSpec rounds = spec();
+    rounds.paths /= 2;
+    rounds.max_paths = 2 * rounds.paths;
+    for (const RunSpec& spec : {spec(), rounds}) {
+        const Result whole = run(kept_scene(), kept_lights(), spec);
+        KeptStates first;
+        expect_equal_runs(run_kept(spec, first), whole);
+        ASSERT_GE(first.saved.size(), 3U);
+        const std::size_t step = std::max<std::size_t>(1, first.saved.size() / 5);
+        for (std::size_t i = 0; i < first.saved.size(); i += step) {
+            KeptStates later;
+            later.from = load_state(first.saved[i]);
+            expect_equal_runs(run_kept(spec, later, 1 + i % 3), whole);
+            // Nothing that was done is done again.
+            if (later.from == std::nullopt && i % 3 == 0) {
+                EXPECT_EQ(later.saved.size(), first.saved.size() - i - 1);
+            }
+        }
+    }
+}
+
+TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
+    RunSpec spec = RunStates::spec();
+    spec.paths = 1U << 10U;
+    spec.target_error = 0.5;
+    KeptStates first;
+    const Result whole = run_kept(spec, first);
+    ASSERT_EQ(whole.stop, StopReason::target_reached);
+    KeptStates again;
+    again.from = load_state(first.finished);
+    expect_equal_runs(run_kept(spec, again), whole);
+    EXPECT_TRUE(again.saved.empty());
+    EXPECT_EQ(again.finished, first.finished);
+
+    spec.target_error = 1e-9;
+    spec.max_paths = 1U << 12U;
+    KeptStates later;
+    later.from = load_state(first.finished);
+    const Result exact = run_kept(spec, later);
+    EXPECT_EQ(exact.paths, spec.max_paths);
+    EXPECT_EQ(exact.stop, StopReason::path_limit);
+    expect_equal_runs(exact, run(kept_scene(), kept_lights(), spec));
+}
+
+TEST_P(RunStates, OfAnotherRunAreRefused) {
+    KeptStates first;
+    static_cast<void>(run_kept(spec(), first));
+    RunSpec other = spec();
+    ++other.seed;
+    KeptStates later;
+    later.from = load_state(first.saved[0]);
+    EXPECT_THROW(static_cast<void>(run_kept(other, later)), InputError);
+    other = spec();
+    ++other.replicates;
+    later.from = load_state(first.saved[0]);
+    EXPECT_THROW(static_cast<void>(run_kept(other, later)), InputError);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryMethod,
+    RunStates,
+    ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits));
+
+TEST(RunState, ThatIsCutOffIsRefused) {
+    const std::string bytes = save_state({});
+    EXPECT_FALSE(load_state(bytes).done.has_value());
+    EXPECT_THROW(static_cast<void>(load_state(bytes + "x")), std::invalid_argument);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        EXPECT_THROW(static_cast<void>(load_state(bytes.substr(0, size))), std::invalid_argument);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test
