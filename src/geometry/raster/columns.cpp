@@ -102,7 +102,7 @@ void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, do
     const double st = dot(s, t) - along_s * dot(t, spec.direction);
     const double side = std::sqrt(plane.size_s * plane.size_t * plane.area / lines);
     const double across =
-        std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::max(1.0, lines));
+        std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::floor(lines));
     const double up = std::max(1.0, std::round(lines / across));
     columns_ = static_cast<std::int64_t>(across);
     rows_ = static_cast<std::int64_t>(up);
