@@ -22,6 +22,8 @@ enum class Method {
                     ///< sky
     first_hits,     ///< where suns and skies fall first, found by scan lines and item buffers:
                     ///< direct light almost without noise; lamps as `sources`
+    ray_bundles,    ///< direct light as first_hits, scattered light all at once along bundles of
+                    ///< lines: matt surfaces only
     // (tools/new.py enters a method above this line)
     automatic,  ///< whichever of the others has the smallest errors for its time: plan_method()
 };

@@ -56,6 +56,11 @@ enum class AbsorbedLight { inferred, summed };
 /// way: what a sample of an organ could have found.
 enum class UnoccludedLight { left_out, summed };
 
+/// Whether scattered light was computed with patches of surfaces, each as bright all over, on two
+/// levels: the sums hold that of the finer patches, and beside it that of the coarser ones. The
+/// difference of the two tells the error of the finer (docs/theory/ray-bundles.md).
+enum class PatchLevels { none, two };
+
 /// What is summed, and in which bin.
 ///
 /// Light that arrives straight from a source is summed per spectrum, not per band: all bands of it
@@ -65,9 +70,10 @@ enum class UnoccludedLight { left_out, summed };
 /// hit adds to several: direct[side][spectrum], scattered[side][band], sunlit, and where absorbed
 /// light is summed absorbed_direct[band] and absorbed_scattered[band], and where unoccluded light
 /// is summed unoccluded[side][spectrum], and of kinds of lights whose finds are counted
-/// squares[kind][side]; then those of the run: emitted[spectrum],
-/// escaped_direct[spectrum], escaped_scattered[band], scattered_out[band], cut_off[band], rays;
-/// then those of detectors.
+/// squares[kind][side], and of two levels of patches coarse_scattered[side][band]; then those of
+/// the run: emitted[spectrum], escaped_direct[spectrum], escaped_scattered[band],
+/// scattered_out[band], cut_off[band], rays, and of two levels of patches the three before once
+/// more; then those of detectors.
 struct SumLayout {
     std::size_t regions = 0;
     std::size_t spectra = 1;
@@ -76,7 +82,11 @@ struct SumLayout {
     UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
     std::vector<DetectorBins> detectors = {};
     std::size_t counted_kinds = 0;  ///< SumUnits::kinds, the first so many of them
+    PatchLevels patch_levels = PatchLevels::none;
 
+    [[nodiscard]] std::size_t coarse_bands() const {
+        return patch_levels == PatchLevels::two ? bands : 0;
+    }
     [[nodiscard]] std::size_t absorbed_bands() const {
         return absorbed_light == AbsorbedLight::summed ? bands : 0;
     }
@@ -85,7 +95,7 @@ struct SumLayout {
     }
     [[nodiscard]] std::size_t stride() const {
         return 2 * spectra + 2 * bands + 1 + 2 * absorbed_bands() + 2 * unoccluded_spectra() +
-               2 * counted_kinds;
+               2 * counted_kinds + 2 * coarse_bands();
     }
     [[nodiscard]] std::size_t direct(
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
@@ -114,12 +124,19 @@ struct SumLayout {
         return unoccluded(region, SurfaceSide::upper, 0) + 2 * unoccluded_spectra() + 2 * kind +
                index_of(side);
     }
+    /// Of two levels of patches.
+    [[nodiscard]] std::size_t coarse_scattered(std::size_t region, SurfaceSide side) const {
+        return squares(region, SurfaceSide::upper, 0) + 2 * counted_kinds +
+               index_of(side) * coarse_bands();
+    }
     [[nodiscard]] std::size_t emitted() const { return regions * stride(); }
     [[nodiscard]] std::size_t escaped_direct() const { return emitted() + spectra; }
     [[nodiscard]] std::size_t escaped_scattered() const { return escaped_direct() + spectra; }
     [[nodiscard]] std::size_t scattered_out() const { return escaped_scattered() + bands; }
     [[nodiscard]] std::size_t cut_off() const { return scattered_out() + bands; }
     [[nodiscard]] std::size_t rays() const { return cut_off() + bands; }
+    /// Of two levels of patches: escaped_scattered, scattered_out and cut_off of the coarser.
+    [[nodiscard]] std::size_t coarse_escaped() const { return rays() + 1; }
     /// The first bin of a detector.
     [[nodiscard]] std::size_t detector(std::size_t index) const;
     [[nodiscard]] std::size_t bins() const { return detector(detectors.size()); }

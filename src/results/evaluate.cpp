@@ -14,6 +14,7 @@
 #include "results/light_limits.h"
 #include "results/organ_finds.h"
 #include "results/organ_reader.h"
+#include "results/patch_error.h"
 #include "results/totals.h"
 #include "sums/statistics.h"
 
@@ -179,17 +180,30 @@ std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const Evalu
     return mean;
 }
 
+/// What an organ absorbs in a band.
+Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t band) {
+    std::vector<double> absorbed(sums.replicates.size());
+    for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
+        absorbed[r] = reader.incident(r, band).absorbed;
+    }
+    return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
+}
+
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is. Where nothing was found, if what may be there is little beside what others get.
+/// @param coarse  of sums with two levels of patches, that of the coarser; else null
 bool is_at_target(
-    const Sums& sums, const OrganReader& reader, double target, const std::vector<double>& usual) {
-    std::vector<double> absorbed(sums.replicates.size());
+    const Sums& sums,
+    const OrganReader& reader,
+    const OrganReader* coarse,
+    double target,
+    const std::vector<double>& usual) {
     for (std::size_t b = 0; b < sums.layout.bands; ++b) {
-        for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
-            absorbed[r] = reader.incident(r, b).absorbed;
+        Estimate estimate = absorbed_flux(sums, reader, b);
+        if (coarse != nullptr) {
+            estimate =
+                with_patch_error(estimate, estimate.mean - absorbed_flux(sums, *coarse, b).mean);
         }
-        const QuantityEntry& quantity = quantity_table().front();
-        const Estimate estimate = OrganFinds(reader, b).estimate(quantity, 0, absorbed);
         const bool is_unlit = std::isnan(estimate.standard_error);
         const bool is_known = is_unlit ? estimate.high <= target * usual[b]
                                        : estimate.standard_error <= target * estimate.mean;
@@ -246,20 +260,26 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
     result.paths = sums.paths;
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
     result.rays = count_rays(sums);
+    if (has_two_levels(sums)) {
+        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), result);
+    }
     return result;
 }
 
 double fraction_at_target(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     std::atomic<std::size_t> reached{0};
+    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
     const std::vector<double> usual = usual_flux(sums, scene, spec);
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Organ& organ = scene.organs()[i];
             const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
+            const OrganReader reader(sums, scene, spec, organ);
+            const OrganReader other(coarse, scene, spec, organ);
             const bool is_done =
                 !is_measured(sums, organ) || is_covered ||
-                is_at_target(sums, OrganReader(sums, scene, spec, organ), target, usual);
+                is_at_target(sums, reader, has_two_levels(sums) ? &other : nullptr, target, usual);
             reached += is_done ? 1 : 0;
         }
     });

@@ -11,6 +11,7 @@
 #include "results/groups.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
+#include "solvers/ray_bundles.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {
@@ -186,6 +187,9 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_groups(scene, group_spec(spec), faults);
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
+    if (spec.method == Method::ray_bundles) {
+        check_matt(scene, faults);
+    }
 }
 
 }  // namespace quasimc

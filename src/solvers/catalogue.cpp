@@ -13,6 +13,7 @@
 #include "solvers/first_hits.h"
 #include "solvers/from_organs.h"
 #include "solvers/light_tracing.h"
+#include "solvers/ray_bundles.h"
 
 namespace quasimc {
 
@@ -30,6 +31,10 @@ std::span<const SolverEntry> solver_catalogue() {
         SolverEntry{
             Method::from_organs, "from_organs", "points on every organ look for light",
             make_from_organs, from_organs_meaning, EscapedLight::remainder},
+        SolverEntry{
+            Method::ray_bundles, "ray_bundles",
+            "scattered light of matt surfaces all at once, along bundles of lines",
+            make_ray_bundles, ray_bundles_meaning},
         // (tools/new.py enters a solver above this line)
     };
     return kSolvers;
@@ -74,7 +79,8 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
             prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed,
         .unoccluded_light = meaning.unoccluded_light,
         .detectors = std::move(detectors),
-        .counted_kinds = meaning.counted_kinds};
+        .counted_kinds = meaning.counted_kinds,
+        .patch_levels = meaning.patch_levels};
     sums.units = std::move(meaning.units);
     for (const LightKind& kind : sums.units.kinds) {
         sums.per_find.push_back(kind.found_by == FoundBy::paths ? 1 : 0);

@@ -14,6 +14,7 @@ struct SumMeaning {
     MeasuredOrgans measured = MeasuredOrgans::all;
     UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
     std::size_t counted_kinds = 0;  ///< SumLayout::counted_kinds
+    PatchLevels patch_levels = PatchLevels::none;
 };
 
 /// One row of the catalogue: a way of computing.

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x33534D5553434D51;  // "QMCSUMS3", read as a little-endian number
+constexpr std::uint64_t kMark = 0x34534D5553434D51;  // "QMCSUMS4", read as a little-endian number
 
 std::uint64_t checksum(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -126,7 +126,7 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     auto& layout = sums.layout;
     visit(layout.regions), visit(layout.spectra), visit(layout.bands);
     visit(layout.absorbed_light), visit(layout.unoccluded_light), visit(layout.detectors);
-    visit(layout.counted_kinds);
+    visit(layout.counted_kinds), visit(layout.patch_levels);
     auto& units = sums.units;
     visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
     visit(units.flux_per_light_path);

@@ -3,7 +3,7 @@
 namespace quasimc {
 
 std::size_t SumLayout::detector(std::size_t index) const {
-    std::size_t first = rays() + 1;
+    std::size_t first = coarse_escaped() + 3 * coarse_bands();
     for (std::size_t i = 0; i < index; ++i) {
         first += detectors[i].bins;
     }
@@ -30,12 +30,19 @@ std::vector<SumBlock> SumLayout::blocks() const {
             "unoccluded_lower", unoccluded(0, SurfaceSide::upper, 0) + unoccluded_spectra(),
             unoccluded_spectra()),
         of_regions("squares", squares(0, SurfaceSide::upper, 0), 2 * counted_kinds),
+        of_regions(
+            "coarse_scattered_upper", coarse_scattered(0, SurfaceSide::upper), coarse_bands()),
+        of_regions(
+            "coarse_scattered_lower", coarse_scattered(0, SurfaceSide::lower), coarse_bands()),
         of_run("emitted", emitted(), spectra),
         of_run("escaped_direct", escaped_direct(), spectra),
         of_run("escaped_scattered", escaped_scattered(), bands),
         of_run("scattered_out", scattered_out(), bands),
         of_run("cut_off", cut_off(), bands),
-        of_run("rays", rays(), 1)};
+        of_run("rays", rays(), 1),
+        of_run("coarse_escaped_scattered", coarse_escaped(), coarse_bands()),
+        of_run("coarse_scattered_out", coarse_escaped() + coarse_bands(), coarse_bands()),
+        of_run("coarse_cut_off", coarse_escaped() + 2 * coarse_bands(), coarse_bands())};
     for (std::size_t i = 0; i < detectors.size(); ++i) {
         all.push_back(of_run(detectors[i].name, detector(i), detectors[i].bins));
     }

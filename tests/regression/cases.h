@@ -27,7 +27,8 @@ struct CaseEntry {
 };
 
 /// Twelve cases which together use every sampler, every kind of source, every lobe model, open and
-/// periodic scenes and every option of a run that changes results. Each can be traced in every way.
+/// periodic scenes and every option of a run that changes results. Each can be traced in every way,
+/// but for ray bundles where surfaces shine.
 [[nodiscard]] const std::vector<CaseEntry>& all_cases();
 
 }  // namespace quasimc::test

@@ -8,14 +8,17 @@
 
 #include <fmt/format.h>
 
+#include "solvers/ray_bundles.h"
+
 namespace quasimc::test {
 namespace {
 
 /// The ways and their words, which the hash and the table rest on: not those of the library.
-constexpr std::array<std::pair<std::string_view, Method>, 4> kWays{
+constexpr std::array<std::pair<std::string_view, Method>, 5> kWays{
     {{"sources", Method::light_tracing},
      {"organs", Method::from_organs},
      {"lit_surfaces", Method::first_hits},
+     {"bundles", Method::ray_bundles},
      {"automatic", Method::automatic}}};
 
 constexpr std::array kAllQuantities{Quantity::absorbed_flux,   Quantity::absorbed_flux_density,
@@ -30,6 +33,15 @@ std::string_view word_of(Method way) {
         }
     }
     return "unknown";
+}
+
+/// Whether a case can be computed in a way.
+bool is_offered(const Case& c, Method method) {
+    Faults faults;
+    if (method == Method::ray_bundles) {
+        check_matt(c.scene, faults);
+    }
+    return faults.empty();
 }
 
 /// A number for why a run stopped: not the library's own.
@@ -124,6 +136,16 @@ const std::vector<std::string_view>& all_ways() {
         return words;
     }();
     return ways;
+}
+
+std::vector<std::string_view> ways_of(const Case& c) {
+    std::vector<std::string_view> words;
+    for (const auto& [word, method] : kWays) {
+        if (is_offered(c, method)) {
+            words.push_back(word);
+        }
+    }
+    return words;
 }
 
 std::uint64_t digest_of(const Result& result) {

@@ -12,8 +12,10 @@
 
 namespace quasimc::test {
 
-/// "sources", "organs", "lit_surfaces", "automatic": the ways in which each case is traced.
+/// "sources", "organs", "lit_surfaces", "bundles", "automatic": the ways in which cases are traced.
 [[nodiscard]] const std::vector<std::string_view>& all_ways();
+/// Those of them in which a case can be: by bundles only if all is matt.
+[[nodiscard]] std::vector<std::string_view> ways_of(const Case& c);
 
 /// A hash (FNV-1a, 64 bits) of all that a run computes: every estimate with its error and interval,
 /// sunlit fractions, ratios, budgets, the audit, the way chosen, paths, rays, why it stopped. One

@@ -44,6 +44,8 @@ Way way_of(Method method) {
             return Way::from_organs;
         case Method::first_hits:
             return Way::first_hits;
+        case Method::ray_bundles:
+            return Way::ray_bundles;
         default:
             return Way::light_tracing;
     }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/runfile/run_file.h"
+#include "solvers/ray_bundles.h"
 #include "sums/statistics.h"
 #include "transport/prepared_scene.h"
 
@@ -128,6 +129,8 @@ Method method_of(Way way) {
             return Method::first_hits;
         case Way::from_organs:
             return Method::from_organs;
+        case Way::ray_bundles:
+            return Method::ray_bundles;
         case Way::automatic:
             return Method::automatic;
         default:
@@ -144,6 +147,13 @@ bool has_lamps(const Node& document) {
     return false;
 }
 
+/// Whether light can be exchanged along bundles: they refuse surfaces that shine.
+bool is_matt(const Scene& scene) {
+    Faults faults;
+    check_matt(scene, faults);
+    return faults.empty();
+}
+
 }  // namespace
 
 Case make_case(const Node& document) {
@@ -156,7 +166,7 @@ Case make_case(const Node& document) {
 }
 
 std::string name_of(Way way) {
-    constexpr std::array names{"light_tracing", "first_hits",  "from_organs",
+    constexpr std::array names{"light_tracing", "first_hits",  "from_organs", "ray_bundles",
                                "auto",          "plain_paths", "reference"};
     return names[static_cast<std::size_t>(way)];
 }
@@ -184,6 +194,8 @@ bool is_offered(const Case& it, Way way) {
     switch (way) {
         case Way::from_organs:
             return !(it.run.scene.cell().periodic() && has_lamps(*it.run.document));
+        case Way::ray_bundles:
+            return is_matt(it.run.scene);
         case Way::reference:
             return it.plain.has_value();
         default:
@@ -215,7 +227,8 @@ Answer compute(const Case& it, Way way, const Effort& effort) {
 
 std::vector<Way> ways_of(const Case& it) {
     std::vector<Way> ways;
-    for (const Way way : {Way::light_tracing, Way::first_hits, Way::from_organs}) {
+    for (const Way way :
+         {Way::light_tracing, Way::first_hits, Way::from_organs, Way::ray_bundles}) {
         if (is_offered(it, way)) {
             ways.push_back(way);
         }

@@ -46,7 +46,15 @@ struct Case {
 
 /// How a case is computed. `plain_paths` is light tracing with plain random numbers and rays that
 /// try every triangle; `reference` shares nothing with the program's engine.
-enum class Way { light_tracing, first_hits, from_organs, automatic, plain_paths, reference };
+enum class Way {
+    light_tracing,
+    first_hits,
+    from_organs,
+    ray_bundles,
+    automatic,
+    plain_paths,
+    reference
+};
 [[nodiscard]] std::string name_of(Way way);
 
 struct Effort {
@@ -67,7 +75,8 @@ struct Answer {
 /// The names of the numbers: "organ 2 incident_upper b0", ...
 [[nodiscard]] std::vector<std::string> number_names(const Scene& scene);
 
-/// Whether the program offers this way for the case: not from organs what lamps repeat.
+/// Whether the program offers this way for the case: not from organs what lamps repeat,
+/// nor by bundles what shines.
 [[nodiscard]] bool is_offered(const Case& it, Way way);
 
 [[nodiscard]] Answer compute(const Case& it, Way way, const Effort& effort);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
 namespace {
@@ -27,35 +28,6 @@ Rays rays_of(double size, bool repeats, double pitch) {
     const double count = std::max(1.0, repeats ? std::round(exact) : std::ceil(exact));
     return {repeats ? size / count : pitch, static_cast<std::uint32_t>(count)};
 }
-
-/// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
-/// triangles which share one cut it at the same places.
-class SidesByRow {
-  public:
-    explicit SidesByRow(const ProjectedTriangle& seen) {
-        const auto [low, middle, high] = seen.upwards();
-        const auto& x = seen.x;
-        const auto& y = seen.y;
-        low_x_ = x[low];
-        low_y_ = y[low];
-        middle_x_ = x[middle];
-        middle_y_ = y[middle];
-        slope_long_ = (x[high] - x[low]) / (y[high] - y[low]);
-        slope_low_ = (x[middle] - x[low]) / (y[middle] - y[low]);
-        slope_high_ = (x[high] - x[middle]) / (y[high] - y[middle]);
-    }
-
-    /// Left and right of a row between the lowest and the highest corner.
-    [[nodiscard]] std::pair<double, double> at(double row) const {
-        const double along = low_x_ + (row - low_y_) * slope_long_;
-        const double other = row < middle_y_ ? low_x_ + (row - low_y_) * slope_low_
-                                             : middle_x_ + (row - middle_y_) * slope_high_;
-        return {std::min(along, other), std::max(along, other)};
-    }
-
-  private:
-    double low_x_, low_y_, middle_x_, middle_y_, slope_long_, slope_low_, slope_high_;
-};
 
 }  // namespace
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "quasimc/result.h"
+#include "quasimc/sums.h"
+
+namespace quasimc {
+
+/// Whether sums hold light computed with two levels of patches.
+[[nodiscard]] inline bool has_two_levels(const Sums& sums) {
+    return sums.layout.patch_levels == PatchLevels::two;
+}
+
+/// Of sums with two levels of patches those of the coarser one, as sums of their own.
+[[nodiscard]] Sums coarser_sums(const Sums& sums);
+
+/// The estimate with the error that patches make, told by a difference of the means of two levels:
+/// the standard error becomes hypot(standard error, difference), and the interval reaches so much
+/// further to either side, but not below 0 where it did not.
+[[nodiscard]] Estimate with_patch_error(const Estimate& e, double difference);
+
+/// Adds the error of patches to all estimates.
+/// @param coarse  the same, of coarser_sums()
+void add_patch_errors(const Result& coarse, Result& result);
+
+}  // namespace quasimc

@@ -1,0 +1,171 @@
+#include "solvers/bundle_exchange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/checks.h"
+#include "samplers/hash.h"
+
+namespace quasimc {
+namespace {
+
+/// Directions nearer to the horizon would follow lines through an endless canopy for ever; light
+/// that goes so flat is 1e-10 of what falls on the horizontal.
+constexpr double kFlattest = 1e-5;
+
+/// The number of a direction that has this purpose, in [0, 1).
+double number_of(const BundleGroup& group, std::uint64_t direction, std::uint64_t purpose) {
+    return unit_number(mix64(group.key ^ mix64(4 * direction + purpose + 1)));
+}
+
+/// Exchanges along one line. `kColumns` 0: as many as the light has.
+template <int kColumns>
+class LineExchange {
+  public:
+    LineExchange(
+        std::size_t columns,
+        double weight,
+        std::span<const double> exitance,
+        std::span<double> incident,
+        std::span<double> forwards,
+        std::span<double> backwards)
+        : columns_(columns),
+          weight_(weight),
+          exitance_(exitance.data()),
+          incident_(incident.data()),
+          forwards_(forwards.data()),
+          backwards_(backwards.data()) {}
+
+    /// @param line  without sensors
+    void exchange(std::span<const Columns::Passed> line) {
+        add(backwards_, exitance_ + line[0] * columns());
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const std::size_t left = (line[i - 1] ^ 1U) * columns();
+            const std::size_t right = line[i] * columns();
+            add(incident_ + right, exitance_ + left);
+            add(incident_ + left, exitance_ + right);
+        }
+        add(forwards_, exitance_ + (line.back() ^ 1U) * columns());
+    }
+
+    /// Light passes sensors, which count it.
+    void exchange_through_sensors(std::span<const Columns::Passed> line) {
+        const double* from = nullptr;  // last patch that light leaves forwards
+        double* to = backwards_;       // where light goes that travels backwards
+        std::size_t first = 0;         // sensor since then
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if ((line[i] & Columns::kSensor) != 0) {
+                continue;
+            }
+            const std::size_t at = line[i] * columns();
+            pass_sensors(line.subspan(first, i - first), from, exitance_ + at);
+            add(to, exitance_ + at);
+            if (from != nullptr) {
+                add(incident_ + at, from);
+            }
+            const std::size_t behind = (line[i] ^ 1U) * columns();
+            from = exitance_ + behind;
+            to = incident_ + behind;
+            first = i + 1;
+        }
+        pass_sensors(line.subspan(first), from, nullptr);
+        if (from != nullptr) {
+            add(forwards_, from);
+        }
+    }
+
+  private:
+    [[nodiscard]] std::size_t columns() const {
+        return kColumns > 0 ? static_cast<std::size_t>(kColumns) : columns_;
+    }
+    void add(double* to, const double* from) {
+        for (std::size_t c = 0; c < columns(); ++c) {
+            to[c] += weight_ * from[c];
+        }
+    }
+    void pass_sensors(
+        std::span<const Columns::Passed> sensors, const double* forwards, const double* backwards) {
+        for (const Columns::Passed passed : sensors) {
+            const std::size_t front = passed & ~Columns::kSensor;
+            if (forwards != nullptr) {
+                add(incident_ + front * columns(), forwards);
+            }
+            if (backwards != nullptr) {
+                add(incident_ + (front ^ 1U) * columns(), backwards);
+            }
+        }
+    }
+
+    std::size_t columns_;
+    double weight_;
+    const double* exitance_;
+    double *incident_, *forwards_, *backwards_;
+};
+
+template <int kColumns>
+void exchange_lines(const Columns& lines, bool has_sensors, LineExchange<kColumns> along) {
+    lines.for_each_line([&](std::span<const Columns::Passed> line) {
+        has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
+    });
+}
+
+}  // namespace
+
+Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i) {
+    EXPECT(group.directions % 2 == 0);
+    const double up = number_of(group, ~std::uint64_t{0}, 0);
+    const double turn = number_of(group, ~std::uint64_t{0}, 1);
+    const double height = std::max(kFlattest, (i + (i % 2 == 0 ? up : 1 - up)) / group.directions);
+    const double turns = i * (std::numbers::phi - 1) + turn;
+    const double angle = 2 * std::numbers::pi * (turns - std::floor(turns));
+    const double flat = std::sqrt(std::max(0.0, 1 - height * height));
+    return {flat * std::cos(angle), flat * std::sin(angle), height};
+}
+
+std::uint64_t BundleExchange::exchange(
+    const BundleGroup& group, PatchLight& light, const OnEscape& on_escape) {
+    std::uint64_t stretches = 0;
+    for (std::uint32_t i = 0; i < group.directions; ++i) {
+        const Vec3 direction = bundle_direction(group, i);
+        columns_.draw(
+            seen_, patches_.patches, patches_.least_cosines,
+            {.direction = direction,
+             .rotation = number_of(group, i, 0),
+             .shift_s = number_of(group, i, 1),
+             .shift_t = number_of(group, i, 2),
+             .line_area = group.line_area});
+        // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine law.
+        exchange_along(direction, 2 * columns_.line_area() / group.directions, light, on_escape);
+        stretches += columns_.size();
+    }
+    return stretches;
+}
+
+void BundleExchange::exchange_along(
+    const Vec3& direction, double weight, PatchLight& light, const OnEscape& on_escape) {
+    forwards_.assign(light.columns(), 0);
+    backwards_.assign(light.columns(), 0);
+    const bool has_sensors = patches_.prepared.has_transparent();
+    const auto exchange = [&]<int kColumns>() {
+        exchange_lines(
+            columns_, has_sensors,
+            LineExchange<kColumns>(
+                light.columns(), weight, light.exitance(), light.incident(), forwards_,
+                backwards_));
+    };
+    switch (light.columns()) {
+        case 2:
+            exchange.template operator()<2>();
+            break;
+        case 4:
+            exchange.template operator()<4>();
+            break;
+        default:
+            exchange.template operator()<0>();
+    }
+    on_escape(direction, forwards_);
+    on_escape(-1 * direction, backwards_);
+}
+
+}  // namespace quasimc

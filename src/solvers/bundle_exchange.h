@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/raster/columns.h"
+#include "solvers/patch_light.h"
+
+namespace quasimc {
+
+/// Directions of one step, and how densely lines stand along each.
+struct BundleGroup {
+    std::uint32_t directions = 2;  ///< even
+    double line_area = 1;          ///< wanted, across each direction: local units squared
+    std::uint64_t key = 0;         ///< places them
+};
+
+/// Direction `i` of a group, on the upper half of the sphere: a spiral of the golden angle, turned
+/// and shifted at random. Each is uniform in its layer of the hemisphere, and two neighbours
+/// together are exactly half as high as the zenith, on average: the horizontal has its exact
+/// area in every group.
+[[nodiscard]] Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i);
+
+/// Exchanges light between patches along bundles of parallel lines.
+///
+/// All light that leaves matt patches goes along lines to the next patch, both ways: along a line
+/// that stands for the area a and the solid angle w of its direction, a patch of exitance B sends
+/// the flux B a w / pi. Objects are used by one thread.
+class BundleExchange {
+  public:
+    BundleExchange(const PatchScene& patches, const ProjectedScene& seen)
+        : patches_(patches), seen_(seen) {}
+
+    /// Light that leaves the scene: its direction, and flux in each column of PatchLight.
+    using OnEscape = std::function<void(const Vec3& direction, std::span<const double> flux)>;
+
+    /// Lets the exitance go along all lines, and adds it to the light incident on what it meets.
+    /// @returns stretches of lines along which light went
+    std::uint64_t exchange(const BundleGroup& group, PatchLight& light, const OnEscape& on_escape);
+
+  private:
+    void exchange_along(
+        const Vec3& direction, double weight, PatchLight& light, const OnEscape& on_escape);
+
+    const PatchScene& patches_;
+    const ProjectedScene& seen_;
+    Columns columns_;
+    std::vector<double> forwards_, backwards_;  // escaped, by column
+};
+
+}  // namespace quasimc

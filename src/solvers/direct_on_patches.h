@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "solvers/direct_beams.h"
+#include "solvers/patch_light.h"
+
+namespace quasimc {
+
+/// Direct light of all sources, scored, and laid on patches: that of suns along scan lines, that of
+/// skies by pixels, that of lamps and of what is too costly to look at traced to its first hits.
+class DirectOnPatches {
+  public:
+    DirectOnPatches(const SolverInput& input, const PatchScene& patches);
+
+    [[nodiscard]] const DirectBeams& beams() const { return beams_; }
+
+    struct Scratch {
+        DirectBeams::Scratch beams;
+        std::vector<Patches::Stretch> stretches;
+    };
+    /// What light is to be found.
+    struct Task {
+        const Round& round;
+        const std::vector<VisibilityTask>& tasks;  ///< of the round
+        const SumUnits& units;
+        std::uint32_t replicate = 0;
+    };
+    /// Adds all direct light of a replicate.
+    void find(const Task& task, Scratch& scratch, PatchLight& light, Tally& tally) const;
+
+  private:
+    using Work = DirectBeams::Work;
+    using Beam = DirectBeams::Beam;
+
+    void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
+    void lay_line(const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const;
+    void find_by_pixels(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
+    void light_pixels(
+        const Beam& beam, const ItemBuffer& pixels, PatchLight& light, Tally& tally) const;
+    void trace(const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const;
+    std::uint64_t trace_path(
+        const BoundSource& source, const Emission& start, PatchLight& light, Tally& tally) const;
+
+    const PreparedScene& prepared_;
+    const Sampler& sampler_;
+    const RunSpec& spec_;
+    std::stop_token stop_;
+    const PatchScene& patches_;
+    DirectBeams beams_;
+};
+
+}  // namespace quasimc

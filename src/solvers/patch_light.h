@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/raster/patches.h"
+#include "sums/tally.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// How finely light that leaves surfaces is told apart: by triangle of the caster's mesh, patches
+/// of about equal areas, at most about `most` and at least four a triangle. Images of triangles
+/// have none.
+[[nodiscard]] Patches make_patches(
+    const PreparedScene& prepared, std::span<const VisibilityRole> roles, double most);
+
+/// What the matt surfaces of a scene are made of, patch by patch: const, shared by all threads.
+struct PatchScene {
+    PatchScene(const PreparedScene& scene, std::span<const VisibilityRole> roles, Patches cut);
+
+    /// A triangle that has patches.
+    struct Surface {
+        std::uint32_t triangle = 0, region = 0, material = 0;
+        double patch_area = 0;  ///< local units squared
+        /// Light on it over light on its rounded corners: 1 but for thin triangles.
+        double exact_share = 1;
+        bool is_sensor = false;
+    };
+    /// What a side of a material sends on, per band.
+    struct Optics {
+        std::vector<double> reflected, transmitted;
+    };
+
+    const PreparedScene& prepared;
+    Patches patches;
+    std::vector<Surface> surfaces;
+    std::vector<Optics> optics;        ///< [2 * material + side]
+    std::vector<float> least_cosines;  ///< by triangle; empty: 0
+    double area = 0;                   ///< of all surfaces
+    double mean_albedo = 0;            ///< by area, in the band where it is largest
+
+    [[nodiscard]] const Optics& of(std::uint32_t material, SurfaceSide side) const {
+        return optics[std::size_t{2} * material + index_of(side)];
+    }
+    /// The first of a triangle in Patches of the representative of images.
+    [[nodiscard]] std::uint32_t representative(std::uint32_t triangle) const {
+        return representatives.empty() ? triangle : representatives[triangle];
+    }
+    std::vector<std::uint32_t> representatives;  ///< of images, by triangle; empty: itself
+};
+
+/// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
+/// as it is where each patch is equally bright, and where each four of them are.
+///
+/// Numbers stand [2 * patch + side][level * bands + band], level 0 the finer one.
+class PatchLight {
+  public:
+    explicit PatchLight(const PatchScene& scene);
+
+    [[nodiscard]] std::size_t columns() const { return columns_; }
+    /// Flux that came to each side, in units of sums.
+    [[nodiscard]] std::span<double> incident() { return incident_; }
+    /// Flux that leaves each side per area.
+    [[nodiscard]] std::span<const double> exitance() const { return exitance_; }
+
+    /// No light anywhere.
+    void clear();
+    /// Adds light straight from a source, per band `amount` times weights[b]; what misses thin
+    /// triangles is left out of it.
+    void add_direct(
+        std::uint32_t triangle,
+        std::uint32_t part,
+        SurfaceSide side,
+        double amount,
+        std::span<const double> weights);
+
+    /// What came to surfaces in one step.
+    struct Step {
+        std::vector<double> scattered;  ///< [column]: flux that leaves surfaces next
+        std::vector<double> passed_by;  ///< [column]: of thin triangles, what misses them
+    };
+    /// Sends on what came: sets the exitance, adds to the sums of light that came to each side of
+    /// each region, and takes the incident light away.
+    /// @param is_direct  it came from the sources, and is not summed
+    [[nodiscard]] Step scatter(bool is_direct);
+
+    /// Of a side of a region, all scattered light that came, [column].
+    [[nodiscard]] std::span<const double> sum(std::uint32_t region, SurfaceSide side) const {
+        return {&sums_[(std::size_t{2} * region + index_of(side)) * columns_], columns_};
+    }
+
+  private:
+    void scatter_patch(
+        const PatchScene::Surface& surface, std::uint32_t patch, double share, Step& step);
+    void even_out(const PatchScene::Surface& surface);
+
+    const PatchScene& scene_;
+    std::size_t bands_, columns_;
+    std::vector<double> incident_, exitance_;
+    std::vector<double> sums_;  // [2 * region + side][column]
+    std::vector<double> means_;
+    std::vector<std::vector<std::uint32_t>> parents_;  // by level and part
+};
+
+}  // namespace quasimc

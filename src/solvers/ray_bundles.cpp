@@ -1,0 +1,242 @@
+// Ray bundles: all scattered light at once.
+//
+// Direct light falls on patches of surfaces (solvers/direct_on_patches.h). Matt surfaces send on
+// what falls on them equally bright in all directions, so that light need not be followed ray by
+// ray: along lines in one direction through the whole scene each patch sends light to the next one,
+// both ways (solvers/bundle_exchange.h). Step by step all light that has not yet been sent on goes
+// along lines in new directions, drawn independently of all before: the Neumann series of the
+// radiosity equation, order by order, each without bias. What is left after the last step is
+// reported as cut off.
+//
+// The same steps are done twice at once: with patches, and with each four of them taken together.
+// The difference tells how much it matters that light is constant over a patch.
+
+#include "solvers/ray_bundles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "base/stop.h"
+#include "samplers/hash.h"
+#include "solvers/block_runner.h"
+#include "solvers/bundle_budget.h"
+#include "solvers/bundle_exchange.h"
+#include "solvers/direct_on_patches.h"
+
+namespace quasimc {
+namespace {
+
+/// Steps end where what is left is this part of the light that came from the sources and was
+/// scattered: less than any error.
+constexpr double kLeft = 1e-5;
+/// Point sets of other purposes have smaller numbers.
+constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
+
+/// Sums of one replicate, [column of PatchLight].
+struct Flow {
+    explicit Flow(std::size_t columns) : escaped(columns), cut_off(columns) {}
+    std::vector<std::int64_t> escaped, cut_off;  // fixed point
+};
+
+class RayBundles final : public Solver {
+  public:
+    explicit RayBundles(const SolverInput& input)
+        : prepared_(input.prepared),
+          spec_(input.spec),
+          stop_(input.stop),
+          roles_(visibility_roles(input.prepared)),
+          patches_(
+              input.prepared,
+              roles_,
+              make_patches(input.prepared, roles_, patches_for(input.spec.paths))),
+          direct_(input, patches_),
+          runner_(input) {}
+
+    void solve(const Round& round, Executor& executor, Sums& sums) override {
+        const std::vector<VisibilityTask> tasks = direct_.beams().tasks(round, sums);
+        executor.announce(sums.replicates.size());
+        runner_.run(
+            1, executor, sums,
+            [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
+                solve_replicate({round, tasks, sums.units, replicate}, scratch, tally);
+            });
+        sums.paths += round.count;
+        sums.samples += round.count;
+    }
+
+  private:
+    /// What a worker keeps between replicates.
+    struct Scratch {
+        explicit Scratch(std::size_t) {}
+        DirectOnPatches::Scratch direct;
+        std::unique_ptr<PatchLight> light;
+        std::unique_ptr<BundleExchange> exchange;
+    };
+
+    void solve_replicate(const DirectOnPatches::Task& task, Scratch& scratch, Tally& tally) const {
+        if (!scratch.light) {
+            scratch.light = std::make_unique<PatchLight>(patches_);
+            scratch.exchange = std::make_unique<BundleExchange>(patches_, direct_.beams().scene());
+        }
+        PatchLight& light = *scratch.light;
+        light.clear();
+        direct_.find(task, scratch.direct, light, tally);
+        Flow flow(light.columns());
+        const PatchLight::Step first = light.scatter(true);
+        const BundleBudget budget(patches_, task.round.count, first.scattered);
+        std::vector<double> left = first.scattered;
+        std::uint64_t stretches = 0;
+        for (std::uint64_t order = 1; !is_last(order, left, first.scattered); ++order) {
+            throw_if_stopped(stop_);
+            const BundleGroup group = budget.group(left, key_of(task, order));
+            stretches += scratch.exchange->exchange(
+                group, light, [&](const Vec3& direction, std::span<const double> flux) {
+                    add_escaped(direction, flux, flow, tally);
+                });
+            const PatchLight::Step step = light.scatter(false);
+            for (std::size_t c = 0; c < left.size(); ++c) {
+                flow.escaped[c] += signed_fixed(step.passed_by[c]);
+            }
+            left = step.scattered;
+        }
+        for (std::size_t c = 0; c < left.size(); ++c) {
+            flow.cut_off[c] = to_fixed(left[c]);
+        }
+        add_sums(light, flow, tally);
+        tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));
+    }
+
+    /// Whether light is not sent on any more that was scattered `order` times.
+    [[nodiscard]] bool is_last(
+        std::uint64_t order,
+        const std::vector<double>& left,
+        const std::vector<double>& first) const {
+        bool is_little = true;
+        for (std::size_t c = 0; c < left.size(); ++c) {
+            is_little = is_little && left[c] <= kLeft * first[c];
+        }
+        return is_little || (spec_.max_depth > 0 && order >= spec_.max_depth);
+    }
+
+    [[nodiscard]] std::uint64_t key_of(
+        const DirectOnPatches::Task& task, std::uint64_t order) const {
+        const Stream stream{
+            spec_.seed, kBundleSequence + order, task.replicate, task.round.first,
+            task.round.count};
+        return stream_key(stream, task.round.first, 0);
+    }
+
+    static std::int64_t signed_fixed(double amount) {
+        return amount < 0 ? -to_fixed(-amount) : to_fixed(amount);
+    }
+
+    void add_escaped(
+        const Vec3& direction, std::span<const double> flux, Flow& flow, Tally& tally) const {
+        std::vector<std::int64_t> fixed;
+        for (std::size_t c = 0; c < flux.size(); ++c) {
+            fixed.push_back(to_fixed(flux[c]));
+            flow.escaped[c] += fixed[c];
+        }
+        const auto& detectors = prepared_.detectors();
+        for (std::size_t i = 0; i < detectors.size(); ++i) {
+            detectors[i]->on_escape(
+                direction, std::span(fixed).first(prepared_.bands()), tally.layout().detector(i),
+                tally);
+        }
+    }
+
+    /// What went out is what came to surfaces, escaped or was cut off: exactly.
+    void add_sums(const PatchLight& light, const Flow& flow, Tally& tally) const {
+        const SumLayout& layout = tally.layout();
+        const std::size_t bands = prepared_.bands();
+        std::vector<std::int64_t> out(light.columns());
+        for (std::uint32_t region = 0; region < layout.regions; ++region) {
+            const bool is_opaque = !prepared_.material(region).is_transparent();
+            for (const SurfaceSide side : kSurfaceSides) {
+                const std::span<const double> sum = light.sum(region, side);
+                for (std::size_t b = 0; b < bands; ++b) {
+                    const std::int64_t fine = to_fixed(sum[b]);
+                    const std::int64_t coarse = to_fixed(sum[bands + b]);
+                    tally.add(layout.scattered(region, side) + b, fine);
+                    tally.add(layout.coarse_scattered(region, side) + b, coarse);
+                    out[b] += is_opaque ? fine : 0;
+                    out[bands + b] += is_opaque ? coarse : 0;
+                }
+            }
+        }
+        for (std::size_t b = 0; b < bands; ++b) {
+            add_flow(layout.escaped_scattered() + b, out, flow, b, tally);
+            add_flow(layout.coarse_escaped() + b, out, flow, bands + b, tally);
+        }
+    }
+
+    /// Adds what escaped to `bin`, and with it, as the layout has them, what was scattered and what
+    /// was cut off.
+    static void add_flow(
+        std::size_t bin,
+        const std::vector<std::int64_t>& arrived,
+        const Flow& flow,
+        std::size_t column,
+        Tally& tally) {
+        const std::size_t bands = tally.layout().bands;
+        tally.add_signed(bin, flow.escaped[column]);
+        tally.add_signed(
+            bin + bands, arrived[column] + flow.escaped[column] + flow.cut_off[column]);
+        tally.add(bin + 2 * bands, flow.cut_off[column]);
+    }
+
+    const PreparedScene& prepared_;
+    const RunSpec& spec_;
+    std::stop_token stop_;
+    std::vector<VisibilityRole> roles_;
+    PatchScene patches_;
+    DirectOnPatches direct_;
+    BlockRunner<Scratch> runner_;
+};
+
+/// Whether bundles can send on what a side scatters.
+bool is_matt(const Side& side) {
+    return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
+        return lobe.shape->is_lambertian();
+    });
+}
+
+}  // namespace
+
+void check_matt(const Scene& scene, Faults& faults) {
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        const Material& material = scene.materials()[m];
+        const bool is_good =
+            material.is_transparent() || (is_matt(material.side(SurfaceSide::upper)) &&
+                                          is_matt(material.side(SurfaceSide::lower)));
+        if (is_used[m] && !is_good) {
+            faults.add(
+                {"method",
+                 fmt::format(
+                     "ray_bundles, with the material '{}' that is not matt", material.name()),
+                 "bundles send light on by the cosine law alone, with the same albedo at every "
+                 "angle",
+                 "use method = \"first_hits\""});
+        }
+    }
+}
+
+SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
+    SumMeaning meaning = direct_beams_meaning(prepared, spec);
+    meaning.patch_levels = PatchLevels::two;
+    meaning.units.scattered_flux_per_find = prepared.flux();
+    for (double& flux : meaning.units.scattered_flux_per_find) {
+        flux *= light_of_stretch();
+    }
+    return meaning;
+}
+
+std::unique_ptr<Solver> make_ray_bundles(const SolverInput& input) {
+    return std::make_unique<RayBundles>(input);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,244 @@
+// Light that is scattered all at once: against closed forms, and against light tracing.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "geometry/shapes/shapes.h"
+#include "results/patch_error.h"
+#include "run/simulator.h"
+#include "statistical/canopies.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+RunSpec bundles(std::uint64_t paths) {
+    return spec_of(Method::ray_bundles, paths);
+}
+
+/// Two Lambertian sheets without end above a soil; by the adding method.
+Scene two_sheets(const Cell& cell) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("sheet", .3912, .4146));
+    builder.add_material(matt("soil", .2142, 0));
+    for (const double height : {3, 2}) {
+        builder.add_organ(organ(
+            fmt::format("sheet at {}", height), "sheet",
+            floor_of(0, cell.size_x, 0, cell.size_y, height)));
+    }
+    builder.set_ground(ground("soil"));
+    builder.set_cell(cell);
+    return std::move(builder).build();
+}
+
+void check_two_sheets(
+    const std::string& words, double area, double resolution, const Result& result) {
+    constexpr std::array<double, 2> kTop{1, .498772}, kBottom{.215164, .048346},
+        kAbsorbed{.235985, .106250};
+    constexpr unsigned kFamily = 24;
+    const auto expect = [&](const std::string& what, double expected, const Estimate& e) {
+        EXPECT_TRUE(holds({words + ", " + what, expected, resolution, kFamily}, e));
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string sheet = fmt::format("sheet {}", i + 1);
+        expect("E on top of " + sheet, kTop[i], result.at(i, Quantity::incident_upper, 0));
+        expect("E below " + sheet, kBottom[i], result.at(i, Quantity::incident_lower, 0));
+        expect(
+            "absorbed by " + sheet, kAbsorbed[i], result.at(i, Quantity::absorbed_flux_density, 0));
+    }
+    expect("E on the soil", .225704, result.at(2, Quantity::incident_upper, 0));
+    expect("R", .480407 * area, result.budget[0].escaped);
+}
+
+TEST(RayBundles, ShareTheLightOfInfiniteSheetsAsTheAddingMethodHasIt) {
+    Cell narrow{.along_x = true, .along_y = true};
+    narrow.size_y = .37;
+    const Cell square{.along_x = true, .along_y = true};
+    check_two_sheets(
+        "sheets, sun overhead", 1, 1.5e-3,
+        run(two_sheets(square), {sun(0, {1})}, bundles(1 << 12)));
+    const double low = 78;
+    const double facing = 1 / std::cos(low * std::acos(-1) / 180);
+    check_two_sheets(
+        "sheets in a narrow cell, sun at 78", .37, 5e-3,
+        run(two_sheets(narrow), {sun(low, {facing})}, bundles(1 << 12)));
+    check_two_sheets(
+        "sheets, uniform sky", 1, 1.5e-3, run(two_sheets(square), {sky({1})}, bundles(1 << 13)));
+}
+
+/// All light of a lamp stays in a closed box: walls receive 1 / (1 - rho) of it together.
+TEST(RayBundles, LoseNothingInAClosedBox) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("white", .9, 0));
+    const auto wall = [](const Vec3& corner, const Vec3& a, const Vec3& b) {
+        return make_parallelogram(corner, a, b);
+    };
+    builder.add_organ(organ("floor", "white", wall({-1, -1, -1}, {2, 0, 0}, {0, 2, 0})));
+    builder.add_organ(organ("roof", "white", wall({-1, -1, 1}, {0, 2, 0}, {2, 0, 0})));
+    builder.add_organ(organ("west", "white", wall({-1, -1, -1}, {0, 2, 0}, {0, 0, 2})));
+    builder.add_organ(organ("east", "white", wall({1, -1, -1}, {0, 0, 2}, {0, 2, 0})));
+    builder.add_organ(organ("south", "white", wall({-1, -1, -1}, {0, 0, 2}, {2, 0, 0})));
+    builder.add_organ(organ("north", "white", wall({-1, 1, -1}, {2, 0, 0}, {0, 0, 2})));
+    const Scene scene = std::move(builder).build();
+    LampSpec lamp;
+    lamp.name = "lamp";
+    lamp.opening = {.kind = Opening::Kind::sphere, .radius = .4};
+    lamp.pattern = cosine_pattern();
+    lamp.flux = {6};
+    const Result result = run(scene, {make_lamp(lamp)}, bundles(1 << 12));
+    double incident = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const Estimate& e = result.at(i, Quantity::incident_upper, 0);
+        EXPECT_TRUE(holds({"white box, E on a wall", 6 / (1 - .9) / 24, .04, 6}, e));
+        incident += 4 * e.mean;
+    }
+    EXPECT_NEAR(incident, 60, .3);
+    // What is left is below one in 1e5 of what the walls scattered first, over 1 - rho.
+    const double left = result.budget[0].cut_off.mean;
+    EXPECT_GT(left, 0);
+    EXPECT_LE(left, 1e-5 * .9 * 6);
+}
+
+/// A floor that reflects .3 and a black wall along one of its edges.
+Scene make_corner() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("floor", .3, 0));
+    builder.add_material(matt("wall", 0, 0));
+    builder.add_organ(organ("floor", "floor", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("wall", "wall", make_parallelogram({0, 0, 0}, {0, 1, 0}, {0, 0, 1})));
+    return std::move(builder).build();
+}
+
+TEST(RayBundles, LightTheWallThatStandsOnAFloor) {
+    RunSpec spec = bundles(1 << 13);
+    spec.max_depth = 2;
+    const Result result = run(make_corner(), {sun(0, {1000})}, spec);
+    EXPECT_TRUE(holds(
+        {"L of two squares, wall absorbs", 60.013, .3, 2},
+        result.at(1, Quantity::absorbed_flux, 0)));
+    EXPECT_TRUE(holds(
+        {"L of two squares, floor absorbs", 700, .1, 2}, result.at(0, Quantity::absorbed_flux, 0)));
+}
+
+/// Leaves that scatter most of the light, each an organ; a sensor amid them, a ground below.
+Scene make_stand(double reflectance = .46) {
+    SceneBuilder builder = make_builder(2);
+    MaterialSpec leaf = matt("leaf", .08, .06, 2);
+    for (SideOptics* side : {&leaf.upper[1], &leaf.lower[1]}) {
+        side->reflectance = reflectance;
+        side->transmittance = .42;
+    }
+    builder.add_material(leaf);
+    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(sensor("sensor", 2));
+    for (const Triangle& triangle : random_leaves(30, .35, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {triangle}));
+    }
+    builder.add_organ(organ("sensor", "sensor", floor_of(.2, .8, .3, .7, .5)));
+    GroundSpec soil = ground("soil");
+    soil.extent = std::array<double, 4>{-.5, -.5, 1.5, 1.5};
+    builder.set_ground(soil);
+    return std::move(builder).build();
+}
+
+/// Whether two runs of a scene agree on every side of every organ, as an audit has it, and the
+/// first is so sure of what organs absorb that this tells: rms of the errors, relative to the mean.
+void expect_same(const Scene& scene, const Result& own, const Result& plain, double resolution) {
+    const Audit audit = compare_results(scene, own, plain);
+    EXPECT_GE(audit.chance, kLevel);
+    for (std::size_t band = 0; band < own.bands; ++band) {
+        EXPECT_LT(audit.bands[band].standard_error, .01 * own.budget[band].emitted.mean);
+        double mean = 0, square = 0;
+        for (std::size_t organ = 0; organ < own.organs(); ++organ) {
+            const Estimate& e = own.at(organ, Quantity::absorbed_flux, band);
+            mean += e.mean / static_cast<double>(own.organs());
+            square += e.standard_error * e.standard_error / static_cast<double>(own.organs());
+        }
+        EXPECT_LT(std::sqrt(square), resolution * mean);
+    }
+}
+
+TEST(RayBundles, AgreeWithLightTracingOnEveryLeaf) {
+    const Scene scene = make_stand();
+    for (const auto& source : {sun(35, {1, 1}), sky({1, 1})}) {
+        RunSpec plain = spec_of(Method::light_tracing, 1 << 14);
+        plain.seed = 2;
+        const Result own = run(scene, {source}, bundles(1 << 12));
+        expect_same(scene, own, run(scene, {source}, plain), .03);
+    }
+}
+
+TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
+    const Result result = run(make_stand(), {sun(35, {1, 2}), sky({1, 1})}, bundles(1 << 12));
+    for (const BandBudget& budget : result.budget) {
+        EXPECT_LT(budget.closure_error, 1e-12);
+        // What lines bring more or less than surfaces send has the mean 0.
+        EXPECT_LT(
+            std::abs(budget.roulette.mean),
+            student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.roulette.standard_error);
+        EXPECT_LT(budget.roulette.standard_error, 2e-3 * budget.emitted.mean);
+        EXPECT_LT(budget.cut_off.mean, 1e-5 * budget.emitted.mean);
+    }
+}
+
+/// An endless stand, its leaves over the borders of the cell, with a lamp.
+TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
+    for (const bool along_y : {true, false}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .46, .42));
+        builder.add_material(matt("soil", .3, 0));
+        for (const Triangle& triangle : random_leaves(20, .45, 1, 5)) {
+            builder.add_organ(organ("", "leaf", {triangle}));
+        }
+        builder.set_ground(ground("soil"));
+        builder.set_cell({.along_x = true, .along_y = along_y});
+        const Scene scene = std::move(builder).build();
+        const Sources sources{sun(60, {1}), sky({1})};
+        RunSpec plain_spec = spec_of(Method::light_tracing, 1 << 13);
+        plain_spec.seed = 2;
+        const Result own = run(scene, sources, bundles(1 << 11));
+        const Result plain = run(scene, sources, plain_spec);
+        expect_same(scene, own, plain, .05);
+    }
+}
+
+/// A control: leaves that scatter a little more are told apart.
+TEST(RayBundles, AreNotTakenForThoseOfBrighterLeaves) {
+    const Result own = run(make_stand(.46), {sky({1, 1})}, bundles(1 << 12));
+    RunSpec other = bundles(1 << 12);
+    other.seed = 2;
+    const Scene brighter = make_stand(.49);
+    EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).chance, kLevel);
+}
+
+/// Errors hold the difference of the two levels of patches, beside that of the replicates.
+TEST(RayBundles, TellTheErrorOfTheirPatches) {
+    const Scene scene = make_corner();
+    const Sources sources{sun(0, {1000})};
+    RunSpec spec = bundles(1 << 12);
+    spec.max_depth = 2;
+    const Sums sums = Simulator().sums(scene, sources, spec, 0);
+    const Sums coarse = coarser_sums(sums);
+    // Two sides of two regions, and three flows.
+    EXPECT_EQ(coarse.layout.bins() + 7, sums.layout.bins());
+    const Estimate told =
+        evaluate_run(sums, scene, spec, sources).at(1, Quantity::absorbed_flux, 0);
+    const double difference = std::abs(
+        told.mean -
+        evaluate_run(coarse, scene, spec, sources).at(1, Quantity::absorbed_flux, 0).mean);
+    EXPECT_GT(difference, 1e-6 * told.mean);
+    const double by_replicates =
+        std::sqrt(told.standard_error * told.standard_error - difference * difference);
+    const double half = interval_quantile(kReplicates - 1) * by_replicates + difference;
+    EXPECT_NEAR(told.high - told.mean, half, 1e-9 * told.mean);
+    EXPECT_NEAR(told.mean - told.low, half, 1e-9 * told.mean);
+}
+
+}  // namespace
+}  // namespace quasimc::test
