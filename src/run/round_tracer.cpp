@@ -40,8 +40,12 @@ void RoundTracer::set_pauses(
     std::function<bool()> is_due,
     std::function<void(const TaskPosition& done, const Sums& partial)> on_pause) {
     executor_.set_pauses(
-        {std::move(is_due),
-         [this, tell = std::move(on_pause)](const TaskPosition& done) { tell(done, *partial_); }});
+        {std::move(is_due), [this, tell = std::move(on_pause)](const TaskPosition& done) {
+             if (team_ != nullptr) {
+                 add_up(*team_, *partial_);
+             }
+             tell(done, *partial_);
+         }});
 }
 
 void RoundTracer::set_team(const RunTeam* team, std::uint64_t moment) {

@@ -52,7 +52,7 @@ TEST_P(RanksOfMethods, GiveTheSameBitsInAnyNumber) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << ranks;
         const std::string& text = outcome.out;
-        EXPECT_EQ(text.find("paths"), text.rfind("paths")) << text;  // one summary
+        EXPECT_EQ(text.find("written"), text.rfind("written")) << text;  // one summary
     }
 }
 
@@ -91,6 +91,28 @@ TEST_F(RanksTest, ReportBadInputOnce) {
     const Outcome outcome = run_ranks(3, "run.toml");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(outcome.err.find("bands"), outcome.err.rfind("bands")) << outcome.err;
+}
+
+/// The scripts of examples/06-cluster, as far as they go without SLURM.
+TEST_F(RanksTest, OfTheScriptForSlurmWriteTheSameTable) {
+    const std::string prepare =
+        "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+        "OMPI_MCA_rmaps_base_oversubscribe=1 MPIRUN='" QUASIMC_MPIRUN
+        "' QUASIMC=\"$quasimc\"; "
+        "scripts='" QUASIMC_SOURCE_DIR "/examples/06-cluster'; ";
+    ASSERT_EQ(run({"run", "run.toml", "--csv", "whole.csv"}).status, 0);
+    for (int times = 0; times < 2; ++times) {  // as if it had been put back into the queue
+        const Outcome ranks =
+            shell(prepare + "SLURM_CPUS_PER_TASK=1 sh \"$scripts/ranks.sh\" run.toml --csv r.csv");
+        EXPECT_EQ(ranks.status, 0) << ranks.err;
+        EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
+    }
+    const Outcome array = shell(
+        prepare +
+        "export SLURM_ARRAY_TASK_COUNT=3; for i in 1 2 3; do SLURM_ARRAY_TASK_ID=$i "
+        "sh \"$scripts/array.sh\" run.toml; done; \"$quasimc\" merge part.* --csv m.csv");
+    EXPECT_EQ(array.status, 0) << array.err;
+    EXPECT_EQ(rows_of(folder_.read("m.csv")), rows_of(folder_.read("whole.csv")));
 }
 
 /// The whole job ends when one of its ranks is killed, and goes on on another number of ranks.

@@ -1,0 +1,246 @@
+// Runs that several processes trace together; here each is a thread.
+
+#include "run/run_team.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <barrier>
+#include <cstdint>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "run/run_state.h"
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
+namespace {
+
+/// What the processes of a team share.
+class Meeting {
+  public:
+    explicit Meeting(unsigned size) : barrier_(size) {}
+
+    /// The team as one of them sees it; each node has a counter.
+    [[nodiscard]] RunTeam seen_by(unsigned rank, unsigned nodes) {
+        RunTeam team;
+        team.is_first = rank == 0;
+        team.tasks.begin = [=, this](std::uint64_t begin, std::uint64_t end) {
+            const unsigned node = rank % nodes;
+            const auto [first, last] = share_of(node + 1, nodes).range(end - begin);
+            if (rank < nodes) {
+                counters_[node] = begin + first;
+            }
+            barrier_.arrive_and_wait();
+            return TaskRange{&counters_[node], begin + last, nodes == 1};
+        };
+        team.tasks.meet = [=, this](std::uint64_t own) { return told(rank, own, met_); };
+        team.order = [=, this](const TeamOrder& own) { return told(rank, own, order_); };
+        team.add_up = [=, this](std::vector<std::int64_t>& numbers) { add_up(rank, numbers); };
+        return team;
+    }
+
+  private:
+    /// What the first has to say.
+    template <typename T>
+    T told(unsigned rank, const T& own, T& place) {
+        if (rank == 0) {
+            place = own;
+        }
+        barrier_.arrive_and_wait();
+        const T told = place;
+        barrier_.arrive_and_wait();
+        return told;
+    }
+    void add_up(unsigned rank, std::vector<std::int64_t>& numbers) {
+        if (rank == 0) {
+            total_.assign(numbers.size(), 0);
+        }
+        barrier_.arrive_and_wait();
+        {
+            const std::lock_guard lock(mutex_);
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                total_[i] += numbers[i];
+            }
+        }
+        barrier_.arrive_and_wait();
+        if (rank == 0) {
+            numbers = total_;
+        }
+    }
+
+    std::barrier<> barrier_;
+    std::array<std::atomic<std::uint64_t>, 8> counters_{};
+    std::uint64_t met_ = 0;
+    TeamOrder order_;
+    std::mutex mutex_;
+    std::vector<std::int64_t> total_;
+};
+
+struct Day {
+    Scene scene = leaf_over_ground();
+    std::vector<TimeStep> moments;
+
+    Day() {
+        for (const double elevation : {20.0, 50.0, 50.0, 80.0}) {
+            moments.push_back(
+                {.name = "",
+                 .sources = {sun(elevation, {1}), sky({1})},
+                 .shapes = std::to_string(elevation),
+                 .seconds = 3600,
+                 .day = 0});
+        }
+    }
+};
+
+/// The results of a day that a team of so many processes traces.
+std::vector<Result> trace_day(
+    const Day& day,
+    const RunSpec& spec,
+    unsigned ranks,
+    unsigned nodes,
+    const RunCheckpoint* checkpoint = nullptr,
+    const std::stop_token& stop = {}) {
+    Meeting meeting(ranks);
+    std::vector<std::jthread> helpers;
+    for (unsigned rank = 1; rank < ranks; ++rank) {
+        helpers.emplace_back([&, rank] {
+            const RunTeam team = meeting.seen_by(rank, nodes);
+            TeamHelper helper;
+            TeamOrder order = team.order({});
+            while (order.is_end == 0) {
+                order = helper.help(day.scene, day.moments, spec, team, order);
+            }
+        });
+    }
+    const RunTeam team = meeting.seen_by(0, nodes);
+    std::vector<Result> results;
+    SeriesEvents events;
+    events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
+    events.checkpoint = checkpoint;
+    events.team = &team;
+    static_cast<void>(run_series(day.scene, day.moments, spec, events, stop));
+    static_cast<void>(team.order({.is_end = 1}));
+    return results;
+}
+
+void expect_equal_days(const std::vector<Result>& a, const std::vector<Result>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].rays, b[i].rays);
+        EXPECT_EQ(a[i].paths, b[i].paths);
+        EXPECT_TRUE(std::equal(
+            a[i].values.begin(), a[i].values.end(), b[i].values.begin(), b[i].values.end(),
+            [](const Estimate& x, const Estimate& y) {
+                return x.mean == y.mean && x.low == y.low && x.high == y.high;
+            }));
+    }
+}
+
+std::vector<Result> day_alone(const Day& day, const RunSpec& spec) {
+    std::vector<Result> results;
+    SeriesEvents events;
+    events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
+    static_cast<void>(run_series(day.scene, day.moments, spec, events));
+    return results;
+}
+
+class RunTeams : public ::testing::TestWithParam<Method> {
+  protected:
+    [[nodiscard]] static RunSpec spec() {
+        RunSpec spec = spec_of(GetParam(), 1U << 14U);
+        spec.replicates = 3;
+        spec.max_paths = 2 * spec.paths;
+        spec.threads = 2;
+        return spec;
+    }
+};
+
+TEST_P(RunTeams, GiveTheBitsOfOneProcess) {
+    const Day day;
+    const std::vector<Result> alone = day_alone(day, spec());
+    for (const auto& [ranks, nodes] :
+         std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {2, 1}, {3, 1}, {4, 2}, {3, 3}}) {
+        expect_equal_days(trace_day(day, spec(), ranks, nodes), alone);
+    }
+}
+
+TEST_P(RunTeams, PauseForCheckpointsThatOthersGoOnFrom) {
+    const Day day;
+    std::vector<std::pair<std::size_t, std::string>> saved;
+    RunCheckpoint checkpoint;
+    checkpoint.state_of = [&](std::size_t moment) {
+        const auto state = std::find_if(
+            saved.begin(), saved.end(), [&](const auto& each) { return each.first == moment; });
+        return state == saved.end() ? std::nullopt : std::optional(load_state(state->second));
+    };
+    checkpoint.is_due = [] { return true; };
+    checkpoint.save = [&](std::size_t moment, const RunSnapshot& state) {
+        saved.emplace_back(moment, save_state(state));
+    };
+    checkpoint.finish = [](std::size_t, const RunSnapshot&) {};
+    const std::vector<Result> paused = trace_day(day, spec(), 3, 1, &checkpoint);
+    const std::vector<Result> alone = day_alone(day, spec());
+    expect_equal_days(paused, alone);
+    ASSERT_GE(saved.size(), 3U);
+    std::reverse(saved.begin(), saved.end());  // the last of each moment
+    checkpoint.is_due = [] { return false; };
+    expect_equal_days(trace_day(day, spec(), 2, 1, &checkpoint), alone);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryMethod,
+    RunTeams,
+    ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits));
+
+TEST(RunTeam, StopsWhenTheFirstIsStopped) {
+    const Day day;
+    RunSpec spec = spec_of(Method::light_tracing, 1U << 28U);
+    std::stop_source source;
+    std::jthread later([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        source.request_stop();
+    });
+    const std::vector<Result> results = trace_day(day, spec, 3, 1, nullptr, source.get_token());
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results[0].stop, StopReason::interrupted);
+}
+
+TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
+    constexpr std::int64_t kLarge = ExactBins::kCarry - 3;
+    const std::vector<std::int64_t> values{kLarge, -kLarge, 5, -7, 0, kLarge, -1};
+    ExactBins expected(values.size());
+    Meeting meeting(5);
+    const auto bins_of = [&](unsigned rank) {
+        Sums sums;
+        sums.replicates = {ExactBins(values.size())};
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            for (unsigned times = 0; times <= rank; ++times) {
+                sums.replicates[0].add(i, i % 2 == 0 ? values[i] : values[i] / (rank + 1));
+            }
+        }
+        return sums;
+    };
+    std::vector<std::jthread> others;
+    for (unsigned rank = 0; rank < 5; ++rank) {
+        expected += bins_of(rank).replicates[0];
+        if (rank > 0) {
+            others.emplace_back([&, rank] {
+                Sums own = bins_of(rank);
+                add_up(meeting.seen_by(rank, 1), own);
+            });
+        }
+    }
+    Sums first = bins_of(0);
+    add_up(meeting.seen_by(0, 1), first);
+    EXPECT_EQ(first.replicates[0], expected);
+}
+
+}  // namespace
+}  // namespace quasimc::test
