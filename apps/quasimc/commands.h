@@ -8,5 +8,7 @@
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command export_command();
 [[nodiscard]] Command list_command();
+[[nodiscard]] Command report_command();
 [[nodiscard]] Command show_command();
 [[nodiscard]] Command sky_command();
+[[nodiscard]] Command view_command();

@@ -33,7 +33,7 @@ Program make_program(bool& dump_default) {
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
         {run_command(), merge_command(), check_command(), export_command(), list_command(),
-         show_command(), sky_command()}};
+         show_command(), view_command(), report_command(), sky_command()}};
 }
 
 Exit run_program(int argc, char** argv) {

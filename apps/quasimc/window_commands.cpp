@@ -1,0 +1,106 @@
+// The page in the browser: as a file, and served.
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "interrupt.h"
+#include "io/output_files.h"
+#include "io/results/window_data.h"
+#include "quasimc/quasimc.h"
+#include "show_values.h"
+#include "view/page.h"
+#include "view/window_server.h"
+
+namespace {
+
+struct WindowArguments {
+    std::string file, output;
+    std::size_t point = 0, port = 0;
+};
+
+/// A run, and what the page needs of it.
+struct WindowRun {
+    std::vector<quasimc::InputFile> inputs;
+    quasimc::WindowData data;
+};
+
+WindowRun read_window_run(const WindowArguments& arguments) {
+    ShownRun shown = read_shown_run(arguments.file, arguments.point);
+    if (shown.result_text.empty()) {
+        throw quasimc::InputError(
+            {{arguments.file, "is no result", "",
+              "write one with quasimc run --json; quasimc show draws a scene without light"}});
+    }
+    quasimc::WindowData data =
+        quasimc::make_window_data(shown.run, shown.result_text, arguments.file);
+    return {std::move(shown.run.inputs), std::move(data)};
+}
+
+Exit report(const WindowArguments& arguments) {
+    quasimc::require_page("report");
+    const WindowRun run = read_window_run(arguments);
+    constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
+    if (run.data.bytes() > kMostBytes) {
+        throw quasimc::InputError(
+            {{arguments.file,
+              fmt::format("makes a report of {} MB", run.data.bytes() * 4 / 3 >> 20U),
+              "browsers open no more than some 350",
+              "write fewer quantities, bands or times (--quantities, --bands), or use quasimc "
+              "view"}});
+    }
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, run.inputs);
+    write_report(run.data, output.sink(0));
+    output.commit();
+    output.throw_if_given_up();
+    return Exit::done;
+}
+
+Exit view(const WindowArguments& arguments) {
+    quasimc::require_page("view");
+    const InterruptWatch interrupt([] {});
+    quasimc::WindowServer server(
+        quasimc::WindowSite(read_window_run(arguments).data, quasimc::random_token()),
+        static_cast<int>(arguments.port));
+    fmt::print("{}\n", server.address());
+    std::fflush(stdout);
+    fmt::print(stderr, "Open this address in a browser of this machine; Ctrl-C ends.\n");
+    const std::stop_token token = interrupt.token();
+    server.serve([&token] { return token.stop_requested(); });
+    return Exit::done;
+}
+
+}  // namespace
+
+Command report_command() {
+    const auto arguments = std::make_shared<WindowArguments>();
+    return {
+        "report",
+        "write a result as one page for any browser",
+        {{"FILE", &arguments->file, "JSON result", true},
+         {.name = "-o,--output",
+          .target = &arguments->output,
+          .summary = "HTML file to write; - is standard output",
+          .required = true,
+          .type_name = "FILE"},
+         {"--point", &arguments->point, "of a sweep: which point, from 1"}},
+        [arguments] { return report(*arguments); }};
+}
+
+Command view_command() {
+    const auto arguments = std::make_shared<WindowArguments>();
+    return {
+        "view",
+        "show a result in a browser of this machine",
+        {{"FILE", &arguments->file, "JSON result", true},
+         {.name = "--port",
+          .target = &arguments->port,
+          .summary = "of 127.0.0.1 to serve at; 0: any that is free",
+          .range = std::pair(0.0, 65535.0),
+          .default_text = "0"},
+         {"--point", &arguments->point, "of a sweep: which point, from 1"}},
+        [arguments] { return view(*arguments); }};
+}

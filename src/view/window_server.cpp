@@ -1,0 +1,255 @@
+#include "view/window_server.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include "quasimc/error.h"
+
+namespace quasimc {
+namespace window_server {
+
+using Clock = std::chrono::steady_clock;
+
+Clock::time_point after(double seconds) {
+    return Clock::now() +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// A file descriptor that is closed at the end.
+class Socket {
+  public:
+    explicit Socket(int descriptor) : descriptor_(descriptor) {}
+    Socket(Socket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    Socket& operator=(Socket&& other) noexcept {
+        std::swap(descriptor_, other.descriptor_);
+        return *this;
+    }
+    ~Socket() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
+        }
+    }
+    [[nodiscard]] int get() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
+
+bool can_be_tried_again() {
+    return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
+}
+
+/// One request and its answer.
+class Connection {
+  public:
+    Connection(Socket socket, const ServerLimits& limits)
+        : socket_(std::move(socket)), limits_(&limits), deadline_(after(limits.request_seconds)) {}
+
+    [[nodiscard]] pollfd waits_for() const {
+        return {socket_.get(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
+    }
+    [[nodiscard]] bool has_asked() const { return !head_.empty(); }
+    [[nodiscard]] bool is_late() const { return Clock::now() > deadline_; }
+
+    /// Goes on as far as it can without waiting. @returns whether there is more to do
+    bool go_on(const WindowSite& site) {
+        if (is_leaving_) {
+            return drain();
+        }
+        return is_answering() ? send_more() : read_more(site);
+    }
+
+  private:
+    [[nodiscard]] bool is_answering() const { return !head_.empty() && !is_leaving_; }
+
+    bool read_more(const WindowSite& site) {
+        std::array<char, 2048> bytes{};
+        const ssize_t got = recv(socket_.get(), bytes.data(), bytes.size(), 0);
+        if (got <= 0) {
+            return got < 0 && can_be_tried_again();
+        }
+        request_.append(bytes.data(), static_cast<std::size_t>(got));
+        const std::size_t end = request_.find("\r\n\r\n");
+        if (std::min(end, request_.size()) > limits_->request_bytes) {
+            start({.status = 431, .body = "too long\n"});
+        } else if (end != std::string::npos) {
+            start(site.answer(parse_request(std::string_view(request_).substr(0, end + 4))));
+        }
+        return true;
+    }
+
+    void start(const HttpAnswer& answer) {
+        head_ = answer.head();
+        body_ = answer.is_head ? std::string_view() : answer.body;
+        deadline_ = after(limits_->idle_seconds);
+    }
+
+    bool send_more() {
+        const std::string_view rest = sent_ < head_.size() ? std::string_view(head_).substr(sent_)
+                                                           : body_.substr(sent_ - head_.size());
+        const ssize_t sent = send(socket_.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
+        if (sent < 0) {
+            return can_be_tried_again();
+        }
+        sent_ += static_cast<std::size_t>(sent);
+        deadline_ = after(limits_->idle_seconds);
+        if (sent_ == head_.size() + body_.size()) {
+            // What still comes is read and dropped: a socket closed on unread bytes would take
+            // the answer away from who has not read it yet (RFC 9112, section 9.6).
+            shutdown(socket_.get(), SHUT_WR);
+            is_leaving_ = true;
+            deadline_ = after(1);
+        }
+        return true;
+    }
+
+    bool drain() {
+        std::array<char, 2048> bytes{};
+        const ssize_t got = recv(socket_.get(), bytes.data(), bytes.size(), 0);
+        return got > 0 || (got < 0 && can_be_tried_again());
+    }
+
+    Socket socket_;
+    const ServerLimits* limits_;
+    Clock::time_point deadline_;
+    std::string request_, head_;
+    std::string_view body_;
+    std::size_t sent_ = 0;
+    bool is_leaving_ = false;
+};
+
+[[noreturn]] void refuse_port(int port) {
+    throw InputError(
+        {{"--port", fmt::format("{} can't be had", port), std::strerror(errno),
+          "leave it out: any that is free will do"}});
+}
+
+Socket listen_at(int port) {
+    Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+    const int on = 1;
+    setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    constexpr int kWaiting = 128;
+    if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        listen(socket.get(), kWaiting) != 0) {
+        refuse_port(port);
+    }
+    return socket;
+}
+
+int port_of(const Socket& socket) {
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size);
+    return ntohs(address.sin_port);
+}
+
+}  // namespace window_server
+
+using window_server::Connection;
+using window_server::Socket;
+
+class WindowServer::State {
+  public:
+    State(WindowSite site, int port, const ServerLimits& limits)
+        : site_(std::move(site)), limits_(limits), listener_(window_server::listen_at(port)) {
+        site_.set_port(window_server::port_of(listener_));
+    }
+
+    [[nodiscard]] std::string address() const { return site_.address(); }
+
+    /// One look at all connections; waits a fifth of a second for something to happen.
+    void step() {
+        std::vector<pollfd> waits;
+        for (const Connection& each : connections_) {
+            waits.push_back(each.waits_for());
+        }
+        const bool is_open = has_room() || find_waiting() != connections_.end();
+        waits.push_back({listener_.get(), static_cast<short>(is_open ? POLLIN : 0), 0});
+        constexpr int kMilliseconds = 200;
+        if (poll(waits.data(), waits.size(), kMilliseconds) < 0) {
+            return;
+        }
+        std::vector<Connection> going;
+        for (std::size_t i = 0; i < connections_.size(); ++i) {
+            const bool is_ready = waits[i].revents != 0;
+            if (is_ready ? connections_[i].go_on(site_) : !connections_[i].is_late()) {
+                // Who sends a byte now and then is late all the same.
+                if (!connections_[i].is_late()) {
+                    going.push_back(std::move(connections_[i]));
+                }
+            }
+        }
+        connections_ = std::move(going);
+        if (waits.back().revents != 0) {
+            accept_all();
+        }
+    }
+
+  private:
+    [[nodiscard]] bool has_room() const { return connections_.size() < limits_.connections; }
+
+    /// The oldest connection that has not asked for anything yet.
+    [[nodiscard]] std::vector<Connection>::iterator find_waiting() {
+        return std::find_if(connections_.begin(), connections_.end(), [](const Connection& each) {
+            return !each.has_asked();
+        });
+    }
+
+    /// Where there is no room, who keeps silent makes it.
+    void accept_all() {
+        for (std::size_t i = 0; i < limits_.connections; ++i) {
+            const auto silent = find_waiting();
+            if (!has_room() && silent == connections_.end()) {
+                return;
+            }
+            Socket socket(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+            if (socket.get() < 0) {
+                return;
+            }
+            if (!has_room()) {
+                connections_.erase(silent);
+            }
+            connections_.emplace_back(std::move(socket), limits_);
+        }
+    }
+
+    WindowSite site_;
+    ServerLimits limits_;
+    Socket listener_;
+    std::vector<Connection> connections_;
+};
+
+WindowServer::WindowServer(WindowSite site, int port, const ServerLimits& limits)
+    : state_(std::make_unique<State>(std::move(site), port, limits)) {}
+
+WindowServer::~WindowServer() = default;
+
+std::string WindowServer::address() const {
+    return state_->address();
+}
+
+void WindowServer::serve(const std::function<bool()>& is_stopped) {
+    while (!is_stopped()) {
+        state_->step();
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "view/window_site.h"
+
+namespace quasimc {
+
+/// How much a server bears.
+struct ServerLimits {
+    std::size_t connections = 64;  ///< at a time; one more ends the oldest that has asked nothing
+    std::size_t request_bytes = 8192;  ///< up to the empty line
+    double request_seconds = 5;        ///< for all of a request
+    double idle_seconds = 30;          ///< without taking a byte of the answer
+};
+
+/// Serves a site on 127.0.0.1, one request a connection, in one thread that never waits for a
+/// single connection: who is slow, or many, holds up nobody else.
+class WindowServer {
+  public:
+    /// Opens the port. @param port  0: any that is free
+    /// @throws InputError  if the port can't be had
+    WindowServer(WindowSite site, int port, const ServerLimits& limits = {});
+    ~WindowServer();
+    WindowServer(WindowServer&&) = delete;
+
+    [[nodiscard]] std::string address() const;
+    /// Serves until asked to stop, which is looked at some times a second.
+    void serve(const std::function<bool()>& is_stopped);
+
+  private:
+    class State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,248 @@
+// The page in a real browser: node page_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
+//
+// Rationale: what a person sees and does - a report opened from the disk without a network, and the
+// same run served - must show the numbers of the result, for the organ that is pointed at.
+// Expected behaviour: no word on the console, no request to anywhere, the right numbers.
+
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
+const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
+const folder = mkdtempSync(path.join(tmpdir(), "quasimc-page-"));
+const inFolder = (name) => path.join(folder, name);
+const run = (...words) => execFileSync(quasimc, words, { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+const kTrick = "<script>document.title='taken'</script><img src=x onerror=\"document.title='taken'\">";
+
+/** Two leaves one above the other and a ground, at two times; names are tricks. */
+const kRunFile = `
+title = '''Leaves ${kTrick}'''
+[[band]]
+name = "PAR"
+[[band]]
+name = "NIR"
+[place]
+latitude_deg = 51.97
+longitude_deg = 5.67
+[time]
+day = "2024-06-21"
+utc_offset_hours = 1
+hours = [9, 13]
+sky = "uniform"
+[run]
+paths = 1024
+[output]
+json = "day.json"
+[ground]
+material = "leaf"
+x = [-2, 2]
+y = [-2, 2]
+[[material]]
+name = "leaf"
+reflectance = 0.1
+transmittance = 0.1
+[[organ]]
+name = '''upper ${kTrick}'''
+labels = { kind = "blade", plant = '''${kTrick}''' }
+material = "leaf"
+shape = "triangle"
+corners = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0.6, 1]]
+[[organ]]
+name = "lower"
+labels = { kind = "stem" }
+material = "leaf"
+shape = "triangle"
+corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
+`;
+
+/** Fails on anything that the page says, and on any request but those it may make. */
+async function open(context, address, isAllowed) {
+  const page = await context.newPage();
+  const faults = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) &&
+    !/GPU stall due to ReadPixels|software WebGL/.test(message.text()) && faults.push(message.text()));
+  page.on("pageerror", (error) => faults.push(String(error)));
+  page.on("request", (request) => !isAllowed(request.url()) && faults.push(`asked for ${request.url()}`));
+  await page.goto(address);
+  await page.waitForSelector("html[data-state]");
+  assert.equal(await page.getAttribute("html", "data-state"), "ready", faults.join("\n"));
+  return { page, faults };
+}
+
+/** How many colours the canvas shows. */
+async function colorsOf(page) {
+  const png = (await page.locator("#canvas").screenshot()).toString("base64");
+  return page.evaluate(async (text) => {
+    const picture = new Image();
+    picture.src = `data:image/png;base64,${text}`;
+    await picture.decode();
+    const canvas = document.createElement("canvas");
+    canvas.width = picture.width;
+    canvas.height = picture.height;
+    const pen = canvas.getContext("2d");
+    pen.drawImage(picture, 0, 0);
+    const data = new Uint32Array(pen.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    return new Set(data).size;
+  }, png);
+}
+
+const meanIn = (text) => Number(/: (-?[\d.e+-]+) ±/.exec(text)?.[1]);
+const near = (shown, value) => Math.abs(shown - value) <= 2e-3 * Math.abs(value);
+
+/** Points at the middle of the canvas, seen from above: the upper leaf is there. */
+async function hoverMiddle(page) {
+  await page.getByRole("button", { name: "Top" }).click();
+  const box = await page.locator("#canvas").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.move(box.x + box.width / 2 + 1, box.y + box.height / 2);
+  await page.waitForSelector("#tip:not([hidden])");
+  return page.locator("#tip").textContent();
+}
+
+async function checkNumbers(page, result) {
+  const upper = result.total.organs[0];
+  const total = upper.absorbed_flux_density.PAR;
+  await page.selectOption("#part", "total");
+  const tip = await hoverMiddle(page);
+  assert.ok(tip.startsWith(upper.name), tip);
+  assert.ok(near(meanIn(tip.slice(upper.name.length)), total.mean), `${tip}: ${total.mean}`);
+  await page.waitForSelector("#organ table");
+  const about = await page.locator("#organ").textContent();
+  assert.ok(about.includes("kind = blade") && about.includes("absorbed flux density, NIR"), about);
+
+  // The slider goes through the times; hidden organs no longer stand before others.
+  await page.selectOption("#part", "moments");
+  for (const [i, moment] of result.moments.entries()) {
+    await page.locator("#time").fill(String(i));
+    await page.waitForFunction((time) => document.querySelector("#legend-title").textContent.includes(time), moment.time);
+    const text = await hoverMiddle(page);
+    const mean = moment.organs[0].absorbed_flux_density.PAR.mean;
+    assert.ok(near(meanIn(text.slice(upper.name.length)), mean), `${moment.time}: ${text}: ${mean}`);
+  }
+}
+
+async function checkFilters(page) {
+  const shown = () => page.locator("#shown").textContent();
+  assert.match(await shown(), /^3 of 3/);
+  await page.selectOption("#key", "kind");
+  await page.selectOption("#values", { label: "stem" });
+  assert.match(await shown(), /^1 of 3/);
+  const tip = await hoverMiddle(page);
+  assert.ok(tip.startsWith("lower: "), `filtered by kind, yet: ${tip}`);
+  await page.getByRole("button", { name: "Show all again" }).click();
+  assert.match(await shown(), /^3 of 3/);
+  await page.locator("#ground").uncheck();
+  assert.match(await shown(), /^2 of 3/);
+  await page.locator("#histogram .bar").first().click();
+  assert.match(await shown(), /^[01] of 3/);
+  await page.getByRole("button", { name: "Show all again" }).click();
+  await page.selectOption("#cut", "z");
+  await page.locator("#cut-at").fill("700"); // of the height of 1: below the upper leaf
+  assert.match(await page.locator("#cut-text").textContent(), /z = 0\.7 m/);
+  assert.ok((await hoverMiddle(page)).startsWith("lower: "), "what is cut away still stands there");
+  await page.getByRole("button", { name: "Show all again" }).click();
+}
+
+async function checkKeys(page, upper) {
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  await page.waitForFunction((name) => document.querySelector("#organ h3")?.textContent === name, upper);
+  await page.keyboard.press("n");
+  await page.waitForFunction(() => document.querySelector("#organ h3")?.textContent === "lower");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("+");
+  await page.keyboard.press("Escape");
+  await page.locator("#find").fill("lower");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.querySelector("#organ h3")?.textContent === "lower");
+  await page.getByRole("button", { name: "Show all again" }).click();
+}
+
+async function checkReport(page, result) {
+  const text = await page.locator("#report").textContent();
+  for (const word of ["Energy", "absorbed by organs", "all organs", "Organs that are known worst", "SHA-256",
+    result.inputs[0].sha256, "first_hits"]) {
+    assert.ok(text.includes(word), word);
+  }
+  assert.ok((await page.title()).includes(kTrick), "a title is text, not markup");
+  assert.equal(await page.locator("#title img, #report img, #organ img").count(), 0);
+}
+
+async function checkAll(page, faults, result, name) {
+  await checkNumbers(page, result);
+  const colors = await colorsOf(page);
+  assert.ok(colors > 20, `the canvas shows ${colors} colours`);
+  if (pictures) {
+    await page.screenshot({ path: path.join(pictures, `${name}.png`), fullPage: true });
+  }
+  await checkFilters(page);
+  await checkKeys(page, result.total.organs[0].name);
+  await checkReport(page, result);
+  assert.deepEqual(faults, []);
+}
+
+async function checkServed(context, result) {
+  const server = spawn(quasimc, ["view", inFolder("day.json")], { stdio: ["ignore", "pipe", "ignore"] });
+  try {
+    const address = await new Promise((done) => server.stdout.once("data", (bytes) => done(String(bytes).trim())));
+    const { page, faults } = await open(context, address, (url) => url.startsWith(address) || url.startsWith("data:"));
+    await checkAll(page, faults, result, "view");
+    await page.close();
+    server.kill("SIGINT");
+    const status = await new Promise((done) => server.once("exit", (code) => done(code)));
+    assert.equal(status, 0, "Ctrl-C ends the server in order");
+  } finally {
+    server.kill("SIGKILL");
+  }
+}
+
+/** Without WebGL the numbers are there all the same. */
+async function checkWithoutWebGl(address) {
+  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-3d-apis"] });
+  try {
+    const page = await browser.newPage();
+    await page.goto(address);
+    await page.waitForSelector("html[data-state=ready]");
+    assert.match(await page.locator("#notice").textContent(), /no WebGL/);
+    assert.ok(await page.locator("#report table").count() > 3);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function main() {
+  writeFileSync(inFolder("day.toml"), kRunFile);
+  run("run", "day.toml", "--quiet");
+  run("report", "day.json", "-o", "day.html");
+  const result = JSON.parse(readFileSync(inFolder("day.json")));
+  const browser = await chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+  try {
+    const context = await browser.newContext({ viewport: { width: 1200, height: 900 } });
+    const address = pathToFileURL(inFolder("day.html")).href;
+    const { page, faults } = await open(context, address, (url) => url === address || url.startsWith("data:"));
+    await checkAll(page, faults, result, "report");
+    await page.emulateMedia({ colorScheme: "dark" });
+    if (pictures) {
+      await page.screenshot({ path: path.join(pictures, "dark.png") });
+    }
+    await page.close();
+    await checkServed(context, result);
+  } finally {
+    await browser.close();
+  }
+  await checkWithoutWebGl(pathToFileURL(inFolder("day.html")).href);
+}
+
+try {
+  await main();
+} finally {
+  rmSync(folder, { recursive: true, force: true });
+}

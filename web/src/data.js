@@ -1,0 +1,104 @@
+// The data of a run: elements of the page in a report, requests to the server otherwise.
+
+/** The bytes that a base64 text says. */
+export function fromBase64(text) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) {
+    bytes[i] = letters.charCodeAt(i);
+  }
+  return bytes.buffer;
+}
+
+function element(name) {
+  return document.getElementById(name);
+}
+
+async function request(name) {
+  const answer = await fetch(name, { cache: "no-store" });
+  if (!answer.ok) {
+    throw new Error(`${name}: ${answer.status}`);
+  }
+  return answer;
+}
+
+async function readJson(name) {
+  const found = element(name);
+  return found ? JSON.parse(found.textContent) : (await request(name)).json();
+}
+
+async function readBytes(name) {
+  const found = element(name);
+  if (!found) {
+    return (await request(name)).arrayBuffer();
+  }
+  const bytes = fromBase64(found.textContent);
+  found.remove(); // its text is not needed any more
+  return bytes;
+}
+
+/** Everything of a run; numbers of a time are read when they are first asked for. */
+export class RunData {
+  static async load() {
+    const run = new RunData();
+    [run.json, run.colorMaps] = await Promise.all([readJson("data"), readJson("colors")]);
+    run.positions = new Float32Array(await readBytes("positions"));
+    run.count = run.json.organs.id.length;
+    run.known = new Map();
+    run.columns = run.json.columns
+      .map((column, number) => ({ ...column, number }))
+      .filter((column) => run.json.times.some((time) => time.values[column.number] >= 0));
+    return run;
+  }
+
+  has(time, column) {
+    return this.json.times[time].values[column] >= 0;
+  }
+
+  /** {mean, error, low, high} of all organs, null if the result has none. A promise. */
+  values(time, column) {
+    const blob = this.json.times[time].values[column];
+    if (blob < 0) {
+      return Promise.resolve(null);
+    }
+    if (!this.known.has(blob)) {
+      const n = this.count;
+      this.known.set(
+        blob,
+        readBytes(`values-${blob}`).then((bytes) => {
+          const part = (k) => new Float32Array(bytes, 4 * n * k, n);
+          return { mean: part(0), error: part(1), low: part(2), high: part(3) };
+        }),
+      );
+    }
+    return this.known.get(blob);
+  }
+
+  /** The unit of a column at a time: sums over days have another one. */
+  unit(time, column) {
+    const part = this.json.times[time].part;
+    const kind = this.json.columns[column];
+    return part === "days" || part === "total" ? kind.sum_unit : kind.unit;
+  }
+
+  columnName(column) {
+    const kind = this.json.columns[column];
+    return kind.band ? `${kind.name}, ${kind.band}` : kind.name;
+  }
+
+  timeName(time) {
+    const { part, label } = this.json.times[time];
+    return part === "total" ? "sum of all times" : label;
+  }
+
+  organName(organ) {
+    return this.json.organs.name[organ] || `organ ${this.json.organs.id[organ]}`;
+  }
+
+  /** What the result says beside its organs: energy, groups, method at a time. */
+  headOf(time) {
+    const { part, index } = this.json.times[time];
+    const head = this.json.head;
+    return part === "" ? head : part === "total" ? head.total : head[part][index];
+  }
+}

@@ -1,0 +1,140 @@
+// The report: what was run, and what came out, as tables. Texts of the result are never markup.
+
+import { short, withError } from "./numbers.js";
+
+export function make(name, text, attributes = {}) {
+  const made = document.createElement(name);
+  if (text !== undefined) {
+    made.textContent = text;
+  }
+  for (const [key, value] of Object.entries(attributes)) {
+    made.setAttribute(key, value);
+  }
+  return made;
+}
+
+/** @param rows  lists of texts, numbers as {number: text}, or nodes */
+export function table(caption, heads, rows) {
+  const made = make("table");
+  if (caption) {
+    made.append(make("caption", caption));
+  }
+  const head = make("tr");
+  heads.forEach((text, i) => {
+    const isNumber = rows.length > 0 && rows[0][i] && rows[0][i].number !== undefined;
+    head.append(make("th", text, { scope: "col", ...(isNumber ? { class: "number" } : {}) }));
+  });
+  const body = make("tbody");
+  for (const row of rows) {
+    const line = make("tr");
+    for (const cell of row) {
+      const isNumber = cell !== null && typeof cell === "object" && cell.number !== undefined;
+      const td = make("td", isNumber ? cell.number : cell instanceof Node ? undefined : String(cell ?? ""),
+        isNumber ? { class: "number" } : {});
+      if (cell instanceof Node) {
+        td.append(cell);
+      }
+      line.append(td);
+    }
+    body.append(line);
+  }
+  const thead = make("thead");
+  thead.append(head);
+  made.append(...(heads.some(Boolean) ? [thead] : []), body);
+  const scroll = make("div", undefined,
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption || "table" });
+  scroll.append(made);
+  return scroll;
+}
+
+const estimate = (e) => ({ number: e && e.mean !== null ? withError(e.mean, e.standard_error ?? NaN) : "—" });
+
+function words(value) {
+  if (value === null || value === undefined) {
+    return "—";
+  }
+  return typeof value === "object" ? JSON.stringify(value) : String(value);
+}
+
+function energyTable(energy, isRemainder) {
+  const rows = Object.entries(energy).map(([band, e]) => [
+    band, e.unit,
+    { number: withError(e.emitted, e.emitted_standard_error ?? NaN) },
+    estimate(e.absorbed_by_organs), estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off),
+    estimate(e.roulette), { number: short(e.closure_error) },
+  ]);
+  const caption = isRemainder ? "What escapes is what remains: it was not traced." : "Flux ± standard error";
+  return table(caption,
+    ["band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "roulette", "not closed"],
+    rows);
+}
+
+function groupTables(groups, bands, unitOf) {
+  return bands.map((band) => {
+    const rows = groups.map((group) => [
+      group.by === "all" ? "all organs" : `${group.by} = ${words(group.value)}`,
+      { number: String(group.organs) }, { number: short(group.area) },
+      estimate(group.absorbed_flux?.[band]), estimate(group.absorbed_flux_density?.[band]),
+      ...(groups.some((g) => g.sunlit_fraction) ? [estimate(group.sunlit_fraction)] : []),
+    ]);
+    return table(`${band}: ± standard error, of sums over organs and replicates`,
+      ["group", "organs", "area", `absorbed flux (${unitOf("absorbed_flux", band)})`,
+        `per area (${unitOf("absorbed_flux_density", band)})`,
+        ...(groups.some((g) => g.sunlit_fraction) ? ["sunlit fraction"] : [])], rows);
+  });
+}
+
+function settingsTables(head) {
+  const options = Object.entries(head.run?.run ?? {}).map(([key, value]) => [key, words(value)]);
+  const inputs = (head.inputs ?? []).map((file) => [file.path, { number: String(file.bytes) }, file.sha256]);
+  const text = make("details");
+  text.append(make("summary", "The run file, whole"), make("pre", JSON.stringify(head.run ?? {}, null, 1)));
+  return [
+    table("Files that were read", ["file", "bytes", "SHA-256"], inputs),
+    table("Settings", ["option", "value"], options),
+    text,
+  ];
+}
+
+function aboutTable(run, time) {
+  const { head } = run.json;
+  const now = run.headOf(time);
+  const { organs, triangles, length_unit: unit } = head.scene ?? {};
+  const method = now.method ?? head.method;
+  const done = now.done ?? head.done ?? {};
+  const rows = [
+    ["scene", `${organs} organs, ${triangles} triangles, lengths in ${unit}`],
+    ...(head.sources ?? []).map((source) => ["source", source]),
+    ...(head.point ? [["point", words(head.point)]] : []),
+    ...(head.time ? [["times", [head.time].flat().map(words).join("; ")]] : []),
+    ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
+    ["done", Object.entries(done).map(([key, value]) => `${key.replaceAll("_", " ")} ${words(value)}`).join(", ")],
+    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (chance ${short(now.audit.chance)})`]] : []),
+    ["program", `QuasiMC ${head.program_version}`],
+    ["run file", head.run_file],
+  ];
+  return table("", ["", ""], rows);
+}
+
+/** @param worst  a node with the organs that are known worst */
+export function drawReport(parent, run, time, worst, unitOf) {
+  const { head } = run.json;
+  const now = run.headOf(time);
+  const bands = [...new Set(run.json.columns.map((column) => column.band).filter(Boolean))];
+  const of = run.timeName(time) ? ` — ${run.timeName(time)}` : "";
+  parent.replaceChildren();
+  const section = (title, ...nodes) => parent.append(make("h2", title), ...nodes);
+  const warnings = (head.warnings ?? []).map((warning) => [warning.place, warning.text]);
+  if (warnings.length > 0) {
+    section("Warnings", table("", ["place", "warning"], warnings));
+  }
+  section("What was run", aboutTable(run, time));
+  if (now.energy) {
+    section(`Energy${of}`, energyTable(now.energy, now.escaped_is_remainder ?? head.escaped_is_remainder));
+  }
+  if (now.groups?.length > 0) {
+    section(`Groups of organs${of}`, ...groupTables(now.groups, bands, unitOf));
+  }
+  section(`Organs that are known worst${of}`, worst);
+  section("Files and settings", ...settingsTables(head));
+}

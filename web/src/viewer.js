@@ -1,0 +1,473 @@
+// The page: what is shown, what was chosen, and what follows from it.
+
+import { drawHistogram, drawProfile } from "./charts.js";
+import { RunData } from "./data.js";
+import { colorOf, scaleOf, short, ticks, withError } from "./numbers.js";
+import { SceneWindow } from "./scene.js";
+import { drawReport, make, table } from "./tables.js";
+
+const $ = (id) => document.getElementById(id);
+const kViews = [
+  ["Oblique", 200, 25], ["Front", 180, 0], ["Back", 0, 0], ["Right", 90, 0], ["Left", 270, 0], ["Top", 180, 90],
+];
+
+/** Height of the middle of each organ above the lowest place. */
+function heightsOf(run) {
+  const { positions: p, json } = run;
+  const heights = new Float64Array(run.count);
+  let at = 0;
+  json.organs.triangles.forEach((count, organ) => {
+    let [sum, total] = [0, 0];
+    for (let k = 0; k < count; ++k, at += 9) {
+      const [ax, ay, az] = [p[at + 3] - p[at], p[at + 4] - p[at + 1], p[at + 5] - p[at + 2]];
+      const [bx, by, bz] = [p[at + 6] - p[at], p[at + 7] - p[at + 1], p[at + 8] - p[at + 2]];
+      const area = Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
+      sum += (area * (p[at + 2] + p[at + 5] + p[at + 8])) / 3;
+      total += area;
+    }
+    heights[organ] = (total > 0 ? sum / total : 0) + json.middle[2];
+  });
+  return heights;
+}
+
+function fill(select, entries) {
+  select.replaceChildren(...entries.map(([value, text]) => make("option", text, { value })));
+}
+
+class Page {
+  constructor(run) {
+    this.run = run;
+    this.time = 0;
+    this.column = run.columns.length > 0 ? run.columns[0].number : 0;
+    this.heights = heightsOf(run);
+    this.layer = null;
+    this.chosen = null;
+    this.hovered = null;
+    this.#fillControls();
+    this.#listen();
+    try {
+      this.window = new SceneWindow($("canvas"), run);
+    } catch (error) {
+      $("stage").hidden = true;
+      this.notice(`The scene can't be shown in three dimensions: this browser has no WebGL 2 (${error.message}). ` +
+        "All numbers are below.");
+    }
+  }
+
+  notice(text) {
+    $("notice").hidden = false;
+    $("notice").append(make("span", text + " "));
+  }
+
+  get kind() {
+    return this.run.json.columns[this.column];
+  }
+
+  unit() {
+    return $("aspect").value === "relative" ? "%" : this.run.unit(this.time, this.column);
+  }
+
+  columnTitle() {
+    const name = this.run.columnName(this.column);
+    const unit = this.unit();
+    const what = $("aspect").value === "mean" ? name : `standard error of ${name}`;
+    return unit ? `${what} (${unit})` : what;
+  }
+
+  #fillControls() {
+    const { run } = this;
+    const { json } = run;
+    document.title = `${json.title} — QuasiMC`;
+    $("title").textContent = json.title;
+    $("subtitle").textContent =
+      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.positions.length / 9} triangles — ${json.program}`;
+    fill($("column"), run.columns.map((column) => [column.number, run.columnName(column.number)]));
+    fill($("map"), Object.keys(run.colorMaps).map((name) => [name, name]));
+    const parts = [...new Set(json.times.map((time) => time.part))];
+    const names = { moments: "times", days: "days", total: "all together" };
+    fill($("part"), parts.map((part) => [part, names[part] ?? "run"]));
+    $("time-controls").hidden = json.times.length < 2;
+    const keys = Object.keys(json.organs.labels);
+    $("key-label").hidden = keys.length === 0;
+    fill($("key"), [["", "any"], ...keys.map((key) => [key, key])]);
+    $("ground-label").hidden = !json.organs.ground.includes(1);
+    const most = Math.min(run.count, 1000);
+    $("organ-names").replaceChildren(
+      ...Array.from({ length: most }, (_, i) => make("option", undefined, { value: run.organName(i) })));
+    for (const [name, azimuth, elevation] of kViews) {
+      const button = make("button", name, { type: "button" });
+      button.addEventListener("click", () => this.window?.look(azimuth, elevation));
+      $("views").append(button);
+    }
+    this.#usePart();
+  }
+
+  #timesOfPart() {
+    const part = $("part").value;
+    return this.run.json.times.map((time, i) => [time, i]).filter(([time]) => time.part === part).map(([, i]) => i);
+  }
+
+  #usePart() {
+    const times = this.#timesOfPart();
+    $("time").max = times.length - 1;
+    $("time").value = Math.min(Number($("time").value), times.length - 1);
+    $("time").hidden = times.length < 2;
+    this.#useTime();
+  }
+
+  #useTime() {
+    this.time = this.#timesOfPart()[Number($("time").value)];
+    $("time-text").textContent = this.run.timeName(this.time);
+    $("time").setAttribute("aria-valuetext", this.run.timeName(this.time));
+  }
+
+  #listen() {
+    const on = (id, event, act) => $(id).addEventListener(event, () => act());
+    on("column", "change", () => {
+      this.column = Number($("column").value);
+      this.#forgetRange();
+      this.update();
+    });
+    on("aspect", "change", () => {
+      this.#forgetRange();
+      this.update();
+    });
+    on("map", "change", () => this.update());
+    on("keep", "change", () => this.update());
+    on("part", "change", () => {
+      this.#usePart();
+      this.update();
+    });
+    on("time", "input", () => {
+      this.#useTime();
+      this.update();
+    });
+    on("key", "change", () => this.#useKey());
+    for (const id of ["values", "from", "to", "ground"]) {
+      on(id, "input", () => this.paint());
+    }
+    on("find", "change", () => this.#find());
+    on("cut", "change", () => this.#cut());
+    on("cut-at", "input", () => this.#cut());
+    on("directions", "change", () => this.#showDirections());
+    on("reset", "click", () => this.#reset());
+    $("controls").addEventListener("submit", (event) => event.preventDefault());
+    this.#listenToCanvas();
+  }
+
+  #listenToCanvas() {
+    const canvas = $("canvas");
+    let pressed = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      pressed = [event.offsetX, event.offsetY];
+      canvas.focus();
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) {
+        this.#hover(event.offsetX, event.offsetY);
+      }
+    });
+    canvas.addEventListener("pointerleave", () => this.#leave());
+    canvas.addEventListener("pointerup", (event) => {
+      if (pressed && Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) < 4 && event.button === 0) {
+        this.choose(this.window?.organAt(event.offsetX, event.offsetY) ?? null);
+      }
+      pressed = null;
+    });
+    canvas.addEventListener("keydown", (event) => {
+      const acts = {
+        ArrowLeft: () => this.window.turn(-10, 0), ArrowRight: () => this.window.turn(10, 0),
+        ArrowUp: () => this.window.turn(0, 10), ArrowDown: () => this.window.turn(0, -10),
+        "+": () => this.window.turn(0, 0, 1.2), "=": () => this.window.turn(0, 0, 1.2),
+        "-": () => this.window.turn(0, 0, 1 / 1.2), "−": () => this.window.turn(0, 0, 1 / 1.2),
+        n: () => this.#step(1), p: () => this.#step(-1),
+        Escape: () => this.choose(null), Home: () => this.window.look(200, 25),
+      };
+      const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+      if (act && !event.ctrlKey && !event.metaKey && !event.altKey) {
+        event.preventDefault();
+        act();
+      }
+    });
+  }
+
+  #forgetRange() {
+    $("from").value = "";
+    $("to").value = "";
+  }
+
+  #useKey() {
+    const key = this.run.json.organs.labels[$("key").value];
+    $("label-values").hidden = !key;
+    fill($("values"), (key?.values ?? []).map((value, i) => [i, value]));
+    this.paint();
+  }
+
+  #reset() {
+    this.#forgetRange();
+    this.layer = null;
+    $("key").value = "";
+    $("ground").checked = true;
+    $("cut").value = "";
+    this.#useKey();
+    this.#cut();
+    this.choose(null);
+  }
+
+  #find() {
+    const text = $("find").value.trim();
+    const { id } = this.run.json.organs;
+    let found = id.indexOf(text);
+    for (let i = 0; found < 0 && text && i < this.run.count; ++i) {
+      found = this.run.organName(i) === text ? i : found;
+    }
+    if (found >= 0) {
+      this.choose(found);
+    } else if (text) {
+      $("shown").textContent = `No organ is called ${text}.`;
+    }
+  }
+
+  #step(by) {
+    const n = this.run.count;
+    let organ = this.chosen ?? (by > 0 ? -1 : n);
+    for (let i = 0; i < n; ++i) {
+      organ = (organ + by + n) % n;
+      if (this.isShown(organ)) {
+        this.choose(organ);
+        return;
+      }
+    }
+  }
+
+  #cut() {
+    const axis = $("cut").value;
+    $("cut-at").disabled = !axis;
+    if (!axis) {
+      $("cut-text").textContent = "Show up to";
+      this.window?.cut(null);
+      return;
+    }
+    // Along the axis of the file, within the scene.
+    const { axes, low, high, middle, unit } = this.run.json;
+    const normal = axes[axis];
+    const along = (corner) => normal.reduce((sum, n, k) => sum + n * corner[k], 0);
+    const [from, to] = [along(low), along(high)];
+    const offset = from + ((to - from) * Number($("cut-at").value)) / 1000;
+    const text = `Show up to ${axis} = ${short(offset + along(middle))} ${unit}`;
+    $("cut-text").textContent = text;
+    $("cut-at").setAttribute("aria-valuetext", text);
+    this.window?.cut(normal, offset);
+  }
+
+  #showDirections() {
+    this.window?.showDirections(this.run.json.times[this.time].suns, $("directions").checked);
+  }
+
+  #hover(x, y) {
+    const organ = this.window?.organAt(x, y) ?? null;
+    const tip = $("tip");
+    tip.hidden = organ === null;
+    if (organ !== null) {
+      tip.textContent = `${this.run.organName(organ)}: ${this.describe(organ)}`;
+      tip.style.left = `${Math.min(x + 14, $("stage").clientWidth - tip.offsetWidth - 4)}px`;
+      tip.style.top = `${Math.max(0, Math.min(y + 14, $("stage").clientHeight - tip.offsetHeight - 4))}px`;
+    }
+    if (organ !== this.hovered) {
+      this.hovered = organ;
+      if (this.chosen === null) {
+        this.window.choose(organ);
+        this.showOrgan(organ);
+      }
+    }
+  }
+
+  #leave() {
+    $("tip").hidden = true;
+    this.hovered = null;
+    this.window?.choose(this.chosen);
+    this.showOrgan(this.chosen);
+  }
+
+  choose(organ) {
+    this.chosen = organ;
+    this.window?.choose(organ);
+    this.showOrgan(organ);
+  }
+
+  /** The number of the column that is shown, with its error. */
+  describe(organ) {
+    const { mean, error } = this.values;
+    const unit = this.run.unit(this.time, this.column);
+    return `${withError(mean[organ], error[organ])}${unit ? ` ${unit}` : ""}`;
+  }
+
+  async showOrgan(organ) {
+    const panel = $("organ");
+    if (organ === null) {
+      panel.replaceChildren(make("p", "Point at an organ to read its numbers; click keeps it."));
+      return;
+    }
+    const { run, time } = this;
+    const all = await Promise.all(run.columns.map((column) => run.values(time, column.number)));
+    if ((this.chosen ?? this.hovered) !== organ || time !== this.time) {
+      return; // another one meanwhile
+    }
+    const { organs, unit } = run.json;
+    const labels = Object.entries(organs.labels)
+      .filter(([, label]) => label.of[organ] >= 0)
+      .map(([key, label]) => `${key} = ${label.values[label.of[organ]]}`);
+    const about = [`id ${organs.id[organ]}`, `area ${short(organs.area[organ])} ${unit}²`,
+      `middle at height ${short(this.heights[organ])} ${unit}`, ...labels];
+    const rows = run.columns.flatMap((column, i) => (all[i] ? [[
+      run.columnName(column.number),
+      { number: withError(all[i].mean[organ], all[i].error[organ]) },
+      { number: `${short(all[i].low[organ])} … ${short(all[i].high[organ])}` },
+      run.unit(time, column.number),
+    ]] : []));
+    panel.replaceChildren(make("h3", run.organName(organ)), make("p", about.join(", ")),
+      table("± standard error, and 95 % interval", ["", "value", "interval", "unit"], rows));
+  }
+
+  isShown(organ) {
+    const { organs } = this.run.json;
+    if (organs.ground[organ] && !$("ground").checked) {
+      return false;
+    }
+    const label = organs.labels[$("key").value];
+    if (label && this.labelNumbers.size > 0 && !this.labelNumbers.has(label.of[organ])) {
+      return false;
+    }
+    if (this.layer && !(this.heights[organ] >= this.layer[0] && this.heights[organ] <= this.layer[1])) {
+      return false;
+    }
+    const value = this.numbers[organ];
+    return !(this.range[0] !== null && !(value >= this.range[0])) && !(this.range[1] !== null && !(value <= this.range[1]));
+  }
+
+  /** The numbers that colours tell. */
+  #numbersOf({ mean, error }) {
+    const aspect = $("aspect").value;
+    if (aspect === "mean") {
+      return mean;
+    }
+    return aspect === "error" ? error
+      : mean.map((value, i) => (value === 0 ? NaN : (100 * error[i]) / Math.abs(value)));
+  }
+
+  /** Reads the numbers of column and time, and shows them. */
+  async update() {
+    const { run, time, column } = this;
+    const values = await run.values(time, column);
+    if (time !== this.time || column !== this.column) {
+      return; // something else was chosen meanwhile
+    }
+    const n = run.count;
+    const nothing = () => new Float32Array(n).fill(NaN);
+    this.values = values ?? { mean: nothing(), error: nothing(), low: nothing(), high: nothing() };
+    this.numbers = this.#numbersOf(this.values);
+    const what = `${column} ${$("aspect").value}`;
+    if (!$("keep").checked || this.scaleIsOf !== what) {
+      this.scale = scaleOf(this.numbers, run.json.organs.area);
+      this.scaleIsOf = what;
+    }
+    this.paint();
+    this.#showDirections();
+    this.#drawLegend();
+    drawReport($("report"), run, time, this.#worstOrgans(), (quantity, band) => {
+      const found = run.json.columns.findIndex((c) => c.quantity === quantity && c.band === band);
+      return found < 0 ? "" : run.unit(time, found);
+    });
+    this.showOrgan(this.chosen ?? this.hovered);
+  }
+
+  /** Shows the organs that pass the filters. */
+  paint() {
+    if (!this.numbers) {
+      return;
+    }
+    const bound = (id) => ($(id).value === "" || !Number.isFinite(Number($(id).value)) ? null : Number($(id).value));
+    this.range = [bound("from"), bound("to")];
+    this.labelNumbers = new Set([...$("values").selectedOptions].map((option) => Number(option.value)));
+    const map = this.run.colorMaps[$("map").value];
+    let count = 0;
+    for (let i = 0; i < this.run.count; ++i) {
+      count += this.isShown(i) ? 1 : 0;
+    }
+    this.window?.paint((i) => (this.isShown(i) ? colorOf(this.numbers[i], this.scale, map) : null));
+    $("shown").textContent = `${count} of ${this.run.count} organs shown` +
+      (this.layer ? `, height ${short(this.layer[0])} to ${short(this.layer[1])} ${this.run.json.unit}` : "");
+    this.#drawCharts();
+  }
+
+  #drawCharts() {
+    const isShown = (organ) => this.isShown(organ);
+    const { organs, unit } = this.run.json;
+    drawHistogram($("histogram"), this.numbers, isShown, this.columnTitle(), (from, to) => {
+      const isSame = this.range[0] !== null && this.range[1] !== null;
+      $("from").value = isSame ? "" : String(from);
+      $("to").value = isSame ? "" : String(to);
+      this.paint();
+    });
+    $("profile-title").textContent = `Mean by height (${unit})`;
+    drawProfile($("profile"), this.numbers, this.heights, organs.area, isShown, this.columnTitle(),
+      (from, to) => {
+        this.layer = this.layer ? null : [from, to];
+        this.paint();
+      });
+  }
+
+  #drawLegend() {
+    const map = this.run.colorMaps[$("map").value];
+    const { low, high } = this.scale;
+    const time = this.run.timeName(this.time);
+    $("legend-title").textContent = this.columnTitle() + (time ? `, ${time}` : "");
+    const stops = map.map((rgb) => `rgb(${rgb.join(",")})`).join(",");
+    $("legend-bar").style.backgroundImage = `linear-gradient(to top,${stops})`;
+    $("legend-ticks").replaceChildren(...ticks(low, high, 5).map((value) => {
+      const tick = make("span", short(value));
+      tick.style.bottom = `calc(${(100 * (value - low)) / (high - low)}% - 0.7em)`;
+      tick.style.transform = "none";
+      return tick;
+    }));
+  }
+
+  /** Organs with the largest errors, as per cent of their values. */
+  #worstOrgans() {
+    const { mean, error } = this.values;
+    const known = [];
+    let dark = 0;
+    for (let i = 0; i < this.run.count; ++i) {
+      if (mean[i] > 0 && Number.isFinite(error[i])) {
+        known.push(i);
+      } else if (mean[i] === 0) {
+        ++dark;
+      }
+    }
+    const part = (i) => error[i] / mean[i];
+    known.sort((a, b) => part(b) - part(a));
+    const rows = known.slice(0, 10).map((i) => {
+      const name = make("button", this.run.organName(i), { type: "button", class: "link" });
+      name.addEventListener("click", () => this.choose(i));
+      return [name, { number: this.describe(i) }, { number: `${short(100 * part(i))} %` }];
+    });
+    const middle = known.length > 0 ? part(known[Math.floor(known.length / 2)]) : NaN;
+    return table(
+      `${this.run.columnName(this.column)}: half of the organs are known to ${short(100 * middle)} % or better; ` +
+      `${dark} had no light found`, ["organ", "value", "standard error"], rows);
+  }
+}
+
+async function main() {
+  const run = await RunData.load();
+  const page = new Page(run);
+  await page.update();
+  document.documentElement.dataset.state = "ready";
+}
+
+main().catch((error) => {
+  console.error(error);
+  $("notice").hidden = false;
+  $("notice").textContent = `The page can't show this run: ${error.message}`;
+  document.documentElement.dataset.state = "failed";
+});
