@@ -32,8 +32,9 @@ Program make_program(bool& dump_default) {
         "both cases the results so far are written, if there are any).",
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
-        {run_command(), merge_command(), check_command(), export_command(), list_command(),
-         show_command(), view_command(), report_command(), sky_command()}};
+        {run_command(), merge_command(), check_command(), info_command(), convert_command(),
+         export_command(), formats_command(), list_command(), show_command(), view_command(),
+         report_command(), sky_command()}};
 }
 
 Exit run_program(int argc, char** argv) {

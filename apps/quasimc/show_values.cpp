@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -70,6 +71,7 @@ quasimc::EstimateQuery query_of(
     if (entry != nullptr) {
         const quasimc::Band& band = band_of(run, choice.band);
         query.names = {std::string(entry->name), band.name};
+        values.key = fmt::format("{}_{}", entry->name, band.name);
         values.name = fmt::format("{}, {}", with_spaces(std::string(entry->name)), band.name);
         values.unit = quasimc::unit_of(*entry, band, run.scene.length_unit());
         if (query.part == "days" || query.part == "total") {
@@ -77,9 +79,11 @@ quasimc::EstimateQuery query_of(
         }
     } else if (choice.quantity == "sunlit_fraction") {
         query.names = {"sunlit_fraction"};
+        values.key = "sunlit_fraction";
         values.name = "sunlit fraction";
     } else if (std::find(ratios.begin(), ratios.end(), choice.quantity) != ratios.end()) {
         query.names = {"ratios", choice.quantity};
+        values.key = choice.quantity;
         values.name = choice.quantity;
     } else {
         throw quasimc::InputError(
@@ -116,6 +120,30 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
           "the run did not write it, or there is none", "look at [output] in the run file"}});
 }
 
+/// The numbers that are chosen, if the result has them. @param sought  told what they are called
+std::optional<ShownValues> find_shown_values(
+    const ShownRun& shown,
+    const std::string& path,
+    const ValueChoice& choice,
+    ShownValues& sought) {
+    const RunFile& run = shown.run;
+    ShownValues values;
+    quasimc::EstimateQuery query = query_of(run, choice, values);
+    if (run.sweep) {
+        query.point = run.point;
+    }
+    std::vector<quasimc::TimedEstimates> times =
+        quasimc::read_estimates(shown.result_text, path, query);
+    sought = values;
+    if (times.empty()) {
+        return std::nullopt;
+    }
+    values.estimates = std::move(times.front().values);
+    values.estimates.resize(run.scene.organs().size(), kNoEstimate);
+    values.when = query.part == "total" ? "sum of all times" : times.front().label;
+    return values;
+}
+
 }  // namespace
 
 ShownRun read_shown_run(const std::string& path, std::size_t point) {
@@ -130,24 +158,40 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
     return {runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string()};
 }
 
+std::vector<ShownValues> read_all_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    check_times(shown.run, choice);
+    std::vector<ShownValues> all;
+    ShownValues last;
+    for (const std::string& name : quantity_names(shown.run)) {
+        const bool has_bands = find_quantity(name) != nullptr;
+        for (const quasimc::Band& band : shown.run.scene.bands()) {
+            ValueChoice one = choice;
+            one.quantity = name;
+            one.band = band.name;
+            if (auto values = find_shown_values(shown, path, one, last)) {
+                all.push_back(std::move(*values));
+            }
+            if (!has_bands) {
+                break;
+            }
+        }
+    }
+    if (all.empty()) {
+        refuse_missing(path, choice, last);
+    }
+    return all;
+}
+
 ShownValues read_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
-    const RunFile& run = shown.run;
-    check_times(run, choice);
-    ShownValues values;
-    quasimc::EstimateQuery query = query_of(run, choice, values);
-    if (run.sweep) {
-        query.point = run.point;
+    check_times(shown.run, choice);
+    ShownValues sought;
+    auto values = find_shown_values(shown, path, choice, sought);
+    if (!values) {
+        refuse_missing(path, choice, sought);
     }
-    std::vector<quasimc::TimedEstimates> times =
-        quasimc::read_estimates(shown.result_text, path, query);
-    if (times.empty()) {
-        refuse_missing(path, choice, values);
-    }
-    values.estimates = std::move(times.front().values);
-    values.estimates.resize(run.scene.organs().size(), kNoEstimate);
-    values.when = query.part == "total" ? "sum of all times" : times.front().label;
-    return values;
+    return std::move(*values);
 }
 
 ShownCourse read_shown_course(

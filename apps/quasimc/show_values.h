@@ -36,10 +36,18 @@ struct ShownRun {
 struct ShownValues {
     std::vector<quasimc::Estimate> estimates;  ///< in the order of the scene
     std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
+    std::string key;                           ///< "absorbed_flux_density_PAR"
     std::string when;                          ///< time, day or period; empty without [time]
 };
 /// @throws quasimc::InputError  if there are none of the kind
 [[nodiscard]] ShownValues read_shown_values(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
+
+/// All numbers that a result has of each organ, at the time, day or point that is chosen: every
+/// quantity in every band, the sunlit fraction, ratios. The chosen quantity and band are not looked
+/// at.
+/// @throws quasimc::InputError  if there are none
+[[nodiscard]] std::vector<ShownValues> read_all_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);
 
 /// The light of all organs together at each time that the result has.

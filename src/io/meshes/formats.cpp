@@ -28,6 +28,7 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".tri .txt",
             .summary = "nine numbers a line: the corners of a triangle",
             .organs = "each",
+            .keeps = "",
             .read = read_tri,
             .write = write_tri},
         FormatEntry{
@@ -35,6 +36,7 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".obj",
             .summary = "Wavefront OBJ with MTL; objects and groups are organs",
             .organs = "groups",
+            .keeps = "names, materials",
             .read = read_obj,
             .write = write_obj},
         FormatEntry{
@@ -42,8 +44,46 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".ply",
             .summary = "Stanford PLY, text or binary; faces may have an organ and a material",
             .organs = "groups",
+            .keeps = "ids, numbers of materials",
             .read = read_ply,
             .write = write_ply},
+        FormatEntry{
+            .name = "stl",
+            .extensions = ".stl",
+            .summary = "STL, text or binary; solids are organs",
+            .organs = "groups",
+            .keeps = "names",
+            .read = read_stl,
+            .write = write_stl},
+        FormatEntry{
+            .name = "can",
+            .extensions = ".can",
+            .summary = "Caribu; what has one label is an organ",
+            .organs = "groups",
+            .keeps = "ids of Caribu's kind, materials by species",
+            .read = read_can,
+            .write = write_can},
+        FormatEntry{
+            .name = "opf",
+            .extensions = ".opf",
+            .summary = "AMAP's open plant format; nodes with a shape are organs",
+            .organs = "groups",
+            .keeps = "ids, names, materials, labels",
+            .read = read_opf},
+        FormatEntry{
+            .name = "fasttracer",
+            .extensions = ".fasttracer",
+            .summary = "fastTracer's 17 columns; what has the same five numbers is an organ",
+            .organs = "groups",
+            .keeps = "names, materials, labels",
+            .read = read_fasttracer},
+        FormatEntry{
+            .name = "def",
+            .extensions = ".def",
+            .summary = "RAMI's leaves: radius, centre and normal of a disk on each line",
+            .organs = "groups",
+            .keeps = "",
+            .read = read_def},
         // (tools/new.py enters a format above this line)
     };
     return kTable;

@@ -51,12 +51,15 @@ struct MeshGroup {
     std::string name;                ///< "" if the file gives none
     std::optional<std::int64_t> id;  ///< if the file gives one
     std::vector<MeshPart> parts;
+    Labels labels = {};  ///< what else the file says of it
 };
 
-/// What a file says of the looks of a material.
+/// What a file says of a material.
 struct MeshMaterial {
     std::string name;
-    double reflectance = 0;  ///< mean of its diffuse colour
+    double reflectance = 0;
+    double transmittance = 0;
+    bool is_color = true;  ///< the reflectance is the mean of a diffuse colour: no measured optics
 };
 
 /// The geometry in a file.
@@ -89,8 +92,11 @@ struct FormatEntry {
     std::string_view extensions;  ///< ".tri", lower case, separated by blanks
     std::string_view summary;     ///< one line for the manual
     std::string_view organs;  ///< what its organs are unless the run file says: each, groups or one
+    std::string_view keeps;   ///< what is left of a scene that goes through it, beside triangles
     MeshFile (*read)(std::string_view bytes, FormatContext& context);
     void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
+    /// Whether the file says what its organs are made of.
+    [[nodiscard]] bool keeps_materials() const { return keeps.find("material") != keeps.npos; }
 };
 
 /// All formats, in the order of the manual.
@@ -109,6 +115,11 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 [[nodiscard]] MeshFile read_tri(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_obj(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_ply(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_can(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_def(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_fasttracer(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_opf(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_stl(std::string_view bytes, FormatContext& context);
 
 // The writers. Coordinates come out in the axes of the scene's file, with all their digits.
 
@@ -118,6 +129,11 @@ void write_tri(const Scene& scene, const TextSink& sink);
 void write_obj(const Scene& scene, const TextSink& sink);
 /// Binary, double precision; each face has the id of its organ and the number of its material.
 void write_ply(const Scene& scene, const TextSink& sink);
+
+/// A line for each triangle, with the label of its organ.
+void write_can(const Scene& scene, const TextSink& sink);
+/// Text, a solid for each organ.
+void write_stl(const Scene& scene, const TextSink& sink);
 
 /// The materials of an OBJ file's library.
 [[nodiscard]] std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context);

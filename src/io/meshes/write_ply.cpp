@@ -1,24 +1,11 @@
-#include <algorithm>
-#include <array>
-#include <bit>
-
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
+#include "io/little_endian.h"
 #include "io/meshes/formats.h"
 
 namespace quasimc {
 namespace {
-
-/// Appends a number, lowest byte first.
-template <typename T>
-void append(std::string& bytes, T number) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
-    if constexpr (std::endian::native == std::endian::big) {
-        std::reverse(raw.begin(), raw.end());
-    }
-    bytes.append(raw.begin(), raw.end());
-}
 
 std::string header(const Scene& scene) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -42,21 +29,21 @@ void write_ply(const Scene& scene, const TextSink& sink) {
         bytes.clear();
         for (const Vec3& corner : triangle) {
             const Vec3 p = scene.orientation().outward(corner);
-            append(bytes, p.x);
-            append(bytes, p.y);
-            append(bytes, p.z);
+            append_little_endian(bytes, p.x);
+            append_little_endian(bytes, p.y);
+            append_little_endian(bytes, p.z);
         }
         sink(bytes);
     }
     for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
         const Region& element = scene.regions()[scene.region_of(i).value];
         bytes.clear();
-        append(bytes, std::uint8_t{3});
+        append_little_endian(bytes, std::uint8_t{3});
         for (std::uint32_t corner = 0; corner < 3; ++corner) {
-            append(bytes, 3 * i + corner);
+            append_little_endian(bytes, 3 * i + corner);
         }
-        append(bytes, static_cast<double>(scene.organs()[element.organ.value].id));
-        append(bytes, static_cast<std::int32_t>(element.material.value));
+        append_little_endian(bytes, static_cast<double>(scene.organs()[element.organ.value].id));
+        append_little_endian(bytes, static_cast<std::int32_t>(element.material.value));
         sink(bytes);
     }
 }

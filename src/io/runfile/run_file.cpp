@@ -199,7 +199,7 @@ SceneBuilder read_builder(
     const std::function<void(SceneBuilder&)>& add_organs,
     Reporter& reporter) {
     TableReader top(document, "", reporter);
-    pass_over(top, {"title", "run", "source", "output"});
+    pass_over(top, {"title", "run", "source", "light_file", "output"});
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
     read_materials(top, context, builder);
@@ -359,7 +359,8 @@ LightOfRun read_light_document(
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
     pass_over(
-        top, {"title", "material", "organ", "geometry", "ground", "cell", "detector", "output"});
+        top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
+              "detector", "output"});
     RunFileContext context = read_context(top, files);
     Sections sections;
     read_run_options(top, sections.options);

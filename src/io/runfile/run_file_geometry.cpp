@@ -109,12 +109,13 @@ class MaterialFinder {
 
     std::string add_from_library(const MeshMaterial& material) {
         warn(fmt::format(
-            "material '{}' of {} is not in the run file; its diffuse colour gives reflectance "
-            "{:.4g}, "
-            "transmittance 0 in every band",
-            material.name, keys_.file, material.reflectance));
+            "material '{}' of {} is not in the run file; {} gives reflectance {:.4g}, "
+            "transmittance {:.4g} in every band",
+            material.name, keys_.file, material.is_color ? "its diffuse colour" : "that file",
+            material.reflectance, material.transmittance));
         SideOptics side;
         side.reflectance = material.reflectance;
+        side.transmittance = material.transmittance;
         const std::vector<SideOptics> sides(context_.bands.size(), side);
         builder_.add_material({material.name, sides, sides}, table_.place());
         context_.materials.insert(material.name);
@@ -194,18 +195,20 @@ class OrganAdder {
         for (const Affine& copy : keys_.copies.empty() ? once : keys_.copies) {
             for (const MeshGroup& group : file.groups) {
                 for (const MeshPart& part : group.parts) {
-                    add_triangles(file, part, copy);
+                    add_triangles(file, group.labels, part, copy);
                 }
             }
         }
     }
 
-    void add_triangles(const MeshFile& file, const MeshPart& part, const Affine& copy) {
+    void add_triangles(
+        const MeshFile& file, const Labels& labels, const MeshPart& part, const Affine& copy) {
         const std::string material = materials_.find(part.material);
         for (std::size_t i = 0; i < part.faces.size(); ++i) {
             ++count_;
             OrganSpec organ =
                 make_organ({}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
+            add_labels(labels, organ);
             organ.place = place(part.lines[i]);
             std::vector<Triangle> triangle{file.triangle(part, i)};
             if (!keys_.copies.empty()) {
@@ -240,6 +243,7 @@ class OrganAdder {
             ++count_;
             OrganSpec organ = make_organ(group.id, name_of(group.name));
             organ.place = place(group.parts.front().lines.front());
+            add_labels(group.labels, organ);
             add_parts(group, organ);
             builder_.add_organ(std::move(organ));
         }
@@ -264,6 +268,16 @@ class OrganAdder {
         organ.name = std::move(name);
         organ.labels = keys_.labels;
         return organ;
+    }
+
+    /// The labels of the file, but for those that the run file states.
+    void add_labels(const Labels& labels, OrganSpec& organ) const {
+        for (const auto& label : labels) {
+            const auto is_same = [&](const auto& stated) { return stated.first == label.first; };
+            if (std::none_of(keys_.labels.begin(), keys_.labels.end(), is_same)) {
+                organ.labels.push_back(label);
+            }
+        }
     }
 
     [[nodiscard]] std::string place(std::uint32_t line) const {

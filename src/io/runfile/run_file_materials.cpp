@@ -86,10 +86,19 @@ LobeKeys read_lobe(TableReader& table, const LobeKeyNames& names, const std::vec
     return keys;
 }
 
-SideKeys read_side(TableReader& table, const std::vector<Band>& bands) {
+SideKeys read_side(TableReader& table, const RunFileContext& context) {
     static const LobeKeyNames reflection = names_of("reflectance", "reflection");
     static const LobeKeyNames transmission = names_of("transmittance", "transmission");
-    return {read_lobe(table, reflection, bands), read_lobe(table, transmission, bands)};
+    SideKeys keys{
+        read_lobe(table, reflection, context.bands), read_lobe(table, transmission, context.bands)};
+    if (auto optics = read_spectral_optics(table, context)) {
+        if (keys.reflection.amount || keys.transmission.amount) {
+            table.fault("both a spectrum and values are given", "", "use one of them");
+        }
+        keys.reflection.amount = std::move(optics->reflectance);
+        keys.transmission.amount = std::move(optics->transmittance);
+    }
+    return keys;
 }
 
 LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
@@ -185,13 +194,13 @@ SideKeys read_own_side(
     TableReader& material,
     std::string_view key,
     const SideKeys& common,
-    const std::vector<Band>& bands) {
+    const RunFileContext& context) {
     const Node* node = material.any(key);
     if (node == nullptr) {
         return common;
     }
     TableReader table(*node, fmt::format("{}: {} side", material.what(), key), material.reporter());
-    const SideKeys side = read_side(table, bands);
+    const SideKeys side = read_side(table, context);
     table.finish();
     return {
         overridden(common.reflection, side.reflection),
@@ -229,9 +238,9 @@ void read_material(const Node& node, RunFileContext& context, SceneBuilder& buil
         table.fault_at("name", "its name is empty");
     }
     table.rename(fmt::format("material '{}'", name.value_or("")));
-    const SideKeys common = read_side(table, context.bands);
-    const SideKeys upper = read_own_side(table, "upper", common, context.bands);
-    const SideKeys lower = read_own_side(table, "lower", common, context.bands);
+    const SideKeys common = read_side(table, context);
+    const SideKeys upper = read_own_side(table, "upper", common, context);
+    const SideKeys lower = read_own_side(table, "lower", common, context);
     table.finish();
 
     MaterialSpec spec = make_material_spec(table, name.value_or(""), upper, lower, context.bands);
@@ -248,6 +257,7 @@ void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& bui
     for (const Node* node : top.tables("material")) {
         read_material(*node, context, builder);
     }
+    read_material_files(top, context, builder);
 }
 
 }  // namespace quasimc

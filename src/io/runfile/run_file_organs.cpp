@@ -238,8 +238,15 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
     }
     TableReader table(*node, "cell", *context.reporter);
     const auto [x, y] = horizontal_axes(context.orientation);
-    const auto along_x = read_horizontal_range(table, x);
-    const auto along_y = read_horizontal_range(table, y);
+    auto along_x = read_horizontal_range(table, x);
+    auto along_y = read_horizontal_range(table, y);
+    if (const auto pattern = read_pattern_file(table, context)) {
+        if (along_x || along_y) {
+            table.fault("both a file and ranges are given", "", "use one of them");
+        }
+        along_x = HorizontalRange{(*pattern)[0], (*pattern)[2]};
+        along_y = HorizontalRange{(*pattern)[1], (*pattern)[3]};
+    }
     if (!along_x && !along_y && !table.failed()) {
         table.fault(
             "it repeats along no axis", "",

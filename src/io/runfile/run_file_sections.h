@@ -3,6 +3,7 @@
 // The sections of a run file, each read by a function of its own. Included by the run_file*.cpp
 // only.
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -99,6 +100,25 @@ struct SourceList {
 };
 /// Sets context.sun.
 [[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
+
+// run_file_caribu.cpp
+/// [[material_file]]: the materials of Caribu's files of optics.
+void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+/// [[light_file]]: a directional source for each line of Caribu's files of light. False if there is
+/// none.
+bool read_light_files(TableReader& top, const RunFileContext& context, SourceList& list);
+/// `file` of [cell]: low x, low y, high x, high y. Nothing if it is absent, or after a fault.
+[[nodiscard]] std::optional<std::array<double, 4>> read_pattern_file(
+    TableReader& table, const RunFileContext& context);
+
+// run_file_spectrum.cpp
+/// Reflectance and transmittance of each band, means over a spectrum.
+struct SpectralOptics {
+    std::vector<double> reflectance, transmittance;
+};
+/// By `spectrum` and `spectrum_light`; nothing if they are absent, or after a fault.
+[[nodiscard]] std::optional<SpectralOptics> read_spectral_optics(
+    TableReader& table, const RunFileContext& context);
 
 // run_file_time.cpp
 /// [time]: the moments of the run, each with the sources of the file that are on and its own

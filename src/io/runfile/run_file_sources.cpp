@@ -145,7 +145,8 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
             list.hours.push_back(std::move(source->hours));
         }
     }
-    if (tables.empty() && top.any("time") == nullptr) {
+    const bool has_files = read_light_files(top, context, list);
+    if (tables.empty() && !has_files && top.any("time") == nullptr) {
         top.fault("no source of light is given", "", "add a [[source]] or [time]");
     }
     return list;

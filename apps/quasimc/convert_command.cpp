@@ -1,0 +1,135 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "commands.h"
+#include "io/meshes/geometry_scene.h"
+#include "io/output_files.h"
+#include "io/results/field_formats.h"
+#include "option_flags.h"
+#include "quasimc/quasimc.h"
+#include "show_values.h"
+
+namespace {
+
+struct ConvertArguments {
+    std::string input, output, from, to;
+    ValueChoice choice;
+};
+
+std::vector<std::string> geometry_names() {
+    std::vector<std::string> names;
+    for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
+        names.emplace_back(entry.name);
+    }
+    return names;
+}
+
+[[noreturn]] void refuse_output(
+    const std::string& path, const std::string& what, const std::vector<std::string>& names) {
+    throw quasimc::InputError(
+        {{path, fmt::format("is no format that {} can be written in", what),
+          "the format follows from the end of its name",
+          fmt::format("use {}", fmt::join(names, ", "))}});
+}
+
+void write_scene(
+    const ConvertArguments& arguments,
+    std::span<const quasimc::InputFile> inputs,
+    const std::function<void(const quasimc::TextSink&)>& write) {
+    quasimc::OutputFiles output({{arguments.output, "OUTPUT"}}, inputs);
+    write(output.sink(0));
+    output.commit();
+    output.throw_if_given_up();
+}
+
+Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEntry& from) {
+    const quasimc::FormatEntry* to = arguments.to.empty()
+                                         ? quasimc::format_of_path(arguments.output)
+                                         : quasimc::find_format(arguments.to);
+    if (to == nullptr) {
+        refuse_output(arguments.output, "geometry", geometry_names());
+    }
+    const quasimc::GeometryScene read =
+        quasimc::read_geometry_scene(arguments.input, from, quasimc::Overlaps::keep);
+    print_warnings(read.warnings);
+    write_scene(arguments, read.inputs, [&](const quasimc::TextSink& sink) {
+        quasimc::write_geometry(*to, read.scene, sink);
+    });
+    return Exit::done;
+}
+
+/// Every number of a result, and its standard error, under names of their own.
+std::vector<quasimc::OrganField> fields_of(const std::vector<ShownValues>& all) {
+    std::vector<quasimc::OrganField> fields;
+    for (const ShownValues& values : all) {
+        quasimc::OrganField mean{values.key, values.unit, {}};
+        quasimc::OrganField error{values.key + "_standard_error", values.unit, {}};
+        for (const quasimc::Estimate& estimate : values.estimates) {
+            mean.values.push_back(estimate.mean);
+            error.values.push_back(estimate.standard_error);
+        }
+        fields.push_back(std::move(mean));
+        fields.push_back(std::move(error));
+    }
+    return fields;
+}
+
+Exit convert_result(const ConvertArguments& arguments) {
+    const quasimc::FieldFormat* to = quasimc::field_format_of_path(arguments.output);
+    if (to == nullptr) {
+        std::vector<std::string> names;
+        for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
+            names.emplace_back(format.extension);
+        }
+        refuse_output(arguments.output, "a result", names);
+    }
+    const ShownRun shown = read_shown_run(arguments.input, arguments.choice.point);
+    if (shown.result_text.empty()) {
+        throw quasimc::InputError(
+            {{arguments.input, "is neither geometry nor a JSON result", "",
+              "run it with --json, or write its scene with `quasimc export`"}});
+    }
+    const std::vector<quasimc::OrganField> fields =
+        fields_of(read_all_shown_values(shown, arguments.input, arguments.choice));
+    write_scene(arguments, shown.run.inputs, [&](const quasimc::TextSink& sink) {
+        to->write(shown.run.scene, fields, sink);
+    });
+    return Exit::done;
+}
+
+Exit convert(const ConvertArguments& arguments) {
+    const quasimc::FormatEntry* from = arguments.from.empty()
+                                           ? quasimc::format_of_path(arguments.input)
+                                           : quasimc::find_format(arguments.from);
+    return from != nullptr ? convert_geometry(arguments, *from) : convert_result(arguments);
+}
+
+}  // namespace
+
+Command convert_command() {
+    const auto arguments = std::make_shared<ConvertArguments>();
+    ValueChoice& choice = arguments->choice;
+    return {
+        "convert",
+        "write a geometry file in another format, or a result for programs that show it",
+        {{"INPUT", &arguments->input, "geometry file, or JSON result", true},
+         {"OUTPUT", &arguments->output, "file to write; - is standard output", true},
+         {.name = "--from",
+          .target = &arguments->from,
+          .summary = "format of INPUT, if its name does not tell",
+          .choices = geometry_names()},
+         {.name = "--to",
+          .target = &arguments->to,
+          .summary = "format of OUTPUT, if its name does not tell; of geometry",
+          .choices = geometry_names()},
+         {"--time", &choice.time,
+          "of a result with [time]: the time that begins so; by default the sum"},
+         {.name = "--day",
+          .target = &choice.day,
+          .summary = "of a result with [time]: the sum of this day, 2024-06-21",
+          .excludes = "--time"},
+         {"--point", &choice.point, "of a sweep: which point, from 1"}},
+        [arguments] { return convert(*arguments); }};
+}

@@ -1,0 +1,34 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "io/meshes/formats.h"
+#include "io/results/field_formats.h"
+
+namespace {
+
+Exit print_formats() {
+    fmt::print("geometry\n{:<11} {:<11} {:<11} {:<38} {}\n", "name", "extension", "", "keeps", "");
+    for (const quasimc::FormatEntry& format : quasimc::format_table()) {
+        fmt::print(
+            "{:<11} {:<11} {:<11} {:<38} {}\n", format.name, format.extensions,
+            format.write == nullptr ? "read" : "read, write",
+            format.keeps.empty() ? "-" : format.keeps, format.summary);
+    }
+    fmt::print("\nresults (quasimc convert RESULT.json OUT)\n");
+    for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
+        fmt::print(
+            "{:<11} {:<11} {:<11} {:<38} {}\n", format.name, format.extension, "write",
+            "ids, every quantity and its error", format.summary);
+    }
+    return Exit::done;
+}
+
+}  // namespace
+
+Command formats_command() {
+    return {"formats", "print the formats of geometry and results, and what each keeps", {}, [] {
+                return print_formats();
+            }};
+}

@@ -1,0 +1,41 @@
+#include "io/results/field_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace quasimc {
+
+// To add a format of scenes with numbers, write write_NAME.cpp and its test, and enter it here:
+// `quasimc convert` and `quasimc formats` follow from the row.
+std::span<const FieldFormat> field_format_table() {
+    static constexpr std::array kTable{
+        FieldFormat{
+            .name = "vtp",
+            .extension = ".vtp",
+            .summary = "VTK PolyData for ParaView and pyvista",
+            .write = write_vtp},
+        FieldFormat{
+            .name = "ply",
+            .extension = ".ply",
+            .summary = "Stanford PLY with numbers as properties of faces",
+            .write = write_field_ply},
+    };
+    return kTable;
+}
+
+const FieldFormat* field_format_of_path(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    std::string extension(dot == std::string_view::npos ? std::string_view() : path.substr(dot));
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    for (const FieldFormat& format : field_format_table()) {
+        if (format.extension == extension) {
+            return &format;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace quasimc {
+
+/// The tags of an XML text, one after the other, with their lines. Comments, processing
+/// instructions and declarations are passed over; entities stay as they are (see xml_text).
+/// Nothing is kept of what was read, so that a long file costs no more memory than a short one.
+class XmlScanner {
+  public:
+    enum class Kind { open, close, end, broken };
+
+    explicit XmlScanner(std::string_view text);
+
+    /// Goes to the next tag. A tag that closes itself is told as two, open and close.
+    Kind next();
+
+    [[nodiscard]] std::string_view name() const { return name_; }
+    /// An attribute of an opening tag, if it has that one.
+    [[nodiscard]] std::optional<std::string_view> attribute(std::string_view key) const;
+    /// What stands before the tag, after the tag before.
+    [[nodiscard]] std::string_view text() const { return text_; }
+    /// The line of the tag, from 1.
+    [[nodiscard]] std::uint32_t line() const { return line_; }
+    /// Where the text before the tag starts.
+    [[nodiscard]] std::uint32_t text_line() const { return text_line_; }
+    /// After `broken`: what is wrong.
+    [[nodiscard]] std::string_view problem() const { return problem_; }
+
+  private:
+    void pass(std::size_t count);
+    bool pass_markup(std::string_view begin, std::string_view end);
+    Kind read_tag(std::string_view tag);
+    bool read_attributes(std::string_view rest);
+    Kind fail(std::string_view problem);
+
+    std::string_view rest_, name_, text_, problem_;
+    std::vector<std::pair<std::string_view, std::string_view>> attributes_;
+    std::uint32_t line_ = 1, passed_ = 1, text_line_ = 1;
+    bool closes_itself_ = false;
+};
+
+/// A text with its five named entities (&amp; &lt; &gt; &quot; &apos;) replaced, without blanks at
+/// its ends.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
+}  // namespace quasimc

@@ -1,0 +1,91 @@
+// Files looked at and converted from the command line.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace quasimc::test {
+namespace {
+
+class ConvertCommand : public ProgramTest {
+  protected:
+    void expect_in(const std::string& text, const std::string& part) const {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
+    }
+};
+
+TEST_F(ConvertCommand, TellsWhatAGeometryFileHolds) {
+    folder_.write(
+        "a.can",
+        "p 1 100007002001 3 0 0 1 2 0 1 0 1 1\np 1 100007002001 3 0 0 1 2 0 1 0 1 1\n"
+        "p 1 100008000001 3 0 0 3 1 0 3 0 1 3\n");
+    const Outcome outcome = run({"info", "a.can"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* part :
+         {"file      a.can: can, ",
+          "bounds    x 0 to 2 (2), y 0 to 1 (1), z 1 to 3 (2); the file "
+          "states no unit",
+          "organs    2\n", "material  leaf 1: 1 organs", "material  stem 1: 1 organs, area 0.5",
+          "label     plant: 2 organs, 2 values: 7 8\n", "warning   "}) {
+        expect_in(outcome.out, part);
+    }
+    EXPECT_EQ(outcome.out.find("warning   none"), std::string::npos) << "a triangle is twice there";
+}
+
+TEST_F(ConvertCommand, TellsWhatARunFileHolds) {
+    const Outcome outcome = run({"info", "run.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    expect_in(outcome.out, "file      run.toml: run file, 1 point\nband      PAR [");
+    expect_in(outcome.out, "organs    3\n");
+}
+
+TEST_F(ConvertCommand, KeepsTrianglesThatLieOnEachOther) {
+    folder_.write("a.tri", "0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0 1 1\n0.1 0.1 1 1 0 1 0 1 1\n");
+    ASSERT_EQ(run({"convert", "a.tri", "b.stl"}).status, 0);
+    ASSERT_EQ(run({"convert", "b.stl", "c.tri"}).status, 0);
+    std::string back;
+    std::string rest = folder_.read("c.tri");
+    for (std::size_t at = rest.find('\n'); at != std::string::npos; at = rest.find('\n')) {
+        back += rest.starts_with('#') ? "" : rest.substr(0, at + 1);
+        rest.erase(0, at + 1);
+    }
+    EXPECT_EQ(back, folder_.read("a.tri"));
+}
+
+TEST_F(ConvertCommand, WritesResultsForOtherPrograms) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const Outcome outcome = run({"convert", "out.json", "out.vtp"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    expect_in(folder_.read("out.vtp"), "Name=\"absorbed_flux_density_PAR [W m-2]\"");
+    expect_in(folder_.read("out.vtp"), "Name=\"absorbed_flux_density_PAR_standard_error [W m-2]\"");
+    EXPECT_EQ(run({"convert", "out.json", "out.ply"}).status, 0);
+    expect_in(folder_.read("out.ply"), "property double incident_upper_PAR_standard_error\n");
+    EXPECT_EQ(run({"info", "out.ply"}).status, 0) << "our own reader passes over the numbers";
+}
+
+TEST_F(ConvertCommand, RefusesWhatItCannotDo) {
+    const auto expect_fault = [this](const std::vector<std::string>& arguments, const char* text) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        expect_in(outcome.err, text);
+    };
+    expect_fault({"convert", "leaves.tri", "a.opf"}, "format opf can be read, not written");
+    expect_fault(
+        {"convert", "leaves.tri", "a.xyz"}, "is no format that geometry can be written in");
+    expect_fault({"convert", "run.toml", "a.vtp"}, "is neither geometry nor a JSON result");
+    expect_fault({"convert", "leaves.tri", "leaves.tri"}, "leaves.tri");
+    expect_fault({"info", "none.can"}, "none.can");
+}
+
+TEST_F(ConvertCommand, PrintsTheTableOfFormats) {
+    const Outcome outcome = run({"formats"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* name : {"tri ", "obj ", "ply ", "stl ", "can ", "opf ", "vtp "}) {
+        expect_in(outcome.out, name);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,92 @@
+// Materials from spectra.
+
+#include <gtest/gtest.h>
+
+#include "io_testing.h"
+#include "optics/side.h"
+#include "scene/scene.h"
+#include "sources/band_mean.h"
+#include "sources/solar_reference.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr const char* kTop =
+    "irradiance_unit = 'W m-2'\n[[band]]\nname = 'blue'\nfrom_nm = 400\nto_nm = 500\n"
+    "[[band]]\nname = 'photons'\nunit = 'umol m-2 s-1'\nfrom_nm = 400\nto_nm = 500\n";
+
+RunText spectrum_text(const std::string& keys = "") {
+    RunText text;
+    text.top = kTop;
+    text.materials = "[[material]]\nname = 'leaf'\nspectrum = 'leaf.csv'\n" + keys;
+    return text;
+}
+
+const FakeFiles kLeaf{
+    {"leaf.csv",
+     "# a leaf\nwavelength_nm,reflectance,transmittance\n300,0.1,0.0\n400,0.1,0.0\n"
+     "500,0.3,0.2\n900,0.3,0.2\n"}};
+
+/// Reflectance and transmittance of the leaf's Lambertian lobes.
+std::pair<double, double> optics_of_band(const RunFile& run, std::size_t band) {
+    std::pair<double, double> optics{0, 0};
+    const Material& leaf = run.scene.material(run.scene.regions()[0]);
+    for (const Lobe& lobe : leaf.side(SurfaceSide::upper).lobes()) {
+        const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
+        (is_reflected ? optics.first : optics.second) += lobe.albedo[band];
+    }
+    return optics;
+}
+
+/// Under light that is alike at every wavelength a reflectance that grows from 0.1 to 0.3 has the
+/// mean 0.2; photons grow with the wavelength: (int r x dx) / (int x dx) from 400 to 500.
+TEST(RunFileSpectrum, MeansOfStraightLinesAreExact) {
+    const RunFile run = read_text(spectrum_text("spectrum_light = 'flat'\n").text(), kLeaf);
+    EXPECT_NEAR(optics_of_band(run, 0).first, 0.2, 1e-14);
+    EXPECT_NEAR(optics_of_band(run, 0).second, 0.1, 1e-14);
+    const double mean = 0.1 + 0.002 * ((125e6 - 64e6) / 3 / 45000 - 400);
+    EXPECT_NEAR(optics_of_band(run, 1).first, mean, 1e-14);
+}
+
+TEST(RunFileSpectrum, DaylightIsTheUsualWeight) {
+    const RunFile usual = read_text(spectrum_text().text(), kLeaf);
+    const RunFile global = read_text(spectrum_text("spectrum_light = 'global'\n").text(), kLeaf);
+    const RunFile flat = read_text(spectrum_text("spectrum_light = 'flat'\n").text(), kLeaf);
+    EXPECT_EQ(optics_of_band(usual, 0), optics_of_band(global, 0));
+    EXPECT_NE(optics_of_band(usual, 0), optics_of_band(flat, 0));
+    // By the midpoint rule in steps that are much finer than the table's.
+    double sum = 0, all = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const double nm = 400 + (i + 0.5) / 1000;
+        sum += (0.1 + 0.002 * (nm - 400)) * reference_global().at(nm);
+        all += reference_global().at(nm);
+    }
+    EXPECT_NEAR(optics_of_band(usual, 0).first, sum / all, 1e-9);
+}
+
+TEST(BandMean, WithoutLightIsTheMeanOverWavelengths) {
+    const Spectrum property({100, 200}, {0, 1}), light({300, 400}, {1, 1});
+    EXPECT_NEAR(band_mean(property, light, {100, 200}), 0.5, 1e-14);
+}
+
+TEST(RunFileSpectrum, TellsFaults) {
+    const auto expect = [](const FakeFiles& files, const std::string& keys, const char* part) {
+        EXPECT_TRUE(mentions(faults_of(spectrum_text(keys).text(), files), part)) << part;
+    };
+    expect({}, "", "file 'leaf.csv' can't be read");
+    expect({{"leaf.csv", "400,0.1\n500,0.1\n"}}, "", "leaf.csv:1: the names of the columns");
+    const std::string names = "wavelength_nm,reflectance,transmittance\n";
+    expect({{"leaf.csv", names + "400,0.6,0.5\n"}}, "", "leaf.csv:2: is no row of a surface's");
+    expect({{"leaf.csv", names + "400,0,0\n400,0,0\n"}}, "", "leaf.csv:3: the wavelength does not");
+    expect(
+        {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",
+        "has 400 to 450 nm, band 'blue' 400 to 500");
+    expect(kLeaf, "reflectance = 0.1\n", "both a spectrum and values are given");
+    expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light is 'moon'");
+    RunText text = spectrum_text();
+    text.top = "bands = ['odd']\n";
+    EXPECT_TRUE(mentions(faults_of(text.text(), kLeaf), "the wavelengths of band 'odd'"));
+}
+
+}  // namespace
+}  // namespace quasimc::test
