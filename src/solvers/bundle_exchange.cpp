@@ -129,7 +129,7 @@ std::uint64_t BundleExchange::exchange(
     for (std::uint32_t i = 0; i < group.directions; ++i) {
         const Vec3 direction = bundle_direction(group, i);
         columns_.draw(
-            seen_, patches_.patches, patches_.least_cosines,
+            seen_, patches_.drawn,
             {.direction = direction,
              .rotation = number_of(group, i, 0),
              .shift_s = number_of(group, i, 1),

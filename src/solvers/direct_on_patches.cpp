@@ -10,13 +10,14 @@
 
 namespace quasimc {
 
-DirectOnPatches::DirectOnPatches(const SolverInput& input, const PatchScene& patches)
+DirectOnPatches::DirectOnPatches(
+    const SolverInput& input, const DirectBeams& beams, const PatchScene& patches)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       spec_(input.spec),
       stop_(input.stop),
       patches_(patches),
-      beams_(input) {}
+      beams_(beams) {}
 
 void DirectOnPatches::find(
     const Task& task, Scratch& scratch, PatchLight& light, Tally& tally) const {

@@ -11,9 +11,7 @@ namespace quasimc {
 /// skies by pixels, that of lamps and of what is too costly to look at traced to its first hits.
 class DirectOnPatches {
   public:
-    DirectOnPatches(const SolverInput& input, const PatchScene& patches);
-
-    [[nodiscard]] const DirectBeams& beams() const { return beams_; }
+    DirectOnPatches(const SolverInput& input, const DirectBeams& beams, const PatchScene& patches);
 
     struct Scratch {
         DirectBeams::Scratch beams;
@@ -47,7 +45,7 @@ class DirectOnPatches {
     const RunSpec& spec_;
     std::stop_token stop_;
     const PatchScene& patches_;
-    DirectBeams beams_;
+    const DirectBeams& beams_;
 };
 
 }  // namespace quasimc

@@ -58,8 +58,7 @@ Patches make_patches(
     return Patches(std::move(levels));
 }
 
-PatchScene::PatchScene(
-    const PreparedScene& scene, std::span<const VisibilityRole> roles, Patches cut)
+PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut)
     : prepared(scene), patches(std::move(cut)) {
     const std::size_t bands = prepared.bands();
     for (const Material& material : prepared.scene().materials()) {
@@ -74,6 +73,7 @@ PatchScene::PatchScene(
     const LocalMesh& mesh = caster.mesh();
     const std::uint32_t triangles = patches.triangles();
     std::vector<double> scattered(bands);
+    std::vector<float> least_cosines;
     for (std::uint32_t i = 0; i < triangles; ++i) {
         if (prepared.scene().cell().periodic()) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
@@ -89,7 +89,7 @@ PatchScene::PatchScene(
         const PrimitiveInfo info = prepared.primitive(i);
         surfaces.push_back(
             {i, info.region, info.material, own / std::ldexp(1.0, 2 * patches.level(i)),
-             length(mesh.exact_across(i)) / (2 * own), is_sensor(roles, i)});
+             length(mesh.exact_across(i)) / (2 * own), is_sensor(seen.roles, i)});
         area += own;
         for (std::size_t b = 0; b < bands; ++b) {
             for (const SurfaceSide side : kSurfaceSides) {
@@ -98,6 +98,7 @@ PatchScene::PatchScene(
             }
         }
     }
+    drawn = column_triangles(seen, patches, least_cosines);
     mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/raster/columns.h"
 #include "geometry/raster/patches.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
@@ -18,7 +19,8 @@ namespace quasimc {
 
 /// What the matt surfaces of a scene are made of, patch by patch: const, shared by all threads.
 struct PatchScene {
-    PatchScene(const PreparedScene& scene, std::span<const VisibilityRole> roles, Patches cut);
+    /// @param seen  the scene as beams see it
+    PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut);
 
     /// A triangle that has patches.
     struct Surface {
@@ -36,10 +38,10 @@ struct PatchScene {
     const PreparedScene& prepared;
     Patches patches;
     std::vector<Surface> surfaces;
-    std::vector<Optics> optics;        ///< [2 * material + side]
-    std::vector<float> least_cosines;  ///< by triangle; empty: 0
-    double area = 0;                   ///< of all surfaces
-    double mean_albedo = 0;            ///< by area, in the band where it is largest
+    std::vector<Optics> optics;  ///< [2 * material + side]
+    std::vector<ColumnTriangle> drawn;
+    double area = 0;         ///< of all surfaces
+    double mean_albedo = 0;  ///< by area, in the band where it is largest
 
     [[nodiscard]] const Optics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];

@@ -47,16 +47,16 @@ class RayBundles final : public Solver {
         : prepared_(input.prepared),
           spec_(input.spec),
           stop_(input.stop),
-          roles_(visibility_roles(input.prepared)),
+          beams_(input),
           patches_(
               input.prepared,
-              roles_,
-              make_patches(input.prepared, roles_, patches_for(input.spec.paths))),
-          direct_(input, patches_),
+              beams_.scene(),
+              make_patches(input.prepared, beams_.scene().roles, patches_for(input.spec.paths))),
+          direct_(input, beams_, patches_),
           runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
-        const std::vector<VisibilityTask> tasks = direct_.beams().tasks(round, sums);
+        const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
         executor.announce(sums.replicates.size());
         runner_.run(
             1, executor, sums,
@@ -79,7 +79,7 @@ class RayBundles final : public Solver {
     void solve_replicate(const DirectOnPatches::Task& task, Scratch& scratch, Tally& tally) const {
         if (!scratch.light) {
             scratch.light = std::make_unique<PatchLight>(patches_);
-            scratch.exchange = std::make_unique<BundleExchange>(patches_, direct_.beams().scene());
+            scratch.exchange = std::make_unique<BundleExchange>(patches_, beams_.scene());
         }
         PatchLight& light = *scratch.light;
         light.clear();
@@ -191,7 +191,7 @@ class RayBundles final : public Solver {
     const PreparedScene& prepared_;
     const RunSpec& spec_;
     std::stop_token stop_;
-    std::vector<VisibilityRole> roles_;
+    DirectBeams beams_;
     PatchScene patches_;
     DirectOnPatches direct_;
     BlockRunner<Scratch> runner_;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/raster/triangle_rows.h"
+#include <tuple>
 
 namespace quasimc {
 namespace {
@@ -13,23 +12,51 @@ constexpr double kMostLines = 1U << 30U;
 /// Where lines are so many for each fragment, they are not counted one by one.
 constexpr std::size_t kSparse = 16;
 
+/// The smallest integer >= x. Without a call of the library.
 std::int64_t ceil_of(double x) {
-    return static_cast<std::int64_t>(std::ceil(x));
+    const auto whole = static_cast<std::int64_t>(x);
+    return whole + (static_cast<double>(whole) < x ? 1 : 0);
+}
+
+/// Whether a direction lies within the field of view of a sensor.
+bool is_in_view(const ColumnTriangle& triangle, const Vec3& direction) {
+    const auto& [a, b, c] = triangle.corners;
+    const Vec3 across = cross(b - a, c - a);
+    return std::abs(dot(across, direction)) >=
+           static_cast<double>(triangle.least_cosine) * length(across);
 }
 
 /// i modulo n, 0 <= result < n.
 std::int64_t wrapped(std::int64_t i, std::int64_t n) {
+    if (i >= 0 && i < n) {
+        return i;
+    }
     const std::int64_t rest = i % n;
     return rest < 0 ? rest + n : rest;
 }
 
 }  // namespace
 
+std::vector<ColumnTriangle> column_triangles(
+    const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines) {
+    std::vector<ColumnTriangle> triangles;
+    for (std::uint32_t i = 0; i < patches.triangles(); ++i) {
+        if (!patches.has(i)) {
+            continue;
+        }
+        const LocalMesh& mesh = *scene.mesh;
+        triangles.push_back(
+            {.corners = {mesh.vertex(i, 0), mesh.vertex(i, 1), mesh.vertex(i, 2)},
+             .first_patch = patches.first(i),
+             .level = static_cast<std::uint8_t>(patches.level(i)),
+             .is_sensor = scene.role(i) == VisibilityRole::sensor,
+             .least_cosine = least_cosines.empty() ? 0 : least_cosines[i]});
+    }
+    return triangles;
+}
+
 void Columns::draw(
-    const ProjectedScene& scene,
-    const Patches& patches,
-    std::span<const float> least_cosines,
-    const Spec& spec) {
+    const ProjectedScene& scene, std::span<const ColumnTriangle> triangles, const Spec& spec) {
     fragments_.clear();
     sorted_.clear();
     passed_.clear();
@@ -38,20 +65,11 @@ void Columns::draw(
     if (columns_ == 0) {
         return;
     }
-    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
-        scene.check_stop();
-        if (!patches.has(i)) {
-            continue;
-        }
-        const double along = dot(scene.mesh->across(i), spec.direction);
-        if (!least_cosines.empty() && least_cosines[i] > 0 &&
-            std::abs(scene.cosine(i, spec.direction)) < static_cast<double>(least_cosines[i])) {
-            continue;
-        }
-        const Passed sensor = scene.role(i) == VisibilityRole::sensor ? kSensor : 0;
-        draw_triangle(
-            {patches.first(i), patches.level(i), sensor | (along > 0 ? 1U : 0U)},
-            scene.seen(i, x_, y_, z_));
+    direction_ = spec.direction;
+    is_turned_ = dot(cross(x_.along, y_.along), direction_) < 0;
+    scene.check_stop();
+    for (const ColumnTriangle& triangle : triangles) {
+        draw_triangle(triangle);
     }
     sort_lines();
 }
@@ -115,54 +133,87 @@ void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, do
     line_area_ = pitch_x * pitch_y * plane.area;
 }
 
-void Columns::draw_triangle(const Drawn& drawn, const ProjectedTriangle& c) {
-    const TrianglePlane plane(c);
-    if (plane.is_edge_on()) {
-        return;
+void Columns::draw_triangle(const ColumnTriangle& triangle) {
+    ProjectedTriangle c{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        c.x[i] = dot(x_.along, triangle.corners[i]) + x_.offset;
+        c.y[i] = dot(y_.along, triangle.corners[i]) + y_.offset;
     }
-    const auto [low_y, high_y] = std::minmax({c.y[0], c.y[1], c.y[2]});
-    std::int64_t row = ceil_of(low_y);
-    std::int64_t end_row = ceil_of(high_y);
+    std::int64_t row = ceil_of(std::min({c.y[0], c.y[1], c.y[2]}));
+    std::int64_t end_row = ceil_of(std::max({c.y[0], c.y[1], c.y[2]}));
     if (!repeats_y_) {
         row = std::max<std::int64_t>(row, 0);
         end_row = std::min(end_row, rows_);
     }
-    if (row >= end_row) {
+    if (row >= end_row || TrianglePlane(c).is_edge_on()) {
         return;
     }
-    const PlaneGradient z = plane.gradient(c.z[0], c.z[1] - c.z[0], c.z[2] - c.z[0]);
-    const PlaneGradient u = plane.gradient(0, 1, 0);
-    const PlaneGradient v = plane.gradient(0, 0, 1);
-    const auto [low_z, high_z] = std::minmax({c.z[0], c.z[1], c.z[2]});
+    bool is_seen = false;
     const SidesByRow sides(c);
     for (; row < end_row; ++row) {
-        const auto y = static_cast<double>(row);
         const std::int64_t in_row = repeats_y_ ? wrapped(row, rows_) : row;
-        const double moved = static_cast<double>(in_row) * row_shift_;
-        const double shift = moved - std::floor(moved);
-        const auto [left, right] = sides.at(y);
-        std::int64_t column = ceil_of(left - shift);
-        std::int64_t end = ceil_of(right - shift);
+        const double shift = row_shift_ == 0 ? 0 : shift_of(in_row);
+        const auto [left, right] = sides.at(static_cast<double>(row));
+        std::int64_t first = ceil_of(left - shift);
+        std::int64_t last = ceil_of(right - shift);
         if (!repeats_x_) {
-            column = std::max<std::int64_t>(column, 0);
-            end = std::min(end, columns_);
+            first = std::max<std::int64_t>(first, 0);
+            last = std::min(last, columns_);
         }
-        std::int64_t line = repeats_x_ ? wrapped(column, columns_) : column;
-        const auto first_line = static_cast<std::uint32_t>(in_row * columns_);
-        for (; column < end; ++column) {
-            const double x = static_cast<double>(column) + shift;
-            const double depth = std::clamp(z.at + z.by_x * x + z.by_y * y, low_z, high_z);
-            const std::uint32_t part = drawn.level == 0
-                                           ? 0
-                                           : Patches::part(
-                                                 drawn.level, u.at + u.by_x * x + u.by_y * y,
-                                                 v.at + v.by_x * x + v.by_y * y);
-            fragments_.push_back(
-                {first_line + static_cast<std::uint32_t>(line), static_cast<float>(depth),
-                 drawn.mark + 2 * (drawn.first_patch + part)});
-            ++line;
-            line = line == columns_ && repeats_x_ ? 0 : line;
+        if (first >= last) {
+            continue;
         }
+        if (!is_seen) {
+            if (triangle.least_cosine > 0 && !is_in_view(triangle, direction_)) {
+                return;
+            }
+            set_gradients(triangle, c);
+            is_seen = true;
+        }
+        draw_stretch({row, in_row, first, last, shift});
+    }
+}
+
+/// How far a row stands beside its columns, 0..1.
+double Columns::shift_of(std::int64_t row) const {
+    const double moved = static_cast<double>(row) * row_shift_;
+    return moved - std::floor(moved);
+}
+
+/// Sets how depth and the place on the triangle change over the grid.
+void Columns::set_gradients(const ColumnTriangle& triangle, const ProjectedTriangle& corners) {
+    const TrianglePlane plane(corners);
+    const auto depth = [&](std::size_t i) { return dot(z_.along, triangle.corners[i]); };
+    const double z = depth(0);
+    const double a = depth(1);
+    const double b = depth(2);
+    std::tie(low_z_, high_z_) = std::minmax({z, a, b});
+    z_of_ = plane.gradient(z, a - z, b - z);
+    u_of_ = plane.gradient(0, 1, 0);
+    v_of_ = plane.gradient(0, 0, 1);
+    level_ = triangle.level;
+    // Light comes to the lower side if the corners turn to the left, seen along it.
+    const Passed lower = plane.turns_left() != is_turned_ ? 1 : 0;
+    first_passed_ = (triangle.is_sensor ? kSensor : 0) | (2 * triangle.first_patch + lower);
+}
+
+void Columns::draw_stretch(const Stretch& stretch) {
+    const auto y = static_cast<double>(stretch.row);
+    const double z = z_of_.at + z_of_.by_y * y;
+    const double u = u_of_.at + u_of_.by_y * y;
+    const double v = v_of_.at + v_of_.by_y * y;
+    const auto first_line = static_cast<std::uint32_t>(stretch.in_row * columns_);
+    std::int64_t line = repeats_x_ ? wrapped(stretch.first, columns_) : stretch.first;
+    for (std::int64_t column = stretch.first; column < stretch.last; ++column) {
+        const double x = static_cast<double>(column) + stretch.shift;
+        const double depth = std::clamp(z + z_of_.by_x * x, low_z_, high_z_);
+        const std::uint32_t part =
+            level_ == 0 ? 0 : Patches::part(level_, u + u_of_.by_x * x, v + v_of_.by_x * x);
+        fragments_.push_back(
+            {first_line + static_cast<std::uint32_t>(line), static_cast<float>(depth),
+             first_passed_ + 2 * part});
+        ++line;
+        line = line == columns_ && repeats_x_ ? 0 : line;
     }
 }
 

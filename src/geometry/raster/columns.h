@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,8 +8,23 @@
 
 #include "geometry/raster/patches.h"
 #include "geometry/raster/projected_scene.h"
+#include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
+
+/// A triangle as Columns draw it.
+struct ColumnTriangle {
+    std::array<Vec3, 3> corners;  ///< local coordinates
+    std::uint32_t first_patch = 0;
+    std::uint8_t level = 0;  ///< see Patches
+    bool is_sensor = false;
+    float least_cosine = 0;  ///< seen at less, it is left out
+};
+
+/// The triangles of a scene that have patches.
+/// @param least_cosines  by triangle; empty: 0
+[[nodiscard]] std::vector<ColumnTriangle> column_triangles(
+    const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines = {});
 
 /// All that parallel lines through a scene pass, in order: a bundle of rays, rasterized.
 ///
@@ -33,13 +49,10 @@ class Columns {
     using Passed = std::uint32_t;
     static constexpr Passed kSensor = 0x80000000U;
 
-    /// @param patches  of the scene's triangles; those that have none are left out
-    /// @param least_cosines  by triangle: seen at less, it is left out; empty: 0
+    /// @param scene  where it lies, and how it repeats
+    /// @param triangles  column_triangles() of the scene
     void draw(
-        const ProjectedScene& scene,
-        const Patches& patches,
-        std::span<const float> least_cosines,
-        const Spec& spec);
+        const ProjectedScene& scene, std::span<const ColumnTriangle> triangles, const Spec& spec);
 
     [[nodiscard]] double line_area() const { return line_area_; }
     /// Of all lines.
@@ -66,16 +79,19 @@ class Columns {
         float depth;
         Passed passed;
     };
-    /// A triangle about to be drawn.
-    struct Drawn {
-        std::uint32_t first_patch;
-        int level;
-        Passed mark;  ///< kSensor and the side
+    /// Pixels of a row that a triangle covers.
+    struct Stretch {
+        std::int64_t row, in_row;  ///< unwrapped, and on the grid
+        std::int64_t first, last;  ///< columns, unwrapped; the last is not covered
+        double shift;              ///< of the row
     };
 
     void set_grid(const ProjectedScene& scene, const Spec& spec);
     void set_square_rows(const ProjectionPlane& plane, const Spec& spec, double lines);
-    void draw_triangle(const Drawn& drawn, const ProjectedTriangle& corners);
+    [[nodiscard]] double shift_of(std::int64_t row) const;
+    void draw_triangle(const ColumnTriangle& triangle);
+    void draw_stretch(const Stretch& stretch);
+    void set_gradients(const ColumnTriangle& triangle, const ProjectedTriangle& corners);
     void sort_lines();
     void sort_sparse_lines();
 
@@ -84,6 +100,15 @@ class Columns {
     std::int64_t columns_ = 0, rows_ = 0;
     bool repeats_x_ = false, repeats_y_ = false;
     double row_shift_ = 0;  // from row to row, in columns
+    Vec3 direction_;
+    bool is_turned_ = false;  // grid and direction are no right-handed frame
+
+    // The triangle at hand.
+    PlaneGradient z_of_, u_of_, v_of_;
+    double low_z_ = 0, high_z_ = 0;
+    Passed first_passed_ = 0;
+    int level_ = 0;
+
     std::vector<Fragment> fragments_;
     std::vector<InLine> sorted_;
     std::vector<std::uint32_t> first_;

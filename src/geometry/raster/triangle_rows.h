@@ -52,22 +52,25 @@ class TrianglePlane {
           by_(c.y[2] - c.y[0]),
           x_(c.x[0]),
           y_(c.y[0]),
-          twice_area_(ax_ * by_ - ay_ * bx_) {}
+          twice_area_(ax_ * by_ - ay_ * bx_),
+          per_area_(1 / twice_area_) {}
 
     /// Whether it is seen edge-on: corners are told apart in single precision.
     [[nodiscard]] bool is_edge_on() const {
         constexpr double kEdgeOn = 0x1p-24;
         return std::abs(twice_area_) <= kEdgeOn * (ax_ * ax_ + ay_ * ay_ + bx_ * bx_ + by_ * by_);
     }
+    /// Whether the corners follow each other to the left, x to the right and y up.
+    [[nodiscard]] bool turns_left() const { return twice_area_ > 0; }
     /// Of a number that is `first` at the first corner, and more by a and b at the others.
     [[nodiscard]] PlaneGradient gradient(double first, double a, double b) const {
-        const double by_x = (a * by_ - b * ay_) / twice_area_;
-        const double by_y = (b * ax_ - a * bx_) / twice_area_;
+        const double by_x = (a * by_ - b * ay_) * per_area_;
+        const double by_y = (b * ax_ - a * bx_) * per_area_;
         return {first - by_x * x_ - by_y * y_, by_x, by_y};
     }
 
   private:
-    double ax_, ay_, bx_, by_, x_, y_, twice_area_;
+    double ax_, ay_, bx_, by_, x_, y_, twice_area_, per_area_;
 };
 
 }  // namespace quasimc

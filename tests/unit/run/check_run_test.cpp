@@ -29,6 +29,37 @@ std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(
     }
 }
 
+/// A leaf of a material with one side like this.
+Scene make_leaf_with(const SideOptics& upper) {
+    SceneBuilder builder = make_builder();
+    MaterialSpec waxy = matt("waxy", .1, .1);
+    waxy.upper[0] = upper;
+    builder.add_material(waxy);
+    builder.add_organ(organ("leaf", "waxy", floor_of(0, 1, 0, 1, 0)));
+    return std::move(builder).build();
+}
+
+// What bundles can't do is refused by the name of the material.
+TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
+    RunSpec spec;
+    spec.method = Method::ray_bundles;
+    EXPECT_TRUE(faults_of(spec).empty());
+    const SideOptics shiny{.1, .1, "phong", {{"exponent", 20}}};
+    const SideOptics waxy{.1, .1, "coated_lambertian", {{"coat", .04}}};
+    for (const SideOptics& side : {shiny, waxy}) {
+        Faults faults;
+        check_run(make_leaf_with(side), {sun(0, {1})}, spec, faults);
+        ASSERT_EQ(faults.size(), 1U);
+        EXPECT_EQ(faults.all()[0].place, "method");
+        EXPECT_NE(faults.all()[0].problem.find("'waxy'"), std::string::npos);
+        EXPECT_NE(faults.all()[0].suggestion.find("first_hits"), std::string::npos);
+        spec.method = Method::automatic;
+        EXPECT_NE(
+            plan_method(make_leaf_with(side), {sun(0, {1})}, spec).method, Method::ray_bundles);
+        spec.method = Method::ray_bundles;
+    }
+}
+
 TEST(CheckRun, FindsNothingInAGoodSpecification) {
     EXPECT_TRUE(faults_of({}).empty());
     RunSpec spec;
