@@ -157,7 +157,7 @@ class RunTeams : public ::testing::TestWithParam<Method> {
         RunSpec spec = spec_of(GetParam(), 1U << 14U);
         spec.replicates = 3;
         spec.max_paths = 2 * spec.paths;
-        spec.threads = 2;
+        spec.threads = 1;
         return spec;
     }
 };
@@ -166,7 +166,7 @@ TEST_P(RunTeams, GiveTheBitsOfOneProcess) {
     const Day day;
     const std::vector<Result> alone = day_alone(day, spec());
     for (const auto& [ranks, nodes] :
-         std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {2, 1}, {3, 1}, {4, 2}, {3, 3}}) {
+         std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {3, 1}, {4, 2}}) {
         expect_equal_days(trace_day(day, spec(), ranks, nodes), alone);
     }
 }
