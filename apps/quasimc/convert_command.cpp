@@ -51,9 +51,9 @@ Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEn
     if (to == nullptr) {
         refuse_output(arguments.output, "geometry", geometry_names());
     }
-    const quasimc::GeometryScene read =
-        quasimc::read_geometry_scene(arguments.input, from, quasimc::Overlaps::keep);
+    const quasimc::GeometryScene read = quasimc::read_geometry_scene(arguments.input, from);
     print_warnings(read.warnings);
+    print_warnings(quasimc::lint(read.scene));
     write_scene(arguments, read.inputs, [&](const quasimc::TextSink& sink) {
         quasimc::write_geometry(*to, read.scene, sink);
     });

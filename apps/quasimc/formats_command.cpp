@@ -9,17 +9,17 @@
 namespace {
 
 Exit print_formats() {
-    fmt::print("geometry\n{:<11} {:<11} {:<11} {:<38} {}\n", "name", "extension", "", "keeps", "");
+    fmt::print("geometry\n{:<11} {:<11} {:<11} {:<43} {}\n", "name", "extension", "", "keeps", "");
     for (const quasimc::FormatEntry& format : quasimc::format_table()) {
         fmt::print(
-            "{:<11} {:<11} {:<11} {:<38} {}\n", format.name, format.extensions,
+            "{:<11} {:<11} {:<11} {:<43} {}\n", format.name, format.extensions,
             format.write == nullptr ? "read" : "read, write",
             format.keeps.empty() ? "-" : format.keeps, format.summary);
     }
     fmt::print("\nresults (quasimc convert RESULT.json OUT)\n");
     for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
         fmt::print(
-            "{:<11} {:<11} {:<11} {:<38} {}\n", format.name, format.extension, "write",
+            "{:<11} {:<11} {:<11} {:<43} {}\n", format.name, format.extension, "write",
             "ids, every quantity and its error", format.summary);
     }
     return Exit::done;

@@ -41,8 +41,8 @@ TEST_F(ConvertCommand, TellsWhatARunFileHolds) {
     expect_in(outcome.out, "organs    3\n");
 }
 
-TEST_F(ConvertCommand, KeepsTrianglesThatLieOnEachOther) {
-    folder_.write("a.tri", "0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0 1 1\n0.1 0.1 1 1 0 1 0 1 1\n");
+TEST_F(ConvertCommand, GoesThereAndBackWithAllDigits) {
+    folder_.write("a.tri", "0 0 1 1 0 1 0 1 1\n0.1 0.30000000000000004 2 1 0 2 0 1e-09 2\n");
     ASSERT_EQ(run({"convert", "a.tri", "b.stl"}).status, 0);
     ASSERT_EQ(run({"convert", "b.stl", "c.tri"}).status, 0);
     std::string back;
@@ -52,6 +52,13 @@ TEST_F(ConvertCommand, KeepsTrianglesThatLieOnEachOther) {
         rest.erase(0, at + 1);
     }
     EXPECT_EQ(back, folder_.read("a.tri"));
+}
+
+TEST_F(ConvertCommand, WarnsOfTrianglesThatItCutsAway) {
+    folder_.write("a.tri", "0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0 1 1\n");
+    const Outcome outcome = run({"convert", "a.tri", "b.stl"});
+    EXPECT_EQ(outcome.status, 0);
+    expect_in(outcome.err, "warning: organ 'organ 2' (id 2): ");
 }
 
 TEST_F(ConvertCommand, WritesResultsForOtherPrograms) {

@@ -60,7 +60,7 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".can",
             .summary = "Caribu; what has one label is an organ",
             .organs = "groups",
-            .keeps = "ids of Caribu's kind, materials by species",
+            .keeps = "ids of Caribu's kind, optical species",
             .read = read_can,
             .write = write_can},
         FormatEntry{

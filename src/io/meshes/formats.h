@@ -95,7 +95,7 @@ struct FormatEntry {
     std::string_view keeps;   ///< what is left of a scene that goes through it, beside triangles
     MeshFile (*read)(std::string_view bytes, FormatContext& context);
     void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
-    /// Whether the file says what its organs are made of.
+    /// Whether the file says what its organs are made of, in names or numbers of the scene.
     [[nodiscard]] bool keeps_materials() const { return keeps.find("material") != keeps.npos; }
 };
 

@@ -15,16 +15,15 @@ std::string name_of(const MeshPart& part) {
     return part.material.empty() ? "unnamed" : part.material;
 }
 
-void add_materials(const MeshFile& file, Overlaps overlaps, SceneBuilder& builder) {
+void add_materials(const MeshFile& file, SceneBuilder& builder) {
     std::set<std::string> names;
     for (const MeshGroup& group : file.groups) {
         for (const MeshPart& part : group.parts) {
             if (!names.insert(name_of(part)).second) {
                 continue;
             }
-            SideOptics side;  // What lets all light pass is not cut.
-            side.reflectance = overlaps == Overlaps::cut ? 0.5 : 0;
-            side.transmittance = overlaps == Overlaps::cut ? 0 : 1;
+            SideOptics side;
+            side.reflectance = 0.5;  // of no meaning, but that nobody is warned of black materials
             builder.add_material({name_of(part), {side}, {side}});
         }
     }
@@ -60,8 +59,7 @@ void add_groups(MeshFile file, SceneBuilder& builder) {
 
 }  // namespace
 
-GeometryScene read_geometry_scene(
-    const std::string& path, const FormatEntry& format, Overlaps overlaps) {
+GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& format) {
     const std::filesystem::path whole(path);
     InputFiles files(path == "-" ? std::filesystem::path() : whole.parent_path());
     const std::string name = path == "-" ? path : whole.filename().string();
@@ -75,7 +73,7 @@ GeometryScene read_geometry_scene(
         throw InputError({{path, "holds no triangle", "", ""}});
     }
     SceneBuilder builder({{"none"}});
-    add_materials(file, overlaps, builder);
+    add_materials(file, builder);
     if (format.organs == "each") {
         add_triangles(file, builder);
     } else {

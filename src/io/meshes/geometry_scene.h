@@ -9,12 +9,6 @@
 
 namespace quasimc {
 
-/// What becomes of triangles that lie on each other.
-enum class Overlaps {
-    cut,   ///< as in a run: light falls on the first of them only
-    keep,  ///< all are kept as the file has them
-};
-
 /// A geometry file by itself, without optics or light.
 struct GeometryScene {
     Scene scene;  ///< materials have the names of the file ("unnamed" without one), and no meaning
@@ -23,8 +17,8 @@ struct GeometryScene {
 };
 
 /// Reads a geometry file. Its organs are those that a run file gets that says nothing of them.
+/// Triangles that lie on others are cut away, as in a run; lint() tells of them.
 /// @throws InputError  with all faults
-[[nodiscard]] GeometryScene read_geometry_scene(
-    const std::string& path, const FormatEntry& format, Overlaps overlaps);
+[[nodiscard]] GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& format);
 
 }  // namespace quasimc
