@@ -89,11 +89,14 @@ TEST(ReadColumns, RefusesWhatIsNoResult) {
          {"", "{", "[1,2", R"({"organs":[{]})", "nul", R"({"organs":[{}],"x":1)"}) {
         EXPECT_THROW((void)columns_of(text), InputError) << text;
     }
-    // Strange, but no result of ours: nothing is found in it.
+    for (const char* text : {"[]", "4", R"([[{"organs":[{"flux":{"PAR":{"mean":1}}}]}]])"}) {
+        EXPECT_THROW((void)columns_of(text), InputError) << text;
+    }
+    // Strange, but nothing is found in them.
     for (const char* text :
-         {"[]", "4", R"({"organs":[1,[{}],{"flux":3},null]})",
-          R"({"moments":3,"days":[4],"total":[]})",
-          R"([[{"organs":[{"flux":{"PAR":{"mean":1}}}]}]])"}) {
+         {R"({"organs":[1,[{}],{"flux":3},null]})", R"({"moments":3,"days":[4],"total":[]})",
+          R"({"moments":{"a":{"organs":[{"flux":{"PAR":{"mean":1}}}]}}})",
+          R"({"points":[[{"organs":[{"flux":{"PAR":{"mean":1}}}]}]]})"}) {
         for (const ResultTime& time : columns_of(text).times) {
             EXPECT_TRUE(time.columns[0].mean.empty()) << text;
         }
