@@ -13,11 +13,18 @@ function(quasimc_fetch_page_packages work ready)
     find_program(QUASIMC_NODE node)
     find_program(QUASIMC_NPM npm)
     mark_as_advanced(QUASIMC_NODE QUASIMC_NPM)
-    if(NOT QUASIMC_BUILD_PAGE OR NOT QUASIMC_NODE OR NOT QUASIMC_NPM)
+    # Source packages of the Python module come without web/.
+    if(NOT QUASIMC_BUILD_PAGE OR NOT QUASIMC_BUILD_APPS OR NOT QUASIMC_NODE OR NOT QUASIMC_NPM
+       OR NOT EXISTS "${PROJECT_SOURCE_DIR}/web/package-lock.json")
         message(STATUS "Page in the browser: not built (needs Node.js and npm)")
         return()
     endif()
+    set(omitted --omit=dev)
+    if(QUASIMC_BUILD_TESTS)
+        set(omitted "") # the tests drive a browser
+    endif()
     file(SHA256 "${PROJECT_SOURCE_DIR}/web/package-lock.json" wanted)
+    string(APPEND wanted "${omitted}")
     set(present "")
     if(EXISTS "${work}/packages.sha256")
         file(READ "${work}/packages.sha256" present)
@@ -29,7 +36,7 @@ function(quasimc_fetch_page_packages work ready)
         endforeach()
         execute_process(
             COMMAND "${QUASIMC_NPM}" ci --ignore-scripts --no-audit --no-fund --prefer-offline
-                    --fetch-retries=0 --fetch-timeout=20000
+                    ${omitted} --fetch-retries=0 --fetch-timeout=20000
             WORKING_DIRECTORY "${work}"
             TIMEOUT 120
             OUTPUT_VARIABLE said
@@ -60,6 +67,10 @@ function(quasimc_page folder files)
     quasimc_fetch_page_packages("${work}" ready)
     if(ready)
         set(target "${work}/dist")
+        set_property(
+            DIRECTORY
+            APPEND
+            PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/web/package-lock.json")
         list(TRANSFORM names PREPEND "${target}/" OUTPUT_VARIABLE outputs)
         file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/web/src/*")
         add_custom_command(
@@ -75,10 +86,6 @@ function(quasimc_page folder files)
             file(WRITE "${output}" "")
         endforeach()
     endif()
-    set_property(
-        DIRECTORY "${PROJECT_SOURCE_DIR}"
-        APPEND
-        PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/web/package-lock.json")
     set(QUASIMC_PAGE_READY ${ready} CACHE INTERNAL "Whether the page is built")
     set(${folder} "${target}" PARENT_SCOPE)
     set(${files} "${outputs}" PARENT_SCOPE)

@@ -55,16 +55,46 @@ void main() {
   result = vec4(shown, 1.0);
 }`;
 
-/** The number of its organ at each corner. */
-function organNumbers(triangles) {
-  const corners = triangles.reduce((sum, count) => sum + 3 * count, 0);
-  const numbers = new Float32Array(corners);
-  let at = 0;
-  triangles.forEach((count, organ) => {
-    numbers.fill(organ, at, at + 3 * count);
-    at += 3 * count;
+/** Whether WebGL is done by the processor: then smooth edges cost more than they are worth. */
+function isSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+/**
+ * Corners that neighbours in the list share are kept once: {places, organs, corners}, of which the
+ * last are three numbers of places a triangle. Only the last few places of an organ are looked at.
+ */
+export function weld(positions, triangles) {
+  const kLast = 8;
+  const places = new Float32Array(positions.length);
+  const organs = new Float32Array(positions.length / 3);
+  const corners = new Uint32Array(positions.length / 3);
+  let corner = 0;
+  let count = 0;
+  triangles.forEach((triangleCount, organ) => {
+    const first = count;
+    for (const end = corner + 3 * triangleCount; corner < end; ++corner) {
+      const [x, y, z] = [positions[3 * corner], positions[3 * corner + 1], positions[3 * corner + 2]];
+      let at = count - 1;
+      const least = Math.max(first, count - kLast);
+      while (at >= least && (places[3 * at] !== x || places[3 * at + 1] !== y || places[3 * at + 2] !== z)) {
+        --at;
+      }
+      if (at < least) {
+        at = count++;
+        places[3 * at] = x;
+        places[3 * at + 1] = y;
+        places[3 * at + 2] = z;
+        organs[at] = organ;
+      }
+      corners[corner] = at;
+    }
   });
-  return numbers;
+  return { places: places.slice(0, 3 * count), organs: organs.slice(0, count), corners };
 }
 
 function letter(text, color) {
@@ -84,8 +114,9 @@ export class SceneWindow {
   constructor(canvas, run) {
     this.canvas = canvas;
     this.run = run;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio || 1));
+    const isSlow = isSoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, alpha: true });
+    this.renderer.setPixelRatio(isSlow ? 1 : Math.min(2, globalThis.devicePixelRatio || 1));
     this.scene = new Scene();
     this.low = new Vector3(...run.json.low);
     this.high = new Vector3(...run.json.high);
@@ -110,8 +141,10 @@ export class SceneWindow {
     this.texels = new Uint8Array(4 * kTextureWidth * rows);
     this.colors = new DataTexture(this.texels, kTextureWidth, rows, RGBAFormat, UnsignedByteType);
     const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(run.positions, 3));
-    geometry.setAttribute("organ", new BufferAttribute(organNumbers(run.json.organs.triangles), 1));
+    const { places, organs, corners } = weld(run.positions, run.json.organs.triangles);
+    geometry.setAttribute("position", new BufferAttribute(places, 3));
+    geometry.setAttribute("organ", new BufferAttribute(organs, 1));
+    geometry.setIndex(new BufferAttribute(corners, 1));
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: kVertexShader,

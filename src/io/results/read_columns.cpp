@@ -66,38 +66,54 @@ class ColumnReader {
         if (name == "points" && levels_.size() == 2) {
             return point_ && index == *point_;
         }
-        if (name != "organs" || !value.is_object()) {
+        if (name != "organs" || !value.is_object() || !is_of_result()) {
             return true;
         }
-        if (ResultTime* time = time_of_list()) {
-            take_organ(value, index, *time);
+        if (is_asked_for()) {
+            take_organ(value, index, time_of_list());
         }
         return false;
     }
 
-    /// The time whose organs are being read; null if they are of another point, or of nothing.
-    ResultTime* time_of_list() {
-        std::size_t first = 0;  // level of the object of the run
-        if (levels_.front().key == "points") {
-            if (!point_ || levels_.size() < 2 || levels_[1].index != *point_) {
-                return nullptr;
-            }
-            first = 2;
+    /// Levels above the object of the run: of a sweep it is an element of a list.
+    [[nodiscard]] std::size_t first_level() const {
+        return levels_.front().key == "points" && levels_.size() > 2 && levels_[1].is_list ? 2 : 0;
+    }
+
+    /// Levels from the object of the run to the one that has the list.
+    [[nodiscard]] std::size_t depth() const { return levels_.size() - 2 - first_level(); }
+
+    /// Whether the list being read is that of a result, of a time, a day or the sum.
+    [[nodiscard]] bool is_of_result() const {
+        const std::string& key = levels_[first_level()].key;
+        switch (depth()) {
+            case 0:
+                return true;
+            case 1:
+                return key == "total";
+            case 2:
+                return (key == "moments" || key == "days") && levels_[first_level() + 1].is_list;
+            default:
+                return false;
         }
+    }
+
+    [[nodiscard]] bool is_asked_for() const {
+        return first_level() == 0 ? !point_ : point_ && levels_[1].index == *point_;
+    }
+
+    /// The time whose organs are being read.
+    ResultTime& time_of_list() {
         ResultTime at;
-        const std::size_t depth = levels_.size() - 2 - first;  // of the object that has the list
-        if (depth > 2) {
-            return nullptr;
-        }
-        if (depth > 0) {
-            at.part = levels_[first].key;
-            at.index = depth == 2 ? levels_[first + 1].index : 0;
+        if (depth() > 0) {
+            at.part = levels_[first_level()].key;
+            at.index = depth() == 2 ? levels_[first_level() + 1].index : 0;
         }
         if (times_.empty() || times_.back().part != at.part || times_.back().index != at.index) {
             at.columns.resize(names_.size());
             times_.push_back(std::move(at));
         }
-        return &times_.back();
+        return times_.back();
     }
 
     void take_organ(const OrderedJson& organ, std::size_t index, ResultTime& time) const {
@@ -200,6 +216,9 @@ ResultColumns read_columns(
         throw InputError(
             {{path, fmt::format("byte {}: not JSON", error.byte),
               "a result that `quasimc run --json` wrote is needed", ""}});
+    }
+    if (!document.is_object()) {
+        throw InputError({{path, "is no result", "", ""}});
     }
     if (point) {
         document = only_point(std::move(document), path);

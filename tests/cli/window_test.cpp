@@ -1,0 +1,73 @@
+// The page in the browser from the command line. What it shows: tests/web. What its server refuses:
+// tests/unit/view/window_test.cpp.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "view/page.h"
+
+namespace quasimc::test {
+namespace {
+
+class WindowCommand : public ProgramTest {
+  protected:
+    void SetUp() override {
+        ProgramTest::SetUp();
+        ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    }
+    void expect_fault(const std::vector<std::string>& arguments, const std::string& text) const {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+    }
+    static bool has_page() { return !embedded_page().script.empty(); }
+};
+
+TEST_F(WindowCommand, SaysThatThereIsNoPage) {
+    if (has_page()) {
+        GTEST_SKIP() << "built with its page";
+    }
+    expect_fault({"report", "out.json", "-o", "p.html"}, "built without its page");
+    expect_fault({"view", "out.json"}, "built without its page");
+}
+
+TEST_F(WindowCommand, WritesReports) {
+    if (!has_page()) {
+        GTEST_SKIP() << "built without its page";
+    }
+    EXPECT_EQ(run({"report", "out.json", "-o", "p.html"}).status, 0);
+    const std::string html = folder_.read("p.html");
+    EXPECT_TRUE(html.starts_with("<!doctype html>"));
+    EXPECT_TRUE(html.ends_with("</html>\n"));
+    EXPECT_EQ(html, run({"report", "out.json", "-o", "-"}).out) << "the same each time";
+    expect_fault({"report", "out.json", "-o", "leaves.tri"}, "leaves.tri");
+    expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
+    expect_fault({"report", "out.json", "-o", "q.html", "--point", "2"}, "--point: there are 1");
+    folder_.write("cut.json", folder_.read("out.json").substr(0, 500));
+    expect_fault({"report", "cut.json", "-o", "q.html"}, "cut.json");
+    EXPECT_EQ(run({"report", "out.json"}).status, 2);
+    folder_.write("leaves.tri", "");
+    expect_fault({"report", "out.json", "-o", "q.html"}, "leaves.tri");
+}
+
+TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
+    if (!has_page()) {
+        GTEST_SKIP() << "built without its page";
+    }
+    // A job of an interactive shell: others ignore SIGINT.
+    const Outcome outcome = shell(
+        "set -m; \"$quasimc\" view out.json >address & "
+        "for i in {1..200}; do [ -s address ] && break; sleep 0.05; done; "
+        "kill -INT $!; wait $!");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string address = folder_.read("address");
+    EXPECT_TRUE(address.starts_with("http://127.0.0.1:")) << address;
+    EXPECT_EQ(address.find('\n'), address.size() - 1) << "printed once";
+    EXPECT_EQ(run({"view", "out.json", "--port", "65536"}).status, 2);
+    expect_fault({"view", "run.toml"}, "run.toml: is no result");
+}
+
+}  // namespace
+}  // namespace quasimc::test
