@@ -22,8 +22,10 @@ namespace quasimc {
 /// What is kept from step to step: the organs, so that a step states what changes alone; the scene,
 /// if no organ changed; the acceleration structure, if no triangle, period or engine changed,
 /// whatever happens to optics, sources and options; the tables of samplers. When some triangle
-/// changed, the scene is put together and the acceleration structure is built anew, both as a
-/// whole, in time in proportion to all triangles.
+/// changed, the scene is put together and the acceleration structure is built anew, both in time in
+/// proportion to all triangles; what takes longest in the former, the search for triangles that lie
+/// on each other, looks at those that changed and what is near them
+/// (docs/develop/decisions/growth-steps.md).
 class GrowthSession {
   public:
     /// @param frame  bands, materials, ground, cell and all that stays; its organs, if any, come
@@ -69,7 +71,8 @@ class GrowthSession {
     std::unordered_map<std::int64_t, std::uint64_t> places_;  // of ids among them
     std::uint64_t next_ = 0;
     std::int64_t largest_id_ = 0;
-    std::shared_ptr<const Scene> scene_;  // none: something changed
+    std::shared_ptr<const Scene> scene_;       // none: something changed
+    std::unique_ptr<KnownOverlaps> overlaps_;  // of the scene before
     std::size_t scene_builds_ = 0;
     Simulator simulator_;
 };

@@ -33,6 +33,7 @@ using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an orga
 using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
 
 class Material;
+class KnownOverlaps;
 class OrganAreas;
 class SceneGeometry;
 struct Coincidences;
@@ -226,6 +227,9 @@ class SceneBuilder {
     /// take. Triangles and organs of no area are allowed: nothing falls on them (see lint). May be
     /// called once; takes time and memory in proportion to the triangles.
     [[nodiscard]] Scene build() &&;
+    /// The same scene, in less time if it differs little from the one before. For the engine.
+    /// @param known  of the scene before, private; or null
+    [[nodiscard]] Scene build_after(KnownOverlaps* known) &&;
 
     /// Whether build_on(scene) gives what build() would with the organs, ground, cell and axes of
     /// `scene`: it has the same bands, and materials of the same names in the same order, of which

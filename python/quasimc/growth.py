@@ -19,7 +19,8 @@ class GrowthSession:
     A step states what changes alone, and its result is bit for bit that of a single run for the
     same organs in the same order. Between steps these are kept: the organs; the scene, if no organ
     changed; the acceleration structure for rays, if no triangle changed. When some triangle changed
-    both are built anew as a whole, in time in proportion to all triangles.
+    both are built anew, in time in proportion to all triangles; triangles that lie on each other,
+    which takes longest to find, are looked for near those that changed.
 
     Parameters
     ----------

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "quasimc/error.h"
+#include "scene/known_overlaps.h"
 
 namespace quasimc {
 namespace {
@@ -17,7 +18,8 @@ InputError no_such_organ(std::int64_t id) {
 
 }  // namespace
 
-GrowthSession::GrowthSession(SceneBuilder frame) : frame_(std::move(frame)) {}
+GrowthSession::GrowthSession(SceneBuilder frame)
+    : frame_(std::move(frame)), overlaps_(std::make_unique<KnownOverlaps>()) {}
 GrowthSession::~GrowthSession() = default;
 GrowthSession::GrowthSession(GrowthSession&& other) noexcept = default;
 GrowthSession& GrowthSession::operator=(GrowthSession&& other) noexcept = default;
@@ -67,7 +69,7 @@ std::shared_ptr<const Scene> GrowthSession::scene() {
         for (const auto& [place, organ] : organs_) {
             builder.add_organ(organ);
         }
-        scene_ = std::make_shared<const Scene>(std::move(builder).build());
+        scene_ = std::make_shared<const Scene>(std::move(builder).build_after(overlaps_.get()));
         ++scene_builds_;
     }
     return scene_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -42,6 +43,13 @@ class Owners {
     [[nodiscard]] std::uint32_t organ(std::uint32_t triangle) const {
         return scene_.regions[region(triangle)].organ.value;
     }
+    /// What tells an organ from the others of this scene and of the one before. The ground, the
+    /// last, has another id as organs come, and is the same all the while.
+    [[nodiscard]] std::int64_t key(std::uint32_t triangle) const {
+        const std::uint32_t number = organ(triangle);
+        return number + 1 == scene_.organs.size() ? std::numeric_limits<std::int64_t>::max()
+                                                  : scene_.organs[number].id;
+    }
 
   private:
     const DraftAssembly& scene_;
@@ -75,18 +83,42 @@ struct FoundCovers {
     bool is_left_out = false, gave_up = false;
 };
 
-FoundCovers find_pairs(const SceneGeometry& scene, const Cell& cell) {
-    if (!cell.periodic() || scene.size() > kMostToCompare) {
-        const Overlaps found = find_overlaps(scene);
+/// @param key_of  what tells the organ of each triangle from others
+template <typename KeyOf>
+Overlaps find_with(
+    KnownOverlaps* known,
+    const std::shared_ptr<const SceneGeometry>& triangles,
+    const KeyOf& key_of) {
+    if (known == nullptr) {
+        return find_overlaps(*triangles);
+    }
+    std::vector<std::int64_t> owners;
+    owners.reserve(triangles->size());
+    for (std::uint32_t i = 0; i < triangles->size(); ++i) {
+        owners.push_back(key_of(i));
+    }
+    return known->find(triangles, owners);
+}
+
+FoundCovers find_pairs(
+    const std::shared_ptr<const SceneGeometry>& scene,
+    const Owners& owners,
+    const Cell& cell,
+    KnownOverlaps* known) {
+    if (!cell.periodic() || scene->size() > kMostToCompare) {
+        const Overlaps found =
+            find_with(known, scene, [&](std::uint32_t i) { return owners.key(i); });
         FoundCovers all{{}, found.is_left_out, found.gave_up};
         for (const Overlap& pair : found.pairs) {
             all.covers.push_back({pair.first, pair.second, {}, pair.is_same});
         }
         return all;
     }
-    const WrappedGeometry wrapped = wrap_into_cell(scene, cell);
-    const Overlaps found = find_overlaps(*wrapped.geometry);
-    return {through_borders(found.pairs, scene, wrapped, cell), found.is_left_out, found.gave_up};
+    const WrappedGeometry wrapped = wrap_into_cell(*scene, cell);
+    const Overlaps found = find_with(known, wrapped.geometry, [&](std::uint32_t i) {
+        return owners.key(wrapped.source_of(i, wrapped.geometry->ranges()));
+    });
+    return {through_borders(found.pairs, *scene, wrapped, cell), found.is_left_out, found.gave_up};
 }
 
 /// Puts that first which comes first in the file; of two images of one triangle, the one further
@@ -356,13 +388,16 @@ Lifts lifts_of_sensors(
 }  // namespace
 
 CutGeometry cut_covered(
-    DraftAssembly& scene, const Cell& cell, const std::vector<Material>& materials) {
+    DraftAssembly& scene,
+    const Cell& cell,
+    const std::vector<Material>& materials,
+    KnownOverlaps* known) {
     CutGeometry result;
     result.geometry =
         std::make_shared<const SceneGeometry>(std::move(scene.mesh), std::move(scene.instances));
     const SceneGeometry& geometry = *result.geometry;
-    FoundCovers found = find_pairs(geometry, cell);
     const Owners owners(scene, geometry);
+    FoundCovers found = find_pairs(result.geometry, owners, cell, known);
     put_in_order(found.covers, owners);
     const auto is_sensor = [&](std::uint32_t triangle) {
         return materials[scene.regions[owners.region(triangle)].material.value].is_transparent();

@@ -9,6 +9,7 @@
 #include "optics/material.h"
 #include "quasimc/scene.h"
 #include "scene/assembly.h"
+#include "scene/known_overlaps.h"
 
 namespace quasimc {
 
@@ -46,7 +47,11 @@ struct CutGeometry {
 /// their areas; Organ::covered_area tells how much was cut away. Sensors, which let light pass,
 /// neither cover nor are covered: where one lies on a surface it is lifted a little to its own
 /// upper side, so that light meets both.
+/// @param known  of the scene before, for one that differs little from it; or null
 [[nodiscard]] CutGeometry cut_covered(
-    DraftAssembly& scene, const Cell& cell, const std::vector<Material>& materials);
+    DraftAssembly& scene,
+    const Cell& cell,
+    const std::vector<Material>& materials,
+    KnownOverlaps* known = nullptr);
 
 }  // namespace quasimc

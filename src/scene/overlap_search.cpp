@@ -16,6 +16,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/checks.h"
 #include "scene/coplanar.h"
 
 namespace quasimc {
@@ -40,15 +41,19 @@ constexpr Vec3 kGeneric{0.3518, 0.7143, 0.6049};
 
 class OverlapSearch {
   public:
-    OverlapSearch(const SceneGeometry& triangles, const Bounds& bounds)
+    OverlapSearch(
+        const SceneGeometry& triangles, const Bounds& bounds, const std::vector<bool>& changed)
         : triangles_(triangles),
+          changed_(changed),
           low_(bounds.low),
           size_(size_of(bounds)),
-          most_comparisons_(1'000'000 + 200 * triangles.size()),
+          most_comparisons_(most_comparisons(triangles.size())),
           passes_(triangles.instances().empty() ? 1 : 8),
-          same_before_(triangles.size()) {}
+          same_before_(triangles.size()) {
+        EXPECT(changed.empty() || passes_ == 1);
+    }
 
-    Overlaps run() {
+    OverlapSearchResult run() {
         for (pass_ = 0; pass_ < passes_; ++pass_) {
             natives_.clear();
             visitors_.clear();
@@ -56,10 +61,16 @@ class OverlapSearch {
             compare_all();
         }
         sort_found();
-        return {std::move(found_), false, comparisons_ > most_comparisons_};
+        const auto most = std::max_element(same_before_.begin(), same_before_.end());
+        return {
+            {std::move(found_), false, comparisons_ > most_comparisons_},
+            comparisons_,
+            most == same_before_.end() ? 0U : *most};
     }
 
   private:
+    [[nodiscard]] bool is_partial() const { return !changed_.empty(); }
+
     void compare_all() {
         std::sort(natives_.begin(), natives_.end());
         std::sort(visitors_.begin(), visitors_.end());
@@ -122,6 +133,13 @@ class OverlapSearch {
                 is_home[static_cast<std::size_t>(level_of[i])] = true;
             }
         }
+        if (is_partial()) {
+            mark_cubes(level_of, is_home);
+            for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
+                enter(i, level, is_native);
+            });
+            return;
+        }
         // What is entered is counted first: growing lists would take several times the memory.
         std::size_t natives = 0, visitors = 0;
         for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
@@ -142,51 +160,94 @@ class OverlapSearch {
         });
     }
 
+    /// Marks the cubes of the triangles that changed: what is in no such cube need not be entered.
+    void mark_cubes(
+        std::span<const std::int16_t> level_of, const std::array<bool, kLevels>& is_home) {
+        marked_.assign(std::size_t{1} << kMarkBits, false);
+        for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool) {
+            if (changed_[i]) {
+                for_each_cube(cubes_at(i, level), level, [&](std::uint64_t cube) {
+                    marked_[mark_of(cube)] = true;
+                    return true;
+                });
+            }
+        });
+    }
+    static constexpr int kMarkBits = 20;
+    /// Where a cube is marked; cubes may share a place.
+    static std::uint64_t mark_of(std::uint64_t cube) {
+        return (cube * 0x9e3779b97f4a7c15U) >> (64 - kMarkBits);
+    }
+    [[nodiscard]] bool is_marked(std::uint64_t cube) const {
+        return !is_partial() || marked_[mark_of(cube)];
+    }
+
     /// Spreads the numbers of cubes evenly.
     static std::uint64_t mixed(std::uint64_t cube) { return (cube * 0x9e3779b97f4a7c15U) >> 40; }
 
-    /// How many cubes of a level a triangle's bounds reach into.
-    [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
+    /// The cubes of a level that a triangle's bounds reach into: the first, and how many along each
+    /// axis.
+    struct Cubes {
+        std::array<std::uint64_t, 3> first, count;
+    };
+    [[nodiscard]] Cubes cubes_at(std::uint32_t i, int level) const {
         const Bounds bounds = bounds_of(triangles_[i]);
         const double blur = thickness(size_of(bounds));
-        const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
-        const auto along = [&](double from, double to) {
-            return static_cast<std::uint64_t>((to + blur) * cubes) + 1 -
-                   static_cast<std::uint64_t>(std::max(0.0, (from - blur) * cubes));
-        };
+        const double per_length = std::ldexp(1.0, 2 * level) / size_;
         const Vec3 low = bounds.low - low_;
         const Vec3 high = bounds.high - low_;
-        return along(low.x, high.x) * along(low.y, high.y) * along(low.z, high.z);
+        const auto first = [&](double p) {
+            return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * per_length));
+        };
+        const auto count = [&](double from, double to) {
+            return static_cast<std::uint64_t>((to + blur) * per_length) + 1 - first(from);
+        };
+        return {
+            {first(low.x), first(low.y), first(low.z)},
+            {count(low.x, high.x), count(low.y, high.y), count(low.z, high.z)}};
+    }
+    /// How many they are.
+    [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
+        const Cubes cubes = cubes_at(i, level);
+        return cubes.count[0] * cubes.count[1] * cubes.count[2];
+    }
+    /// Calls visit(number of the cube) for each, as long as it returns true.
+    template <typename Visit>
+    static void for_each_cube(const Cubes& cubes, int level, const Visit& visit) {
+        const auto& [first, count] = cubes;
+        for (std::uint64_t n = 0; n < count[0] * count[1] * count[2]; ++n) {
+            auto cube = static_cast<std::uint64_t>(level);
+            cube = cube << 20 | (first[0] + n % count[0]);
+            cube = cube << 20 | (first[1] + n / count[0] % count[1]);
+            cube = cube << 20 | (first[2] + n / count[0] / count[1]);
+            if (!visit(cube)) {
+                return;
+            }
+        }
     }
 
     void enter(std::uint32_t i, int level, bool is_native) {
+        const Cubes cubes = cubes_at(i, level);
+        bool is_wanted = false;
+        for_each_cube(cubes, level, [&](std::uint64_t cube) {
+            is_wanted = is_marked(cube);
+            return !is_wanted;
+        });
+        if (!is_wanted) {
+            return;
+        }
         const Triangle t = triangles_[i];
-        const Bounds bounds = bounds_of(t);
-        const double blur = thickness(size_of(bounds));
-        const double cubes = std::ldexp(1.0, 2 * level) / size_;  // per unit of length
-        const auto first_cube = [&](double p) {
-            return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * cubes));
-        };
-        const auto cubes_along = [&](double from, double to) {
-            return static_cast<std::uint64_t>((to + blur) * cubes) + 1 - first_cube(from);
-        };
-        const Vec3 low = bounds.low - low_;
-        const Vec3 high = bounds.high - low_;
-        const std::uint64_t nx = cubes_along(low.x, high.x);
-        const std::uint64_t ny = cubes_along(low.y, high.y);
-        const std::uint64_t nz = cubes_along(low.z, high.z);
+        const double blur = thickness(size_of(bounds_of(t)));
         Entry entry{0, 0, 0, i};
         entry.facing = static_cast<float>(std::abs(dot(normalized(area_vector(t)), kGeneric)));
         entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
-        for (std::uint64_t n = 0; n < nx * ny * nz; ++n) {
-            entry.cube = static_cast<std::uint64_t>(level);
-            entry.cube = entry.cube << 20 | (first_cube(low.x) + n % nx);
-            entry.cube = entry.cube << 20 | (first_cube(low.y) + n / nx % ny);
-            entry.cube = entry.cube << 20 | (first_cube(low.z) + n / nx / ny);
-            if (passes_ == 1 || mixed(entry.cube) % passes_ == pass_) {
+        for_each_cube(cubes, level, [&](std::uint64_t cube) {
+            entry.cube = cube;
+            if ((passes_ == 1 || mixed(cube) % passes_ == pass_) && is_marked(cube)) {
                 (is_native ? natives_ : visitors_).push_back(entry);
             }
-        }
+            return true;
+        });
     }
 
     /// Looks among the triangles at home in a cube for those that `entry` lies on.
@@ -201,7 +262,8 @@ class OverlapSearch {
             if (is_piled(entry)) {
                 return;
             }
-            if (other->triangle == entry.triangle || is_piled(*other)) {
+            if (other->triangle == entry.triangle || is_piled(*other) ||
+                !is_asked_for(entry, *other)) {
                 continue;
             }
             if (++comparisons_ > most_comparisons_) {
@@ -224,8 +286,11 @@ class OverlapSearch {
     /// Whether a triangle is known to be the same as so many before it that nothing is learnt from
     /// the others.
     [[nodiscard]] bool is_piled(const Entry& entry) const {
-        constexpr std::uint8_t kPile = 64;
-        return same_before_[entry.triangle] >= kPile;
+        return same_before_[entry.triangle] >= kPileOfTriangles;
+    }
+
+    [[nodiscard]] bool is_asked_for(const Entry& a, const Entry& b) const {
+        return !is_partial() || changed_[a.triangle] || changed_[b.triangle];
     }
 
     /// Of two triangles at home on one level; either of two equal ones.
@@ -234,11 +299,11 @@ class OverlapSearch {
         return area(a) <= (1 + kRounding) * area(b);
     }
 
-    /// Triangles meet in several cubes.
+    /// Triangles meet in several cubes. They are the same if they were found to be so once.
     void sort_found() {
         const auto key = [](const Overlap& o) { return std::tie(o.first, o.second); };
         std::sort(found_.begin(), found_.end(), [&](const Overlap& a, const Overlap& b) {
-            return key(a) < key(b);
+            return key(a) != key(b) ? key(a) < key(b) : a.is_same && !b.is_same;
         });
         const auto end = std::unique(
             found_.begin(), found_.end(),
@@ -260,6 +325,8 @@ class OverlapSearch {
         1e-3;  // of the smaller triangle; less is rounding at an edge
 
     const SceneGeometry& triangles_;
+    const std::vector<bool>& changed_;
+    std::vector<bool> marked_;  // cubes, by mark_of()
     Vec3 low_;
     double size_;
     std::size_t most_comparisons_;
@@ -284,7 +351,18 @@ Overlaps find_overlaps(const SceneGeometry& triangles) {
     if (triangles.size() > kMostToCompare) {
         return {.pairs = {}, .is_left_out = true};
     }
-    return OverlapSearch(triangles, bounds_of(triangles)).run();
+    return search_overlaps(triangles).overlaps;
+}
+
+std::size_t most_comparisons(std::size_t triangles) {
+    return 1'000'000 + 200 * triangles;
+}
+
+OverlapSearchResult search_overlaps(
+    const SceneGeometry& triangles, const std::vector<bool>& changed) {
+    EXPECT(triangles.size() <= kMostToCompare);
+    EXPECT(changed.empty() || changed.size() == triangles.size());
+    return OverlapSearch(triangles, bounds_of(triangles), changed).run();
 }
 
 }  // namespace quasimc

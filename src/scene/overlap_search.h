@@ -31,4 +31,23 @@ inline constexpr std::size_t kMostToCompare = 3'000'000;
 /// thousandth of the smaller one is covered. Takes some n log n comparisons.
 [[nodiscard]] Overlaps find_overlaps(const SceneGeometry& triangles);
 
+/// What a search found, and how much work it was.
+struct OverlapSearchResult {
+    Overlaps overlaps;
+    std::size_t comparisons = 0;
+    /// How often a triangle was found to be the same as one before it, at most.
+    std::uint32_t most_same = 0;
+};
+
+/// As find_overlaps, which goes no further once it has compared that many pairs, or knows a
+/// triangle to be the same as that many before it: it then depends on the order of the search.
+[[nodiscard]] std::size_t most_comparisons(std::size_t triangles);
+inline constexpr std::uint32_t kPileOfTriangles = 64;
+
+/// As find_overlaps, with the work; at most kMostToCompare triangles.
+/// @param changed  of each triangle; if not empty, only pairs are looked for of which one changed.
+///        There are no instances then
+[[nodiscard]] OverlapSearchResult search_overlaps(
+    const SceneGeometry& triangles, const std::vector<bool>& changed = {});
+
 }  // namespace quasimc

@@ -82,6 +82,10 @@ void SceneBuilder::set_cell(const Cell& cell) {
 }
 
 Scene SceneBuilder::build() && {
+    return std::move(*this).build_after(nullptr);
+}
+
+Scene SceneBuilder::build_after(KnownOverlaps* known) && {
     SceneDraft& draft = *draft_;
     Faults faults;
     OrganFaults organ_faults(faults);
@@ -123,7 +127,7 @@ Scene SceneBuilder::build() && {
         scene.materials_.push_back(make_material(material, bands_.size()));
     }
     DraftAssembly assembly = assemble(std::move(draft), materials);
-    CutGeometry cut = cut_covered(assembly, cell_, scene.materials_);
+    CutGeometry cut = cut_covered(assembly, cell_, scene.materials_, known);
     scene.geometry_ = std::move(cut.geometry);
     scene.coincidences_ = std::make_shared<const Coincidences>(std::move(cut.coincidences));
     scene.organs_ = std::move(assembly.organs);
