@@ -17,7 +17,7 @@ constexpr double kFewestPerPatch = 3;
 constexpr double kMostPatches = 1 << 21;
 /// A direction meets so many of all patches, until there are as many directions as there may be.
 constexpr double kPatchesPerDirection = 0.4;
-constexpr double kFewestInGroup = 16, kMostInGroup = 4096;
+constexpr double kFewestInGroup = 8, kMostInGroup = 4096;
 /// Of the mean albedo, what goes on to the next order: the rest escapes.
 constexpr double kCaught = 0.75;
 

@@ -240,5 +240,46 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
     EXPECT_NEAR(told.mean - told.low, half, 1e-9 * told.mean);
 }
 
+class BundleCoverage : public ::testing::TestWithParam<std::uint64_t> {};
+
+/// The truth is that of another method. Intervals that hold the patches' error err on the safe
+/// side.
+TEST_P(BundleCoverage, NinetyFivePercentIntervalsHoldTheTruthAtLeastThatOften) {
+    const Scene scene = make_stand();
+    const Sources sources{sun(35, {1, 1}), sky({1, 1})};
+    RunSpec truth_spec = spec_of(Method::first_hits, 1 << 18);
+    truth_spec.seed = 12345;
+    const Result truth = run(scene, sources, truth_spec);
+    RunSpec trial = bundles(GetParam());
+    trial.replicates = 8;
+    constexpr std::uint64_t kSeeds = 100;
+    for (std::size_t band = 0; band < 2; ++band) {
+        int right = 0, all_right = 0;
+        for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+            trial.seed = seed;
+            const Result result = run(scene, sources, trial);
+            const auto holds = [](const Estimate& e, const Estimate& true_one) {
+                return e.low <= true_one.mean && true_one.mean <= e.high ? 1 : 0;
+            };
+            for (std::size_t organ = 0; organ < result.organs(); ++organ) {
+                right += holds(
+                    result.at(organ, Quantity::absorbed_flux, band),
+                    truth.at(organ, Quantity::absorbed_flux, band));
+            }
+            all_right += holds(
+                result.budget[band].absorbed_by_organs, truth.budget[band].absorbed_by_organs);
+        }
+        const double organs = static_cast<double>(kSeeds * truth.organs());
+        EXPECT_GT(right, .93 * organs) << "band " << band;
+        EXPECT_LT(right, .999 * organs) << "band " << band;
+        EXPECT_GE(all_right, 87) << "band " << band;
+        RecordProperty("band " + std::to_string(band), std::to_string(right / organs));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, BundleCoverage, ::testing::Values(256, 4096), [](const auto& paths) {
+    return std::to_string(paths.param) + "_paths";
+});
+
 }  // namespace
 }  // namespace quasimc::test
