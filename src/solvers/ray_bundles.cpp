@@ -19,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include "base/memory_need.h"
 #include "base/stop.h"
 #include "samplers/hash.h"
 #include "solvers/block_runner.h"
@@ -78,7 +79,7 @@ class RayBundles final : public Solver {
 
     void solve_replicate(const DirectOnPatches::Task& task, Scratch& scratch, Tally& tally) const {
         if (!scratch.light) {
-            scratch.light = std::make_unique<PatchLight>(patches_);
+            scratch.light = make_light();
             scratch.exchange = std::make_unique<BundleExchange>(patches_, beams_.scene());
         }
         PatchLight& light = *scratch.light;
@@ -107,6 +108,15 @@ class RayBundles final : public Solver {
         }
         add_sums(light, flow, tally);
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));
+    }
+
+    [[nodiscard]] std::unique_ptr<PatchLight> make_light() const {
+        const std::size_t patches = patches_.patches.count();
+        constexpr double kBytesEach = 64;
+        return make_big(
+            fmt::format("the light of {} patches in {} bands", patches, prepared_.bands()),
+            kBytesEach * static_cast<double>(patches * prepared_.bands()),
+            [&] { return std::make_unique<PatchLight>(patches_); });
     }
 
     /// Whether light is not sent on any more that was scattered `order` times.

@@ -222,7 +222,9 @@ INSTANTIATE_TEST_SUITE_P(
         MediumAndWay{kSkyLai1, Method::first_hits},
         MediumAndWay{kSunLai3, Method::from_organs},
         MediumAndWay{kSkyLai1, Method::from_organs},
-        MediumAndWay{kSkyLai3, Method::from_organs}),
+        MediumAndWay{kSkyLai3, Method::from_organs},
+        MediumAndWay{kSunLai3, Method::ray_bundles},
+        MediumAndWay{kSkyLai3, Method::ray_bundles}),
     name_of_medium);
 
 /// rho + tau = 1 and a white soil: nothing is absorbed, all goes back.

@@ -1,6 +1,9 @@
 #include "io/results/read_columns.h"
 
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
