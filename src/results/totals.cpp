@@ -1,7 +1,6 @@
 #include "results/totals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace quasimc {
@@ -31,21 +30,14 @@ struct TotalFind {
     SingleFind organs, ground;
 };
 
-/// Of points of organs, each of which looks for light of its own organ: the most that one brings.
-/// Of light from its sources, of which each organ may lack a find: of all of them.
+/// The largest find of an organ: with many finds the replicates tell what the others leave open.
 TotalFind total_find(
     const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, std::size_t band) {
-    const bool by_points = sums.layout.unoccluded_light == UnoccludedLight::summed;
-    const auto together = [&](double a, double b) {
-        return by_points ? std::max(a, b) : std::hypot(a, b);
-    };
     TotalFind total;
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const SingleFind& own = finds[i * sums.layout.bands + band];
-        SingleFind& sum = scene.organs()[i].is_ground ? total.ground : total.organs;
-        if (own.more > 0 || own.less > 0) {
-            sum = {together(sum.more, own.more), together(sum.less, own.less)};
-        }
+        SingleFind& largest = scene.organs()[i].is_ground ? total.ground : total.organs;
+        largest = {std::max(largest.more, own.more), std::max(largest.less, own.less)};
     }
     return total;
 }

@@ -142,8 +142,8 @@ const std::vector<BadInput> kBadScenes{
     {"FileIsADevice", kFile, "file = \"/dev/zero\"\nformat = \"tri\"",
      "can't be read (it is a device)"},
     {"FileWithNul", kFile, "file = \"a\\u0000.tri\"", "geometry"},
-    {"FileOfUnknownFormat", kFile, "file = \"leaves.stl\"",
-     "the format of 'leaves.stl' can't be told"},
+    {"FileOfUnknownFormat", kFile, "file = \"leaves.xyz\"",
+     "the format of 'leaves.xyz' can't be told"},
     {"FileIsTheRunFile", kFile, "file = \"run.toml\"\nformat = \"obj\"",
      "run.toml:1: 'format' is no statement of OBJ"},
 };

@@ -74,6 +74,9 @@ class SlowSource final : public Source {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return source_->radiance(to_light);
     }
+    [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
+        return source_->most_irradiance(normal);
+    }
 
   private:
     std::shared_ptr<const Source> source_;

@@ -321,8 +321,8 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
          "file 'none.tri' can't be read (No such file or directory)"},
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
          "the format of 'a.dat' can't be told from its name (the formats that are read are tri, "
-         "obj, ply)"},
-        {"file = 'a.tri'\nformat = 'stl'\nmaterial = 'leaf'\n", "format is 'stl'"},
+         "obj, ply, stl, can, opf, fasttracer, def)"},
+        {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format is 'xyz'"},
         {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},
         {"file = 'a.tri'\nmaterial = 3\n", "material is an integer"},

@@ -178,7 +178,9 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
         builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
         builder.add_organ(
             organ("steep", "leaf", {make_triangle({-.5, 0, .5}, {.5, 0, .5}, {0, .1, 1.49})}));
-        RunSpec spec = spec_of(Method::light_tracing, 16);
+        // So large that the bound of none is less than all of the leaf.
+        builder.add_organ(organ("roof", "leaf", floor_of(-.6, .2, -1, 1, 2)));
+        RunSpec spec = spec_of(Method::light_tracing, 64);
         spec.replicates = 4;
         spec.seed = seed;
         const Estimate lit =
