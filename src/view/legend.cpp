@@ -45,7 +45,9 @@ void draw_bar(
     for (int i = 0; i < steps; ++i) {
         const double part = 1 - (i + 0.5) / steps;
         // Each reaches under the next one, so that no seam shows between them.
-        canvas.rectangle({corner.x, corner.y + i}, kBarWidth * s, i + 1 < steps ? 2 : 1, color_at(*legend.map, part));
+        canvas.rectangle(
+            {corner.x, corner.y + i}, kBarWidth * s, i + 1 < steps ? 2 : 1,
+            color_at(*legend.map, part));
     }
     const double bar = corner.x + kBarWidth * s;
     if (legend.is_exceeded) {
