@@ -52,7 +52,7 @@ struct SeriesEvents {
     /// As RunControl::checkpoint; moments have their numbers in the series.
     const RunCheckpoint* checkpoint = nullptr;
     const RunTeam* team = nullptr;  ///< as RunControl::team
-    bool wants_total = true;  ///< whether SeriesSummary::total is computed
+    bool wants_total = true;        ///< whether SeriesSummary::total is computed
 };
 
 /// What is known of a series at its end.

@@ -9,7 +9,8 @@
 
 namespace quasimc {
 
-/// A run and its result in the form that the page in the browser takes (docs/develop/decisions/window-server.md).
+/// A run and its result in the form that the page in the browser takes
+/// (docs/develop/decisions/window-server.md).
 struct WindowData {
     std::string json;  ///< names, units, times, and what the result says beside its organs
     /// Corners of triangles, those of one organ together: three numbers in single precision each,

@@ -76,7 +76,12 @@ TEST(Formats, ThoseWithGroupsReadBackOrgansAndMaterials) {
 
 TEST(Formats, OneWithoutAWriterSaysSo) {
     const FormatEntry reader_only{
-        .name = "scan", .extensions = ".scan", .summary = "", .organs = "one", .keeps = "", .read = read_tri};
+        .name = "scan",
+        .extensions = ".scan",
+        .summary = "",
+        .organs = "one",
+        .keeps = "",
+        .read = read_tri};
     const Scene scene = read_text(scene_text()).scene;
     try {
         (void)written(reader_only, scene);
