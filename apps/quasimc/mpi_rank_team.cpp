@@ -51,7 +51,7 @@ const QuasimcRanks& load_ranks() {
             module != nullptr ? module : ::dlopen((folder / place).c_str(), RTLD_NOW | RTLD_GLOBAL);
     }
     if (module == nullptr) {
-        refuse_mpi(::dlerror());
+        refuse_mpi(::dlerror());  // NOLINT(concurrency-mt-unsafe): one thread so far
     }
     using Start = const QuasimcRanks* (*)();
     const auto start = reinterpret_cast<Start>(::dlsym(module, "quasimc_ranks"));
