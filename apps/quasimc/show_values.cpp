@@ -47,6 +47,7 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
                              });
     if (found == bands.end()) {
         std::vector<std::string> names;
+        names.reserve(bands.size());
         for (const quasimc::Band& band : bands) {
             names.push_back(band.name);
         }

@@ -55,6 +55,7 @@ void quasimc_growth_free(quasimc_growth* growth) {
     delete growth;  // NOLINT: a handle
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
 int quasimc_growth_add_mesh(
     quasimc_growth* growth,
     const double* vertices,
@@ -73,6 +74,7 @@ int quasimc_growth_add_mesh(
         });
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
 int quasimc_growth_change_mesh(
     quasimc_growth* growth,
     const double* vertices,

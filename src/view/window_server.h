@@ -23,7 +23,8 @@ class WindowServer {
     /// @throws InputError  if the port can't be had
     WindowServer(WindowSite site, int port, const ServerLimits& limits = {});
     ~WindowServer();
-    WindowServer(WindowServer&&) = delete;
+    WindowServer(const WindowServer&) = delete;
+    WindowServer& operator=(const WindowServer&) = delete;
 
     [[nodiscard]] std::string address() const;
     /// Serves until asked to stop, which is looked at some times a second.
