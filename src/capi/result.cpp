@@ -99,6 +99,7 @@ Column column_of(
     return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
 void copy_column(
     const quasimc_result& result,
     const Rows& rows,

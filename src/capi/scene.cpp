@@ -85,6 +85,7 @@ int quasimc_scene_add_material(
     });
 }
 
+// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
 int quasimc_scene_add_mesh(
     quasimc_scene* scene,
     const double* vertices,

@@ -18,7 +18,8 @@ std::pair<double, double> center_of(int level, std::uint32_t part) {
         ++row;
     }
     const double third = (part % 2 == 0 ? 1 : 2) / 3.0;
-    return {(part / 2 + third) / n, (row + third) / n};
+    const std::uint32_t column = part / 2;
+    return {(column + third) / n, (row + third) / n};
 }
 
 /// Adds where a coordinate that goes from a to b passes whole numbers, as parts of the way.

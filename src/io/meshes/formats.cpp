@@ -21,6 +21,7 @@ namespace quasimc {
 
 // (tools/new.py declares a format above this line)
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::span<const FormatEntry> format_table() {
     static constexpr std::array kTable{
         FormatEntry{
