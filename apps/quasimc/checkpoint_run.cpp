@@ -32,17 +32,30 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
     hooks_.state_of = [this](std::size_t moment) {
         return file_->state_of(moments_before_ + moment);
     };
-    hooks_.is_due = [this] { return file_->is_due(); };
+    hooks_.is_due = [this] { return faults_.empty() && file_->is_due(); };
     hooks_.save = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
-        file_->save(moments_before_ + moment, state);
+        attempt([&] { file_->save(moments_before_ + moment, state); });
     };
     hooks_.finish = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
-        file_->finish(moments_before_ + moment, state);
+        attempt([&] { file_->finish(moments_before_ + moment, state); });
     };
+}
+
+template <typename Save>
+void CheckpointRun::attempt(const Save& save) {
+    if (!faults_.empty()) {
+        return;
+    }
+    try {
+        save();
+    } catch (const quasimc::InputError& error) {
+        faults_.add(error);
+        std::fprintf(stderr, "warning: %s\nThe run goes on without a checkpoint.\n", error.what());
+    }
 }
 
 void CheckpointRun::flush() {
     if (file_) {
-        file_->flush();
+        attempt([this] { file_->flush(); });
     }
 }

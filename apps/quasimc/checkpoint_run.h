@@ -21,9 +21,16 @@ class CheckpointRun {
     [[nodiscard]] const quasimc::RunCheckpoint* hooks() const { return file_ ? &hooks_ : nullptr; }
     /// Saves what was not saved yet.
     void flush();
+    /// @throws quasimc::InputError  if the checkpoint could not be saved: the run went on without
+    void throw_if_given_up() const { faults_.throw_if_any(); }
 
   private:
+    /// Saves, or gives saving up for this run: what it computes is not lost for want of room.
+    template <typename Save>
+    void attempt(const Save& save);
+
     std::optional<quasimc::CheckpointFile> file_;
+    quasimc::Faults faults_;
     std::size_t moments_before_ = 0;
     quasimc::RunCheckpoint hooks_;
 };

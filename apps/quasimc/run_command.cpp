@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <functional>
@@ -150,6 +151,7 @@ class SweepRun {
     [[nodiscard]] const quasimc::SeriesSummary& last() const { return last_; }
     [[nodiscard]] const quasimc::RunFile& file() const { return *run_; }
     [[nodiscard]] RunWriters& writers() { return writers_; }
+    [[nodiscard]] const CheckpointRun& checkpoint() const { return checkpoint_; }
 
   private:
     [[nodiscard]] std::unique_ptr<quasimc::RunFile> next_file(std::size_t point) {
@@ -295,6 +297,7 @@ Exit run(
                              : fmt::format("{:<10}{}\n", "repeated", repetition.verdict));
     }
     sweep.writers().throw_if_given_up();
+    sweep.checkpoint().throw_if_given_up();
     if (repetition.has_failed) {
         throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
     }
@@ -356,6 +359,12 @@ void check_usage(const RunArguments& arguments) {
     if (arguments.checkpoint.empty() &&
         (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
         throw UsageError("--every and --resume: are of a --checkpoint");
+    }
+    if (arguments.checkpoint == "-") {
+        throw UsageError("--checkpoint: is a file, not standard output");
+    }
+    if (std::isnan(arguments.every)) {
+        throw UsageError("--every: nan is no time");
     }
     for (const auto& [flag, path] : outputs_of(arguments)) {
         if (!arguments.part.empty() && !path->empty()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +23,36 @@ std::vector<quasimc::InputFile> inputs_of(
     std::for_each(arguments.parts.begin(), arguments.parts.end(), add);
     return inputs;
 }
+
+namespace {
+
+/// No output may be one of the two files of a checkpoint, which need not be there yet.
+void refuse_checkpoint(
+    const std::string& checkpoint, const std::vector<quasimc::OutputPath>& outputs) {
+    namespace fs = std::filesystem;
+    if (checkpoint.empty()) {
+        return;
+    }
+    quasimc::Faults faults;
+    const auto name_of = [](const std::string& path) {
+        std::error_code error;
+        const fs::path name = fs::weakly_canonical(path, error);
+        return error ? fs::absolute(path) : name;
+    };
+    for (const quasimc::OutputPath& output : outputs) {
+        const bool is_one =
+            output.path != "-" && (name_of(output.path) == name_of(checkpoint) ||
+                                   name_of(output.path) == name_of(checkpoint + ".done"));
+        if (is_one) {
+            faults.add(
+                {output.place, output.path + " is a file of the checkpoint", "",
+                 "name another file"});
+        }
+    }
+    faults.throw_if_any();
+}
+
+}  // namespace
 
 /// Paths on the command line count from the current folder, and go before those of the run file.
 RunWriters::Asked RunWriters::asked_outputs(
@@ -45,6 +76,7 @@ RunWriters::Asked RunWriters::asked_outputs(
     ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
     ask(kPicture, "picture", arguments.picture, run.output.picture);
     ask(kJson, "json", arguments.json, run.output.json);
+    refuse_checkpoint(arguments.checkpoint, asked.paths);
     return asked;
 }
 

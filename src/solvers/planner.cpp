@@ -227,7 +227,10 @@ constexpr std::size_t kMostForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     if (spec.method != Method::automatic) {
-        return {spec.method, "asked for"};
+        return {
+            spec.method, spec.method == Method::ray_bundles
+                             ? "asked for; its errors leave out what surfaces that cross make"
+                             : "asked for"};
     }
     const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;

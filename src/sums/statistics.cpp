@@ -87,8 +87,9 @@ Estimate not_above(const Estimate& e, double most) {
     if (most == 0 && e.mean == 0) {
         return {};
     }
-    const auto limited = [&](double end) { return end > most ? most : end; };
-    return {e.mean, e.standard_error, limited(e.low), limited(e.high)};
+    // All of the interval above the limit: it missed. What can be has its width below the limit.
+    const double low = e.low > most ? std::max(0.0, most - (e.mean - e.low)) : e.low;
+    return {e.mean, e.standard_error, low, e.high > most ? most : e.high};
 }
 
 Estimate estimate_mean(std::span<const double> values) {

@@ -21,9 +21,9 @@ namespace quasimc {
 [[nodiscard]] Estimate not_negative(const Estimate& e);
 
 /// The estimate of an amount that can't be above `most`: of its interval what is not, which holds
-/// the truth as often as all of it; of one that lies above throughout the limit itself. The mean
-/// stays what it is, and may lie above by chance, or it would be biased. Where nothing can be, 0 is
-/// certain.
+/// the truth as often as all of it. One that lies above throughout has missed: in its place one
+/// that ends at the limit and begins by the lower half of its width below. The mean stays what it
+/// is, and may lie above by chance, or it would be biased. Where nothing can be, 0 is certain.
 [[nodiscard]] Estimate not_above(const Estimate& e, double most);
 
 /// An amount of which nothing was seen in `events` independent tries, each of which could have

@@ -147,5 +147,37 @@ TEST_P(LongCheckpointTest, LosesNothingAtFiftyKills) {
 
 INSTANTIATE_TEST_SUITE_P(Long, LongCheckpointTest, ::testing::Values(50));
 
+TEST_F(CheckpointTest, IsNoOutput) {
+    for (const char* output : {"--csv c", "--json ./c", "--csv c.done"}) {
+        const Outcome outcome =
+            shell(std::string("\"$quasimc\" run run.toml --checkpoint c ") + output);
+        EXPECT_EQ(outcome.status, 1) << output;
+        EXPECT_NE(outcome.err.find("is a file of the checkpoint"), std::string::npos)
+            << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c")) << output;
+    }
+    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "-"}).status, 2);
+    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--every", "nan"}).status, 2);
+}
+
+TEST_F(CheckpointTest, ThatHasNoRoomCostsNoResult) {
+    ASSERT_EQ(
+        shell("\"$quasimc\" run day.toml --csv whole.csv --checkpoint c --every 0 --quiet").status,
+        0);
+    const auto saved = std::filesystem::file_size(folder_.path() / "c.done");
+    const auto table = std::filesystem::file_size(folder_.path() / "whole.csv");
+    ASSERT_GT(saved, table + 2048) << "there is a limit between them";
+    std::filesystem::remove(folder_.path() / "c");
+    std::filesystem::remove(folder_.path() / "c.done");
+    folder_.write("day.toml", replaced(folder_.read("day.toml"), "json = \"out.json\"\n", ""));
+    const Outcome outcome = shell(
+        "ulimit -f " + std::to_string((table + 1023) / 1024 + 1) +
+        "; \"$quasimc\" run day.toml --csv out.csv --checkpoint c --every 0");
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find("The run goes on without a checkpoint."), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(table_rows(folder_.read("out.csv")), table_rows(folder_.read("whole.csv")));
+}
+
 }  // namespace
 }  // namespace quasimc::test

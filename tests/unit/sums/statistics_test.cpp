@@ -54,6 +54,19 @@ TEST(EstimateFinds, KeepsTheMeanAndAddsOneFindToTheVariance) {
 }
 
 /// Of what can't be negative: the mean and its error as they are, of the interval what is not.
+TEST(NotAbove, LeavesOutWhatCantBe) {
+    const Estimate cut = not_above({4, 1, 2, 6}, 5);
+    EXPECT_EQ(cut.mean, 4);
+    EXPECT_EQ(cut.low, 2);
+    EXPECT_EQ(cut.high, 5);
+    const Estimate missed = not_above({8, 1, 6, 10}, 5);
+    EXPECT_EQ(missed.mean, 8);
+    EXPECT_EQ(missed.low, 3) << "as wide below the limit as it was below the mean";
+    EXPECT_EQ(missed.high, 5);
+    EXPECT_EQ(not_above({8, 5, 1, 15}, .5).low, 0);
+    EXPECT_EQ(not_above({0, 1, 0, 3}, 0).high, 0);
+}
+
 TEST(NotNegative, LeavesOutWhatCantBe) {
     const Estimate e = not_negative({1, 2, -3, 5});
     EXPECT_EQ(e.mean, 1);
