@@ -36,7 +36,7 @@ void refuse_checkpoint(
     quasimc::Faults faults;
     const auto name_of = [](const std::string& path) {
         std::error_code error;
-        const fs::path name = fs::weakly_canonical(path, error);
+        const fs::path name = fs::weakly_canonical(fs::absolute(path), error);
         return error ? fs::absolute(path) : name;
     };
     for (const quasimc::OutputPath& output : outputs) {
