@@ -199,6 +199,7 @@ WindowData make_window_data(
     const Scene& scene = run.scene;
     const std::vector<ColumnKind> kinds = column_kinds(run);
     std::vector<std::vector<std::string>> names;
+    names.reserve(kinds.size());
     for (const ColumnKind& kind : kinds) {
         names.push_back(kind.path);
     }
