@@ -39,7 +39,7 @@ class AppendedArrays {
     /// The element of an array of `bytes` bytes.
     std::string element(
         std::string_view type, const std::string& name, int components, std::uint64_t bytes) {
-        const std::string text = fmt::format(
+        std::string text = fmt::format(
             "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
             "offset=\"{}\"/>\n",
             type, xml_escaped(name), components, offset_);

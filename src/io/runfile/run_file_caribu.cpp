@@ -106,6 +106,7 @@ void add_lights(
         }
         const Vec3 travel = normalized(inward / size);
         std::vector<double> facing;
+        facing.reserve(irradiances.size());
         for (const double irradiance : irradiances) {
             facing.push_back(irradiance * lights[i].irradiance / -travel.z);
         }
