@@ -47,6 +47,16 @@ void add_errors_of_escaped(
     }
 }
 
+/// Adds the bins of a block to those of another one of the same shape.
+void copy_block(
+    const ExactBins& from, const SumBlock& block, const SumBlock& target, ExactBins& to) {
+    for (std::size_t row = 0; row < target.rows; ++row) {
+        for (std::size_t column = 0; column < target.columns; ++column) {
+            to.add(target.bin(row, column), from.steps(block.bin(row, column)));
+        }
+    }
+}
+
 }  // namespace
 
 Sums coarser_sums(const Sums& sums) {
@@ -56,13 +66,7 @@ Sums coarser_sums(const Sums& sums) {
     for (std::size_t r = 0; r < sums.replicates.size(); ++r) {
         ExactBins bins(coarse.layout.bins());
         for (const SumBlock& block : coarse.layout.blocks()) {
-            const SumBlock other = coarse_block(from, block.name);
-            for (std::size_t row = 0; row < block.rows; ++row) {
-                for (std::size_t column = 0; column < block.columns; ++column) {
-                    bins.add(
-                        block.bin(row, column), sums.replicates[r].steps(other.bin(row, column)));
-                }
-            }
+            copy_block(sums.replicates[r], coarse_block(from, block.name), block, bins);
         }
         coarse.replicates[r] = std::move(bins);
     }
