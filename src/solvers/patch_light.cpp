@@ -147,15 +147,8 @@ PatchLight::Step PatchLight::scatter(bool is_direct) {
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
         const double share = is_direct ? 1 : surface.exact_share;
-        if (!is_direct) {
-            double* sums = &sums_[std::size_t{2} * surface.region * columns_];
-            for (std::uint32_t patch = first; patch < end; ++patch) {
-                const double* from = &incident_[std::size_t{2} * patch * columns_];
-                for (std::size_t i = 0; i < 2 * columns_; ++i) {
-                    sums[i] += share * from[i];
-                    step.passed_by[i % columns_] += surface.is_sensor ? 0 : (1 - share) * from[i];
-                }
-            }
+        for (std::uint32_t patch = first; !is_direct && patch < end; ++patch) {
+            sum_patch(surface, patch, step);
         }
         for (std::uint32_t patch = first; !surface.is_sensor && patch < end; ++patch) {
             scatter_patch(surface, patch, share, step);
@@ -166,6 +159,17 @@ PatchLight::Step PatchLight::scatter(bool is_direct) {
     }
     std::fill(incident_.begin(), incident_.end(), 0);
     return step;
+}
+
+/// Adds what fell on a patch to the sums of its region.
+void PatchLight::sum_patch(const PatchScene::Surface& surface, std::uint32_t patch, Step& step) {
+    const double share = surface.exact_share;
+    double* sums = &sums_[std::size_t{2} * surface.region * columns_];
+    const double* from = &incident_[std::size_t{2} * patch * columns_];
+    for (std::size_t i = 0; i < 2 * columns_; ++i) {
+        sums[i] += share * from[i];
+        step.passed_by[i % columns_] += surface.is_sensor ? 0 : (1 - share) * from[i];
+    }
 }
 
 /// The cosine law: light leaves a patch equally bright in all directions.

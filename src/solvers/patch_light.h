@@ -94,6 +94,7 @@ class PatchLight {
     }
 
   private:
+    void sum_patch(const PatchScene::Surface& surface, std::uint32_t patch, Step& step);
     void scatter_patch(
         const PatchScene::Surface& surface, std::uint32_t patch, double share, Step& step);
     void even_out(const PatchScene::Surface& surface);

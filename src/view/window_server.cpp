@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstring>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,8 @@ class Socket {
   public:
     explicit Socket(int descriptor) : descriptor_(descriptor) {}
     Socket(Socket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    Socket(const Socket&) = delete;
+    Socket& operator=(const Socket&) = delete;
     Socket& operator=(Socket&& other) noexcept {
         std::swap(descriptor_, other.descriptor_);
         return *this;
@@ -134,7 +137,7 @@ class Connection {
 
 [[noreturn]] void refuse_port(int port) {
     throw InputError(
-        {{"--port", fmt::format("{} can't be had", port), std::strerror(errno),
+        {{"--port", fmt::format("{} can't be had", port), std::generic_category().message(errno),
           "leave it out: any that is free will do"}});
 }
 

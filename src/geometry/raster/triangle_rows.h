@@ -57,8 +57,8 @@ class TrianglePlane {
 
     /// Whether it is seen edge-on: corners are told apart in single precision.
     [[nodiscard]] bool is_edge_on() const {
-        constexpr double kEdgeOn = 0x1p-24;
-        return std::abs(twice_area_) <= kEdgeOn * (ax_ * ax_ + ay_ * ay_ + bx_ * bx_ + by_ * by_);
+        constexpr double kFlat = 0x1p-24;
+        return std::abs(twice_area_) <= kFlat * (ax_ * ax_ + ay_ * ay_ + bx_ * bx_ + by_ * by_);
     }
     /// Whether the corners follow each other to the left, x to the right and y up.
     [[nodiscard]] bool turns_left() const { return twice_area_ > 0; }
