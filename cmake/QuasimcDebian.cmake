@@ -43,6 +43,9 @@ set(quasimc_dev_depends "libquasimc${quasimc_abi} (= ${PROJECT_VERSION})" libemb
 if(PNG_FOUND)
     list(APPEND quasimc_dev_depends libpng-dev)
 endif()
+if(QuasimcNetcdf_FOUND)
+    list(APPEND quasimc_dev_depends libnetcdf-dev)
+endif()
 list(JOIN quasimc_dev_depends ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers for C and C++, static libraries, and CMake files.")
 

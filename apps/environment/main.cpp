@@ -18,6 +18,7 @@
 #include "io/standard_streams.h"
 #include "quasimc/run.h"
 #include "quasimc/version.h"
+#include "step_window.h"
 
 namespace {
 
@@ -70,7 +71,9 @@ int run(int argc, char** argv) {
     if (arguments.specification.empty()) {
         throw quasimc::UsageError("the specification file is missing");
     }
-    return status_of(quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell));
+    StepWindow window(tell);
+    return status_of(
+        quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell, window.viewer()));
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <deque>
 #include <new>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <mpi.h>
 
@@ -47,6 +50,156 @@ void add_up(std::int64_t* numbers, std::uint64_t count) {
         is_first ? MPI_IN_PLACE : numbers, is_first ? numbers : nullptr, static_cast<int>(count),
         MPI_INT64_T, MPI_SUM, 0, MPI_COMM_WORLD, &request);
     wait_for(request);
+}
+
+// Mail goes to rank 0 as messages of at most kMostOfMessage bytes after one that tells how many
+// there are, all with the tag of its number. Numbers may share a tag: few of them are on their way.
+
+constexpr int kEndTag = 1, kCloseTag = 2, kFirstTag = 3, kTags = 30000;
+constexpr std::uint64_t kMostOfMessage = std::uint64_t{1} << 30U;
+/// Pieces of mail of a rank that may be on their way.
+constexpr std::size_t kMostOnTheirWay = 2;
+
+struct Mail {
+    std::uint64_t count = 0;
+    std::vector<char> bytes;
+    std::vector<MPI_Request> requests;
+};
+
+/// Of this rank: it is one for the process, as MPI is.
+struct MailBox {
+    std::deque<Mail> sent;  // that may be on their way; their places in memory stay
+    bool is_closed = false;
+    int found_source = 0, found_tag = 0;  // of what find() has found
+};
+
+MailBox& mail_box() {
+    static MailBox box;
+    return box;
+}
+
+int tag_of(std::uint64_t number) {
+    return kFirstTag + static_cast<int>(number % kTags);
+}
+
+/// Sends and receives are begun for each message of `count` bytes.
+template <typename Begin>
+void for_each_message(std::uint64_t count, const Begin& begin) {
+    for (std::uint64_t at = 0; at < count; at += kMostOfMessage) {
+        begin(at, static_cast<int>(std::min(kMostOfMessage, count - at)));
+    }
+}
+
+void wait_for_mail(std::size_t most_on_their_way) {
+    auto& sent = mail_box().sent;
+    while (sent.size() > most_on_their_way) {
+        for (MPI_Request& request : sent.front().requests) {
+            wait_for(request);
+        }
+        sent.pop_front();
+    }
+}
+
+void send_mail(std::uint64_t number, const char* bytes, std::uint64_t count) {
+    Mail& mail = mail_box().sent.emplace_back();
+    mail.count = count;
+    mail.bytes.assign(bytes, bytes + count);
+    const int tag = tag_of(number);
+    MPI_Isend(&mail.count, 1, MPI_UINT64_T, 0, tag, MPI_COMM_WORLD, &mail.requests.emplace_back());
+    for_each_message(count, [&](std::uint64_t at, int size) {
+        MPI_Isend(
+            mail.bytes.data() + at, size, MPI_CHAR, 0, tag, MPI_COMM_WORLD,
+            &mail.requests.emplace_back());
+    });
+    wait_for_mail(kMostOnTheirWay);
+}
+
+/// Of mail whose tag is known: its source and how many bytes it has.
+std::uint64_t begin_mail(const MPI_Status& status) {
+    MailBox& box = mail_box();
+    box.found_source = status.MPI_SOURCE;
+    box.found_tag = status.MPI_TAG;
+    std::uint64_t count = 0;
+    MPI_Recv(
+        &count, 1, MPI_UINT64_T, box.found_source, box.found_tag, MPI_COMM_WORLD,
+        MPI_STATUS_IGNORE);
+    return count;
+}
+
+std::uint64_t find_mail(std::uint64_t number) {
+    int is_there = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, tag_of(number), MPI_COMM_WORLD, &is_there, &status);
+    return is_there != 0 ? begin_mail(status) : kNoMail;
+}
+
+void receive_mail(char* bytes, std::uint64_t count) {
+    const MailBox& box = mail_box();
+    for_each_message(count, [&](std::uint64_t at, int size) {
+        MPI_Request request = MPI_REQUEST_NULL;
+        MPI_Irecv(
+            bytes + at, size, MPI_CHAR, box.found_source, box.found_tag, MPI_COMM_WORLD, &request);
+        wait_for(request);
+    });
+}
+
+int number_of_ranks() {
+    int count = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &count);
+    return count;
+}
+
+void close_mail() {
+    if (std::exchange(mail_box().is_closed, true)) {
+        return;
+    }
+    for (int rank = 1; rank < number_of_ranks(); ++rank) {
+        MPI_Send(nullptr, 0, MPI_CHAR, rank, kCloseTag, MPI_COMM_WORLD);
+    }
+}
+
+int is_mail_closed() {
+    MailBox& box = mail_box();
+    int is_there = 0;
+    if (!box.is_closed) {
+        MPI_Iprobe(0, kCloseTag, MPI_COMM_WORLD, &is_there, MPI_STATUS_IGNORE);
+    }
+    if (is_there != 0) {
+        MPI_Recv(nullptr, 0, MPI_CHAR, 0, kCloseTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        box.is_closed = true;
+    }
+    return box.is_closed ? 1 : 0;
+}
+
+/// Of rank 0: drops mail until all others have sent their last.
+void drop_mail() {
+    std::vector<char> dropped;
+    for (int open = number_of_ranks() - 1; open > 0;) {
+        int is_there = 0;
+        MPI_Status status;
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status);
+        if (is_there == 0) {
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+            continue;
+        }
+        dropped.resize(begin_mail(status));
+        receive_mail(dropped.data(), dropped.size());
+        open -= status.MPI_TAG == kEndTag ? 1 : 0;
+    }
+}
+
+void end_mail() {
+    if (own_rank() == 0) {
+        drop_mail();
+    } else {
+        wait_for_mail(0);
+        const std::uint64_t none = 0;
+        MPI_Send(&none, 1, MPI_UINT64_T, 0, kEndTag, MPI_COMM_WORLD);
+        while (is_mail_closed() == 0) {
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+    }
+    mail_box().is_closed = false;
 }
 
 void finalize() {
@@ -113,17 +266,21 @@ const QuasimcRanks* quasimc_ranks() {
         level < MPI_THREAD_FUNNELED) {
         return nullptr;
     }
-    int count = 1;
-    MPI_Comm_size(MPI_COMM_WORLD, &count);
     ranks.version = kQuasimcRanksVersion;
     ranks.rank = static_cast<std::uint64_t>(own_rank());
-    ranks.ranks = static_cast<std::uint64_t>(count);
+    ranks.ranks = static_cast<std::uint64_t>(number_of_ranks());
     MPI_Comm node = node_of_rank(own_rank());
     find_nodes(node, ranks);
     ranks.node_counter = shared_number(node);
     ranks.barrier = barrier;
     ranks.broadcast = broadcast;
     ranks.add_up = add_up;
+    ranks.send = send_mail;
+    ranks.find = find_mail;
+    ranks.receive = receive_mail;
+    ranks.close = close_mail;
+    ranks.is_closed = is_mail_closed;
+    ranks.end_mail = end_mail;
     ranks.finalize = finalize;
     ranks.abort = abort_all;
     return &ranks;

@@ -19,12 +19,24 @@ struct QuasimcRanks {
     void (*barrier)();
     void (*broadcast)(std::uint64_t* numbers, std::uint64_t count);  ///< from rank 0
     void (*add_up)(std::int64_t* numbers, std::uint64_t count);      ///< to rank 0
+    /// Of the others: sends bytes to rank 0 under a number. Returns while they are on their way,
+    /// but waits while many are.
+    void (*send)(std::uint64_t number, const char* bytes, std::uint64_t count);
+    /// Of rank 0: how many bytes were sent under a number, if they are there; else kNoMail.
+    std::uint64_t (*find)(std::uint64_t number);
+    /// Of rank 0: receives what find() has found.
+    void (*receive)(char* bytes, std::uint64_t count);
+    void (*close)();     ///< of rank 0: lets the others know that it wants no more
+    int (*is_closed)();  ///< of the others: whether it did
+    void (*end_mail)();  ///< of all, after close(): nothing is on its way then
     void (*finalize)();
     void (*abort)(int status);  ///< of all ranks
 };
 
+constexpr std::uint64_t kNoMail = ~std::uint64_t{0};
+
 /// Version of the table.
-constexpr std::uint64_t kQuasimcRanksVersion = 1;
+constexpr std::uint64_t kQuasimcRanksVersion = 2;
 
 /// Starts MPI. @returns null if it can't be started
 const QuasimcRanks* quasimc_ranks();

@@ -2,25 +2,10 @@
 
 #include <cstdio>
 
-namespace {
-
-/// What a state has no place for.
-void refuse_audit(const quasimc::RunFile& run) {
-    if (run.spec.audit > 0) {
-        throw quasimc::InputError(
-            {{run.path + ": audit", "a run with a checkpoint can't be audited",
-              "the state of an audit is not kept",
-              "leave --checkpoint out, or audit with a run of its own"}});
-    }
-}
-
-}  // namespace
-
 CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
     if (arguments.checkpoint.empty()) {
         return;
     }
-    refuse_audit(first);
     file_.emplace(
         arguments.checkpoint, first, arguments.every,
         arguments.resume ? quasimc::CheckpointStart::resume : quasimc::CheckpointStart::anew);
@@ -31,6 +16,9 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
     }
     hooks_.state_of = [this](std::size_t moment) {
         return file_->state_of(moments_before_ + moment);
+    };
+    hooks_.has_state = [this](std::size_t moment) {
+        return file_->has_state(moments_before_ + moment);
     };
     hooks_.is_due = [this] { return faults_.empty() && file_->is_due(); };
     hooks_.save = [this](std::size_t moment, const quasimc::RunSnapshot& state) {

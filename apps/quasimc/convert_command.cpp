@@ -7,9 +7,10 @@
 #include "io/meshes/geometry_scene.h"
 #include "io/output_files.h"
 #include "io/results/field_formats.h"
+#include "io/results/write_opf.h"
 #include "option_flags.h"
 #include "quasimc/quasimc.h"
-#include "show_values.h"
+#include "shown_fields.h"
 
 namespace {
 
@@ -60,29 +61,54 @@ Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEn
     return Exit::done;
 }
 
-/// Every number of a result, and its standard error, under names of their own.
-std::vector<quasimc::OrganField> fields_of(const std::vector<ShownValues>& all) {
-    std::vector<quasimc::OrganField> fields;
-    for (const ShownValues& values : all) {
-        quasimc::OrganField mean{values.key, values.unit, {}};
-        quasimc::OrganField error{values.key + "_standard_error", values.unit, {}};
-        for (const quasimc::Estimate& estimate : values.estimates) {
-            mean.values.push_back(estimate.mean);
-            error.values.push_back(estimate.standard_error);
+/// The one OPF file that a run was made from.
+const quasimc::InputFile& opf_of(const quasimc::RunFile& run, const std::string& output) {
+    const quasimc::InputFile* found = nullptr;
+    std::size_t count = 0;
+    for (const quasimc::InputFile& input : run.inputs) {
+        const quasimc::FormatEntry* format = quasimc::format_of_path(input.path);
+        if (format != nullptr && format->name == "opf") {
+            found = &input;
+            ++count;
         }
-        fields.push_back(std::move(mean));
-        fields.push_back(std::move(error));
     }
-    return fields;
+    if (count != 1) {
+        throw quasimc::InputError(
+            {{output, "the result can't be written as OPF",
+              fmt::format("it goes back into the OPF file of the run, which has {}", count),
+              "convert it to VTP, PLY or GLB"}});
+    }
+    return *found;
+}
+
+/// Writes the OPF file of a run anew, with the numbers of its organs.
+void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) {
+    const quasimc::InputFile& file = opf_of(shown.run, arguments.output);
+    const std::string bytes = quasimc::read_file(file.resolved);
+    const quasimc::FieldScene fields = field_scene(
+        shown.run.scene, read_all_shown_values(shown, arguments.input, arguments.choice), nullptr);
+    quasimc::OpfMatches matches;
+    write_scene(arguments, shown.run.inputs, [&](const quasimc::TextSink& sink) {
+        matches = quasimc::write_opf(bytes, fields, sink);
+    });
+    if (matches.missing > 0) {
+        print_warnings(
+            {{arguments.output,
+              fmt::format(
+                  "{} organs of the result are no nodes of {}", matches.missing, file.path)}});
+    }
 }
 
 Exit convert_result(const ConvertArguments& arguments) {
     const quasimc::FieldFormat* to = quasimc::field_format_of_path(arguments.output);
-    if (to == nullptr) {
+    const quasimc::FormatEntry* geometry = quasimc::format_of_path(arguments.output);
+    const bool is_opf = geometry != nullptr && geometry->name == "opf";
+    if (to == nullptr && !is_opf) {
         std::vector<std::string> names;
         for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
             names.emplace_back(format.extension);
         }
+        names.emplace_back(".opf");
         refuse_output(arguments.output, "a result", names);
     }
     const ShownRun shown = read_shown_run(arguments.input, arguments.choice.point);
@@ -91,10 +117,16 @@ Exit convert_result(const ConvertArguments& arguments) {
             {{arguments.input, "is neither geometry nor a JSON result", "",
               "run it with --json, or write its scene with `quasimc export`"}});
     }
-    const std::vector<quasimc::OrganField> fields =
-        fields_of(read_all_shown_values(shown, arguments.input, arguments.choice));
+    if (is_opf) {
+        write_result_opf(arguments, shown);
+        return Exit::done;
+    }
+    const std::vector<ShownValues> all =
+        read_all_shown_values(shown, arguments.input, arguments.choice);
+    const quasimc::FieldScene fields =
+        field_scene(shown.run.scene, all, &chosen_values(shown.run.scene, all, arguments.choice));
     write_scene(arguments, shown.run.inputs, [&](const quasimc::TextSink& sink) {
-        to->write(shown.run.scene, fields, sink);
+        to->write(fields, sink);
     });
     return Exit::done;
 }
@@ -130,6 +162,8 @@ Command convert_command() {
           .target = &choice.day,
           .summary = "of a result with [time]: the sum of this day, 2024-06-21",
           .excludes = "--time"},
-         {"--point", &choice.point, "of a sweep: which point, from 1"}},
+         {"--point", &choice.point, "of a sweep: which point, from 1"},
+         {"--quantity", &choice.quantity, "of a result in GLB: what colours show"},
+         {"--band", &choice.band, "of a result in GLB: its band; by default the first"}},
         [arguments] { return convert(*arguments); }};
 }

@@ -125,7 +125,7 @@ std::string geometry_text(const std::string& path, const quasimc::FormatEntry& f
         read.warnings.push_back(std::move(warning));
     }
     return fmt::format("file      {}: {}, {}\n", path, format.name, format.summary) +
-           scene_text(read.scene, "") + warnings_text(read.warnings);
+           scene_text(read.scene, read.unit) + warnings_text(read.warnings);
 }
 
 std::string run_text(const std::string& path) {

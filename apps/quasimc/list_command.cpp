@@ -8,6 +8,7 @@
 #include "io/meshes/formats.h"
 #include "io/runfile/options.h"
 #include "optics/catalogue.h"
+#include "optics/usual_optics.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -33,6 +34,24 @@ std::string list_models() {
                                            : fmt::format("{} ({})", entry.summary, parameters));
     }
     return text;
+}
+
+std::string list_optics() {
+    std::string text;
+    for (const quasimc::UsualOptics& optics : quasimc::usual_optics()) {
+        const auto words = [](const quasimc::OpticsByRegion& r) {
+            return fmt::format("{} / {}", r.visible, r.near_infrared);
+        };
+        text += list_row(
+            optics.name, fmt::format(
+                             "{}: reflectance {}, transmittance {}", optics.summary,
+                             words(optics.reflectance), words(optics.transmittance)));
+    }
+    return text +
+           list_row(
+               "soil", fmt::format(
+                           "bare soil, by soil_color (1 bright to {} dark) and water_content",
+                           quasimc::kSoilColors));
 }
 
 std::string list_detectors() {
@@ -89,10 +108,15 @@ struct ListEntry {
 
 const std::vector<ListEntry>& lists() {
     static const std::vector<ListEntry> all{
-        {"options", list_options},       {"samplers", list_samplers},
-        {"models", list_models},         {"detectors", list_detectors},
-        {"formats", list_formats},       {"skies", list_skies},
-        {"quantities", list_quantities}, {"options-markdown", quasimc::options_markdown}};
+        {"options", list_options},
+        {"samplers", list_samplers},
+        {"models", list_models},
+        {"optics", list_optics},
+        {"detectors", list_detectors},
+        {"formats", list_formats},
+        {"skies", list_skies},
+        {"quantities", list_quantities},
+        {"options-markdown", quasimc::options_markdown}};
     return all;
 }
 
@@ -115,7 +139,8 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, detectors, formats, skies, quantities",
+        "print what there is: options, samplers, models, optics, detectors, formats, skies, "
+        "quantities",
         {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
         [name] { return print_list(*name); }};
 }

@@ -4,9 +4,12 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -67,6 +70,10 @@ class MpiRankTeam final : public RankTeam {
     explicit MpiRankTeam(const QuasimcRanks& ranks) : ranks_(ranks) {
         size_ = ranks.ranks;
         team_.is_first = ranks.rank == 0;
+        team_.size = ranks.ranks;
+        team_.machine = ranks.node;
+        team_.machines = ranks.nodes;
+        set_mail();
         team_.tasks.begin = [this](std::uint64_t begin, std::uint64_t end) {
             return begin_tasks(begin, end);
         };
@@ -76,6 +83,7 @@ class MpiRankTeam final : public RankTeam {
             return own;
         };
         team_.order = [this](const quasimc::TeamOrder& order) { return pass_order(order); };
+        team_.share = [this](std::string& bytes) { share_bytes(bytes); };
         team_.add_up = [this](std::vector<std::int64_t>& numbers) {
             ranks_.add_up(numbers.data(), numbers.size());
         };
@@ -101,6 +109,24 @@ class MpiRankTeam final : public RankTeam {
     }
 
   private:
+    void set_mail() {
+        team_.mail.send = [this](std::uint64_t number, std::string_view bytes) {
+            ranks_.send(number, bytes.data(), bytes.size());
+        };
+        team_.mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
+            const std::uint64_t count = ranks_.find(number);
+            if (count == kNoMail) {
+                return std::nullopt;
+            }
+            std::string bytes(count, '\0');
+            ranks_.receive(bytes.data(), bytes.size());
+            return bytes;
+        };
+        team_.mail.close = [this] { ranks_.close(); };
+        team_.mail.is_closed = [this] { return ranks_.is_closed() != 0; };
+        team_.mail.end = [this] { ranks_.end_mail(); };
+    }
+
     using Counter = std::atomic<std::uint64_t>;
     static_assert(Counter::is_always_lock_free && sizeof(Counter) == sizeof(std::uint64_t));
 
@@ -118,10 +144,10 @@ class MpiRankTeam final : public RankTeam {
 
     [[nodiscard]] quasimc::TeamOrder pass_order(const quasimc::TeamOrder& order) {
         has_ordered_ = true;
-        std::array<std::uint64_t, 9> numbers{
-            order.is_end,      order.is_prepare,  order.point,
-            order.moment,      order.first_paths, order.round.first,
-            order.round.count, order.tasks.calls, order.tasks.task};
+        std::array<std::uint64_t, 10> numbers{
+            order.is_end,      order.is_prepare,  order.is_runs,     order.point,
+            order.moment,      order.first_paths, order.round.first, order.round.count,
+            order.tasks.calls, order.tasks.task};
         ranks_.broadcast(numbers.data(), numbers.size());
         return {
             numbers[0],
@@ -129,8 +155,21 @@ class MpiRankTeam final : public RankTeam {
             numbers[2],
             numbers[3],
             numbers[4],
-            {numbers[5], numbers[6]},
-            {numbers[7], numbers[8]}};
+            numbers[5],
+            {numbers[6], numbers[7]},
+            {numbers[8], numbers[9]}};
+    }
+
+    /// As words of 8 bytes, behind their number and that of the bytes.
+    void share_bytes(std::string& bytes) const {
+        std::uint64_t count = bytes.size();
+        ranks_.broadcast(&count, 1);
+        std::vector<std::uint64_t> words((count + 7) / 8);
+        std::memcpy(words.data(), bytes.data(), team_.is_first ? count : 0);
+        if (count > 0) {
+            ranks_.broadcast(words.data(), words.size());
+        }
+        bytes.assign(reinterpret_cast<const char*>(words.data()), count);
     }
 
     void leave() {

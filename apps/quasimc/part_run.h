@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 #include "interrupt.h"
+#include "io/input_files.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 #include "run_writers.h"
@@ -11,7 +12,8 @@
 // What `quasimc run` shares with `quasimc run --part`.
 
 /// @throws quasimc::InputError
-[[nodiscard]] quasimc::StoredSweep read_runs(const RunArguments& arguments);
+[[nodiscard]] quasimc::StoredSweep read_runs(
+    const RunArguments& arguments, const quasimc::FileAccess& access = {});
 [[nodiscard]] ProgressLines progress_lines(const RunArguments& arguments);
 /// What says, at the first Ctrl-C, that there may be a second.
 [[nodiscard]] std::function<void()> stopping_note(const RunArguments& arguments);

@@ -13,21 +13,10 @@ bool is_shown() {
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-std::string words(const quasimc::Progress& progress) {
-    std::string text = fmt::format(
-        "{:3.0f} %, {:.0f} s of about {:.0f} s", 100 * progress.fraction, progress.seconds,
-        progress.expected_seconds);
-    if (progress.fraction_at_target > 0) {
-        text += fmt::format(
-            ", {:.1f} % of the organs at the target", 100 * progress.fraction_at_target);
-    }
-    return text;
-}
-
 void show(const quasimc::Progress& progress) {
     constexpr double kSoon = 1;  // seconds; shorter runs need no line
     if (progress.expected_seconds >= kSoon) {
-        std::fprintf(stderr, "\r%s\x1b[K", words(progress).c_str());
+        std::fprintf(stderr, "\r%s\x1b[K", progress_words(progress).c_str());
         std::fflush(stderr);
     }
 }
@@ -41,7 +30,7 @@ class LogLines {
         const double since = progress.seconds - seconds_;
         const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
         if (is_due && since >= kLeast) {
-            std::fprintf(stderr, "%s\n", words(progress).c_str());
+            std::fprintf(stderr, "%s\n", progress_words(progress).c_str());
             seconds_ = progress.seconds;
             fraction_ = progress.fraction;
         }
@@ -52,6 +41,17 @@ class LogLines {
 };
 
 }  // namespace
+
+std::string progress_words(const quasimc::Progress& progress) {
+    std::string text = fmt::format(
+        "{:3.0f} %, {:.0f} s of about {:.0f} s", 100 * progress.fraction, progress.seconds,
+        progress.expected_seconds);
+    if (progress.fraction_at_target > 0) {
+        text += fmt::format(
+            ", {:.1f} % of the organs at the target", 100 * progress.fraction_at_target);
+    }
+    return text;
+}
 
 std::function<void(const quasimc::Progress&)> progress_line(ProgressLines lines) {
     if (lines != ProgressLines::none && is_shown()) {

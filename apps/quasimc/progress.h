@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "quasimc/run.h"
 
@@ -11,6 +12,8 @@ enum class ProgressLines {
     always,       ///< there, and else in lines of their own, some seconds apart
 };
 
+/// " 37 %, 12 s of about 33 s".
+[[nodiscard]] std::string progress_words(const quasimc::Progress& progress);
 /// Tells on stderr how far the run is; empty if it is told nowhere.
 [[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line(ProgressLines lines);
 /// Wipes the line on a terminal.

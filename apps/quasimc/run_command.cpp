@@ -19,19 +19,24 @@
 #include "interrupt.h"
 #include "io/results/audit_words.h"
 #include "io/results/part_file.h"
+#include "io/results/read_result.h"
 #include "part_run.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 #include "repetition.h"
+#include "run_window.h"
 #include "run_writers.h"
+#include "sweep_jobs.h"
+#include "team_files.h"
 
-quasimc::StoredSweep read_runs(const RunArguments& arguments) try {
+quasimc::StoredSweep read_runs(
+    const RunArguments& arguments, const quasimc::FileAccess& access) try {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
-        return {quasimc::read_run_sweep(arguments.file, overrides), ""};
+        return {quasimc::read_run_sweep(arguments.file, overrides, access), ""};
     }
-    return quasimc::read_result_sweep(arguments.from, overrides);
+    return quasimc::read_result_sweep(arguments.from, overrides, access);
 } catch (const std::bad_alloc&) {
     throw quasimc::InputError(
         {{arguments.from.empty() ? arguments.file : arguments.from,
@@ -134,16 +139,34 @@ class SweepRun {
           run_(next_file(0)),
           writers_(arguments, *run_),
           checkpoint_(arguments, *run_),
-          tell_(progress_line(progress_lines(arguments))) {}
+          tell_(progress_line(progress_lines(arguments))) {
+        if (arguments.view) {
+            window_.emplace(*run_, 0);
+        }
+    }
 
     void compute() {
         const InterruptWatch interrupt(stopping_note(arguments_));
         while (trace(interrupt.token()) && point_ + 1 < sweep_.size() && goes_on()) {
             std::unique_ptr<quasimc::RunFile> next = next_file(++point_);
             writers_.next_run(*next, last_);
+            if (window_) {
+                window_->next_run(*next);
+            }
             run_ = std::move(next);
         }
         checkpoint_.flush();
+        point_runs_.reset();
+        if (window_) {
+            window_->finish(all_.stop);
+        }
+    }
+
+    /// The page stays for who wants to see the result. One who has stopped the run wants to leave.
+    void stay() const {
+        if (window_ && all_.stop != quasimc::StopReason::interrupted) {
+            RunWindow::stay();
+        }
     }
 
     /// Of all points that are done. Its total is that of the last one.
@@ -220,10 +243,15 @@ class SweepRun {
 
     [[nodiscard]] quasimc::SeriesEvents events() {
         quasimc::SeriesEvents events = writers_.events(progress());
+        if (window_) {
+            window_->listen(events);
+        }
         events.checkpoint = checkpoint_.hooks();
         events.team = team_;
         if (team_ != nullptr) {
             team_->point = point_;
+            share_points();
+            events.traced_runs = point_runs_ ? &traced_points_ : nullptr;
         }
         if (parts_ != nullptr) {
             events.sums_of = [this](std::size_t moment) {
@@ -231,6 +259,28 @@ class SweepRun {
             };
         }
         return events;
+    }
+
+    /// Lets the ranks trace the points from this one on each by itself, unless a checkpoint knows
+    /// one of them: what it knows is traced together.
+    void share_points() {
+        bool is_kept = false;
+        for (std::size_t i = point_; checkpoint_.hooks() != nullptr && i < sweep_.size(); ++i) {
+            is_kept = is_kept || checkpoint_.hooks()->has_state(i - point_);
+        }
+        if (point_runs_ || parts_ != nullptr || is_kept) {
+            return;
+        }
+        const auto jobs = jobs_of_points(*run_, sweep_.size(), point_, team_->size);
+        if (jobs.empty()) {
+            return;
+        }
+        point_runs_ = std::make_unique<quasimc::TeamRuns>(
+            *team_, quasimc::TeamOrder{.is_runs = quasimc::TeamOrder::kPoints, .point = point_},
+            jobs, point_tracer(simulator_, sweep_));
+        traced_points_.take = [this](std::size_t, const quasimc::RunControl& control) {
+            return point_runs_->take(point_, control);
+        };
     }
 
     const RunArguments& arguments_;
@@ -243,7 +293,10 @@ class SweepRun {
     RunWriters writers_;
     CheckpointRun checkpoint_;
     std::function<void(const quasimc::Progress&)> tell_;
+    std::optional<RunWindow> window_;
     quasimc::Simulator simulator_;
+    std::unique_ptr<quasimc::TeamRuns> point_runs_;  // once ranks trace points
+    quasimc::TracedRuns traced_points_;
     quasimc::SeriesSummary last_, all_;
 };
 
@@ -301,6 +354,7 @@ Exit run(
     if (repetition.has_failed) {
         throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
     }
+    sweep.stay();
     return exit_of(sweep.file(), sweep.all());
 }
 
@@ -312,7 +366,7 @@ Exit run_with_others(const RunArguments& arguments) {
     }
     quasimc::RunTeam& team = ranks->team();
     return ranks->run([&] {
-        return team.is_first ? run(arguments, read_runs(arguments), nullptr, &team)
+        return team.is_first ? run(arguments, read_for_team(arguments, team), nullptr, &team)
                              : help_run(arguments, team);
     });
 }
@@ -323,7 +377,7 @@ Exit merge(const RunArguments& arguments) {
 }
 
 /// The flags that name files to be written, and those files.
-std::array<std::pair<std::string_view, const std::string*>, 6> outputs_of(
+std::array<std::pair<std::string_view, const std::string*>, 10> outputs_of(
     const RunArguments& arguments) {
     return {{
         {"--csv", &arguments.csv},
@@ -332,6 +386,10 @@ std::array<std::pair<std::string_view, const std::string*>, 6> outputs_of(
         {"--groups-csv", &arguments.groups_csv},
         {"--groups-days", &arguments.groups_days},
         {"--picture", &arguments.picture},
+        {"--vtp", &arguments.vtp},
+        {"--ply", &arguments.ply},
+        {"--glb", &arguments.glb},
+        {"--nc", &arguments.nc},
     }};
 }
 
@@ -355,6 +413,9 @@ void check_usage(const RunArguments& arguments) {
     }
     if (arguments.part.empty() && !arguments.sums.empty()) {
         throw UsageError("--sums: is the file of a --part");
+    }
+    if (!arguments.part.empty() && arguments.view) {
+        throw UsageError("--view: a --part has no results to be seen");
     }
     if (arguments.checkpoint.empty() &&
         (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
@@ -404,6 +465,22 @@ std::vector<Flag> output_flags(RunArguments& arguments) {
          .target = &arguments.picture,
          .summary = "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
          .type_name = "FILE"},
+        {.name = "--vtp",
+         .target = &arguments.vtp,
+         .summary = "write the scene with its numbers here, for ParaView and pyvista",
+         .type_name = "FILE"},
+        {.name = "--ply",
+         .target = &arguments.ply,
+         .summary = "the same as PLY, for MeshLab and CloudCompare",
+         .type_name = "FILE"},
+        {.name = "--glb",
+         .target = &arguments.glb,
+         .summary = "the same as binary glTF, coloured, for Blender",
+         .type_name = "FILE"},
+        {.name = "--nc",
+         .target = &arguments.nc,
+         .summary = "write the light by organ, band and time here, for xarray and others",
+         .type_name = "FILE"},
         {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
         {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
     add_choice_flags(arguments.choice, flags);
@@ -440,8 +517,12 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
          .type_name = "SECONDS",
          .range = std::pair(0.0, 1e6),
          .default_text = "60"},
+        {"--view", &arguments.view,
+         "serve a page to the browsers of this machine that follows the run; its address is "
+         "printed, and Ctrl-C ends it"},
         {"--resume", &arguments.resume,
-         "go on from the checkpoint, if it is there; target_error, target_fraction, max_paths and "
+         "go on from the checkpoint, if it is there; paths, target_error, target_fraction, "
+         "max_paths and "
          "max_seconds may be others than before"}};
     for (Flag& flag : output_flags(arguments)) {
         flags.push_back(std::move(flag));

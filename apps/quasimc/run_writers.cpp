@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "io/results/field_formats.h"
 #include "progress.h"
 
 std::vector<quasimc::InputFile> inputs_of(
@@ -26,7 +27,7 @@ std::vector<quasimc::InputFile> inputs_of(
 
 namespace {
 
-/// No output may be one of the two files of a checkpoint, which need not be there yet.
+/// No output may be one of the files of a checkpoint, which need not be there yet.
 void refuse_checkpoint(
     const std::string& checkpoint, const std::vector<quasimc::OutputPath>& outputs) {
     namespace fs = std::filesystem;
@@ -42,7 +43,8 @@ void refuse_checkpoint(
     for (const quasimc::OutputPath& output : outputs) {
         const bool is_one =
             output.path != "-" && (name_of(output.path) == name_of(checkpoint) ||
-                                   name_of(output.path) == name_of(checkpoint + ".done"));
+                                   name_of(output.path) == name_of(checkpoint + ".done") ||
+                                   name_of(output.path) == name_of(checkpoint + ".lock"));
         if (is_one) {
             faults.add(
                 {output.place, output.path + " is a file of the checkpoint", "",
@@ -75,6 +77,10 @@ RunWriters::Asked RunWriters::asked_outputs(
     ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
     ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
     ask(kPicture, "picture", arguments.picture, run.output.picture);
+    ask(kVtp, "vtp", arguments.vtp, run.output.vtp);
+    ask(kPly, "ply", arguments.ply, run.output.ply);
+    ask(kGlb, "glb", arguments.glb, run.output.glb);
+    ask(kNetcdf, "nc", arguments.nc, run.output.nc);
     ask(kJson, "json", arguments.json, run.output.json);
     refuse_checkpoint(arguments.checkpoint, asked.paths);
     return asked;
@@ -103,6 +109,12 @@ RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& fi
     }
     const OutputChoice& choice = arguments.choice;
     const bool has_all_rows = choice.quantities.empty() && choice.bands.empty() && !choice.night;
+    if (wants_fields()) {
+        fields_.emplace(first);
+    }
+    if (wants(kNetcdf)) {
+        netcdf_.emplace(first, sink_of(kNetcdf));
+    }
     if (!arguments.from.empty() && arguments.from != "-" && has_all_rows) {
         comparison_.emplace(arguments.from);
     }
@@ -131,8 +143,8 @@ quasimc::SeriesEvents RunWriters::events(
     events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
         add_moment(time_step, result, traced);
     };
-    events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_);
-    if (days_ || group_days_ || events.wants_total) {
+    events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
+    if (days_ || group_days_ || (netcdf_ && run_->series) || events.wants_total) {
         events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
     }
     return events;
@@ -151,6 +163,8 @@ void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSumm
     tell(groups_);
     tell(group_days_);
     tell(picture_);
+    tell(fields_);
+    tell(netcdf_);
     write_json([&](auto& json) { json.next_run(run, summary); });
 }
 
@@ -160,8 +174,34 @@ std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
     if (picture_) {
         sink_of(kPicture)(picture_->draw(summary));
     }
+    write_fields(summary);
+    if (netcdf_) {
+        netcdf_->finish();
+    }
     outputs_.commit();
     return digest;
+}
+
+bool RunWriters::wants_fields() const {
+    return wants(kVtp) || wants(kPly) || wants(kGlb);
+}
+
+void RunWriters::write_fields(const quasimc::SeriesSummary& summary) {
+    if (!fields_) {
+        return;
+    }
+    const quasimc::FieldScene shown = fields_->shown(summary);
+    for (const auto& [output, name] :
+         {std::pair(kVtp, "vtp"), std::pair(kPly, "ply"), std::pair(kGlb, "glb")}) {
+        if (!wants(output)) {
+            continue;
+        }
+        try {
+            quasimc::find_field_format(name)->write(shown, sink_of(output));
+        } catch (const quasimc::InputError& error) {
+            outputs_.give_up(*asked_.numbers[output], error);
+        }
+    }
 }
 
 std::string RunWriters::difference() {
@@ -203,6 +243,12 @@ void RunWriters::add_moment(
     if (picture_) {
         picture_->add_moment(result);
     }
+    if (fields_) {
+        fields_->add_moment(result);
+    }
+    if (netcdf_) {
+        netcdf_->add_moment(time_step, result);
+    }
     write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
 }
 
@@ -212,6 +258,9 @@ void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
     }
     if (group_days_) {
         group_days_->add_day(day, sum);
+    }
+    if (netcdf_) {
+        netcdf_->add_day(day, sum);
     }
     write_json([&](auto& json) { json.add_day(day, sum); });
 }

@@ -9,14 +9,16 @@
 
 #include "io/output_files.h"
 #include "io/results/row_comparison.h"
+#include "netcdf/netcdf_writer.h"
 #include "option_flags.h"
 #include "output_choice.h"
 #include "quasimc/quasimc.h"
+#include "run_fields.h"
 #include "run_picture.h"
 
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json, days, groups_csv, groups_days, picture;
+    std::string file, from, csv, json, days, groups_csv, groups_days, picture, vtp, ply, glb, nc;
     OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
@@ -25,6 +27,7 @@ struct RunArguments {
     static constexpr double kUsualEvery = 60;
     double every = kUsualEvery;  ///< seconds
     bool resume = false;
+    bool view = false;
     std::vector<std::string> parts;  ///< of `merge` alone: files
 };
 
@@ -35,8 +38,8 @@ struct RunArguments {
 /// The files that a run may write, in the order in which they get their names: the result that has
 /// everything is the last.
 using Output = std::size_t;
-constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kPicture = 4, kJson = 5,
-                 kOutputs = 6;
+constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kPicture = 4, kVtp = 5, kPly = 6,
+                 kGlb = 7, kNetcdf = 8, kJson = 9, kOutputs = 10;
 
 /// What the runs of a sweep write while they are computed, one after the other.
 class RunWriters {
@@ -83,6 +86,8 @@ class RunWriters {
     /// No room for what the writer keeps until the end costs no more than its own file.
     template <typename Action>
     void write_json(Action action);
+    [[nodiscard]] bool wants_fields() const;
+    void write_fields(const quasimc::SeriesSummary& summary);
     void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced);
     void add_day(std::size_t day, const quasimc::SeriesSum& sum);
 
@@ -95,6 +100,8 @@ class RunWriters {
     std::optional<quasimc::GroupsWriter> groups_;
     std::optional<quasimc::GroupDaysWriter> group_days_;
     std::optional<RunPicture> picture_;
+    std::optional<RunFields> fields_;
+    std::optional<quasimc::NetcdfWriter> netcdf_;
     std::optional<quasimc::RowComparison> comparison_;  // with the result that is repeated
     std::optional<quasimc::JsonWriter> json_;
 };

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "io/results/read_rounds.h"
 #include "io/runfile/civil_time_text.h"
+#include "organ_chart.h"
 #include "quasimc/sun.h"
 
 namespace {
@@ -36,17 +39,6 @@ struct Span {
         }
     }
 };
-
-/// Height of the middle of an organ's surface, over the axes' origin.
-double height_of(const quasimc::Scene& scene, const quasimc::Organ& organ) {
-    double moment = 0, area = 0;
-    for (const quasimc::Triangle& t : scene.triangles_of(organ)) {
-        const double own = quasimc::area(t);
-        moment += own * (t[0].z + t[1].z + t[2].z) / 3;
-        area += own;
-    }
-    return area > 0 ? moment / area : kNone;
-}
 
 /// Means of the organs of each of twenty layers, weighted with their areas.
 ChartSeries layer_means(
@@ -168,29 +160,90 @@ Chart course(const ShownRun& shown, const std::string& path, const ValueChoice& 
     return chart;
 }
 
+Chart convergence(const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    const auto point = shown.run.sweep ? std::optional(shown.run.point) : std::nullopt;
+    const std::vector<quasimc::RoundErrors> rounds =
+        quasimc::read_rounds(shown.result_text, path, point, choice.time);
+    if (rounds.empty()) {
+        throw quasimc::InputError(
+            {{path, "tells of no rounds", "the run had one",
+              "set target_error or max_paths in [run]"}});
+    }
+    ChartSeries worst{ChartMarks::line, kOrange, {}, "worst organ"};
+    ChartSeries median{ChartMarks::line, kBlue, {}, "median"};
+    Span errors, paths;
+    for (const quasimc::RoundErrors& round : rounds) {
+        const auto x = static_cast<double>(round.paths);
+        paths.add(x);
+        for (const auto& [series, error] :
+             {std::pair(&worst, round.worst), std::pair(&median, round.median)}) {
+            if (error > 0) {
+                series->points.push_back({x, 100 * error, kNone, kNone, kNone, kNone});
+                errors.add(100 * error);
+            }
+        }
+    }
+    Chart chart;
+    chart.subtitle = "of the flux that organs absorb, after each round";
+    chart.x = quasimc::logarithmic_axis_about(paths.low, paths.high, "paths of each replicate");
+    chart.y =
+        quasimc::logarithmic_axis_about(errors.low, errors.high, "relative standard error (%)");
+    chart.series = {std::move(worst), std::move(median)};
+    return chart;
+}
+
+Chart organs(
+    const ChartChoice& kind,
+    const ShownRun& shown,
+    const std::string& path,
+    const ValueChoice& choice) {
+    std::vector<NamedRun> runs{{&shown, path}};
+    std::optional<ShownRun> other;
+    if (!kind.with.empty()) {
+        other = read_shown_run(kind.with, choice.point);
+        if (other->result_text.empty()) {
+            throw quasimc::InputError(
+                {{kind.with, "is no result", "a chart shows light",
+                  "give what `quasimc run --json` wrote"}});
+        }
+        runs.push_back({&*other, kind.with});
+    }
+    return organ_chart(runs, choice, kind.aspect);
+}
+
 }  // namespace
 
 ChartKind chart_kind(const std::string& name) {
     return name == "profile"     ? ChartKind::profile
            : name == "histogram" ? ChartKind::histogram
-                                 : ChartKind::course;
+           : name == "organs"    ? ChartKind::organs
+           : name == "course"    ? ChartKind::course
+                                 : ChartKind::convergence;
 }
 
 Chart make_chart(
-    ChartKind kind, const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    const ChartChoice& kind,
+    const ShownRun& shown,
+    const std::string& path,
+    const ValueChoice& choice) {
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
             {{path, "is no result", "a chart shows light",
               "give what `quasimc run --json` wrote"}});
     }
     Chart chart;
-    if (kind == ChartKind::course) {
+    if (kind.kind == ChartKind::course) {
         chart = course(shown, path, choice);
+    } else if (kind.kind == ChartKind::convergence) {
+        chart = convergence(shown, path, choice);
+    } else if (kind.kind == ChartKind::organs) {
+        chart = organs(kind, shown, path, choice);
     } else {
         const ShownValues values = read_shown_values(shown, path, choice);
-        chart = kind == ChartKind::profile ? profile(shown, values) : histogram(shown, values);
+        chart = kind.kind == ChartKind::profile ? profile(shown, values) : histogram(shown, values);
         chart.subtitle += values.when.empty() ? "" : "; " + values.when;
     }
     chart.title = title_of(shown.run);
+    chart.subtitle = kind.note.empty() ? chart.subtitle : kind.note;
     return chart;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "quasimc/quasimc.h"
 #include "show_charts.h"
 #include "show_colors.h"
+#include "show_true_light.h"
 #include "show_values.h"
 #include "view/scene_picture.h"
 
@@ -26,7 +28,9 @@ struct ShowArguments {
     std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts, chart;
     double opening = 0;
     std::size_t threads = 0;
-    bool plain = false, bare = false;
+    bool plain = false, bare = false, as_seen = false;
+    std::string with, note;
+    bool variance = false;
 };
 
 /// Two numbers with a mark between them: "200,20".
@@ -149,7 +153,11 @@ void set_colors(
     const quasimc::RunFile& run = shown.run;
     picture.title = title_of(run);
     std::optional<ShownValues> values;
-    if (!arguments.label.empty()) {
+    if (arguments.as_seen) {
+        picture.true_light = true_light_of(shown, arguments.file, arguments.choice);
+        picture.subtitle = "in the light of its sources" +
+                           (arguments.choice.time.empty() ? "" : ", " + arguments.choice.time);
+    } else if (!arguments.label.empty()) {
         color_by_label(run.scene, arguments.label, picture);
     } else if (arguments.plain || shown.result_text.empty()) {
         color_plainly(run.scene, picture);
@@ -159,6 +167,23 @@ void set_colors(
             run.scene, *values, {arguments.choice.error, arguments.colors, range}, picture);
     }
     picture.to_suns = suns_of(run, values ? &*values : nullptr);
+}
+
+ChartChoice chart_choice(const ShowArguments& arguments) {
+    return {
+        chart_kind(arguments.chart),
+        arguments.variance ? OrganAspect::variance : OrganAspect::value, arguments.with,
+        arguments.note};
+}
+
+/// @throws UsageError
+void check_usage(const ShowArguments& arguments) {
+    if (arguments.chart != "organs" && (arguments.variance || !arguments.with.empty())) {
+        throw UsageError("--variance and --with: are of --chart organs");
+    }
+    if (arguments.chart.empty() && !arguments.note.empty()) {
+        throw UsageError("--note: is of a --chart");
+    }
 }
 
 Exit show(const ShowArguments& arguments) {
@@ -179,8 +204,7 @@ Exit show(const ShowArguments& arguments) {
         draw_scene(*canvas, shown.run.scene, picture);
     } else {
         draw_chart(
-            *canvas,
-            make_chart(chart_kind(arguments.chart), shown, arguments.file, arguments.choice),
+            *canvas, make_chart(chart_choice(arguments), shown, arguments.file, arguments.choice),
             static_cast<double>(picture.width), static_cast<double>(picture.height));
     }
     output.sink(0)(canvas->finish());
@@ -189,39 +213,13 @@ Exit show(const ShowArguments& arguments) {
     return Exit::done;
 }
 
-std::vector<Flag> flags_of(ShowArguments& arguments) {
+/// How it is drawn.
+std::vector<Flag> view_flags(ShowArguments& arguments) {
     std::vector<std::string> maps;
     for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
         maps.emplace_back(map.name);
     }
-    ValueChoice& choice = arguments.choice;
     return {
-        {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
-        {.name = "-o,--output",
-         .target = &arguments.output,
-         .summary = "picture to write, PNG or SVG (.svg); - is standard output",
-         .required = true,
-         .type_name = "FILE"},
-        {.name = "--quantity",
-         .target = &choice.quantity,
-         .summary = "what colours tell: a quantity, sunlit_fraction or a ratio of the run",
-         .default_text = choice.quantity},
-        {"--band", &choice.band, "by default the first"},
-        {"--error", &choice.error, "show its standard error, per cent of the value"},
-        {"--time", &choice.time,
-         "of a run with [time]: the time that begins so; by default the sum"},
-        {.name = "--day",
-         .target = &choice.day,
-         .summary = "of a run with [time]: the sum of this day, 2024-06-21",
-         .excludes = "--time"},
-        {"--point", &choice.point, "of a sweep: which point, from 1"},
-        {.name = "--chart",
-         .target = &arguments.chart,
-         .summary = "draw a chart instead: light against height, how much area has how much, or "
-                    "the course of time",
-         .choices = {"profile", "histogram", "course"}},
-        {"--label", &arguments.label, "colour organs by this label instead"},
-        {"--plain", &arguments.plain, "show the shape alone"},
         {.name = "--view",
          .target = &arguments.view,
          .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye, "
@@ -248,11 +246,56 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
         {"--threads", &arguments.threads, "0: as many as there are"}};
 }
 
+/// What is shown, and how.
+std::vector<Flag> flags_of(ShowArguments& arguments) {
+    ValueChoice& choice = arguments.choice;
+    std::vector<Flag> flags{
+        {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
+        {.name = "-o,--output",
+         .target = &arguments.output,
+         .summary = "picture to write, PNG or SVG (.svg); - is standard output",
+         .required = true,
+         .type_name = "FILE"},
+        {.name = "--quantity",
+         .target = &choice.quantity,
+         .summary = "what colours tell: a quantity, sunlit_fraction or a ratio of the run",
+         .default_text = choice.quantity},
+        {"--band", &choice.band, "by default the first"},
+        {"--error", &choice.error, "show its standard error, per cent of the value"},
+        {"--time", &choice.time,
+         "of a run with [time]: the time that begins so; by default the sum"},
+        {.name = "--day",
+         .target = &choice.day,
+         .summary = "of a run with [time]: the sum of this day, 2024-06-21",
+         .excludes = "--time"},
+        {"--point", &choice.point, "of a sweep: which point, from 1"},
+        {.name = "--chart",
+         .target = &arguments.chart,
+         .summary = "draw a chart instead: light against height, how much area has how much, "
+                    "the course of time, organ by organ from the top with a fitted curve, or how "
+                    "errors fell round by round",
+         .choices = {"profile", "histogram", "course", "organs", "convergence"}},
+        {"--variance", &arguments.variance,
+         "of --chart organs: the variance between replicates instead"},
+        {.name = "--with",
+         .target = &arguments.with,
+         .summary = "of --chart organs: another result of the scene beside it",
+         .type_name = "RESULT"},
+        {"--note", &arguments.note, "of --chart: words under the title"},
+        {"--label", &arguments.label, "colour organs by this label instead"},
+        {"--as-seen", &arguments.as_seen,
+         "show it as an eye would see it, in the light of its sources"},
+        {"--plain", &arguments.plain, "show the shape alone"}};
+    std::vector<Flag> view = view_flags(arguments);
+    std::move(view.begin(), view.end(), std::back_inserter(flags));
+    return flags;
+}
+
 }  // namespace
 
 Command show_command() {
     const auto arguments = std::make_shared<ShowArguments>();
-    return {"show", "draw a picture of a scene and its light", flags_of(*arguments), [arguments] {
-                return show(*arguments);
-            }};
+    return {
+        "show", "draw a picture of a scene and its light", flags_of(*arguments),
+        [arguments] { return show(*arguments); }, [arguments] { check_usage(*arguments); }};
 }

@@ -14,6 +14,7 @@
 #include "io/runfile/civil_time_text.h"
 #include "quasimc/quasimc.h"
 #include "quasimc/sun.h"
+#include "show_colors.h"
 #include "sources/clear_sky.h"
 #include "sources/daylight.h"
 #include "sources/source.h"
@@ -177,6 +178,12 @@ void write_png(const SkyArguments& arguments, const quasimc::Source& sky, const 
 /// The sky asked for; nothing if the sun it needs is below the horizon and none was asked for.
 std::shared_ptr<const quasimc::Source> sky_of(
     const quasimc::SkyEntry& entry, const quasimc::SkyState& state, quasimc::Faults& faults) {
+    if (entry.needs == quasimc::SkyNeeds::sun_and_weather && state.diffuse_horizontal <= 0) {
+        faults.add(
+            {"--sky", fmt::format("{} needs the light of the hour", entry.name), "",
+             "give --diffuse-horizontal and --direct-normal, W m-2"});
+        return nullptr;
+    }
     if (entry.needs != quasimc::SkyNeeds::nothing && state.to_sun.z <= 0) {
         faults.add(
             {"--sky", "the sun is below the horizon",
@@ -187,17 +194,9 @@ std::shared_ptr<const quasimc::Source> sky_of(
     return quasimc::make_sky(std::string(entry.name), entry.make(state), {1.0});
 }
 
-void require_png() {
-    if (!quasimc::has_png()) {
-        throw quasimc::InputError(
-            {{"--png", "this program can draw no pictures", "it was built without libpng",
-              "leave --png out, or build it where libpng is installed"}});
-    }
-}
-
 Exit show_sky(const SkyArguments& arguments) {
     if (!arguments.png.empty()) {
-        require_png();
+        require_pictures("--png");
     }
     quasimc::Faults faults;
     const auto place = place_of(arguments, faults);

@@ -63,7 +63,8 @@ Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
     quasimc::WindowServer server(
-        quasimc::WindowSite(read_window_run(arguments).data, quasimc::random_token()),
+        quasimc::WindowSite(
+            quasimc::files_of(read_window_run(arguments).data), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());
     std::fflush(stdout);

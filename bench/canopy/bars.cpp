@@ -1,7 +1,7 @@
-// The marks that tracing from lit surfaces is held to: variance of the irradiance of leaves (both
-// sides, per one-sided area, mean over leaves) and CPU time of one replicate, one thread. Seed 1 is
-// the canopy that the numbers in solvers/sampling_budget.cpp were chosen on; the others were not
-// looked at.
+// The marks that tracing from lit surfaces and ray bundles are held to: variance of the irradiance
+// of leaves (both sides, per one-sided area, mean over leaves) and CPU time of one replicate, one
+// thread. Seed 1 is the canopy that the numbers in solvers/sampling_budget.cpp were chosen on; the
+// others were not looked at.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "parts.h"
-#include "quasimc/source.h"
+#include "results/patch_error.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -55,6 +55,38 @@ Measured measure(
         std::sqrt(variance) / mean};
 }
 
+/// As measure(), of ray bundles: the error of patches, which replicates have in common, counts once
+/// in the variance of one.
+Measured measure_bundles(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
+    Measured m = measure(scene, sources, spec, absorptance);
+    const Sums sums = Simulator().sums(scene, sources, spec, 0);
+    const Result fine = evaluate_run(sums, scene, spec, sources);
+    const Result coarse = evaluate_run(coarser_sums(sums), scene, spec, sources);
+    double variance = 0, mean = 0;
+    for (std::size_t i = 0; i < fine.organs(); ++i) {
+        const Estimate& e = fine.at(i, Quantity::absorbed_flux_density, 0);
+        const double patches = e.mean - coarse.at(i, Quantity::absorbed_flux_density, 0).mean;
+        const double square = patches * patches;
+        variance += (e.standard_error * e.standard_error - square) * spec.replicates + square;
+        mean += e.mean;
+    }
+    const auto organs = static_cast<double>(fine.organs());
+    m.variance = variance / organs / (absorptance * absorptance);
+    m.error = std::sqrt(variance / organs) / (mean / organs);
+    return m;
+}
+
+Measured measure_by(
+    Method method,
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    double absorptance) {
+    return method == Method::ray_bundles ? measure_bundles(scene, sources, spec, absorptance)
+                                         : measure(scene, sources, spec, absorptance);
+}
+
 RunSpec make_spec(Method from, std::string sampler, std::uint64_t paths, const Effort& effort) {
     RunSpec spec;
     spec.method = from;
@@ -63,6 +95,10 @@ RunSpec make_spec(Method from, std::string sampler, std::uint64_t paths, const E
     spec.replicates = effort.replicates;
     spec.threads = 1;
     return spec;
+}
+
+bool is_asked_for(const std::string& name, const Effort& effort) {
+    return name.find(effort.cases) != std::string::npos;
 }
 
 const char* met(bool is_met) {
@@ -77,15 +113,16 @@ void print_direct(
     double most_variance,
     double most_ms,
     const Effort& effort) {
+    if (!is_asked_for(name, effort)) {
+        return;
+    }
     for (const std::uint64_t seed : kSeeds) {
         const Scene scene = make_canopy({.leaves = one.leaves, .albedos = {0}, .seed = seed});
-        const Sources sources = one.light == Light::sun
-                                    ? make_light(Light::sun, 1)
-                                    : Sources{make_sky("overcast", cie_overcast_shape(), {1})};
+        const Sources sources = make_light(one.light, 1);
         const Measured m =
             measure(scene, sources, make_spec(Method::first_hits, "sobol", paths, effort), 1);
         std::printf(
-            "  %-28s seed %lu: variance %.2e in %6.2f ms (at most %.0e in %g ms: %s)\n", name, seed,
+            "  %-37s seed %lu: variance %.2e in %6.2f ms (at most %.0e in %g ms: %s)\n", name, seed,
             m.variance, 1e3 * m.seconds, most_variance, most_ms,
             met(m.variance <= most_variance && 1e3 * m.seconds <= most_ms));
     }
@@ -93,40 +130,49 @@ void print_direct(
 
 /// Figure of merit over light tracing with a sampler.
 void print_merit(
+    Method method,
     const char* name,
     const Case& one,
     const std::string& sampler,
     double least,
     std::uint64_t paths,
     const Effort& effort) {
+    if (!is_asked_for(name, effort)) {
+        return;
+    }
     for (const std::uint64_t seed : kSeeds) {
         const Scene scene =
             make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
         const Sources sources = make_light(one.light, 1);
         const double absorptance = 1 - one.albedo;
-        const Measured lit = measure(
-            scene, sources, make_spec(Method::first_hits, "sobol", paths, effort), absorptance);
+        const Measured lit = measure_by(
+            method, scene, sources, make_spec(method, "sobol", paths, effort), absorptance);
         const Measured plain = measure(
             scene, sources, make_spec(Method::light_tracing, sampler, paths, effort), absorptance);
         const double ratio = lit.merit() / plain.merit();
         std::printf(
-            "  %-28s seed %lu: %6.1f times %s from sources at %lu paths (at least %g: %s)\n", name,
+            "  %-37s seed %lu: %6.1f times %s from sources at %lu paths (at least %g: %s)\n", name,
             seed, ratio, sampler.c_str(), paths, least, met(ratio >= least));
     }
 }
 
-/// CPU time until the error of a leaf is 1 % of the mean irradiance, scattering included.
-void print_time(const char* name, const Case& one, double most_ms, const Effort& effort) {
+/// CPU time of one replicate until the error of a leaf is 1 % of the mean irradiance, scattering
+/// included.
+void print_time(
+    Method method, const char* name, const Case& one, double most_ms, const Effort& effort) {
     constexpr double kError = 0.01;
     constexpr double kLeastStep = 1.03;
+    if (!is_asked_for(name, effort)) {
+        return;
+    }
     for (const std::uint64_t seed : kSeeds) {
         const Scene scene =
             make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
         const Sources sources = make_light(one.light, 1);
         std::uint64_t paths = 1024;
         const auto try_paths = [&] {
-            const RunSpec spec = make_spec(Method::first_hits, "sobol", paths, effort);
-            return measure(scene, sources, spec, 1 - one.albedo);
+            const RunSpec spec = make_spec(method, "sobol", paths, effort);
+            return measure_by(method, scene, sources, spec, 1 - one.albedo);
         };
         Measured m = try_paths();
         while (m.error > kError) {
@@ -137,9 +183,46 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
             m = try_paths();
         }
         std::printf(
-            "  %-28s seed %lu: error %.2f %% in %7.1f ms, %lu paths (1 %% in %g ms: %s)\n", name,
+            "  %-37s seed %lu: error %.2f %% in %7.1f ms, %lu paths (1 %% in %g ms: %s)\n", name,
             seed, 100 * m.error, 1e3 * m.seconds, paths, most_ms,
             met(m.error <= kError && 1e3 * m.seconds <= most_ms));
+    }
+}
+
+/// What ray bundles are held to.
+void print_bundle_bars(const Effort& effort) {
+    std::printf("\n== What ray bundles are held to\n");
+    constexpr Method kBundles = Method::ray_bundles;
+    constexpr double kPar = 0.2, kNir = 0.9;
+    print_time(kBundles, "bundles, 500 leaves, PAR, sun", {500, kPar, Light::sun}, 5, effort);
+    print_time(
+        kBundles, "bundles, 10,000 leaves, PAR, sun", {10000, kPar, Light::sun}, 100, effort);
+    print_time(
+        kBundles, "bundles, 10,000 leaves, NIR, sun", {10000, kNir, Light::sun}, 600, effort);
+    print_time(
+        kBundles, "bundles, 10,000 leaves, PAR, overcast", {10000, kPar, Light::overcast}, 600,
+        effort);
+    print_time(
+        kBundles, "bundles, 10,000 leaves, NIR, overcast", {10000, kNir, Light::overcast}, 1000,
+        effort);
+    struct Merit {
+        const char* name;
+        Case one;
+        double least;
+    };
+    constexpr Merit kMerits[]{
+        {"bundles, 500 leaves, PAR, sun", {500, kPar, Light::sun}, 300},
+        {"bundles, 10,000 leaves, PAR, sun", {10000, kPar, Light::sun}, 200},
+        {"bundles, 500 leaves, NIR, sun", {500, kNir, Light::sun}, 40},
+        {"bundles, 10,000 leaves, NIR, sun", {10000, kNir, Light::sun}, 25},
+        {"bundles, 500 leaves, PAR, sky", {500, kPar, Light::sky}, 40},
+        {"bundles, 10,000 leaves, PAR, sky", {10000, kPar, Light::sky}, 20},
+        {"bundles, 500 leaves, NIR, sky", {500, kNir, Light::sky}, 100},
+        {"bundles, 10,000 leaves, NIR, sky", {10000, kNir, Light::sky}, 60},
+    };
+    for (const Merit& merit : kMerits) {
+        print_merit(
+            kBundles, merit.name, merit.one, "monte_carlo", merit.least, effort.paths, effort);
     }
 }
 
@@ -147,28 +230,34 @@ void print_time(const char* name, const Case& one, double most_ms, const Effort&
 
 void print_bars(const Effort& effort) {
     std::printf("\n== What tracing from lit surfaces is held to\n");
+    constexpr Method kFirst = Method::first_hits;
     print_direct("direct sun, 500 leaves", {}, 5 << 15, 1e-7, 3, effort);
     print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 1 << 17, 1e-5, 20, effort);
-    print_direct("direct overcast, 500 leaves", {.light = Light::sky}, 1 << 20, 2e-6, 200, effort);
+    print_direct(
+        "direct overcast, 500 leaves", {.light = Light::overcast}, 1 << 20, 2e-6, 200, effort);
     const std::uint64_t paths = effort.paths;
     for (const std::uint64_t n : {paths, 16 * paths}) {
-        print_merit("500 leaves, PAR, sun", {}, "monte_carlo", 60, n, effort);
-        print_merit("500 leaves, PAR, sun", {}, "korobov", 6, n, effort);
+        print_merit(kFirst, "500 leaves, PAR, sun", {}, "monte_carlo", 60, n, effort);
+        print_merit(kFirst, "500 leaves, PAR, sun", {}, "korobov", 6, n, effort);
     }
     constexpr Case kMany{.leaves = 10000};
     constexpr Case kSky{.light = Light::sky};
     constexpr Case kNir{.albedo = 0.9};
-    print_merit("10,000 leaves, PAR, sun", kMany, "monte_carlo", 20, paths, effort);
-    print_merit("500 leaves, PAR, sky", kSky, "monte_carlo", 10, paths, effort);
-    print_merit("500 leaves, NIR, sun", kNir, "monte_carlo", 4, paths, effort);
-    print_merit("500 leaves, NIR, sky", {500, 0.9, Light::sky}, "monte_carlo", 1, paths, effort);
-    print_merit("10,000 leaves, NIR, sun", {10000, 0.9}, "monte_carlo", 1, paths, effort);
+    print_merit(kFirst, "10,000 leaves, PAR, sun", kMany, "monte_carlo", 20, paths, effort);
+    print_merit(kFirst, "500 leaves, PAR, sky", kSky, "monte_carlo", 10, paths, effort);
+    print_merit(kFirst, "500 leaves, NIR, sun", kNir, "monte_carlo", 4, paths, effort);
     print_merit(
-        "10,000 leaves, PAR, sky", {10000, 0.2, Light::sky}, "monte_carlo", 1, paths, effort);
+        kFirst, "500 leaves, NIR, sky", {500, 0.9, Light::sky}, "monte_carlo", 1, paths, effort);
+    print_merit(kFirst, "10,000 leaves, NIR, sun", {10000, 0.9}, "monte_carlo", 1, paths, effort);
     print_merit(
-        "10,000 leaves, NIR, sky", {10000, 0.9, Light::sky}, "monte_carlo", 1, paths, effort);
-    print_time("500 leaves, PAR, sun", {}, 20, effort);
-    print_time("10,000 leaves, PAR, sun", {.leaves = 10000}, 1000, effort);
+        kFirst, "10,000 leaves, PAR, sky", {10000, 0.2, Light::sky}, "monte_carlo", 1, paths,
+        effort);
+    print_merit(
+        kFirst, "10,000 leaves, NIR, sky", {10000, 0.9, Light::sky}, "monte_carlo", 1, paths,
+        effort);
+    print_time(kFirst, "500 leaves, PAR, sun", {}, 20, effort);
+    print_time(kFirst, "10,000 leaves, PAR, sun", {.leaves = 10000}, 1000, effort);
+    print_bundle_bars(effort);
 }
 
 }  // namespace quasimc::bench

@@ -4,6 +4,7 @@
 //     ./dev bench efficiency engine    some parts
 //     ./dev bench --quick              a fast look, rough numbers
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
+//     ./dev bench bars --cases bundles what ray bundles are held to
 //     ./dev bench canopies --files A B on the scenes of run files too; status 1 above the bar
 
 #include <algorithm>
@@ -48,10 +49,11 @@ int main(int argc, char** argv) {
     std::uint64_t plain_paths = 0;
     app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
     app.add_option("--files", files, "canopies: run files whose scenes are looked at too");
-    app.add_option("--cases", words, "canopies: only cases whose name holds these words");
+    app.add_option("--cases", words, "bars, canopies: only cases whose name holds these words");
     CLI11_PARSE(app, argc, argv);
 
-    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000, 5000} : Effort{};
+    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000, 5000, ""} : Effort{};
+    effort.cases = words;
     effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(
         "QuasiMC %s, %u threads available. CPU times are of one thread unless stated.\n",

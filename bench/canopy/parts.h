@@ -15,6 +15,7 @@ struct Effort {
     std::uint32_t repetitions = 200;            ///< of runs, to count how many are right
     std::uint64_t plain_paths = 1'000'000'000;  ///< of plain tracing, to agree with
     std::uint32_t most_triangles = 1'000'000;   ///< of canopies
+    std::string cases;                          ///< of bars: only names that hold this
 };
 
 /// Variance, CPU time and figure of merit of every sampler and direction of tracing.

@@ -91,6 +91,9 @@ Sources make_light(Light light, std::size_t bands) {
     if (light == Light::sun) {
         return {make_directional_source("sun", {0, 0, -1}, irradiance)};
     }
+    if (light == Light::overcast) {
+        return {make_sky("overcast", cie_overcast_shape(), irradiance)};
+    }
     return {make_uniform_sky("sky", irradiance)};
 }
 

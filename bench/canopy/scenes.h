@@ -22,9 +22,9 @@ struct Canopy {
 
 [[nodiscard]] Scene make_canopy(const Canopy& canopy);
 
-enum class Light { sun, sky };
+enum class Light { sun, sky, overcast };
 
-/// The sun straight down, or a uniform sky, irradiance 1 in every band.
+/// The sun straight down, a uniform sky, or the CIE's overcast one, irradiance 1 in every band.
 [[nodiscard]] Sources make_light(Light light, std::size_t bands);
 
 /// Mean over the organs of the variance, from replicate to replicate, of their absorbed flux

@@ -6,7 +6,7 @@ all its leaves, and reads how much light each absorbed.  Every shoot grows by on
 bud at the base of a leaf makes a new shoot if its leaf has enough light, and a leaf in deep shade
 falls.
 
-    examples/03-coupled/plant.py [--steps N] [--program PATH]
+    examples/03-coupled/plant.py [--steps N] [--program PATH] [--view]
 """
 
 import argparse
@@ -15,6 +15,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -89,9 +90,9 @@ class Shoot:
 class Light:
     """The other process."""
 
-    def __init__(self, program):
+    def __init__(self, program, words=()):
         self.process = subprocess.Popen(
-            [program, "-e", "comm.e", "light.qmc"],
+            [program, "-e", "comm.e", *words, "light.qmc"],
             cwd=HERE,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -157,7 +158,7 @@ def report(step, shoots, leaves, fallen):
     )
 
 
-def grow(light, steps):
+def grow(light, steps, pause=0.0):
     shoots = [Shoot((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0))]
     fallen = 0
     for step in range(steps):
@@ -168,6 +169,7 @@ def grow(light, steps):
         leaves = [leaf for shoot in shoots for leaf in shoot.leaves]
         light.ask(leaves, step)
         report(step, shoots, leaves, fallen)
+        time.sleep(pause)
         for shoot in list(shoots):
             kept = [leaf for leaf in shoot.leaves if leaf.size < 1 or leaf.light > LIGHT_TO_LIVE]
             fallen += len(shoot.leaves) - len(kept)
@@ -192,9 +194,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--steps", type=int, default=16)
     parser.add_argument("--program", help="the light program (default: the one built here)")
+    parser.add_argument(
+        "--view",
+        action="store_true",
+        help="show the steps in a browser, one a second; Enter begins and ends",
+    )
     arguments = parser.parse_args()
-    light = Light(program_path(arguments.program))
-    grow(light, arguments.steps)
+    light = Light(program_path(arguments.program), ["--view"] if arguments.view else [])
+    if arguments.view:
+        input("Open the address above in a browser of this machine, then press Enter.\n")
+    grow(light, arguments.steps, 1.0 if arguments.view else 0.0)
+    if arguments.view:
+        input("All steps are there: the slider goes back. Enter ends.\n")
     return light.end()
 
 

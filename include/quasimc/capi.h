@@ -30,7 +30,8 @@ typedef struct quasimc_result quasimc_result;
 enum quasimc_status {
     QUASIMC_DONE = 0,
     QUASIMC_INPUT_ERROR = 1, /**< something stated is wrong; all faults are told, one per line */
-    QUASIMC_MISUSE = 2,      /**< a NULL, an index or a name that is not there, a handle in use */
+    QUASIMC_MISUSE = 2, /**< a NULL, a count that can't be, an index or a name that is not there, a
+                             handle in use */
     QUASIMC_INTERNAL_ERROR = 3, /**< our fault, or memory ran out */
     QUASIMC_STOPPED = 4         /**< a run ended before there was a result */
 };
@@ -54,7 +55,11 @@ const char* quasimc_version(void);
 /** What was wrong with the last call in this thread that failed; "" if none did. Until the next. */
 const char* quasimc_last_error(void);
 
-/* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ---- */
+/* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ----
+ *
+ * What is stated is checked together, when the scene is run or a growth is made of it; by
+ * themselves calls refuse pointers, counts, texts that are no TOML, options, and faces that name no
+ * vertex. What a run then refuses is taken back by quasimc_scene_clear, and stated anew. */
 
 /** An empty scene. Paths of files are relative to the current folder. */
 int quasimc_scene_new(quasimc_scene** scene);
@@ -65,11 +70,16 @@ void quasimc_scene_free(quasimc_scene* scene);
 /** States anything as a piece of a run file (TOML). Tables are joined with what was stated, lists
  *  of tables ([[material]], [[source]], [[organ]], ...) are appended, single values replaced. */
 int quasimc_scene_state(quasimc_scene* scene, const char* toml);
+/** Takes back all that was stated or loaded under a key at the top of a run file: "source",
+ *  "material", "bands", "run", ..., "organ" also what quasimc_scene_add_mesh was given. An input
+ * error if there is nothing. */
+int quasimc_scene_clear(quasimc_scene* scene, const char* key);
 
 /** Adds a waveband. @param unit  of irradiance; NULL or "": W m-2 */
 int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit);
-/** Adds a material, both sides alike.
- *  @param reflectance, transmittance  `bands` numbers each, 0 to 1; NULL: 0 */
+/** Adds a material, both sides alike, or replaces that of the same name.
+ *  @param reflectance, transmittance  `bands` numbers each, 0 to 1; one of them may be NULL: 0
+ *  @param bands  at least 1 */
 int quasimc_scene_add_material(
     quasimc_scene* scene,
     const char* name,
@@ -107,7 +117,8 @@ int quasimc_scene_set_cell(
 int quasimc_scene_set_place(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m);
 
-/* Sources. Irradiance and power: one number for each of `bands` bands, in their units. */
+/* Sources. Irradiance and power: one number for each of `bands` bands, at least one, in their
+ * units. */
 
 /** Parallel light that travels along (x, y, z). @param irradiance_facing  on a plane across it */
 int quasimc_scene_add_directional(
@@ -142,7 +153,8 @@ int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* 
 /** Computes the light on every organ. What did not change since the last run is not built again.
  *  The bits of the result are those of the program.
  *  @param progress  may be NULL; it must not use the scene
- *  @param result  to be freed by the caller; of one moment: [time] and [sweep] are refused */
+ *  @param result  to be freed by the caller; of one moment: [time] and [sweep] are refused,
+ *         and can be taken back (quasimc_scene_clear) */
 int quasimc_scene_run(
     quasimc_scene* scene, quasimc_progress progress, void* user, quasimc_result** result);
 
@@ -152,7 +164,8 @@ int quasimc_scene_run(
  *  scene has then. The scene must not be freed before it. */
 int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth);
 void quasimc_growth_free(quasimc_growth* growth);
-/** Adds organs behind the others; as quasimc_scene_add_mesh, but that ids must be stated. */
+/** Adds organs behind the others; as quasimc_scene_add_mesh, but that ids must be stated. All or
+ *  none: an id that an organ of the growth or of its scene has is an input error. */
 int quasimc_growth_add_mesh(
     quasimc_growth* growth,
     const double* vertices,
@@ -162,7 +175,8 @@ int quasimc_growth_add_mesh(
     const int64_t* organ_of_face,
     const char* materials,
     const int32_t* material_of_face);
-/** Puts organs in the place of those of the same ids. */
+/** Puts organs in the place of those of the same ids, all or none. An id that was not added to the
+ *  growth is an input error. */
 int quasimc_growth_change_mesh(
     quasimc_growth* growth,
     const double* vertices,
@@ -172,10 +186,13 @@ int quasimc_growth_change_mesh(
     const int64_t* organ_of_face,
     const char* materials,
     const int32_t* material_of_face);
+/** Removes an organ that was added to the growth. */
 int quasimc_growth_remove(quasimc_growth* growth, int64_t organ);
-/** Takes over what changed in the scene beside sources and options: materials, ground, ... */
+/** Takes over what changed in the scene beside sources and options: materials, ground, ... Nothing
+ *  is taken over if one of its organs now has the id of an organ of the growth. */
 int quasimc_growth_update_scene(quasimc_growth* growth);
-/** The light of this step: the bits of a single run of the same organs in the same order. */
+/** The light of this step: the bits of a single run of the same organs in the same order, and its
+ *  warnings. */
 int quasimc_growth_run(
     quasimc_growth* growth, quasimc_progress progress, void* user, quasimc_result** result);
 

@@ -69,7 +69,9 @@ struct OutputSpec {
     std::optional<std::string> csv, json;
     std::optional<std::string> days;                     ///< sums over days, of a run with [time]
     std::optional<std::string> groups_csv, groups_days;  ///< the same of groups of organs
-    std::optional<std::string> picture;  ///< of the light that organs absorb, PNG or SVG
+    std::optional<std::string> picture;        ///< of the light that organs absorb, PNG or SVG
+    std::optional<std::string> vtp, ply, glb;  ///< the scene with its numbers
+    std::optional<std::string> nc;             ///< light by organ, band and time
 
     // What of it all is written. What is computed, days and groups_days among it, stays the same.
     /// Names of quantity_table(), or "sunlit_fraction"; empty: all.

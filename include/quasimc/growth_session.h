@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "quasimc/run.h"
@@ -29,30 +31,43 @@ namespace quasimc {
 class GrowthSession {
   public:
     /// @param frame  bands, materials, ground, cell and all that stays; its organs, if any, come
-    ///        first and can't be changed
+    ///        first and can't be changed. Its faults are told when the scene is built
     explicit GrowthSession(SceneBuilder frame);
     ~GrowthSession();
     GrowthSession(GrowthSession&& other) noexcept;
     GrowthSession& operator=(GrowthSession&& other) noexcept;
 
     /// Replaces what is not an organ of the session: other optics, another ground.
+    /// @throws InputError  if one of its organs has the id of an organ of the session; nothing is
+    ///         replaced then
     void set_frame(SceneBuilder frame);
 
-    /// Adds an organ behind the others. Without an id it gets one more than the largest that the
-    /// session ever had; the organs of a frame should have ids of their own.
-    /// @returns its id. @throws InputError  if an organ of the session has that id
+    /// Adds organs behind the others, all or, if one is refused, none. Without an id an organ gets
+    /// one more than the largest that the session and its frame ever had.
+    /// @returns their ids. @throws InputError  if the session or its frame has an organ of such an
+    ///          id, or two of these have the same; with all faults at once
+    std::vector<std::int64_t> add(std::vector<OrganSpec> organs);
     std::int64_t add(OrganSpec organ);
-    /// Puts an organ in the place of that of the same id. @throws InputError  if there is none
+    /// Puts organs in the places of those of the same ids, all or none. @throws InputError  if the
+    /// session has not all of them, or one is stated twice
+    void change(std::vector<OrganSpec> organs);
     void change(OrganSpec organ);
-    /// @throws InputError  if there is none
+    /// Removes organs, all or none. @throws InputError  if the session has not all of them, or one
+    /// is stated twice
+    void remove(std::span<const std::int64_t> ids);
     void remove(std::int64_t id);
+    /// Whether the session has an organ of this id. Those of the frame do not count.
     [[nodiscard]] bool has(std::int64_t id) const { return places_.contains(id); }
-    /// Organs of the session.
+    /// Organs of the session: those that were added and not removed, without those of the frame.
     [[nodiscard]] std::size_t size() const { return organs_.size(); }
 
     /// The scene of this step. @throws InputError  as SceneBuilder::build; the session may be
     ///         mended and used on
     [[nodiscard]] std::shared_ptr<const Scene> scene();
+    /// What lint() says of the scene of this step. Looked for when it is first asked for after a
+    /// change, in time in proportion to all triangles; run() does not ask.
+    /// @throws InputError  as scene()
+    [[nodiscard]] const std::vector<Warning>& warnings();
     /// The light of this step; as Simulator::run.
     [[nodiscard]] Result run(
         const Sources& sources, const RunSpec& spec, const RunControl& control = {});
@@ -66,13 +81,18 @@ class GrowthSession {
     [[nodiscard]] std::size_t tree_builds() const { return simulator_.builds(); }
 
   private:
+    /// Notes that the scene is another one.
+    void forget_scene();
+
     SceneBuilder frame_;
+    std::unordered_set<std::int64_t> frame_ids_;
     std::map<std::uint64_t, OrganSpec> organs_;  // in the order in which they were added
     std::unordered_map<std::int64_t, std::uint64_t> places_;  // of ids among them
     std::uint64_t next_ = 0;
     std::int64_t largest_id_ = 0;
-    std::shared_ptr<const Scene> scene_;       // none: something changed
-    std::unique_ptr<KnownOverlaps> overlaps_;  // of the scene before
+    std::shared_ptr<const Scene> scene_;            // none: something changed
+    std::optional<std::vector<Warning>> warnings_;  // of scene_, if they were asked for
+    std::unique_ptr<KnownOverlaps> overlaps_;       // of the scene before
     std::size_t scene_builds_ = 0;
     Simulator simulator_;
 };

@@ -137,6 +137,16 @@ enum class StopReason {
                   ///< was traced, and all light is 0 without an error
 };
 
+/// What was known after a round of a run that asked for more than one.
+struct RoundErrors {
+    std::uint64_t paths = 0;  ///< per replicate, of all rounds up to it
+    double seconds = 0;       ///< since the run began
+    /// Relative standard errors of the flux that organs absorb, over organs (without the ground)
+    /// and bands in which light was found: half of them are known better than `median`. NaN: none.
+    double median = 0, worst = 0;
+    double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
+};
+
 struct Result {
     std::size_t bands = 0;
     std::size_t ratios = 0;
@@ -157,13 +167,19 @@ struct Result {
     ChosenMethod chosen;
     std::optional<Audit> audit;  ///< if RunSpec::audit asked for one
     std::uint64_t paths = 0;     ///< per replicate, all rounds
+    /// Of these, those that were traced before the run went on from a checkpoint; times are without
+    /// theirs. Of a round that was not complete in proportion to its tasks.
+    double paths_before = 0;
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::paths_done;
     double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
-    double build_seconds = 0;       ///< acceleration structure, wall
-    double trace_seconds = 0;       ///< wall
-    double trace_cpu_seconds = 0;   ///< all threads
+    /// Of a run with a target or a limit of paths: what its rounds have brought, those since it was
+    /// resumed; without trials that were begun anew. Empty: it was one round.
+    std::vector<RoundErrors> rounds;
+    double build_seconds = 0;      ///< acceleration structure, wall
+    double trace_seconds = 0;      ///< wall
+    double trace_cpu_seconds = 0;  ///< all threads
 
     [[nodiscard]] std::size_t organs() const { return values.size() / (kQuantities * bands); }
     [[nodiscard]] const Estimate& at(std::size_t organ, Quantity q, std::size_t band) const {

@@ -32,6 +32,16 @@ struct Progress {
 struct RunCheckpoint;  // src/run/run_state.h
 struct RunTeam;        // src/run/run_team.h
 
+/// Who looks on while a run is computed, and wants to see the result as it is so far: after rounds,
+/// and within the first after replicates. Nothing of the run depends on it.
+struct RunPreview {
+    /// Whether somebody looks on now; asked after every task, from the thread that called run().
+    std::function<bool()> is_wanted;
+    /// @param moment  RunControl::moment
+    /// @param so_far  of the paths and replicates (two at least, if there are more) that are done
+    std::function<void(std::size_t moment, Result so_far)> on_result;
+};
+
 /// What a caller hears of a run, and how it may end it.
 struct RunControl {
     std::function<void(const Progress&)> on_progress = {};
@@ -50,7 +60,8 @@ struct RunControl {
     const RunCheckpoint* checkpoint = nullptr;
     /// Other processes that trace with this one; null: none.
     const RunTeam* team = nullptr;
-    std::size_t moment = 0;  ///< the run's number in both
+    std::size_t moment = 0;               ///< the run's number in both, and for those who look on
+    const RunPreview* preview = nullptr;  ///< null: nobody looks on
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.

@@ -218,6 +218,8 @@ class SceneBuilder {
     void add_detector(DetectorSpec detector);
     /// Periods along the two horizontal axes, z up.
     void set_cell(const Cell& cell);
+    /// The ids that the organs added so far will have, in their order.
+    [[nodiscard]] std::vector<std::int64_t> organ_ids() const;
 
     /// The scene, or an InputError with every fault: neither organ nor ground; bands, materials or
     /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates

@@ -39,6 +39,8 @@ struct SeriesSum {
     }
 };
 
+struct TracedRuns;  // src/run/team_runs.h
+
 /// What a series tells while it is computed; each may be left out.
 struct SeriesEvents {
     /// @param traced  the moment whose trace this result was scaled from; itself if it was traced
@@ -52,7 +54,11 @@ struct SeriesEvents {
     /// As RunControl::checkpoint; moments have their numbers in the series.
     const RunCheckpoint* checkpoint = nullptr;
     const RunTeam* team = nullptr;  ///< as RunControl::team
-    bool wants_total = true;        ///< whether SeriesSummary::total is computed
+    /// Whoever has traced the moments' runs instead; null: nobody.
+    const TracedRuns* traced_runs = nullptr;
+    bool wants_total = true;  ///< whether SeriesSummary::total is computed
+    /// As RunControl::preview; of moments whose light is another's times a factor nothing is told.
+    const RunPreview* preview = nullptr;
 };
 
 /// What is known of a series at its end.

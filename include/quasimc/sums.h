@@ -219,8 +219,10 @@ enum class FoundBy { paths, lines, directions };
 struct LightKind {
     FoundBy found_by = FoundBy::paths;
     bool has_suns = false;
-    std::vector<std::size_t> spectra;  ///< of these lights, and of no others
-    std::vector<double> flux;          ///< per band, as SumUnits::flux: of the brightest spectrum
+    /// Of these lights, and of no others; empty: of another kind's lights too, so that it is not
+    /// known what of their light these have brought.
+    std::vector<std::size_t> spectra;
+    std::vector<double> flux;  ///< per band, as SumUnits::flux: of the brightest spectrum
     /// By side of a region (2 * region + side): how much of the light of one find it can get, 0
     /// where it faces none of the lights. Of lines: a length, in local units. Empty: all.
     std::vector<double> reach = {};
@@ -250,11 +252,15 @@ struct SumUnits {
     double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
     double sunlit_area_per_find = 0;
     std::vector<double> region_scale = {};  ///< per region; empty: 1
+    std::vector<double> find_scale = {};    ///< the same of a find; empty: region_scale
     /// Of all lights, those first whose finds are counted. Empty: a find is flux_per_find.
     std::vector<LightKind> kinds = {};
 
     [[nodiscard]] double scale(std::size_t region) const {
         return region_scale.empty() ? 1 : region_scale[region];
+    }
+    [[nodiscard]] double scale_of_find(std::size_t region) const {
+        return find_scale.empty() ? scale(region) : find_scale[region];
     }
     friend bool operator==(const SumUnits&, const SumUnits&) = default;
 };

@@ -16,7 +16,13 @@
 namespace quasimc::python {
 namespace {
 
-SceneBuilder frame_of(const Document& document, const std::vector<py::dict>& meshes) {
+/// A session, and what was said of its frame when it was read.
+struct GrowthHandle {
+    GrowthSession session;
+    std::vector<Warning> frame_warnings;
+};
+
+FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
     arrays.reserve(meshes.size());
     for (const py::dict& mesh : meshes) {
@@ -24,41 +30,52 @@ SceneBuilder frame_of(const Document& document, const std::vector<py::dict>& mes
     }
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
-    return read_frame_document(
-               document.node, document.name, files,
-               [&](SceneBuilder& builder) {
-                   for (const MeshArrays& mesh : arrays) {
-                       add_organs(mesh, builder);
-                   }
-               })
-        .builder;
+    return read_frame_document(document.node, document.name, files, [&](SceneBuilder& builder) {
+        for (const MeshArrays& mesh : arrays) {
+            add_organs(mesh, builder);
+        }
+    });
 }
 
-std::vector<std::int64_t> add_to(GrowthSession& session, const py::dict& mesh) {
-    std::vector<std::int64_t> ids;
-    for (OrganSpec& organ : make_organs(arrays_of(mesh))) {
-        ids.push_back(session.add(std::move(organ)));
-    }
-    return ids;
+GrowthHandle make_session(const Document& document, const std::vector<py::dict>& meshes) {
+    FrameOfRun frame = frame_of(document, meshes);
+    return {GrowthSession(std::move(frame.builder)), std::move(frame.warnings)};
 }
 
-void change_in(GrowthSession& session, const py::dict& mesh) {
-    for (OrganSpec& organ : make_organs(arrays_of(mesh))) {
-        session.change(std::move(organ));
-    }
+void set_frame(
+    GrowthHandle& handle, const Document& document, const std::vector<py::dict>& meshes) {
+    FrameOfRun frame = frame_of(document, meshes);
+    handle.session.set_frame(std::move(frame.builder));
+    handle.frame_warnings = std::move(frame.warnings);
 }
 
-SceneHandle scene_of(GrowthSession& session) {
+std::vector<std::int64_t> add_to(GrowthHandle& handle, const py::dict& mesh) {
+    return handle.session.add(make_organs(arrays_of(mesh)));
+}
+
+void change_in(GrowthHandle& handle, const py::dict& mesh) {
+    handle.session.change(make_organs(arrays_of(mesh)));
+}
+
+void remove_from(GrowthHandle& handle, const std::vector<std::int64_t>& ids) {
+    handle.session.remove(ids);
+}
+
+/// The scene of this step, with what is to be said of it and of its frame.
+SceneHandle scene_of(GrowthHandle& handle) {
     const py::gil_scoped_release release;
-    return {session.scene(), {}};
+    std::vector<Warning> warnings = handle.frame_warnings;
+    const std::vector<Warning>& of_scene = handle.session.warnings();
+    warnings.insert(warnings.end(), of_scene.begin(), of_scene.end());
+    return {handle.session.scene(), std::move(warnings)};
 }
 
 std::shared_ptr<Result> run_step(
-    GrowthSession& session, const LightHandle& light, const py::object& on_progress) {
+    GrowthHandle& handle, const LightHandle& light, const py::object& on_progress) {
     auto result = std::make_shared<Result>();
     WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
-        *result =
-            session.run(light.light.sources, light.light.spec, {.on_progress = tell, .stop = stop});
+        *result = handle.session.run(
+            light.light.sources, light.light.spec, {.on_progress = tell, .stop = stop});
     });
     return result;
 }
@@ -66,28 +83,22 @@ std::shared_ptr<Result> run_step(
 }  // namespace
 
 void bind_growth(py::module_& module) {
-    py::class_<GrowthSession>(module, "GrowthSession")
-        .def(
-            py::init([](const Document& document, const std::vector<py::dict>& meshes) {
-                return GrowthSession(frame_of(document, meshes));
-            }),
-            py::arg("document"), py::arg("meshes"))
-        .def(
-            "set_frame",
-            [](GrowthSession& session, const Document& document,
-               const std::vector<py::dict>& meshes) {
-                session.set_frame(frame_of(document, meshes));
-            },
-            py::arg("document"), py::arg("meshes"))
+    py::class_<GrowthHandle>(module, "GrowthSession")
+        .def(py::init(&make_session), py::arg("document"), py::arg("meshes"))
+        .def("set_frame", &set_frame, py::arg("document"), py::arg("meshes"))
         .def("add", &add_to, py::arg("mesh"))
         .def("change", &change_in, py::arg("mesh"))
-        .def("remove", &GrowthSession::remove, py::arg("id"))
-        .def("has", &GrowthSession::has, py::arg("id"))
+        .def("remove", &remove_from, py::arg("ids"))
+        .def(
+            "has", [](const GrowthHandle& h, std::int64_t id) { return h.session.has(id); },
+            py::arg("id"))
         .def("scene", &scene_of)
         .def("run", &run_step, py::arg("light"), py::arg("on_progress") = py::none())
-        .def_property_readonly("size", &GrowthSession::size)
-        .def_property_readonly("scene_builds", &GrowthSession::scene_builds)
-        .def_property_readonly("tree_builds", &GrowthSession::tree_builds);
+        .def_property_readonly("size", [](const GrowthHandle& h) { return h.session.size(); })
+        .def_property_readonly(
+            "scene_builds", [](const GrowthHandle& h) { return h.session.scene_builds(); })
+        .def_property_readonly(
+            "tree_builds", [](const GrowthHandle& h) { return h.session.tree_builds(); });
 }
 
 }  // namespace quasimc::python

@@ -132,6 +132,8 @@ py::object groups_dict(const GroupResults& results, py::handle owner) {
         results.values, {count, signed_size(kQuantities), signed_size(results.bands)}, owner);
     all["sunlit_fraction"] = estimates_view(
         results.sunlit_fraction, {signed_size(results.sunlit_fraction.size())}, owner);
+    all["sunlit_area"] =
+        estimates_view(results.sunlit_area, {signed_size(results.sunlit_area.size())}, owner);
     all["ratios"] =
         estimates_view(results.ratio_values, {count, signed_size(results.ratios)}, owner);
     return all;

@@ -91,6 +91,7 @@ py::list days_of(const py::object& self) {
         day["date"] = all.series.days[all.days[i]];
         day["seconds"] = all.sums[i].seconds;
         day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
+        day["groups"] = groups_dict(all.sums[i].groups, self);
         days.append(day);
     }
     return days;
@@ -127,6 +128,11 @@ void bind_series(py::module_& module) {
             [](const py::object& self) {
                 const auto& total = self.cast<const SeriesHandle&>().summary.total;
                 return view_of_sum(total, organs_of(total), self);
+            })
+        .def_property_readonly(
+            "total_groups",
+            [](const py::object& self) {
+                return groups_dict(self.cast<const SeriesHandle&>().summary.total.groups, self);
             })
         .def_property_readonly("facts", &facts_of_series);
     module.def(

@@ -170,12 +170,23 @@ class Selection(_Light):
 
 class Groups(_Light):
     groups: list[dict[str, Any]]
-    def __init__(self, core: Any, organs: Organs) -> None: ...
+    def __init__(
+        self,
+        core: Any,
+        organs: Organs,
+        ratio_names: Iterable[str] = (),
+        factors: Array | None = None,
+    ) -> None: ...
+    @property
+    def ratios(self) -> dict[str, Estimates]: ...
     def to_pandas(self) -> Any: ...
 
 class Sums(_Light):
     seconds: float
-    def __init__(self, values: Array, seconds: float, organs: Organs) -> None: ...
+    groups: Groups | None
+    def __init__(
+        self, values: Array, seconds: float, organs: Organs, groups: Any = None
+    ) -> None: ...
     def to_pandas(self) -> Any: ...
 
 class Result(_Light):
@@ -257,7 +268,9 @@ class Series:
     def to_pandas(self) -> Any: ...
 
 ProgressArgument = Union[bool, Callable[[Progress], object], None]
-SourcesArgument = Union[Source, Iterable[Union[Source, Mapping[str, Any]]], None]
+SourcesArgument = Union[
+    Source, Mapping[str, Any], Iterable[Union[Source, Mapping[str, Any]]], None
+]
 
 class Scene:
     def __init__(

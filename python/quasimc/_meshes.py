@@ -17,8 +17,28 @@ def fault(place, problem, why="", suggestion=""):
     return InputError(text, [detail])
 
 
+def without_mask(place, what, values):
+    """The values, of which none may be masked."""
+    if np.ma.is_masked(values):
+        raise fault(place, f"some of {what} are masked", "every number counts", "leave them out")
+    return values
+
+
+def integers(place, what, values):
+    """Values as an array of int64."""
+    values = np.asarray(without_mask(place, what, values))
+    if values.size == 0:
+        return values.astype(np.int64)
+    if values.dtype.kind not in "iu":
+        raise fault(place, f"{what} is {values.dtype}", "it must be integers")
+    if int(values.max()) > np.iinfo(np.int64).max:
+        raise fault(place, f"{what} is {values.max()}", "integers end at 2^63 - 1")
+    return values.astype(np.int64, copy=False)
+
+
 def vertices_and_faces(place, vertices, faces):
     """Vertices (n, 3) float64; faces (m, 3) integers, or None if every three vertices are one."""
+    vertices = without_mask(place, "vertices", vertices)
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     if faces is None:
         if vertices.ndim != 3 or vertices.shape[1:] != (3, 3):
@@ -30,15 +50,16 @@ def vertices_and_faces(place, vertices, faces):
         return vertices.reshape(-1, 3), None
     if vertices.ndim != 2 or vertices.shape[1] != 3:
         raise fault(place, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
-    faces = np.asarray(faces)
+    faces = np.asarray(without_mask(place, "faces", faces))
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
         raise fault(
             place,
             f"faces are {faces.dtype} of the shape {faces.shape}",
             "they must be integers, (m, 3)",
         )
-    narrow = faces.dtype.itemsize <= 4 and faces.dtype != np.uint32
-    return vertices, np.ascontiguousarray(faces, dtype=np.int32 if narrow else np.int64)
+    if faces.dtype.itemsize <= 4 and faces.dtype != np.uint32:
+        return vertices, np.ascontiguousarray(faces, dtype=np.int32)
+    return vertices, np.ascontiguousarray(integers(place, "faces", faces))
 
 
 def grouped(place, organ, count):
@@ -47,14 +68,13 @@ def grouped(place, organ, count):
         return None, np.array([0, count], dtype=np.int64), None
     if np.ndim(organ) == 0:
         organ = np.full(count, organ)
-    organ = np.asarray(organ)
-    if organ.shape != (count,) or organ.dtype.kind not in "iu":
+    if np.shape(organ) != (count,) or np.asarray(organ).dtype.kind not in "iu":
         raise fault(
             place,
-            f"organ is {organ.dtype} of the shape {organ.shape}",
+            f"organ is {np.asarray(organ).dtype} of the shape {np.shape(organ)}",
             f"it must be integers, one for each of the {count} faces",
         )
-    organ = organ.astype(np.int64, copy=False)
+    organ = integers(place, "organ", organ)
     order = None
     if np.any(organ[1:] < organ[:-1]):
         order = np.argsort(organ, kind="stable")
@@ -64,8 +84,22 @@ def grouped(place, organ, count):
     return order, starts, np.ascontiguousarray(organ[starts[:-1]])
 
 
-def per_organ(place, what, value, ids, count):
-    """A value for all organs as a list of one, or one for each as a list of `count` texts."""
+def ranks_of(order, starts):
+    """Of each organ, by ascending ids: how many organs appear before it among the faces."""
+    organs = len(starts) - 1
+    if order is None:
+        return np.arange(organs)
+    ranks = np.empty(organs, dtype=np.int64)
+    ranks[np.argsort(order[starts[:-1]])] = np.arange(organs)  # the first face of each
+    return ranks
+
+
+def per_organ(place, what, value, ids, ranks):
+    """A value for all organs as a list of one, or one for each, by ascending ids, as texts.
+
+    Lists are in the order in which the organs first appear among the faces: `ranks`.
+    """
+    count = len(ranks)
     if isinstance(value, Mapping):
         if ids is None:
             raise fault(place, f"{what} goes by organ", "no organ array was given")
@@ -75,10 +109,10 @@ def per_organ(place, what, value, ids, count):
         return [str(value[int(i)]) for i in ids]
     if isinstance(value, str) or np.ndim(value) == 0:
         return [str(value)]
-    values = [str(v) for v in value]
+    values = [str(v) for v in without_mask(place, what, value)]
     if len(values) != count:
         raise fault(place, f"{what} has {len(values)} values", f"there are {count} organs")
-    return values
+    return [values[rank] for rank in ranks]
 
 
 def materials_of(place, material, order, starts, ids):
@@ -87,7 +121,7 @@ def materials_of(place, material, order, starts, ids):
         return [material], None
     faces = int(starts[-1])
     if isinstance(material, Mapping):
-        names = per_organ(place, "material", material, ids, len(starts) - 1)
+        names = per_organ(place, "material", material, ids, ranks_of(order, starts))
         unique, number = np.unique(names, return_inverse=True)
         sorted_faces = np.repeat(number.astype(np.uint32), np.diff(starts))
         of_face = sorted_faces
@@ -95,7 +129,7 @@ def materials_of(place, material, order, starts, ids):
             of_face = np.empty_like(sorted_faces)
             of_face[order] = sorted_faces
         return [str(n) for n in unique], of_face
-    names = np.asarray(material)
+    names = np.asarray(without_mask(place, "material", material))
     if names.shape != (faces,) or names.dtype.kind not in "UO":
         raise fault(
             place,
@@ -116,10 +150,10 @@ def mesh_arrays(
     if count == 0:
         raise fault(place, "there are no triangles")
     order, starts, ids = grouped(place, organ, count)
-    organs = len(starts) - 1
+    ranks = ranks_of(order, starts)
     materials, material_of_face = materials_of(place, material, order, starts, ids)
-    names = [] if name is None else per_organ(place, "name", name, ids, organs)
-    if len(names) == 1 and organs > 1:
+    names = [] if name is None else per_organ(place, "name", name, ids, ranks)
+    if len(names) == 1 and len(ranks) > 1:
         names = [f"{names[0]} {i}" for i in ids]
     return {
         "place": place,
@@ -132,7 +166,7 @@ def mesh_arrays(
         "material_of_face": material_of_face,
         "names": names,
         "labels": [
-            (str(key), per_organ(place, f"label '{key}'", value, ids, organs))
+            (str(key), per_organ(place, f"label '{key}'", value, ids, ranks))
             for key, value in (labels or {}).items()
         ],
         "measured": bool(measured),

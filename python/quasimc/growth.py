@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import numbers
+
 import numpy as np
 
 from . import _core
 from ._lock import OneAtATime
-from ._meshes import mesh_arrays
+from ._meshes import integers, mesh_arrays
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
@@ -53,12 +55,13 @@ class GrowthSession:
         Returns
         -------
         list of int
-            The ids of the organs: those in `organ`, or one that the session never had.
+            The ids of the organs, ascending: those in `organ`, or one that neither the session nor
+            its scene ever had.
 
         Raises
         ------
         InputError
-            If an organ of such an id is there already.
+            If the session or its scene has an organ of such an id; no organ is added then.
         """
         mesh = mesh_arrays(
             "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
@@ -83,7 +86,7 @@ class GrowthSession:
         Raises
         ------
         InputError
-            If there is no such organ.
+            If the session has no such organ; none is changed then.
         """
         mesh = mesh_arrays(
             "change", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
@@ -97,26 +100,37 @@ class GrowthSession:
         Raises
         ------
         InputError
-            If there is no such organ.
+            If the session has no such organ; none is removed then.
         """
+        ids = integers("remove", "organ", np.atleast_1d(organ))
         with self._lock:
-            for one in np.atleast_1d(organ).tolist():
-                self._core.remove(one)
+            self._core.remove(ids.tolist())
 
     def __contains__(self, organ):
-        return self._core.has(int(organ))
+        """Whether an organ of this id was added and not removed; those of the scene do not count."""
+        is_id = isinstance(organ, numbers.Integral) and -(2**63) <= organ < 2**63
+        return is_id and self._core.has(int(organ))
 
     def __len__(self):
-        """How many organs were added and not removed."""
+        """How many organs were added and not removed; those of the scene do not count."""
         return self._core.size
 
     def update_scene(self):
-        """Takes over what was changed in the scene of the session: materials, ground, ..."""
+        """Takes over what was changed in the scene of the session: materials, ground, ...
+
+        Raises
+        ------
+        InputError
+            If an organ of the scene now has the id of one of the session; nothing is taken over.
+        """
         with self._lock:
             self._core.set_frame(self._scene._whole_document(), self._scene._meshes)
 
     def run(self, sources=None, *, progress=None, **options):
         """Computes the light of this step; the arguments are those of `Scene.run`.
+
+        What is allowed but probably not meant is told as by `Scene.run`: a scene is looked through
+        once after each change, in time in proportion to all triangles.
 
         Returns
         -------
@@ -124,7 +138,10 @@ class GrowthSession:
             ``result.select(ids)`` gives the light of some organs in the order asked.
         """
         with self._lock:
+            builds = self._core.scene_builds
             built = self._core.scene()
+            if self._core.scene_builds > builds:
+                _warn(built.warnings)
             light = self._scene._light(built, sources, None, options)
             if light.has_times:
                 raise ValueError("a step has no times: give it sources, or use Scene.run")
@@ -132,7 +149,11 @@ class GrowthSession:
             with Listener(progress) as listener:
                 core = self._core.run(light, listener.callback)
         result = Result(
-            core, Organs(built), light.warnings, light.source_notes, light.ratio_names
+            core,
+            Organs(built),
+            [*built.warnings, *light.warnings],
+            light.source_notes,
+            light.ratio_names,
         )
         if result.stop == "interrupted":
             _warn(["interrupted: the result is of what was done until then"])

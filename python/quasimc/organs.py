@@ -34,11 +34,11 @@ class Organs:
 
     @cached_property
     def ids(self):
-        return self._scene.ids
+        return _fixed(self._scene.ids)
 
     @cached_property
     def areas(self):
-        return self._scene.areas
+        return _fixed(self._scene.areas)
 
     @cached_property
     def names(self):
@@ -54,7 +54,7 @@ class Organs:
 
     def index_of(self, organ):
         """The place of an organ by its id. Raises KeyError."""
-        return self._place_of_id[int(organ)]
+        return self._place_of_id[organ]
 
     def triangles(self, index):
         """The triangles of the organ at a place: (n, 3, 3), in the axes of the scene."""
@@ -65,3 +65,9 @@ class Organs:
 
     def __repr__(self):
         return f"<Organs: {len(self)} of {self.triangle_count} triangles>"
+
+
+def _fixed(array):
+    """The array, which can't be written to."""
+    array.flags.writeable = False
+    return array

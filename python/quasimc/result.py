@@ -18,14 +18,6 @@ def quantities():
     return {name: summary for name, (summary, _) in _core.quantities().items()}
 
 
-def _quantity_name(name):
-    name = SHORT_NAMES.get(name, name)
-    if name not in _core.quantities():
-        known = ", ".join(_core.quantities())
-        raise KeyError(f"there is no quantity {name!r}; there are: {known}, sunlit_fraction")
-    return name
-
-
 class _Light:
     """Light by quantity and band, of organs or groups.
 
@@ -47,15 +39,18 @@ class _Light:
         return _core.unit_of(quantity, _core.summed_unit(band_unit)[0], self._of.length_unit)
 
     def __getitem__(self, quantity):
-        if quantity == "sunlit_fraction" and self._time is None:
-            return Estimates(self._sunlit, "sunlit_fraction", "")
-        name = _quantity_name(quantity)
+        name = SHORT_NAMES.get(quantity, quantity)
+        if name not in self.keys():
+            known = ", ".join(self.keys())
+            raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
+        if name == "sunlit_fraction":
+            return Estimates(self._sunlit, name, "")
         number = list(_core.quantities()).index(name)
         units = tuple(self._unit(name, unit) for unit in self._of.units)
         return Estimates(self._values[:, number], name, units, self._of.bands)
 
     def keys(self):
-        """Names of quantities."""
+        """Names of quantities; sunlit_fraction if there are directional sources, not of sums."""
         has_sunlit = self._time is None and len(self._sunlit) > 0
         return [*_core.quantities(), *(["sunlit_fraction"] if has_sunlit else [])]
 
@@ -65,15 +60,13 @@ class _Light:
     def __len__(self):
         return len(self.keys())
 
-    def _columns(self, prefix=()):
-        """Columns as those of the CSV files: name -> array."""
-        columns = dict(prefix)
+    def _columns(self):
+        """Columns of light as those of the CSV files: name -> array."""
+        columns = {}
         for band in self._of.bands:
             for quantity in _core.quantities():
                 estimates = self[quantity][band]
-                columns[f"{quantity}_{band}"] = estimates.mean
-                columns[f"{quantity}_{band}_se"] = estimates.standard_error
-                columns[f"{quantity}_{band}_high"] = estimates.high
+                columns.update(_estimate_columns(f"{quantity}_{band}", estimates))
         return columns
 
 
@@ -86,8 +79,8 @@ class Selection(_Light):
     """
 
     def __init__(self, result, ids):
-        self.ids = [int(organ) for organ in ids]
-        places = [result.organs.index_of(organ) for organ in self.ids]
+        places = [result.organs.index_of(organ) for organ in ids]
+        self.ids = result.organs.ids[places].tolist()
         sunlit = result._sunlit[places] if len(result._sunlit) else result._sunlit
         super().__init__(result._values[places], sunlit, result.organs)
 
@@ -104,18 +97,42 @@ class Groups(_Light):
         plant_area_index and cumulative_plant_area_index.
     """
 
-    def __init__(self, core, organs):
-        super().__init__(core["values"], core["sunlit_fraction"], organs)
+    def __init__(self, core, organs, ratio_names=(), factors=None):
+        values = core["values"] if factors is None else core["values"] * factors
+        time = None if factors is None else "sum"
+        super().__init__(values, core["sunlit_fraction"], organs, time)
         self.groups = core["groups"]
+        self._sunlit_area = core["sunlit_area"]
+        self._ratios = core["ratios"]
+        self._ratio_names = list(ratio_names)
+
+    @property
+    def ratios(self):
+        """Of each of the ratios that were asked for ("R:FR") the Estimates of the groups: dict."""
+        return _ratio_estimates(self._ratios, self._ratio_names)
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each group."""
+        """A pandas.DataFrame with a row for each group, and columns as in the CSV files.
+
+        by, value, organs (how many), area, low, high, plant_area_index,
+        cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_high``,
+        sunlit_fraction and sunlit_area where there are directional sources, and ``ratio_<ratio>``.
+        The fractions of the canopy are in `Result.canopy`.
+        """
         import pandas
 
-        names = ("by", "value", "area", "low", "high", "plant_area_index")
-        first = {name: [group[name] for group in self.groups] for name in names}
-        first["organs"] = [len(group["organs"]) for group in self.groups]
-        return pandas.DataFrame(self._columns(first.items()))
+        columns = {name: [group[name] for group in self.groups] for name in ("by", "value")}
+        columns["organs"] = [len(group["organs"]) for group in self.groups]
+        for name in ("area", "low", "high", "plant_area_index", "cumulative_plant_area_index"):
+            columns[name] = [group[name] for group in self.groups]
+        columns.update(self._columns())
+        if "sunlit_fraction" in self.keys():
+            area = Estimates(self._sunlit_area, "sunlit_area", f"{self._of.length_unit}2")
+            columns.update(_estimate_columns("sunlit_fraction", self["sunlit_fraction"]))
+            columns.update(_estimate_columns("sunlit_area", area))
+        for name, estimates in self.ratios.items():
+            columns.update(_estimate_columns(f"ratio_{name}", estimates))
+        return pandas.DataFrame(columns)
 
 
 class Result(_Light):
@@ -123,7 +140,8 @@ class Result(_Light):
 
     ``result["absorbed_flux"]["PAR"].mean`` is an array with a number for each organ, in the order
     of ``result.organs``; ``.standard_error``, ``.low`` and ``.high`` (95 %) go with it. The
-    quantities are those of `quasimc.quantities()`, and "sunlit_fraction".
+    quantities are those of `quasimc.quantities()`, and "sunlit_fraction" where there are directional
+    sources.
 
     Attributes
     ----------
@@ -162,16 +180,12 @@ class Result(_Light):
     @cached_property
     def ratios(self):
         """Of each of the ratios that were asked for ("R:FR") the Estimates of the organs: dict."""
-        values = self._core.ratios
-        return {
-            name: Estimates(values[:, i], f"ratio {name}", "")
-            for i, name in enumerate(self._ratio_names)
-        }
+        return _ratio_estimates(self._core.ratios, self._ratio_names)
 
     @cached_property
     def groups(self):
         """Sums over organs: Groups, that of all organs first."""
-        return Groups(self._core.groups, self.organs)
+        return Groups(self._core.groups, self.organs, self._ratio_names)
 
     @cached_property
     def budget(self):
@@ -220,16 +234,18 @@ class Result(_Light):
         """A pandas.DataFrame with a row for each organ.
 
         The index is the organ's id; the columns are those of the CSV files: name, labels, area,
-        ``<quantity>_<band>`` with ``_se`` and ``_high``. Units are in ``frame.attrs["units"]``.
+        ``<quantity>_<band>`` with ``_se`` and ``_high``. A label that another column is named as is
+        ``label_<key>``. Units are in ``frame.attrs["units"]``.
         """
         import pandas
 
-        first = {"name": self.organs.names, **self._label_columns(), "area": self.organs.areas}
-        columns = self._columns(first.items())
+        columns = self._columns()
         if len(self._sunlit):
             columns.update(_estimate_columns("sunlit_fraction", self["sunlit_fraction"]))
         for name, estimates in self.ratios.items():
             columns.update(_estimate_columns(f"ratio_{name}", estimates))
+        labels = _label_columns(self.organs.labels, columns)
+        columns = {"name": self.organs.names, **labels, "area": self.organs.areas, **columns}
         frame = pandas.DataFrame(columns, index=pandas.Index(self.organs.ids, name="id"))
         frame.attrs["units"] = {
             f"{quantity}_{band}": self[quantity][band].unit
@@ -238,13 +254,6 @@ class Result(_Light):
         }
         return frame
 
-    def _label_columns(self):
-        taken = {"id", "name", "area"}
-        return {
-            f"label_{key}" if key in taken else key: values
-            for key, values in self.organs.labels.items()
-        }
-
     def to_xarray(self):
         """An xarray.Dataset with the dimensions organ, band and statistic.
 
@@ -252,11 +261,10 @@ class Result(_Light):
         """
         import xarray
 
-        variables = {}
+        variables, dimensions = {}, ("organ", "band", "statistic")
         for i, quantity in enumerate(_core.quantities()):
             units = self[quantity].unit
             attributes = {"units": units[0] if len(set(units)) == 1 else ", ".join(units)}
-            dimensions = ("organ", "band", "statistic")
             variables[quantity] = (dimensions, self._values[:, i], attributes)
         if len(self._sunlit):
             variables["sunlit_fraction"] = (("organ", "statistic"), self._sunlit, {"units": "1"})
@@ -267,7 +275,7 @@ class Result(_Light):
             "name": ("organ", np.asarray(self.organs.names)),
             "area": ("organ", self.organs.areas, {"units": f"{self.organs.length_unit}2"}),
         }
-        for key, values in self._label_columns().items():
+        for key, values in _label_columns(self.organs.labels, [*variables, *dimensions]).items():
             coordinates[key] = ("organ", np.asarray(values))
         return xarray.Dataset(variables, coordinates, {"method": self.method})
 
@@ -297,7 +305,8 @@ class Result(_Light):
 class Series:
     """The light of the times of ``[time]``, and its sums over days.
 
-    ``len(series)`` times; ``series[i]`` is the `Result` of one.
+    ``len(series)`` times; ``series[i]`` is the `Result` of one. With keep_times=False there are
+    sums alone: ``series[i]``, iteration and `to_pandas` raise KeyError.
 
     Attributes
     ----------
@@ -306,7 +315,9 @@ class Series:
         Of each: time ("2024-06-21T12:00+02:00"), seconds, sun_azimuth_deg, sun_elevation_deg,
         direct and diffuse (W m-2 on the horizontal, full spectrum).
     days : dict
-        Date -> `Sums`; days of which times are missing are left out.
+        Date -> `Sums`. Days of which a run that was stopped did not do all times are left out. Times
+        that a weather file lacks (``gaps = "skip"``) are no times of the run: their days are there,
+        summed over the others (`Sums.seconds`).
     total : Sums
         Over all times.
     stop : str
@@ -333,31 +344,40 @@ class Series:
     @cached_property
     def days(self):
         return {
-            day["date"]: Sums(day["values"], day["seconds"], self.organs)
+            day["date"]: Sums(day["values"], day["seconds"], self.organs, day["groups"])
             for day in self._core.days
         }
 
     @cached_property
     def total(self):
-        return Sums(self._core.total, self.total_seconds, self.organs)
+        return Sums(self._core.total, self.total_seconds, self.organs, self._core.total_groups)
 
     def __len__(self):
         return len(self.times)
 
-    def __getitem__(self, index):
+    def _kept(self):
+        """The results of the times. Raises KeyError if they were not kept."""
         if not self._results and self.times:
             raise KeyError("the times were not kept (keep_times=False)")
-        return self._results[index]
+        return self._results
+
+    def __getitem__(self, index):
+        return self._kept()[index]
 
     def __iter__(self):
-        return iter(self._results)
+        return iter(self._kept())
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each time and organ, indexed by both."""
+        """A pandas.DataFrame with a row for each time and organ, indexed by both.
+
+        Raises KeyError if the times were not kept (keep_times=False): `days` and `total` have
+        tables of their own.
+        """
         import pandas
 
         names = [moment["time"] for moment in self.times]
-        return pandas.concat([r.to_pandas() for r in self], keys=names, names=["time", "id"])
+        tables = [result.to_pandas() for result in self._kept()]
+        return pandas.concat(tables, keys=names, names=["time", "id"])
 
     def __repr__(self):
         return f"<Series: {len(self)} times, {len(self.organs)} organs, {self.stop}>"
@@ -372,20 +392,42 @@ class Sums(_Light):
     ----------
     seconds : float
         Of the times that were summed.
+    groups : Groups
+        Sums over organs, as those of a result, with the errors of the sums.
     """
 
-    def __init__(self, values, seconds, organs):
-        factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])
-        super().__init__(values * factors[:, None], None, organs, time="sum")
+    def __init__(self, values, seconds, organs, groups=None):
+        factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
+        super().__init__(values * factors, None, organs, time="sum")
         self.seconds = seconds
+        self.groups = None if groups is None else Groups(groups, organs, factors=factors)
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each organ, indexed by id."""
+        """A pandas.DataFrame with a row for each organ, indexed by id; columns as of a result."""
         import pandas
 
-        first = {"name": self._of.names, "area": self._of.areas}
-        index = pandas.Index(self._of.ids, name="id")
-        return pandas.DataFrame(self._columns(first.items()), index=index)
+        columns = self._columns()
+        labels = _label_columns(self._of.labels, columns)
+        columns = {"name": self._of.names, **labels, "area": self._of.areas, **columns}
+        return pandas.DataFrame(columns, index=pandas.Index(self._of.ids, name="id"))
+
+
+def _ratio_estimates(values, names):
+    return {
+        name: Estimates(values[:, i], f"ratio {name}", "") for i, name in enumerate(names)
+    }
+
+
+def _label_columns(labels, others):
+    """Labels by the names of their columns, which no other column has."""
+    taken = {"id", "name", "area", *others}
+    columns = {}
+    for key, values in labels.items():
+        name = key
+        while name in taken or (name != key and name in labels):
+            name = f"label_{name}"
+        columns[name] = values
+    return columns
 
 
 def _estimate_columns(name, estimates):

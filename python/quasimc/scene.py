@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 from . import _core
 from ._lock import OneAtATime
-from ._meshes import mesh_arrays
+from ._meshes import fault, mesh_arrays
 from ._progress import Listener
 from .errors import QuasimcWarning
 from .organs import Organs
@@ -81,13 +81,13 @@ class Scene:
         self._init(
             {**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}},
             "scene",
-            os.getcwd(),
+            None,
         )
 
     def _init(self, table, name, folder):
         self._table = table
         self._name = name
-        self._folder = folder
+        self._folder = folder  # that paths are relative to; None: the current one
         self._meshes = []
         self._document = None  # as it was read, with its lines, as long as nothing is changed
         self._built = None
@@ -128,8 +128,9 @@ class Scene:
             lower=lower,
             **keys,
         )
-        materials = [m for m in self._table.get("material", []) if m.get("name") != name]
-        self._set("material", [*materials, stated])
+        with self._lock.to_change():
+            others = [m for m in self._table.get("material", []) if m.get("name") != name]
+            self._set("material", [*others, stated])
         return self
 
     def add_mesh(
@@ -156,28 +157,38 @@ class Scene:
         faces : array_like of int
             (m, 3): numbers of vertices, counted from 0.
         material : str, dict or list of str
-            Its name; or by the ids in `organ`; or one for each face.
+            Its name; or by the ids in `organ`; or one for each face, in their order.
         organ : int or array_like of int
-            (m,): the id of the organ of each face, or of all; unique in the scene. Organs come in
-            the order of their ids; those of `add_organ` without an id are then numbered from the
+            (m,): the id of the organ of each face, or of all; unique in the scene. Results list the
+            organs by ascending ids, however they stand here; those of `add_organ` without an id are then numbered from the
             largest on. Default: all faces are one organ, with the next id that is free.
         name : str, dict or list of str
-            Of the organs, ids in `organ` or in their order; one name for several is followed by the
-            id.
+            Of the organs: by the ids in `organ`, or one for each, in the order in which the organs
+            first appear in `organ`; one name for several is followed by the id.
         labels : dict
-            Key -> a value for all, a dict by the ids in `organ`, or a list of one for each organ.
+            Key -> a value for all, a dict by the ids in `organ`, or a list of one for each organ, in
+            the order in which they first appear there.
         measured : bool
             Whether their light is asked for.
         field_of_view_deg : float
             Of sensors: half angle about the normal, degrees.
         """
-        place = f"{self._name}: mesh {len(self._meshes) + 1}"
-        self._meshes.append(
-            mesh_arrays(
-                place, vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+        with self._lock.to_change():
+            place = f"{self._name}: mesh {len(self._meshes) + 1}"
+            self._meshes.append(
+                mesh_arrays(
+                    place,
+                    vertices,
+                    faces,
+                    organ,
+                    material,
+                    name,
+                    labels,
+                    measured,
+                    field_of_view_deg,
+                )
             )
-        )
-        self._built = None
+            self._built = None
         return self
 
     def add_organ(self, shape, *, material, **keys):
@@ -200,11 +211,12 @@ class Scene:
         Parameters
         ----------
         file : str or path
-            From the current folder (of a scene that was loaded: from that of its file).
+            From the folder that is the current one now (of a scene that was loaded: from that of
+            its file).
         **keys
             format, organs, material, materials, name, labels, first_id, transform, at.
         """
-        return self._add("geometry", {"file": os.fspath(file), **keys})
+        return self._add("geometry", {"file": self._path(file), **keys})
 
     def add_detector(self, type, **keys):
         """Adds a detector: light that is sorted by what no organ tells."""
@@ -219,23 +231,37 @@ class Scene:
             As `quasimc.sun` and others make it; or its type, with its keys.
         """
         source = source if isinstance(source, Source) else Source(source, **keys)
-        self._table["source"] = [*self._table.get("source", []), source.table()]
-        self._document = None
+        with self._lock.to_change():
+            self._table["source"] = [*self._table.get("source", []), source.table()]
+            self._document = None
         return self
 
     def set_ground(self, material, **keys):
-        """Sets the ground: material; height, x, y, name, or file of a surface."""
-        self._set("ground", {"material": material, **keys})
+        """Sets the ground: material; height, x, y, name, or file of a surface.
+
+        A file as that of `add_file`.
+        """
+        if "file" in keys:
+            keys["file"] = self._path(keys["file"])
+        with self._lock.to_change():
+            self._set("ground", {"material": material, **keys})
         return self
 
     def set_cell(self, x=None, y=None, z=None):
         """Repeats the scene without end along the axes that are given: x=(low, high), ..."""
         cell = {"x": x, "y": y, "z": z}
-        self._set("cell", {key: list(value) for key, value in cell.items() if value is not None})
+        stated = {key: list(value) for key, value in cell.items() if value is not None}
+        with self._lock.to_change():
+            self._set("cell", stated)
         return self
 
+    def _path(self, file):
+        """A path as it is kept: what it means does not change with the current folder."""
+        return os.fspath(file) if self._folder is not None else os.path.abspath(file)
+
     def _add(self, key, table):
-        self._set(key, [*self._table.get(key, []), table])
+        with self._lock.to_change():
+            self._set(key, [*self._table.get(key, []), table])
         return self
 
     def _set(self, key, value):
@@ -259,9 +285,17 @@ class Scene:
             With all faults at once.
         """
         if self._built is None:
-            self._built = self._whole_document().build(self._meshes)
-            self._organs = Organs(self._built)
-            _warn(self._built.warnings)
+            with self._lock:
+                self._build()
+        return self._organs
+
+    def _build(self):
+        """The same where the lock is held."""
+        if self._built is None:
+            built = self._whole_document().build(self._meshes)
+            self._organs = Organs(built)
+            self._built = built
+            _warn(built.warnings)
         return self._organs
 
     def _whole_document(self):
@@ -271,7 +305,8 @@ class Scene:
         return self._document_of(table)
 
     def _document_of(self, table):
-        return _core.Document(table, self._name, self._folder)
+        folder = os.getcwd() if self._folder is None else self._folder
+        return _core.Document(table, self._name, folder)
 
     @property
     def organs(self):
@@ -291,8 +326,7 @@ class Scene:
             return _core.Light(self._document, built)
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
-            stated = [sources] if isinstance(sources, Source) else list(sources)
-            table["source"] = [s.table() if isinstance(s, Source) else dict(s) for s in stated]
+            table["source"] = _source_tables(sources)
         if time is not None:
             table["time"] = dict(time)
         if run_options:
@@ -306,8 +340,9 @@ class Scene:
 
         Parameters
         ----------
-        sources : Source, or list of them
-            Default: those of the scene.
+        sources : Source or dict, or list of them
+            Default: those of the scene. What files they name are looked for in the folder that is
+            the current one now (of a scene that was loaded: in that of its file).
         time : dict
             The keys of ``[time]``: day, times, from and to, weather, ...: the light of many times.
         progress : bool or callable
@@ -332,7 +367,7 @@ class Scene:
             If Ctrl-C came before there was a result.
         """
         with self._lock:
-            organs = self.build()
+            organs = self._build()
             light = self._light(self._built, sources, time, options)
             _warn(light.warnings)
             with Listener(progress) as listener:
@@ -352,6 +387,22 @@ class Scene:
         if self._built is None:
             return f"<Scene {self._name!r}, not built>"
         return f"<Scene {self._name!r}: {self._organs!r}>"
+
+
+def _source_tables(sources):
+    """The tables of a source or of several, each a Source or a dict."""
+    one = isinstance(sources, (Source, Mapping, str))
+    tables = []
+    for source in [sources] if one else sources:
+        if not isinstance(source, (Source, Mapping)):
+            raise fault(
+                "sources",
+                f"{source!r} is no source",
+                "",
+                "make one by quasimc.sun, quasimc.sky, ..., or give a dict of its keys",
+            )
+        tables.append(source.table() if isinstance(source, Source) else dict(source))
+    return tables
 
 
 def _numbered(table, meshes):

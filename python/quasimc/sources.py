@@ -155,6 +155,7 @@ def lamp(
         "point", "spot", "rectangle", "disk", "line", "sphere" or "ies".
     power, photon_flux, luminous_flux : float, list or dict
         What it emits in all: W, umol s-1 or lm, as the bands are in W m-2, umol m-2 s-1 or lx.
+        Where bands have different units each states those of its unit, and 0 for the others.
     **keys
         Where it stands and how it shines, in the unit of length: position, aim, along, length,
         width, radius, cone_deg, soft_from_deg, exponent, file, opening; of a line ``from_`` and

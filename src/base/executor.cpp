@@ -14,14 +14,26 @@ void Executor::run(
     const auto [begin, end] = share_.range(tasks);
     std::uint64_t next = first_task(begin, end);
     done_ += next - begin;
+    done_elsewhere_ += next - begin;
     while (next < end) {
         next = run_together(next, end, work);
         if (next < end) {
             gather();
-            pauses_.on_pause({calls_, next});
+            pauses_.on_pause(pause_at(next, begin, end));
         }
     }
+    before_ += end - begin;
     ++calls_;
+}
+
+/// @param begin, end  of the tasks of this call
+Pause Executor::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const {
+    Pause pause{.done = {calls_, next}};
+    if (before_ + (end - begin) == announced_) {
+        pause.done_of_last = next - begin;
+        pause.last = end - begin;
+    }
+    return pause;
 }
 
 /// The tasks [begin, end), with other processes if there are any. @returns the first not done

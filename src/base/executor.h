@@ -18,10 +18,18 @@ struct TaskPosition {
     friend bool operator==(const TaskPosition&, const TaskPosition&) = default;
 };
 
+/// No task is at work.
+struct Pause {
+    TaskPosition done;
+    /// Of the last call of those that were announced together, how many tasks are done, and how
+    /// many there are; 0 while calls before it are at work.
+    std::uint64_t done_of_last = 0, last = 0;
+};
+
 /// Now and then no task is at work, so that what was done can be kept.
 struct TaskPauses {
     std::function<bool()> is_due;  ///< asked after tasks; costs next to nothing
-    std::function<void(const TaskPosition& done)> on_pause;
+    std::function<void(const Pause& pause)> on_pause;
 };
 
 /// Where the tasks of a call of Executor::run() are handed out.
@@ -76,7 +84,13 @@ class Executor {
     void announce(std::uint64_t tasks) {
         const auto [begin, end] = share_.range(tasks);
         announced_ = end - begin;
-        done_ = 0;
+        done_ = before_ = done_elsewhere_ = 0;
+    }
+    /// Of the tasks announced last, the part that was done already (start_at()).
+    [[nodiscard]] double part_done_before() const {
+        return announced_ == 0
+                   ? 0
+                   : static_cast<double>(done_elsewhere_) / static_cast<double>(announced_);
     }
 
     /// Runs `work(task, worker)` once for every task in [0, tasks) that belongs to the share,
@@ -92,6 +106,7 @@ class Executor {
   private:
     using Clock = std::chrono::steady_clock;
     using Work = std::function<void(std::uint64_t task, unsigned worker)>;
+    [[nodiscard]] Pause pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const;
     [[nodiscard]] std::uint64_t first_task(std::uint64_t begin, std::uint64_t end) const;
     [[nodiscard]] std::uint64_t run_together(
         std::uint64_t begin, std::uint64_t end, const Work& work);
@@ -108,6 +123,8 @@ class Executor {
     TaskPosition done_before_;
     std::uint64_t calls_ = 0;  // of run(), that are complete
     std::uint64_t announced_ = 0;
+    std::uint64_t before_ = 0;          // tasks of complete calls since the announcement
+    std::uint64_t done_elsewhere_ = 0;  // of them, before start_at()
     std::atomic<std::uint64_t> done_{0};
     Clock::time_point last_told_ = Clock::now();
 };

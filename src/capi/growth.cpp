@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "capi/guard.h"
 #include "capi/handles.h"
@@ -10,28 +11,29 @@ namespace quasimc::capi {
 namespace {
 
 /// What the scene says, but for its light.
-SceneBuilder frame_of(const Statement& statement) {
+FrameOfRun frame_of(const Statement& statement) {
     InputFiles files = statement.files();
     return read_frame_document(
-               statement.document(), statement.name(), files,
-               [&](SceneBuilder& builder) {
-                   for (const OrganSpec& organ : statement.organs()) {
-                       builder.add_organ(organ);
-                   }
-               })
-        .builder;
+        statement.document(), statement.name(), files,
+        [&](SceneBuilder& builder) { statement.give_organs_to(builder); });
 }
 
-/// Gives the organs of arrays to a session, one after the other.
+/// What is to be said of the scene of this step: of its frame, and of all of it.
+std::vector<Warning> warnings_of(quasimc_growth& growth) {
+    std::vector<Warning> all = growth.frame_warnings;
+    const std::vector<Warning>& of_scene = growth.session.warnings();
+    all.insert(all.end(), of_scene.begin(), of_scene.end());
+    return all;
+}
+
+/// Gives the organs of arrays to a session, all or none.
 template <typename Take>
 int give_organs(quasimc_growth* growth, const RawMesh& mesh, const Take& take) {
     return guarded([&] {
         quasimc_growth& all = deref(growth, "growth");
         const InUse use(all.in_use);
         static_cast<void>(deref(mesh.organ_of_face, "organ_of_face"));
-        for (OrganSpec& organ : organs_of(mesh)) {
-            take(all.session, std::move(organ));
-        }
+        take(all.session, organs_of(mesh));
     });
 }
 
@@ -46,8 +48,10 @@ int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth) {
         out = nullptr;
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        quasimc::GrowthSession session(frame_of(all.statement));
-        out = new quasimc_growth{&all, std::move(session)};  // NOLINT: a handle
+        quasimc::FrameOfRun frame = frame_of(all.statement);
+        auto made = std::make_unique<quasimc_growth>(quasimc_growth{
+            &all, quasimc::GrowthSession(std::move(frame.builder)), std::move(frame.warnings)});
+        out = made.release();
     });
 }
 
@@ -69,8 +73,8 @@ int quasimc_growth_add_mesh(
         growth,
         {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
          "add"},
-        [](quasimc::GrowthSession& session, quasimc::OrganSpec organ) {
-            session.add(std::move(organ));
+        [](quasimc::GrowthSession& session, std::vector<quasimc::OrganSpec> organs) {
+            session.add(std::move(organs));
         });
 }
 
@@ -88,8 +92,8 @@ int quasimc_growth_change_mesh(
         growth,
         {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
          "change"},
-        [](quasimc::GrowthSession& session, quasimc::OrganSpec organ) {
-            session.change(std::move(organ));
+        [](quasimc::GrowthSession& session, std::vector<quasimc::OrganSpec> organs) {
+            session.change(std::move(organs));
         });
 }
 
@@ -105,7 +109,10 @@ int quasimc_growth_update_scene(quasimc_growth* growth) {
     return guarded([&] {
         quasimc_growth& all = deref(growth, "growth");
         const InUse use(all.in_use);
-        all.session.set_frame(frame_of(all.scene->statement));
+        const InUse scene_in_use(all.scene->in_use);
+        quasimc::FrameOfRun frame = frame_of(all.scene->statement);
+        all.session.set_frame(std::move(frame.builder));
+        all.frame_warnings = std::move(frame.warnings);
     });
 }
 
@@ -118,7 +125,7 @@ int quasimc_growth_run(
         const InUse use(all.in_use);
         const InUse scene_in_use(all.scene->in_use);
         out = run_light(
-                  all.scene->statement, all.session.scene(), {}, progress, user,
+                  all.scene->statement, all.session.scene(), warnings_of(all), progress, user,
                   [&](const quasimc::LightOfRun& light, const quasimc::RunControl& control) {
                       return all.session.run(light.sources, light.spec, control);
                   })

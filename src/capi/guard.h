@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +38,9 @@ T& deref(T* pointer, const char* name) {
     }
     return *pointer;
 }
+/// The numbers of an array, one for each band. @throws Misuse  if it is NULL, or there is none
+[[nodiscard]] std::span<const double> of_bands(
+    const double* numbers, std::int64_t bands, const char* name);
 [[nodiscard]] std::string text_of(const char* text, const char* name);
 /// The same of a text that may be NULL: "".
 [[nodiscard]] std::string optional_text(const char* text);

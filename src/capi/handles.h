@@ -28,6 +28,7 @@ struct quasimc_scene {
 struct quasimc_growth {
     quasimc_scene* scene;
     quasimc::GrowthSession session;
+    std::vector<quasimc::Warning> frame_warnings;  ///< of reading what the scene says
     bool in_use = false;
 };
 

@@ -28,9 +28,8 @@ int add_source(
     const std::function<Node::Table()>& keys) {
     return change_light(scene, [&](Statement& statement) {
         Node::Table source = keys();
-        const double* first = &deref(numbers, amount);
         source.push_back({"type", 0, {std::string(type)}});
-        source.push_back({amount, 0, numbers_node({first, static_cast<std::size_t>(bands)})});
+        source.push_back({amount, 0, numbers_node(of_bands(numbers, bands, amount))});
         statement.add_table("source", std::move(source));
     });
 }

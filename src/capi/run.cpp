@@ -14,11 +14,6 @@ std::string warning_text(const Warning& warning) {
 }
 
 LightOfRun read_light(const Statement& statement, const Scene& scene) {
-    if (statement.document().find("sweep") != nullptr) {
-        throw InputError(
-            {{statement.name() + ": [sweep]", "there are several runs in this scene",
-              "a run is of one moment", "run each by itself"}});
-    }
     InputFiles files = statement.files();
     LightOfRun light = read_light_document(statement.document(), statement.name(), files, scene);
     if (light.series) {
@@ -71,11 +66,8 @@ void build_scene(quasimc_scene& scene) {
     const Statement& statement = scene.statement;
     InputFiles files = statement.files();
     SceneOfRun read = read_scene_document(
-        statement.document(), statement.name(), files, [&](SceneBuilder& builder) {
-            for (const OrganSpec& organ : statement.organs()) {
-                builder.add_organ(organ);
-            }
-        });
+        statement.document(), statement.name(), files,
+        [&](SceneBuilder& builder) { statement.give_organs_to(builder); });
     scene.built = std::make_shared<const Scene>(std::move(read.scene));
     scene.warnings = std::move(read.warnings);
 }

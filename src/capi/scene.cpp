@@ -66,6 +66,11 @@ int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* u
     });
 }
 
+int quasimc_scene_clear(quasimc_scene* scene, const char* key) {
+    return change_scene(
+        scene, [&](Statement& statement) { statement.take_back(text_of(key, "key")); });
+}
+
 int quasimc_scene_add_material(
     quasimc_scene* scene,
     const char* name,
@@ -73,15 +78,21 @@ int quasimc_scene_add_material(
     const double* transmittance,
     int64_t bands) {
     return change_scene(scene, [&](Statement& statement) {
-        Node::Table material{text_member("name", text_of(name, "name"))};
-        const auto count = static_cast<std::size_t>(bands);
+        const std::string of_material = text_of(name, "name");
+        if (reflectance == nullptr && transmittance == nullptr) {
+            throw Misuse("reflectance and transmittance are NULL");
+        }
+        Node::Table material{text_member("name", of_material)};
         if (reflectance != nullptr) {
-            material.push_back({"reflectance", 0, numbers_node({reflectance, count})});
+            material.push_back(
+                {"reflectance", 0, numbers_node(of_bands(reflectance, bands, "reflectance"))});
         }
         if (transmittance != nullptr) {
-            material.push_back({"transmittance", 0, numbers_node({transmittance, count})});
+            material.push_back(
+                {"transmittance", 0,
+                 numbers_node(of_bands(transmittance, bands, "transmittance"))});
         }
-        statement.add_table("material", std::move(material));
+        statement.put_table("material", of_material, std::move(material));
     });
 }
 
@@ -112,9 +123,9 @@ int quasimc_scene_set_label(
     quasimc_scene* scene, int64_t organ, const char* key, const char* value) {
     return change_scene(scene, [&](Statement& statement) {
         quasimc::Labels& labels = statement.organ(organ).labels;
-        const std::string name = text_of(key, "key");
+        const std::string name = text_of(key, "key"), text = text_of(value, "value");
         std::erase_if(labels, [&](const auto& label) { return label.first == name; });
-        labels.emplace_back(name, text_of(value, "value"));
+        labels.emplace_back(name, text);
     });
 }
 

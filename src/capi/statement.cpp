@@ -89,6 +89,26 @@ void Statement::add_table(const std::string& key, Node::Table table) {
     join(top(), {{key, 0, {Node::List{{std::move(table)}}}}});
 }
 
+void Statement::put_table(const std::string& key, const std::string& name, Node::Table table) {
+    const auto has_name = [&](const Node& item) {
+        const Node* of_item = item.find("name");
+        const auto* text = of_item == nullptr ? nullptr : of_item->as<std::string>();
+        return text != nullptr && *text == name;
+    };
+    Node* known = find_in(top(), key);
+    if (known == nullptr || !is_list_of_tables(*known)) {
+        add_table(key, std::move(table));
+        return;
+    }
+    auto& list = std::get<Node::List>(known->value);
+    const auto same = std::find_if(list.begin(), list.end(), has_name);
+    if (same == list.end()) {
+        list.push_back({std::move(table)});
+    } else {
+        *same = {std::move(table)};
+    }
+}
+
 void Statement::set_table(const std::string& key, Node::Table table) {
     remove(key);
     top().push_back({key, 0, {std::move(table)}});
@@ -96,6 +116,18 @@ void Statement::set_table(const std::string& key, Node::Table table) {
 
 void Statement::remove(const std::string& key) {
     std::erase_if(top(), [&](const Member& member) { return member.key == key; });
+}
+
+void Statement::take_back(const std::string& key) {
+    const bool has_arrays = key == "organ" && !organs_.empty();
+    if (find_in(top(), key) == nullptr && !has_arrays) {
+        throw InputError({{"'" + key + "'", "nothing was stated under this key", "", ""}});
+    }
+    remove(key);
+    if (has_arrays) {
+        organs_.clear();
+        places_.clear();
+    }
 }
 
 void Statement::set_option(const std::string& key, const std::string& text) {
@@ -132,6 +164,12 @@ OrganSpec& Statement::organ(std::int64_t id) {
               "add its mesh first"}});
     }
     return organs_[place->second];
+}
+
+void Statement::give_organs_to(SceneBuilder& builder) const {
+    for (const OrganSpec& organ : organs_) {
+        builder.add_organ(organ);
+    }
 }
 
 Node numbers_node(std::span<const double> numbers) {

@@ -28,9 +28,14 @@ class Statement {
     void add(const std::string& toml);
     /// Adds a table to a list of tables ([[source]]).
     void add_table(const std::string& key, Node::Table table);
+    /// The same in the place of the table that has that name, if there is one ([[material]]).
+    void put_table(const std::string& key, const std::string& name, Node::Table table);
     /// Replaces a table ([ground]).
     void set_table(const std::string& key, Node::Table table);
     void remove(const std::string& key);
+    /// Takes back all that was stated under a key at the top; "organ" also those of arrays.
+    /// @throws InputError  if nothing was
+    void take_back(const std::string& key);
     /// Sets an option of [run], from its text.
     void set_option(const std::string& key, const std::string& text);
 
@@ -42,7 +47,7 @@ class Statement {
     [[nodiscard]] const Node& document() const { return document_; }
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] InputFiles files() const { return InputFiles(folder_); }
-    [[nodiscard]] const std::vector<OrganSpec>& organs() const { return organs_; }
+    void give_organs_to(SceneBuilder& builder) const;
 
   private:
     [[nodiscard]] Node::Table& top() { return std::get<Node::Table>(document_.value); }

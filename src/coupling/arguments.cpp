@@ -78,6 +78,7 @@ constexpr std::array kSwitches{
     Switch{"-C", refuse_distribution},
     Switch{"--spec", read_kind},
     Switch{"-no_xserver", [](Words&, Arguments&) {}},  // there is no window anyway
+    Switch{"--view", [](Words&, Arguments& a) { a.view = true; }},
     Switch{"-debug", [](Words&, Arguments& a) { a.debug = true; }},
     Switch{"--help", [](Words&, Arguments& a) { a.wants_help = true; }},
     Switch{"--version", [](Words&, Arguments& a) { a.wants_version = true; }},
@@ -129,7 +130,7 @@ Arguments parse_arguments(std::span<const char* const> list, SpecificationKind k
 
 std::string usage_text() {
     return R"(QuasiMC [-e comm.e] [-k KEY -ext EXT | -k KEY -host HOST] [--spec KIND] specification_file
-        [-no_xserver | -debug]
+        [--view] [-no_xserver | -debug]
 
 The environment process of cpfg and lpfg: computes the light on the organs of a plant at every step.
 The plant simulators start it by the line "executable:" of their environment file (.e), and add -e,
@@ -138,6 +139,7 @@ The plant simulators start it by the line "executable:" of their environment fil
   --spec KIND    what the specification file was written for: quasimc, montecarlo, or automatic
                  (the default: montecarlo if it has directives that only MonteCarlo knows;
                  always montecarlo if the program is called by the name MonteCarlo)
+  --view         shows every step in a browser of this machine, as 'view: yes' in the specification
   -no_xserver    accepted; no display is needed
   -debug         tells on stderr what happens at every step
   --version      prints the version

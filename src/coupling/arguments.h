@@ -19,6 +19,7 @@ struct Arguments {
     std::optional<std::string> host;       ///< -host
     SpecificationKind kind = SpecificationKind::automatic;
     std::string specification;  ///< empty: all defaults
+    bool view = false;          ///< show steps in a browser
     bool debug = false;         ///< tell on stderr what happens
     bool wants_help = false, wants_version = false;
 };

@@ -216,6 +216,16 @@ void read_picture(Values& values, DirectiveContext& context) {
     context.spec.picture_file = name;
 }
 
+void read_view(Values& values, DirectiveContext& context) {
+    constexpr double kLastPort = 65535;
+    const std::optional<bool> on = values.yes_no();
+    const std::optional<std::int64_t> port =
+        values.at_end() ? 0 : values.integer("the port", {0, kLastPort});
+    if (on && port) {
+        context.spec.view_port = *on ? std::optional(static_cast<int>(*port)) : std::nullopt;
+    }
+}
+
 void read_density(Values& values, DirectiveContext& context) {
     const auto density = values.number("the number of rays per unit of area", kNotNegativeNumber);
     if (density && *density == 0) {
@@ -250,6 +260,7 @@ constexpr std::array kRunDirectives{
     DirectiveEntry{"return variance", Dialect::both, read_variance},
     DirectiveEntry{"output file", Dialect::both, read_variance},
     DirectiveEntry{"picture file", Dialect::both, read_picture},
+    DirectiveEntry{"view", Dialect::both, read_view},
 };
 
 }  // namespace

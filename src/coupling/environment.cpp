@@ -131,8 +131,14 @@ class Environment {
     Environment(
         const Arguments& arguments,
         const std::function<void(const std::string&)>& tell,
+        const StepViewer& viewer,
         GuardedStream& stream)
-        : arguments_(arguments), tell_(tell), stream_(stream), notices_(tell), faults_(tell) {}
+        : arguments_(arguments),
+          tell_(tell),
+          viewer_(viewer),
+          stream_(stream),
+          notices_(tell),
+          faults_(tell) {}
 
     Conversation run(const Descriptors& descriptors) {
         if (!read_files(descriptors)) {
@@ -165,12 +171,31 @@ class Environment {
             if (!arguments_.key) {
                 check_apart_from_pipe(spec, arguments_.specification, descriptors.out);
             }
+            open_view(spec);
             light_.emplace(std::move(spec), notices_);
         } catch (const std::exception&) {
             faults_.tell_refusal(std::current_exception());
             return false;
         }
         return true;
+    }
+
+    void open_view(const Specification& spec) {
+        is_viewed_ = viewer_.open && (arguments_.view || spec.view_port);
+        if (is_viewed_) {
+            viewer_.open(spec.view_port.value_or(0));
+        }
+    }
+
+    void answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
+        if (is_viewed_) {
+            viewer_.begin(pass.step);
+        }
+        light_->answer(pass, check, answers);
+        if (is_viewed_) {
+            viewer_.show(
+                {pass.step, light_->specification(), light_->lighting(), light_->shared_last()});
+        }
     }
 
     /// False if there is no line that can be opened so.
@@ -189,7 +214,7 @@ class Environment {
         serve(
             stream_, format_,
             [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
-                light_->answer(pass, check, answers);
+                answer(pass, check, answers);
                 if (tells_steps) {
                     tell_step(*light_, pass, tell_);
                 }
@@ -214,6 +239,8 @@ class Environment {
 
     const Arguments& arguments_;
     const std::function<void(const std::string&)>& tell_;
+    const StepViewer& viewer_;
+    bool is_viewed_ = false;
     GuardedStream& stream_;
     Notices notices_;
     FaultTeller faults_;
@@ -249,10 +276,11 @@ std::unique_ptr<ByteStream> open_stream(
 Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
-    const std::function<void(const std::string&)>& tell) {
+    const std::function<void(const std::string&)>& tell,
+    const StepViewer& viewer) {
     GuardedStream stream;
     const StopSignals signals([&](int signal) { end_at(signal, stream, tell); });
-    Environment environment(arguments, tell, stream);
+    Environment environment(arguments, tell, viewer, stream);
     try {
         return environment.run(descriptors);
     } catch (const PeerDisconnected&) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -7,7 +8,10 @@
 
 #include "coupling/arguments.h"
 #include "coupling/byte_stream.h"
+#include "coupling/lighting.h"
 #include "coupling/notices.h"
+#include "coupling/specification.h"
+#include "coupling/step_light.h"
 
 namespace quasimc {
 
@@ -28,18 +32,37 @@ enum class Conversation {
     failed,  ///< the same for a fault of ours, or for want of memory
 };
 
+/// A step that was answered, for who looks on.
+struct SeenStep {
+    std::int64_t step = 0;  ///< as the simulator counts
+    const Specification& specification;
+    const Lighting& lighting;
+    std::shared_ptr<const StepLight> light;  ///< may be kept
+};
+
+/// Shows steps while a plant grows. Nothing of the answers depends on it.
+struct StepViewer {
+    /// Called before the first step, if the command line or the specification asks for it.
+    /// @param port  0: any. @throws InputError  if it can't be had
+    std::function<void(int port)> open = {};
+    std::function<void(std::int64_t step)> begin = {};  ///< the light of a step will be computed
+    std::function<void(const SeenStep& step)> show = {};
+};
+
 /// The environment process, from reading its files to the order to exit. What is wrong with the
 /// files is told at once, and the simulator is told that there will be no light or, where the line
 /// can't carry that, answered with nothing until it says exit. What is wrong in a step is told, as
 /// often as it changes, and the step answered with nothing. SIGTERM, SIGINT and SIGHUP end the
 /// process with the status 128 + signal, after an empty answer.
 /// @param tell  takes what a person may want to know, line by line; from any thread
+/// @param viewer  shows steps if it is asked to
 /// @throws InputError  if there is no line to the simulator
 /// @throws PeerDisconnected  when the simulator is gone without having said exit
 [[nodiscard]] Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
-    const std::function<void(const std::string&)>& tell);
+    const std::function<void(const std::string&)>& tell,
+    const StepViewer& viewer = {});
 
 /// For a command line that can't be understood: a simulator that its switches name is told that
 /// there will be no light, or answered with nothing until it says exit. Throws nothing.

@@ -45,7 +45,7 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
         notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
     } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
-        light_ = trace(pass, shapes, simulator_, check);
+        light_ = std::make_shared<StepLight>(trace(pass, shapes, simulator_, check));
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
@@ -132,9 +132,10 @@ std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
             placed.push_back({i, is_sensor(query), std::move(shape)});
         }
     }
-    light_ = {};
-    light_.organs.assign(pass.queries.size(), kNoOrgan);
-    unshaded_ = light_;
+    StepLight dark;
+    dark.organs.assign(pass.queries.size(), kNoOrgan);
+    unshaded_ = dark;
+    light_ = std::make_shared<StepLight>(std::move(dark));
     return placed;
 }
 
@@ -206,11 +207,11 @@ void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<doubl
         };
         if (!wanted.quantity) {
             const Estimate unknown{kUnknown, kUnknown, kUnknown, kUnknown};
-            put(light_.sunlit(light_.organs[index]).value_or(unknown));
+            put(light_->sunlit(light_->organs[index]).value_or(unknown));
             continue;
         }
         for (std::size_t b = 0; b < spec_.band_count(); ++b) {
-            put(light_.at(light_.organs[index], *wanted.quantity, b));
+            put(light_->at(light_->organs[index], *wanted.quantity, b));
         }
     }
     const std::size_t count = values.size() - before;
@@ -231,7 +232,7 @@ Estimate PlantLight::returned(const Query& query, std::uint32_t index, std::size
 Estimate PlantLight::of_sensor(std::uint32_t index, ReturnType type, std::size_t band) const {
     const Quantity side =
         type == ReturnType::lower ? Quantity::incident_lower : Quantity::incident_upper;
-    const Estimate seen = light_.at(light_.organs[index], side, band);
+    const Estimate seen = light_->at(light_->organs[index], side, band);
     if (type != ReturnType::hits) {
         return seen;
     }
@@ -240,21 +241,21 @@ Estimate PlantLight::of_sensor(std::uint32_t index, ReturnType type, std::size_t
 }
 
 Estimate PlantLight::of_organ(std::uint32_t index, ReturnType type, std::size_t band) const {
-    const std::uint32_t organ = light_.organs[index];
+    const std::uint32_t organ = light_->organs[index];
     switch (type) {
         case ReturnType::flux:
-            return light_.at(organ, Quantity::absorbed_flux, band);
+            return light_->at(organ, Quantity::absorbed_flux, band);
         case ReturnType::density:
-            return light_.at(organ, Quantity::absorbed_flux_density, band);
+            return light_->at(organ, Quantity::absorbed_flux_density, band);
         case ReturnType::upper:
-            return light_.at(organ, Quantity::incident_upper, band);
+            return light_->at(organ, Quantity::incident_upper, band);
         case ReturnType::lower:
-            return light_.at(organ, Quantity::incident_lower, band);
+            return light_->at(organ, Quantity::incident_lower, band);
         case ReturnType::hits:
             break;
     }
-    const double incident = light_.at(organ, Quantity::incident_upper, band).mean +
-                            light_.at(organ, Quantity::incident_lower, band).mean;
+    const double incident = light_->at(organ, Quantity::incident_upper, band).mean +
+                            light_->at(organ, Quantity::incident_lower, band).mean;
     const double sent = spec_.irradiance[band];
     return {sent > 0 ? incident / sent : 0, kUnknown, kUnknown, kUnknown};
 }
@@ -263,7 +264,7 @@ void PlantLight::write_files(const Pass& pass) const {
     const auto returned_by = [&](std::uint32_t index, std::size_t band) {
         return returned(pass.queries[index], index, band);
     };
-    const StepView view{spec_, pass, lighting_, light_, steps_, returned_by};
+    const StepView view{spec_, pass, lighting_, *light_, steps_, returned_by};
     if (spec_.variance_file) {
         write_variance_file(view);
     }

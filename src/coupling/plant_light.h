@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,8 +31,11 @@ class PlantLight {
     /// @param check  called now and then during the computation; what it throws ends it
     void answer(const Pass& pass, const std::function<void()>& check, Answers& answers);
 
-    /// The light of the last step.
-    [[nodiscard]] const StepLight& last() const { return light_; }
+    /// The light of the last step; who keeps it may do so beyond the next.
+    [[nodiscard]] const StepLight& last() const { return *light_; }
+    [[nodiscard]] std::shared_ptr<const StepLight> shared_last() const { return light_; }
+    /// What has lit it.
+    [[nodiscard]] const Lighting& lighting() const { return lighting_; }
     [[nodiscard]] const Specification& specification() const { return spec_; }
     /// How often an acceleration structure had to be built.
     [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
@@ -77,7 +81,8 @@ class PlantLight {
     std::optional<SkyOfDay> sky_;
     Lighting lighting_;
     Simulator simulator_, unshaded_simulator_;
-    StepLight light_, unshaded_;
+    std::shared_ptr<const StepLight> light_ = std::make_shared<StepLight>();
+    StepLight unshaded_;
     std::uint64_t steps_ = 0;  ///< of the step to come
 };
 

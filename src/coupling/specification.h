@@ -139,6 +139,7 @@ struct Specification {
 
     std::optional<VarianceFile> variance_file;
     std::optional<std::string> picture_file;  ///< its name; the number of the step is put in
+    std::optional<int> view_port;             ///< of the page in the browser, 0: any; nothing: none
 
     [[nodiscard]] std::size_t band_count() const { return bands.size(); }
     /// The number by which organs name the first material.

@@ -116,6 +116,12 @@ std::string read_text(int descriptor, const fs::path& path) {
 
 }  // namespace
 
+fs::path absolute_path(const std::string& stated) {
+    std::error_code error;
+    const bool is_stream = stated == "-" || stated == "/dev/stdin" || fs::is_fifo(stated, error);
+    return is_stream ? fs::current_path() / fs::path(stated).filename() : fs::absolute(stated);
+}
+
 std::string read_file(const fs::path& path) {
     if (path == "-" || path == "/dev/stdin") {
         return read_text(STDIN_FILENO, "standard input");

@@ -5,14 +5,30 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "quasimc/file.h"
 
 namespace quasimc {
 
+/// Where a stated file is: one that comes through a pipe, or "-", is as if in the current folder.
+[[nodiscard]] std::filesystem::path absolute_path(const std::string& stated);
+
 /// The whole of a file; "-" is standard input. @throws InputError  if it can't be read
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+/// How run files, and the files that they name, are reached: by default on the disk.
+struct FileAccess {
+    std::function<std::string(const std::filesystem::path&)> read = read_file;
+    std::function<bool(const std::filesystem::path&)> exists = [](const std::filesystem::path& p) {
+        std::error_code error;
+        return std::filesystem::exists(p, error);
+    };
+    /// Of a path that was stated on the command line. What comes through a pipe is in the current
+    /// folder.
+    std::function<std::filesystem::path(const std::string& stated)> absolute = absolute_path;
+};
 
 /// Reads the files that a run file names, and keeps what is needed to know them again.
 class InputFiles {

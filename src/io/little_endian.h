@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <string>
+#include <string_view>
 
 namespace quasimc {
 
@@ -15,6 +17,17 @@ void append_little_endian(std::string& bytes, T number) {
         std::reverse(raw.begin(), raw.end());
     }
     bytes.append(raw.begin(), raw.end());
+}
+
+/// The number whose bytes start at `at`, lowest first; all of them must be there.
+template <typename T>
+[[nodiscard]] T little_endian_at(std::string_view bytes, std::size_t at) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), bytes.data() + at, sizeof(T));
+    if constexpr (std::endian::native == std::endian::big) {
+        std::reverse(raw.begin(), raw.end());
+    }
+    return std::bit_cast<T>(raw);
 }
 
 }  // namespace quasimc

@@ -17,7 +17,7 @@ bool is_xml_name(std::string_view name) {
 
 }  // namespace
 
-XmlScanner::XmlScanner(std::string_view text) : rest_(without_bom(text)) {}
+XmlScanner::XmlScanner(std::string_view text) : rest_(without_bom(text)), size_(rest_.size()) {}
 
 void XmlScanner::pass(std::size_t count) {
     const std::string_view passed = rest_.substr(0, count);
@@ -47,6 +47,7 @@ XmlScanner::Kind XmlScanner::next() {
     text_ = {};
     if (closes_itself_) {
         closes_itself_ = false;
+        tag_begin_ = tag_end_;
         return Kind::close;
     }
     text_line_ = passed_;
@@ -68,7 +69,9 @@ XmlScanner::Kind XmlScanner::next() {
             return fail("a tag does not end");
         }
         const std::string_view tag = rest_.substr(1, end - 1);
+        tag_begin_ = size_ - rest_.size();
         pass(end + 1);
+        tag_end_ = size_ - rest_.size();
         return read_tag(tag);
     }
 }

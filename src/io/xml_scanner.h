@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,7 +29,13 @@ class XmlScanner {
     [[nodiscard]] std::string_view text() const { return text_; }
     /// The line of the tag, from 1.
     [[nodiscard]] std::uint32_t line() const { return line_; }
-    /// Where the text before the tag starts.
+    /// Where the tag begins and ends in the text (without its byte-order mark), in bytes. The
+    /// second one of a tag that closes itself begins where it ends.
+    [[nodiscard]] std::size_t tag_begin() const { return tag_begin_; }
+    [[nodiscard]] std::size_t tag_end() const { return tag_end_; }
+    /// Whether an opening tag closes itself.
+    [[nodiscard]] bool closes_itself() const { return closes_itself_; }
+    /// The line where the text before the tag starts.
     [[nodiscard]] std::uint32_t text_line() const { return text_line_; }
     /// After `broken`: what is wrong.
     [[nodiscard]] std::string_view problem() const { return problem_; }
@@ -41,6 +48,7 @@ class XmlScanner {
     Kind fail(std::string_view problem);
 
     std::string_view rest_, name_, text_, problem_;
+    std::size_t size_ = 0, tag_begin_ = 0, tag_end_ = 0;
     std::vector<std::pair<std::string_view, std::string_view>> attributes_;
     std::uint32_t line_ = 1, passed_ = 1, text_line_ = 1;
     bool closes_itself_ = false;

@@ -61,7 +61,8 @@ constexpr std::array kModels = {
         {},
         [](Hemisphere side, std::span<const double>) { return make_mirror(side); }},
     BsdfEntry{
-        "coated_lambertian", "the cosine law under a smooth coat: a waxy leaf", kCoat,
+        "coated_lambertian",
+        "the cosine law of a waxy leaf's interior; what its coat mirrors counts as absorbed", kCoat,
         make_coated_lambertian},
     BsdfEntry{
         "clipped_blinn_phong", "blinn_phong cut off at the surface, as in the original QuasiMC",

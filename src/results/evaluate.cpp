@@ -1,17 +1,16 @@
 #include "results/evaluate.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "base/checks.h"
-#include "base/parallel.h"
 #include "results/flows.h"
 #include "results/groups.h"
 #include "results/light_limits.h"
+#include "results/organ_blocks.h"
 #include "results/organ_finds.h"
 #include "results/organ_reader.h"
 #include "results/patch_error.h"
@@ -20,8 +19,6 @@
 
 namespace quasimc {
 namespace {
-
-constexpr std::size_t kOrgansPerBlock = 256;
 
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
@@ -32,6 +29,7 @@ class OrganEvaluator {
           scene_(scene),
           spec_(spec),
           limits_(limits),
+          most_(limits.none()),
           values_(sums.replicates.size()),
           incident_(sums.layout.bands, values_) {
         samples_.fill(values_);
@@ -47,16 +45,16 @@ class OrganEvaluator {
             leave_out(index, ratios.size(), result);
             return;
         }
-        const OrganLimits limits = limits_.of(organ);
+        limits_.find(organ, most_);
         for (std::size_t b = 0; b < result.bands; ++b) {
-            finds[b] = evaluate_band(reader, organ, index, b, limits, result);
+            finds[b] = evaluate_band(reader, organ, index, b, result);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] = not_negative(
                 estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]));
         }
         if (!result.sunlit_fraction.empty()) {
-            const double most = organ.area > 0 ? limits.sunlit_area / organ.area : 0;
+            const double most = organ.area > 0 ? most_.sunlit_area / organ.area : 0;
             result.sunlit_fraction[index] = not_above(sunlit_fraction(reader, organ), most);
         }
     }
@@ -80,7 +78,6 @@ class OrganEvaluator {
         const Organ& organ,
         std::size_t index,
         std::size_t band,
-        const OrganLimits& limits,
         Result& result) {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
@@ -94,7 +91,7 @@ class OrganEvaluator {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] = not_above(
                 finds.estimate(entry, per_area, samples_[q]),
-                limits.of(entry.quantity, band) * (entry.is_flux ? 1 : per_area));
+                most_.of(entry.quantity, band) * (entry.is_flux ? 1 : per_area));
         }
         return finds.knows_finds() && !finds.is_settled() ? finds.find(Quantity::absorbed_flux)
                                                           : SingleFind{};
@@ -124,95 +121,11 @@ class OrganEvaluator {
     const Scene& scene_;
     const EvaluationSpec& spec_;
     const LightLimits& limits_;
+    OrganLimits most_;            // that the organ can get
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
     std::vector<std::vector<double>> incident_;  // per band and replicate, per area
 };
-
-std::size_t blocks_of(const Scene& scene) {
-    return (scene.organs().size() + kOrgansPerBlock - 1) / kOrgansPerBlock;
-}
-
-/// Runs work(first, last) for all organs, some at a time, on all threads.
-template <typename Work>
-void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
-    const std::size_t n = scene.organs().size();
-    parallel_blocks(blocks_of(scene), threads, [&](std::uint64_t block, unsigned) {
-        const std::size_t first = block * kOrgansPerBlock;
-        work(first, std::min(n, first + kOrgansPerBlock));
-    });
-}
-
-/// Adds what an organ absorbs, per band, on the mean over the replicates.
-void add_absorbed(const Sums& sums, const OrganReader& reader, std::vector<double>& flux) {
-    const auto replicates = static_cast<std::uint32_t>(sums.replicates.size());
-    for (std::size_t b = 0; b < flux.size(); ++b) {
-        double sum = 0;
-        for (std::uint32_t r = 0; r < replicates; ++r) {
-            sum += reader.incident(r, b).absorbed;
-        }
-        flux[b] += sum / replicates;
-    }
-}
-
-/// Mean flux that a measured organ absorbs, per band: the same on any number of threads.
-std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const std::size_t bands = sums.layout.bands;
-    std::vector<std::vector<double>> of_block(blocks_of(scene));
-    std::atomic<std::size_t> count{0};
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        std::vector<double>& flux = of_block[first / kOrgansPerBlock];
-        flux.resize(bands);
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            if (is_measured(sums, organ)) {
-                add_absorbed(sums, OrganReader(sums, scene, spec, organ), flux);
-                ++count;
-            }
-        }
-    });
-    std::vector<double> mean(bands);
-    for (const std::vector<double>& flux : of_block) {
-        for (std::size_t b = 0; b < bands; ++b) {
-            mean[b] += flux[b] / std::max(static_cast<double>(count), 1.0);
-        }
-    }
-    return mean;
-}
-
-/// What an organ absorbs in a band.
-Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t band) {
-    std::vector<double> absorbed(sums.replicates.size());
-    for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
-        absorbed[r] = reader.incident(r, band).absorbed;
-    }
-    return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
-}
-
-/// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
-/// any light is. Where nothing was found, if what may be there is little beside what others get.
-/// @param coarse  of sums with two levels of patches, that of the coarser; else null
-bool is_at_target(
-    const Sums& sums,
-    const OrganReader& reader,
-    const OrganReader* coarse,
-    double target,
-    const std::vector<double>& usual) {
-    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
-        Estimate estimate = absorbed_flux(sums, reader, b);
-        if (coarse != nullptr) {
-            estimate =
-                with_patch_error(estimate, estimate.mean - absorbed_flux(sums, *coarse, b).mean);
-        }
-        const bool is_unlit = std::isnan(estimate.standard_error);
-        const bool is_known = is_unlit ? estimate.high <= target * usual[b]
-                                       : estimate.standard_error <= target * estimate.mean;
-        if (!is_known) {
-            return false;
-        }
-    }
-    return true;
-}
 
 }  // namespace
 
@@ -264,26 +177,6 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
         add_patch_errors(evaluate(coarser_sums(sums), scene, spec), result);
     }
     return result;
-}
-
-double fraction_at_target(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
-    std::atomic<std::size_t> reached{0};
-    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
-    const std::vector<double> usual = usual_flux(sums, scene, spec);
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
-            const OrganReader reader(sums, scene, spec, organ);
-            const OrganReader other(coarse, scene, spec, organ);
-            const bool is_done =
-                !is_measured(sums, organ) || is_covered ||
-                is_at_target(sums, reader, has_two_levels(sums) ? &other : nullptr, target, usual);
-            reached += is_done ? 1 : 0;
-        }
-    });
-    return static_cast<double>(reached) / static_cast<double>(scene.organs().size());
 }
 
 }  // namespace quasimc

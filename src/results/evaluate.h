@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -17,5 +18,14 @@ namespace quasimc {
 /// band.
 [[nodiscard]] double fraction_at_target(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target);
+
+/// Relative standard errors of the flux that organs absorb, over organs (without the ground) and
+/// bands in which light was found; NaN if there are none.
+struct ErrorSpread {
+    double median = std::numeric_limits<double>::quiet_NaN();
+    double worst = std::numeric_limits<double>::quiet_NaN();
+};
+[[nodiscard]] ErrorSpread spread_of_errors(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
 }  // namespace quasimc

@@ -122,9 +122,10 @@ class GroupEvaluator {
 
     /// The most that all organs of a group can get.
     [[nodiscard]] OrganLimits limits_of(std::size_t group) const {
-        OrganLimits sum(results_.bands);
+        OrganLimits sum = limits_.none(), own = sum;
         for (const std::uint32_t index : results_.groups[group].organs) {
-            sum += limits_.of(scene_.organs()[index]);
+            limits_.find(scene_.organs()[index], own);
+            sum += own;
         }
         return sum;
     }

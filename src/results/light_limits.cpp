@@ -26,22 +26,6 @@ double most_facing(const Source& source) {
     return std::sqrt(squares);
 }
 
-/// Per band, the largest albedo of a surface that is no sensor.
-std::vector<double> largest_albedos(const Scene& scene) {
-    std::vector<double> largest(scene.bands().size());
-    const std::vector<bool> is_used = used_materials(scene);
-    for (std::size_t m = 0; m < is_used.size(); ++m) {
-        const Material& material = scene.materials()[m];
-        for (const SurfaceSide side : kSurfaceSides) {
-            for (std::size_t b = 0; b < largest.size(); ++b) {
-                const bool scatters = is_used[m] && !material.is_transparent();
-                largest[b] = std::max(largest[b], scatters ? material.side(side).albedo()[b] : 0.0);
-            }
-        }
-    }
-    return largest;
-}
-
 /// Whether light passes some of the organ, and may meet it again and again.
 bool has_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
@@ -91,7 +75,6 @@ OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
     add(direct_lower, other.direct_lower);
     add(scattered, other.scattered);
     // Of what is emitted both together absorb no more than all.
-    absorbed = other.absorbed;
     sunlit_area += other.sunlit_area;
     return *this;
 }
@@ -105,8 +88,6 @@ LightLimits::LightLimits(
       is_known_(!spec.sources.empty()),
       knows_suns_(is_known_) {
     emitted_.resize(scene.bands().size(), kUnlimited);
-    // Of more sources only how bright they are is looked at, not from where they shine.
-    constexpr std::size_t kMostLooks = 16;
     for (const auto& source : spec.sources) {
         const bool is_lamp = source->is_lamp();
         if (!is_lamp && looked_at_.size() < kMostLooks) {
@@ -128,12 +109,8 @@ LightLimits::LightLimits(
     }
 }
 
-OrganLimits LightLimits::of(const Organ& organ) const {
-    OrganLimits limits(emitted_.size());
-    limits.absorbed = emitted_;
-    limits.sunlit_area = knows_suns_ ? 0 : organ.area;
-    std::vector<double> upper(looked_at_.size());
-    std::vector<double> lower(looked_at_.size());
+LightLimits::UnoccludedSides LightLimits::unoccluded_sides(const Organ& organ) const {
+    UnoccludedSides sides;
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const Triangle triangle = scene_.triangles()[std::size_t{organ.first_triangle} + i];
         const Vec3 across = 0.5 * area_vector(triangle);
@@ -143,15 +120,20 @@ OrganLimits LightLimits::of(const Organ& organ) const {
         for (std::size_t s = 0; area > 0 && s < looked_at_.size(); ++s) {
             const double above = looked_at_[s]->most_irradiance(normal);
             const double below = looked_at_[s]->most_irradiance(-normal);
-            upper[s] += area * above;
-            lower[s] += area * below;
+            sides.upper[s] += area * above;
+            sides.lower[s] += area * below;
             is_sunlit = is_sunlit || (looked_at_[s]->is_sun() && std::max(above, below) > kEdgeOn);
         }
-        limits.sunlit_area += knows_suns_ && is_sunlit ? area : 0;
+        sides.sunlit_area += is_sunlit ? area : 0;
     }
+    return sides;
+}
+
+void LightLimits::find(const Organ& organ, OrganLimits& limits) const {
+    const UnoccludedSides sides = unoccluded_sides(organ);
     // Of all of an organ to rounding.
-    const bool is_all = limits.sunlit_area >= kFullyLit * organ.area;
-    limits.sunlit_area = is_all ? organ.area : limits.sunlit_area;
+    const bool is_all = !knows_suns_ || sides.sunlit_area >= kFullyLit * organ.area;
+    limits.sunlit_area = is_all ? organ.area : sides.sunlit_area;
     const bool is_sensor = has_sensor(scene_, organ);
     for (std::size_t b = 0; b < emitted_.size(); ++b) {
         const double lamps = is_sensor && lamps_[b] > 0 ? kUnlimited : lamps_[b];
@@ -159,15 +141,14 @@ OrganLimits LightLimits::of(const Organ& organ) const {
         limits.direct_upper[b] = limits.direct_lower[b] = others;
         for (std::size_t s = 0; s < looked_at_.size(); ++s) {
             const double own = looked_at_[s]->spectrum()[b];
-            limits.direct_upper[b] += own > 0 ? own * upper[s] : 0;
-            limits.direct_lower[b] += own > 0 ? own * lower[s] : 0;
+            limits.direct_upper[b] += own > 0 ? own * sides.upper[s] : 0;
+            limits.direct_lower[b] += own > 0 ? own * sides.lower[s] : 0;
         }
         const double absorptance = least_absorptance(scene_, organ, b);
         // What falls on a surface that absorbs some of it.
         const double before = absorptance > 0 ? emitted_[b] / absorptance : kUnlimited;
         limits.scattered[b] = is_sensor ? kUnlimited : std::min(scattered_[b], before);
     }
-    return limits;
 }
 
 }  // namespace quasimc

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -12,8 +14,12 @@ namespace quasimc {
 /// The most light that an organ, or several, can get: flux per band, infinite where it is not
 /// known. See docs/theory/statistics.md.
 struct OrganLimits {
-    explicit OrganLimits(std::size_t bands)
-        : direct_upper(bands), direct_lower(bands), scattered(bands), absorbed(bands) {}
+    /// Nothing. @param emitted  flux into the scene, per band
+    explicit OrganLimits(std::vector<double> emitted)
+        : direct_upper(emitted.size()),
+          direct_lower(emitted.size()),
+          scattered(emitted.size()),
+          absorbed(std::move(emitted)) {}
 
     std::vector<double> direct_upper, direct_lower;  ///< if nothing stood in its way
     std::vector<double> scattered;                   ///< on both sides together
@@ -33,9 +39,21 @@ class LightLimits {
     /// @param emitted  flux into the scene, per band; empty: not known
     LightLimits(const Scene& scene, const EvaluationSpec& spec, std::span<const double> emitted);
 
-    [[nodiscard]] OrganLimits of(const Organ& organ) const;
+    /// Of no organ yet.
+    [[nodiscard]] OrganLimits none() const { return OrganLimits(emitted_); }
+    /// Those of an organ, written over `limits`, which were made by `none`.
+    void find(const Organ& organ, OrganLimits& limits) const;
 
   private:
+    // Of more sources only how bright they are is looked at, not from where they shine.
+    static constexpr std::size_t kMostLooks = 16;
+    struct UnoccludedSides {
+        std::array<double, kMostLooks> upper{}, lower{};  // per source looked at, times area
+        double sunlit_area = 0;
+    };
+
+    [[nodiscard]] UnoccludedSides unoccluded_sides(const Organ& organ) const;
+
     const Scene& scene_;
     std::vector<const Source*> looked_at_;  // each by itself, triangle after triangle
     std::vector<double> facing_;            // per band: irradiance of the others, whatever faces

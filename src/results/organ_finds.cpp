@@ -63,16 +63,9 @@ OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
 
 void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
     Incident mean;
-    // Light paths have many finds, and their replicates tell, where each replicate has some.
-    std::uint32_t upper_seen = 0;
-    std::uint32_t lower_seen = 0;
-    std::uint32_t seen = 0;
     const auto count = static_cast<double>(reader.replicates());
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
         const Incident in = reader.incident(r, band);
-        upper_seen += in.scattered_upper > 0 ? 1 : 0;
-        lower_seen += in.scattered_lower > 0 ? 1 : 0;
-        seen += in.scattered_upper > 0 || in.scattered_lower > 0 ? 1 : 0;
         mean.direct_upper += in.direct_upper / count;
         mean.direct_lower += in.direct_lower / count;
         mean.scattered_upper += in.scattered_upper / count;
@@ -82,29 +75,40 @@ void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
     }
     const double tries = count * reader.samples();
     const double by_path = reader.flux_per_light_path(band) / count;
-    const double upper_path = upper_seen < reader.replicates() ? by_path : 0;
-    const double lower_path = lower_seen < reader.replicates() ? by_path : 0;
     // Where the points can't see a source, light paths may bring its light.
     const bool is_hidden = mean.unoccluded_upper == 0 && mean.unoccluded_lower == 0;
     const double direct_path = is_hidden ? by_path : 0;
     direct_.upper = direct_find(mean.direct_upper, mean.unoccluded_upper, tries, direct_path);
     direct_.lower = direct_find(mean.direct_lower, mean.unoccluded_lower, tries, direct_path);
-    const double scattered = reader.scattered_flux_per_find(band) / count;
-    const double upper = std::hypot(scattered, upper_path);
-    const double lower = std::hypot(scattered, lower_path);
-    scattered_.upper = {upper, mean.scattered_upper == 0 ? 0 : upper};
-    scattered_.lower = {lower, mean.scattered_lower == 0 ? 0 : lower};
-    // A sample looks for scattered light on one of the two sides.
-    const double either = std::hypot(scattered, seen < reader.replicates() ? by_path : 0);
-    on_either_ = {either, seen == 0 ? 0 : either};
+    // What points have found must not hide that light paths have found nothing. A sample looks for
+    // scattered light on one of the two sides.
+    const double find =
+        std::hypot(reader.part_in_view() * reader.scattered_flux_per_find(band) / count, by_path);
+    const auto scattered = [&](double found) { return SingleFind{find, found == 0 ? 0 : find}; };
+    scattered_ = {scattered(mean.scattered_upper), scattered(mean.scattered_lower)};
+    on_either_ = scattered(mean.scattered_upper + mean.scattered_lower);
 }
 
 namespace {
 
+/// Whether all replicates have as many finds as each other: paths of a point set are spread so
+/// evenly that of 4.96 expected nearly all replicates find 5. They do not tell then how often one
+/// has another number.
+bool agrees_by_chance(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
+    return reader.kind(kind).found_by == FoundBy::paths && reader.found_alike(kind, side);
+}
+
 /// Whether the first replicate alone has so many finds that all together have enough: most have.
 bool has_plenty(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
     const OrganReader::Found first = reader.found(kind, side, 1);
-    return first.units > 0 && first.finds() >= 2 * reader.kind(kind).many;
+    return first.units > 0 && first.finds() >= 2 * reader.kind(kind).many &&
+           !agrees_by_chance(reader, kind, side);
+}
+
+/// At least a find more or less, of those that brought `mean`.
+SingleFind at_least_one(const SingleFind& find, double mean, double finds) {
+    const double usual = mean > 0 ? mean / finds : 0;
+    return larger(find, {usual, usual});
 }
 
 }  // namespace
@@ -120,9 +124,13 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
                 continue;
             }
             const OrganReader::Found found = reader.found(i, side, reader.replicates());
-            const SingleFind find = find_among(
+            SingleFind find = find_among(
                 found.units * flux, found.finds(),
                 reader.units_per_find(i, side, found.units > 0) * flux, count, light.many);
+            find.less = light.spectra.empty() ? find.more : find.less;
+            if (agrees_by_chance(reader, i, side)) {
+                find = at_least_one(find, found.units * flux, found.finds());
+            }
             Kind& kind = is_path ? by_path_ : direct_;
             SingleFind& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
             sum = is_path ? larger(sum, find) : both(sum, find);
@@ -184,12 +192,19 @@ SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
         const OrganReader::Found lower = reader.found(i, SurfaceSide::lower, reader.replicates());
         found = {found.units + lower.units, found.squares + lower.squares};
         double area = 0;
-        for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+        const bool is_known = !reader.kind(i).spectra.empty();
+        for (std::uint32_t r = 0; is_known && r < reader.replicates(); ++r) {
             area += reader.sunlit_area(r) / count;
         }
         const double most =
             reader.sunlit_per_find(i, area > 0) * reader.sunlit_area_per_find() / count;
-        sum = both(sum, find_among(area, found.finds(), most, count, reader.kind(i).many));
+        SingleFind find = find_among(area, found.finds(), most, count, reader.kind(i).many);
+        find.less = is_known ? find.less : find.more;
+        if (agrees_by_chance(reader, i, SurfaceSide::upper) &&
+            agrees_by_chance(reader, i, SurfaceSide::lower)) {
+            find = at_least_one(find, area, found.finds());
+        }
+        sum = both(sum, find);
     }
     return sum;
 }

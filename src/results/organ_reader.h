@@ -53,18 +53,18 @@ class Units {
         return sums_.units.flux[band] * sums_.units.scale(region) / samples_;
     }
     [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
-        return sums_.units.flux_per_find[band] * sums_.units.scale(region) / samples_;
+        return sums_.units.flux_per_find[band] * sums_.units.scale_of_find(region) / samples_;
     }
     [[nodiscard]] double scattered_flux_per_find(std::size_t region, std::size_t band) const {
         const auto& own = sums_.units.scattered_flux_per_find;
-        return (own.empty() ? sums_.units.flux_per_find : own)[band] * sums_.units.scale(region) /
-               samples_;
+        return (own.empty() ? sums_.units.flux_per_find : own)[band] *
+               sums_.units.scale_of_find(region) / samples_;
     }
     [[nodiscard]] double sunlit_area(std::size_t region) const {
         return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
     }
     [[nodiscard]] double sunlit_area_per_find(std::size_t region) const {
-        return sums_.units.sunlit_area_per_find * sums_.units.scale(region) / samples_;
+        return sums_.units.sunlit_area_per_find * sums_.units.scale_of_find(region) / samples_;
     }
 
   private:
@@ -130,7 +130,11 @@ class OrganReader {
     [[nodiscard]] double scattered_flux_per_find(std::size_t band) const {
         return organ_.area > 0 ? units_.scattered_flux_per_find(organ_.first_region, band) : 0;
     }
-    /// The same of a light path; 0 if there are none.
+    /// The part of the light from an even surrounding that lies within the field of view.
+    [[nodiscard]] double part_in_view() const {
+        return 1 - organ_.least_cosine * organ_.least_cosine;
+    }
+    /// flux_per_find() of a light path; 0 if there are none.
     [[nodiscard]] double flux_per_light_path(std::size_t band) const {
         const auto& flux = sums_.units.flux_per_light_path;
         return organ_.area > 0 && !flux.empty() ? flux[band] / samples() : 0;
@@ -178,6 +182,17 @@ class OrganReader {
                     : units;
         }
         return sum;
+    }
+    /// Whether each replicate found as much of a kind of light on a side as every other, to the
+    /// bit.
+    [[nodiscard]] bool found_alike(std::size_t kind, SurfaceSide side) const {
+        const double first = units_of(0, kind, side);
+        for (std::uint32_t r = 1; r < replicates(); ++r) {
+            if (units_of(r, kind, side) != first) {
+                return false;
+            }
+        }
+        return true;
     }
     /// Scattered light on a side, sum of all replicates.
     [[nodiscard]] double scattered(SurfaceSide side, std::size_t band) const {
@@ -234,6 +249,18 @@ class OrganReader {
         return sum;
     }
 
+    /// Units of light of a kind that a replicate found on a side.
+    [[nodiscard]] double units_of(
+        std::uint32_t replicate, std::size_t kind, SurfaceSide side) const {
+        double sum = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            for (const std::size_t spectrum : sums_.units.kinds[kind].spectra) {
+                sum += sums_.replicates[replicate].value(
+                    sums_.layout.direct(organ_.first_region + i, side, spectrum));
+            }
+        }
+        return sum;
+    }
     [[nodiscard]] double reach_of(std::uint32_t region, std::size_t kind, SurfaceSide side) const {
         const auto& reach = this->kind(kind).reach;
         return reach.empty() ? (region == organ_.first_region ? 1 : 0)

@@ -104,6 +104,24 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
+/// Labels that are called as other groups of the result are: their rows would look alike.
+void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const bool has_layers = spec.layers > 0 || !spec.layer_heights.empty();
+    for (const std::string& key : spec.groups) {
+        const bool is_taken = key == kAllOrgans || (key == kLayer && has_layers);
+        const auto has_label = [&](const Organ& organ) {
+            return std::any_of(organ.labels.begin(), organ.labels.end(), [&](const auto& label) {
+                return label.first == key;
+            });
+        };
+        if (is_taken && std::any_of(scene.organs().begin(), scene.organs().end(), has_label)) {
+            faults.add(
+                {"groups", fmt::format("'{}' is a label that has the name of other groups", key),
+                 "its rows could not be told from theirs", "call the label otherwise"});
+        }
+    }
+}
+
 void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const auto is_measured = [](const Organ& organ) { return organ.measured; };
     if (spec.method == Method::from_organs &&
@@ -185,6 +203,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);
     check_groups(scene, group_spec(spec), faults);
+    check_group_names(scene, spec, faults);
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {

@@ -34,18 +34,33 @@ void RoundTracer::make_solver_for(std::uint64_t first_paths) {
 void RoundTracer::restore(Sums sums, std::uint64_t first_paths) {
     done_ = std::move(sums);
     first_paths_ = first_paths;
+    paths_before_ = static_cast<double>(done_->paths);
 }
 
-void RoundTracer::set_pauses(
-    std::function<bool()> is_due,
-    std::function<void(const TaskPosition& done, const Sums& partial)> on_pause) {
+void RoundTracer::add_watcher(Watcher watcher) {
+    watchers_.push_back(std::move(watcher));
     executor_.set_pauses(
-        {std::move(is_due), [this, tell = std::move(on_pause)](const TaskPosition& done) {
-             if (team_ != nullptr) {
-                 add_up(*team_, *partial_);
-             }
-             tell(done, *partial_);
-         }});
+        {[this] { return ask_watchers(); }, [this](const Pause& pause) { tell_watchers(pause); }});
+}
+
+bool RoundTracer::ask_watchers() {
+    bool is_due = false;
+    for (Watcher& watcher : watchers_) {
+        watcher.was_due = watcher.was_due || (watcher.is_due && watcher.is_due());
+        is_due = is_due || watcher.was_due;
+    }
+    return is_due;
+}
+
+void RoundTracer::tell_watchers(const Pause& pause) {
+    if (team_ != nullptr) {
+        add_up(*team_, *partial_);
+    }
+    for (Watcher& watcher : watchers_) {
+        if (std::exchange(watcher.was_due, false)) {
+            watcher.on_pause(pause, *partial_);
+        }
+    }
 }
 
 void RoundTracer::set_team(const RunTeam* team, std::uint64_t moment) {
@@ -88,6 +103,10 @@ void RoundTracer::trace(const Round& round, std::optional<PartialRound> from) {
                                    : std::move(*done_);
     order(round, tasks, first_paths);
     solve(round, sums);
+    paths_before_ = round.first == 0 ? 0 : paths_before_;
+    if (from) {
+        paths_before_ += executor_.part_done_before() * static_cast<double>(round.count);
+    }
     done_ = std::move(sums);
     first_paths_ = first_paths;
 }
@@ -99,7 +118,8 @@ void RoundTracer::help(const TeamOrder& order) {
     if (order.first_paths != first_paths_ || !solver_) {
         first_paths_ = order.first_paths;
         make_solver_for(first_paths_);
-        set_pauses({}, [](const TaskPosition&, const Sums&) {});
+        watchers_.clear();
+        add_watcher({});
     }
     if (order.is_prepare != 0) {
         return;

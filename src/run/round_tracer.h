@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/executor.h"
 #include "quasimc/run_spec.h"
@@ -51,21 +52,33 @@ class RoundTracer {
     /// Traces tasks of a round that the first process of the team has ordered.
     void help(const TeamOrder& order);
     /// Pauses while rounds are traced.
-    /// @param on_pause  is told of the tasks done, and the sums with them
-    void set_pauses(
-        std::function<bool()> is_due,
-        std::function<void(const TaskPosition& done, const Sums& partial)> on_pause);
+    struct Watcher {
+        std::function<bool()> is_due;  ///< as TaskPauses::is_due; empty: never
+        /// Is told of the tasks done, and the sums with them, at a pause that was due for it.
+        std::function<void(const Pause& pause, const Sums& partial)> on_pause;
+        bool was_due = false;
+    };
+    void add_watcher(Watcher watcher);
 
+    /// Of the paths of the sums, those that were traced before: by who kept the sums that this
+    /// tracer took over. Of a round that was not complete in proportion to its tasks.
+    [[nodiscard]] double paths_before() const { return paths_before_; }
     [[nodiscard]] bool has_sums() const { return done_.has_value(); }
     /// Of the first of the rounds that are complete.
     [[nodiscard]] std::uint64_t first_paths() const { return first_paths_; }
     /// Of the rounds that are complete; there must be one.
     [[nodiscard]] const Sums& sums() const { return *done_; }
     [[nodiscard]] Sums take_sums() && { return std::move(*done_); }
+    /// What the units of sums count, of a round.
+    [[nodiscard]] std::uint64_t samples_of(const Round& round) const {
+        return solver_->samples_of(round);
+    }
 
   private:
     void make_solver_for(std::uint64_t first_paths);
     void solve(const Round& round, Sums& sums);
+    [[nodiscard]] bool ask_watchers();
+    void tell_watchers(const Pause& pause);
     void order(const Round& round, const TaskPosition& tasks, std::uint64_t first_paths) const;
 
     const PreparedScene& prepared_;
@@ -76,7 +89,9 @@ class RoundTracer {
     std::unique_ptr<Solver> solver_;
     std::optional<Sums> done_;
     std::uint64_t first_paths_ = 0;
+    double paths_before_ = 0;
     Sums* partial_ = nullptr;  // while a round is traced
+    std::vector<Watcher> watchers_;
     const RunTeam* team_ = nullptr;
     std::uint64_t moment_ = 0;
 };

@@ -106,7 +106,9 @@ std::optional<Round> Rounds::as_many_again() {
     if (state_.done >= spec_.paths && !asks_for_more()) {
         return std::nullopt;
     }
-    if (spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
+    // A run that goes on to a larger first round looks at its target after that, as it would have.
+    const bool is_first_done = state_.done >= spec_.paths || has_limit();
+    if (is_first_done && spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
         stop_ = StopReason::target_reached;
         return std::nullopt;
     }

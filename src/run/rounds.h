@@ -84,10 +84,12 @@ class Rounds {
         return static_cast<double>(count_) / static_cast<double>(known);
     }
 
-  private:
+    /// Than the specification's paths.
     [[nodiscard]] bool asks_for_more() const {
         return spec_.target_error > 0 || spec_.max_paths > 0;
     }
+
+  private:
     [[nodiscard]] bool has_limit() const { return spec_.max_seconds > 0; }
     [[nodiscard]] double seconds_left() const { return spec_.max_seconds - seconds_; }
     [[nodiscard]] bool fits(std::uint64_t paths) const;

@@ -4,7 +4,6 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <string>
 #include <utility>
 
@@ -13,12 +12,14 @@
 #include "base/executor.h"
 #include "base/memory_need.h"
 #include "base/parallel.h"
+#include "base/process_time.h"
 #include "base/stop.h"
 #include "base/text.h"
 #include "quasimc/series.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/early_stop.h"
+#include "run/preview_teller.h"
 #include "run/round_tracer.h"
 #include "run/rounds.h"
 #include "run/run_checkpoint.h"
@@ -35,12 +36,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Tells the caller how far the run is.
@@ -367,18 +362,47 @@ Result Simulator::State::trace(
             *control.sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
     }
 
-    const double cpu_before = cpu_seconds();
+    const double cpu_before = process_cpu_seconds();
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
     const Traced traced =
         trace_rounds(prepared, spec, asked, control, early, {start, build_seconds});
     Result result = make_result(traced.sums, scene, asked);
     result.stop = traced.stop;
     result.fraction_at_target = traced.at_target;
+    result.paths_before = traced.paths_before;
+    result.rounds = traced.rounds;
     result.build_seconds = build_seconds;
     result.trace_seconds = seconds_since(start) - build_seconds;
-    result.trace_cpu_seconds = cpu_seconds() - cpu_before;
+    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before;
     return result;
 }
+
+namespace {
+
+Result preview_of(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& asked, Method method) {
+    Result result = make_result(sums, scene, asked);
+    result.chosen.method = method;
+    return result;
+}
+
+/// What is known after a round. @param errors  of its time, and what is at the target
+RoundErrors errors_of(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& asked, RoundErrors errors) {
+    const ErrorSpread spread = spread_of_errors(sums, scene, asked);
+    errors.paths = sums.paths;
+    errors.median = spread.median;
+    errors.worst = spread.worst;
+    return errors;
+}
+
+/// The part of the organs that are at the target; 0 if there is none.
+double part_at_target(
+    const Sums& sums, const Scene& scene, const RunSpec& spec, const EvaluationSpec& asked) {
+    return spec.target_error > 0 ? fraction_at_target(sums, scene, asked, spec.target_error) : 0;
+}
+
+}  // namespace
 
 Simulator::State::Traced Simulator::State::trace_rounds(
     const PreparedScene& prepared,
@@ -400,13 +424,17 @@ Simulator::State::Traced Simulator::State::trace_rounds(
     tracer.set_team(control.team, control.moment);
     StateKeeper keeper(control, prepared, spec);
     const auto at_target = [&] {
-        return spec.target_error > 0
-                   ? fraction_at_target(tracer.sums(), prepared.scene(), asked, spec.target_error)
-                   : 0;
+        return part_at_target(tracer.sums(), prepared.scene(), spec, asked);
     };
     keeper.begin(rounds, tracer, at_target);
+    PreviewTeller preview(control, [&](const Sums& sums) {
+        return preview_of(sums, prepared.scene(), asked, spec.method);
+    });
+    preview.watch(tracer);
+    std::vector<RoundErrors> errors;
     std::optional<Sums> few;
     while (const auto round = rounds.next()) {
+        preview.begin_round(*round, tracer);
         reporter.begin_round(rounds);
         try {
             tracer.trace(*round, keeper.begin_round(*round));
@@ -422,14 +450,20 @@ Simulator::State::Traced Simulator::State::trace_rounds(
             early.set_limit(spec.max_seconds);
         }
         rounds.finish(seconds_since(start.time), at_target());
+        if (rounds.asks_for_more() && !rounds.state().is_trial) {
+            errors.push_back(errors_of(
+                tracer.sums(), prepared.scene(), asked,
+                {.seconds = seconds_since(start.time), .fraction_at_target = rounds.at_target()}));
+        }
         keeper.finish_round(rounds, tracer);
     }
     early.set_limit(INFINITY);
     if (!few && rounds.stop() != StopReason::interrupted) {
         keeper.finish(tracer);
     }
-    return {
-        few ? std::move(*few) : std::move(tracer).take_sums(), rounds.stop(), rounds.at_target()};
+    const double before = few ? 0 : tracer.paths_before();
+    Sums sums = few ? std::move(*few) : std::move(tracer).take_sums();
+    return {std::move(sums), rounds.stop(), rounds.at_target(), before, std::move(errors)};
 }
 
 }  // namespace quasimc

@@ -1,11 +1,56 @@
 #include "run/run_checkpoint.h"
 
+#include <algorithm>
+#include <bit>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "quasimc/error.h"
 #include "run/digest.h"
+#include "samplers/catalogue.h"
+#include "solvers/catalogue.h"
 
 namespace quasimc {
+
+namespace {
+
+/// Why a run that has traced some paths can't become one with other `paths`, with the same bits as
+/// if it had begun so; "" if it can.
+std::string refusal_of_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
+    const std::uint64_t first = position.first_paths;
+    if (spec.paths < position.rounds.done) {
+        return fmt::format("{} paths are traced already", position.rounds.done);
+    }
+    if (spec.paths % first != 0 || !std::has_single_bit(spec.paths / first)) {
+        return fmt::format("they must be {}, doubled any number of times", first);
+    }
+    const SolverEntry* solver = find_solver(spec.method);
+    const bool adds_up =
+        solver->do_rounds_add_up != nullptr && solver->do_rounds_add_up(scene, first);
+    const auto samplers = sampler_catalogue();
+    const auto sampler = std::find_if(
+        samplers.begin(), samplers.end(), [&](const auto& e) { return e.name == spec.sampler; });
+    if (!adds_up || !sampler->is_sequence) {
+        return fmt::format(
+            "of {} with {} points, {} paths and more are not the beginning of {}", solver->name,
+            spec.sampler, first, spec.paths);
+    }
+    return "";
+}
+
+/// @throws InputError  if the run that is kept can't become the one asked for
+void check_other_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
+    const std::string why = refusal_of_paths(position, scene, spec);
+    if (!why.empty()) {
+        throw InputError(
+            {{"paths", fmt::format("the checkpoint can't go on to {} of them", spec.paths), why,
+              "leave paths as they were and state max_paths, or begin anew"}});
+    }
+}
+
+}  // namespace
 
 StateKeeper::StateKeeper(
     const RunControl& control, const PreparedScene& prepared, const RunSpec& spec)
@@ -14,6 +59,7 @@ StateKeeper::StateKeeper(
         return;
     }
     position_.digest = digest_of(prepared, spec);
+    position_.asked_paths = spec.paths;
     stored_ = checkpoint_->state_of(moment_);
     const auto fits = [&](const std::optional<Sums>& sums) {
         return !sums || sums->replicates.size() == spec.replicates;
@@ -23,6 +69,10 @@ StateKeeper::StateKeeper(
         throw InputError(
             {{"checkpoint", "it is of another run", "scene, sources, options or version differ",
               ""}});
+    }
+    const bool is_begun = stored_ && stored_->done && !stored_->position.rounds.is_trial;
+    if (is_begun && stored_->position.asked_paths != spec.paths) {
+        check_other_paths(stored_->position, prepared.scene(), spec);
     }
 }
 
@@ -37,12 +87,13 @@ void StateKeeper::begin(
         stored_->done.reset();
         position_.rounds = rounds.state();
     }
-    tracer.set_pauses(checkpoint_->is_due, [&](const TaskPosition& tasks, const Sums& partial) {
-        position_.tasks = tasks;
+    const auto save = [&](const Pause& pause, const Sums& partial) {
+        position_.tasks = pause.done;
         position_.first_paths = tracer.first_paths();
         const Sums* done = tracer.has_sums() ? &tracer.sums() : nullptr;
         checkpoint_->save(moment_, {position_, done, &partial});
-    });
+    };
+    tracer.add_watcher({checkpoint_->is_due, save});
 }
 
 std::optional<PartialRound> StateKeeper::begin_round(const Round& round) {

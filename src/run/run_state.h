@@ -19,6 +19,7 @@ namespace quasimc {
 struct RunPosition {
     RoundsState rounds;             ///< after the rounds that are complete
     std::uint64_t first_paths = 0;  ///< of the first of them
+    std::uint64_t asked_paths = 0;  ///< RunSpec::paths
     Round round;                    ///< that is being traced; of no paths: none
     TaskPosition tasks;             ///< of its tasks, those that are done
     std::uint64_t digest = 0;       ///< of the run: digest_of()
@@ -43,6 +44,7 @@ struct RunSnapshot {
 struct RunCheckpoint {
     /// The state to go on from, if there is one.
     std::function<std::optional<RunState>(std::size_t moment)> state_of;
+    std::function<bool(std::size_t moment)> has_state;  ///< whether there is one
     std::function<bool()> is_due;  ///< whether it is time to save; asked after every task
     std::function<void(std::size_t moment, const RunSnapshot& state)> save;
     /// The state at the end of a run: no paths are missing.

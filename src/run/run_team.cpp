@@ -8,6 +8,7 @@
 #include "base/stop.h"
 #include "quasimc/run.h"
 #include "run/round_tracer.h"
+#include "run/team_runs.h"
 #include "run/trace_spec.h"
 #include "samplers/catalogue.h"
 #include "transport/prepared_scene.h"
@@ -67,8 +68,15 @@ TeamOrder TeamHelper::help(
     TeamOrder order) {
     const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
     const std::uint64_t point = order.point;
-    while (order.is_end == 0 && order.point == point) {
+    while (order.is_end == 0 && order.point == point && order.is_runs != TeamOrder::kPoints) {
         const std::size_t moment = order.moment;
+        if (order.is_runs == TeamOrder::kTimes) {
+            help_with_runs(
+                team, jobs_of_series(plans, spec, moment, team.size),
+                series_tracer(simulator_, scene, time_steps, plans, spec));
+            order = team.order({});
+            continue;
+        }
         std::uint64_t traces = 0;  // before it
         for (std::size_t i = 0; i < moment; ++i) {
             traces += plans[i].factor > 0 && plans[i].traced == i ? 1 : 0;
@@ -95,7 +103,8 @@ TeamOrder TeamHelper::help_moment(
     RoundTracer tracer(prepared, *sampler, planned, executor, false);
     tracer.set_team(&team);
     const TeamOrder first = order;
-    while (order.is_end == 0 && order.point == first.point && order.moment == first.moment) {
+    while (order.is_end == 0 && order.is_runs == 0 && order.point == first.point &&
+           order.moment == first.moment) {
         try {
             tracer.help(order);
         } catch (const StopRequested&) {  // by the first process, which goes on or ends

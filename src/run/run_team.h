@@ -7,10 +7,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/executor.h"
 #include "geometry/cast/ray_caster.h"
+#include "quasimc/run.h"
 #include "quasimc/series.h"
 #include "quasimc/sums.h"
 #include "scene/scene.h"
@@ -22,21 +26,46 @@ namespace quasimc {
 struct TeamOrder {
     std::uint64_t is_end = 0;      ///< nothing more is asked
     std::uint64_t is_prepare = 0;  ///< orders for this moment and these first paths follow
-    std::uint64_t point = 0;       ///< of a sweep
-    std::uint64_t moment = 0;      ///< of its times
+    /// To trace runs each by itself: those of the series from this moment on, or of the sweep from
+    /// this point on. 0: all trace one together.
+    std::uint64_t is_runs = 0;
+    static constexpr std::uint64_t kTimes = 1, kPoints = 2;
+    std::uint64_t point = 0;   ///< of a sweep
+    std::uint64_t moment = 0;  ///< of its times
     std::uint64_t first_paths = 0;
     Round round = {};
     TaskPosition tasks = {};  ///< done before
 };
 
+/// What the processes of a team send to the first one while each traces runs by itself. Each piece
+/// of mail has a number, which is used once before the mail ends.
+struct TeamMail {
+    /// Of the others: sends bytes to the first. Returns while they are on their way, but waits if
+    /// more are.
+    std::function<void(std::uint64_t number, std::string_view bytes)> send;
+    /// Of the first: what was sent under a number, if it is there.
+    std::function<std::optional<std::string>(std::uint64_t number)> receive;
+    /// Of the first: lets the others know that it wants no more.
+    std::function<void()> close;
+    /// Of the others: whether it did.
+    std::function<bool()> is_closed;
+    /// Of all: returns when no mail is on its way. What was not received is dropped.
+    std::function<void()> end;
+};
+
 /// The team as one process sees it.
 struct RunTeam {
     bool is_first = true;
+    std::uint64_t size = 1;                   ///< processes
+    std::uint64_t machine = 0, machines = 1;  ///< the own, of all
     TaskTeam tasks;
+    TeamMail mail;
     /// Of the first process: tells the others. Of the others: waits for it.
     std::function<TeamOrder(const TeamOrder& order)> order;
     /// Adds to the numbers of the first process those of the others.
     std::function<void(std::vector<std::int64_t>& numbers)> add_up;
+    /// Gives the others bytes of the first process. All call it.
+    std::function<void(std::string& bytes)> share;
     std::uint64_t point = 0;  ///< that the first process is at
 };
 
@@ -47,7 +76,8 @@ void add_up(const RunTeam& team, Sums& sums);
 /// A process that helps the first one. Keeps the acceleration structure from run to run.
 class TeamHelper {
   public:
-    /// Helps with the runs of a series, until an order is for another point or the end: returns it.
+    /// Helps with the runs of a series, until an order is for another point, for several points, or
+    /// the end: returns it.
     /// @param order  the first one
     [[nodiscard]] TeamOrder help(
         const Scene& scene,
@@ -65,6 +95,7 @@ class TeamHelper {
         TeamOrder order);
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
 
+    Simulator simulator_;  // of runs that it traces by itself
     std::shared_ptr<const RayCaster> caster_;
     std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
     Cell cell_;

@@ -15,10 +15,12 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "base/process_time.h"
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
 #include "run/series_sum.h"
+#include "run/shared_series.h"
 #include "run/simulator.h"
 #include "run/trace_spec.h"
 
@@ -40,11 +42,12 @@ class SeriesRun {
           time_steps_(time_steps),
           spec_(spec),
           events_(events),
-          stop_(stop) {
+          stop_(stop),
+          plans_(plan_traces(scene, time_steps, spec)),
+          shared_(simulator, scene, time_steps, plans_, spec, events) {
         groups_.groups = make_groups(scene, group_spec(spec));
         groups_.bands = scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
-        plans_ = plan_traces(scene, time_steps, spec);
         for (std::size_t i = 0; i < time_steps.size(); ++i) {
             effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
@@ -155,14 +158,17 @@ class SeriesRun {
             .seconds_after_stop = i == 0 ? kForFirst : 0,
             .checkpoint = events_.checkpoint,
             .team = events_.team,
-            .moment = i};
+            .moment = i,
+            .preview = events_.preview};
         share_time(plans_[i].effort, spec, control);
         std::optional<Sums> given;
         if (events_.sums_of) {
             given = events_.sums_of(i);
             control.sums = &*given;
         }
-        Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        Result result = shared_.has(i)
+                            ? run_shared(i, spec, control)
+                            : simulator_.run(scene_, time_steps_[i].sources, spec, control);
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
@@ -180,6 +186,28 @@ class SeriesRun {
         if (result.audit) {
             ++summary_.audited;
             least_chance_ = std::min(least_chance_, result.audit->chance);
+        }
+        return result;
+    }
+
+    /// The run of a moment that the processes of the team have traced, each some.
+    Result run_shared(std::size_t i, const RunSpec& spec, RunControl control) {
+        const Stopwatch watch;
+        control.team = nullptr;
+        std::optional<TracedRun> traced = shared_.take(i, control);
+        if (!traced) {
+            return simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        }
+        const double waited = watch.seconds();
+        const RunCheckpoint checkpoint =
+            checkpoint_of(std::move(traced->state), events_.checkpoint);
+        control.checkpoint = &checkpoint;
+        Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        result.paths_before = 0;
+        result.trace_seconds += waited;
+        result.trace_cpu_seconds += traced->cpu_seconds;
+        if (control.on_progress) {
+            control.on_progress({.fraction = 1, .fraction_at_target = result.fraction_at_target});
         }
         return result;
     }
@@ -251,6 +279,7 @@ class SeriesRun {
     std::stop_token stop_;
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
+    SharedSeries shared_;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;

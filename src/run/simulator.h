@@ -54,6 +54,8 @@ class Simulator::State {
         Sums sums;
         StopReason stop;
         double at_target;
+        double paths_before;
+        std::vector<RoundErrors> rounds;
     };
     [[nodiscard]] Traced trace_rounds(
         const PreparedScene& prepared,

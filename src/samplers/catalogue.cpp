@@ -21,7 +21,9 @@ namespace {
 constexpr std::array kCatalogue{
     SamplerEntry{
         "monte_carlo", "independent random numbers (Philox2x64-10)", make_monte_carlo, true},
-    SamplerEntry{"korobov", "randomly shifted Korobov lattice; rounds of 2^m points", make_korobov},
+    SamplerEntry{
+        "korobov", "randomly shifted Korobov lattice; rounds of 2^m points", make_korobov, false,
+        false},
     SamplerEntry{"sobol", "Sobol' sequence under Owen's scrambling", make_sobol},
     SamplerEntry{"halton", "Halton sequence under Owen's scrambling", make_halton},
     SamplerEntry{"faure", "Faure sequence in base 11 under Owen's scrambling", make_faure},

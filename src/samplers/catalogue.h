@@ -17,6 +17,8 @@ struct SamplerEntry {
     /// Whether its points are independent; else they are more even than random ones, which the
     /// tests of every sampler hold it to.
     bool is_random = false;
+    /// Whether a set of more points begins with the same points.
+    bool is_sequence = true;
 };
 
 /// All samplers, in the order of the manual.

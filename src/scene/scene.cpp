@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+
 #include "base/lazy.h"
 #include "scene/organ_areas.h"
 
@@ -54,6 +56,23 @@ std::vector<bool> used_materials(const Scene& scene) {
         is_used[region.material.value] = true;
     }
     return is_used;
+}
+
+std::vector<double> largest_albedos(const Scene& scene) {
+    std::vector<double> largest(scene.bands().size());
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        const Material& material = scene.materials()[m];
+        if (!is_used[m] || material.is_transparent()) {
+            continue;
+        }
+        for (const SurfaceSide side : kSurfaceSides) {
+            for (std::size_t b = 0; b < largest.size(); ++b) {
+                largest[b] = std::max(largest[b], material.side(side).albedo()[b]);
+            }
+        }
+    }
+    return largest;
 }
 
 }  // namespace quasimc

@@ -14,4 +14,7 @@ namespace quasimc {
 /// Which materials an organ is made of, by MaterialId. The others must change nothing.
 [[nodiscard]] std::vector<bool> used_materials(const Scene& scene);
 
+/// Per band, the largest albedo in [0, 1] of a surface in use that is no sensor.
+[[nodiscard]] std::vector<double> largest_albedos(const Scene& scene);
+
 }  // namespace quasimc

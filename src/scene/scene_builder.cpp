@@ -81,6 +81,10 @@ void SceneBuilder::set_cell(const Cell& cell) {
     cell_ = cell;
 }
 
+std::vector<std::int64_t> SceneBuilder::organ_ids() const {
+    return quasimc::organ_ids(*draft_);
+}
+
 Scene SceneBuilder::build() && {
     return std::move(*this).build_after(nullptr);
 }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -15,7 +13,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kMostOrganFaults = 1000;
-constexpr std::int64_t kLastId = std::numeric_limits<std::int64_t>::max();
 
 std::string text_of(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
@@ -102,26 +99,6 @@ double images_in(const Cell& cell, const SceneDraft& draft) {
         images += static_cast<double>(copy.mesh->size());
     }
     return images;
-}
-
-void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
-    const std::vector<Organ>& organs = draft.organs;
-    std::vector<std::uint32_t> order(organs.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return organs[a].id < organs[b].id;
-    });
-    std::uint32_t first = order.front();
-    for (const std::uint32_t i : order) {
-        if (i == first || organs[i].id != organs[first].id) {
-            first = i;
-            continue;
-        }
-        faults.add(
-            draft, i,
-            {"", fmt::format("id {} is taken", organs[i].id), "by " + place_of(draft, first),
-             "ids are unique in a scene"});
-    }
 }
 
 /// Whether everything is finite and not too large: then organs need not be looked at one by one.
@@ -237,30 +214,6 @@ void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults) {
              "their images in each are traced",
              "state cell and organs in the same unit of length"});
     }
-}
-
-std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
-    std::int64_t largest = 0;
-    bool ascending = true;
-    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
-        Organ& organ = draft.organs[i];
-        organ.id = draft.stated[i].has_id ? organ.id : largest + 1;
-        if (organ.name.empty()) {
-            organ.name = fmt::format("organ {}", organ.id);
-        }
-        if (organ.id >= kLastId) {
-            faults.add(
-                draft, i,
-                {"", fmt::format("id {} is too large", organ.id),
-                 fmt::format("ids end at {}", kLastId - 1), ""});
-        }
-        largest = std::clamp(organ.id, largest, kLastId - 1);
-        ascending = ascending && (i == 0 || organ.id > draft.organs[i - 1].id);
-    }
-    if (!ascending) {
-        add_repeated_ids(draft, faults);
-    }
-    return largest + 1;
 }
 
 void turn_inward(SceneDraft& draft, const Orientation& orientation) {

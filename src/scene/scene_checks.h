@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -65,6 +66,12 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults);
 /// Adds a fault if the organs, finite and z up, reach over so many cells that tracing would drown
 /// in images. The cell has no fault.
 void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults);
+
+/// Ids of organs are less than this.
+inline constexpr std::int64_t kLastId = std::numeric_limits<std::int64_t>::max();
+
+/// The ids that number_organs gives.
+[[nodiscard]] std::vector<std::int64_t> organ_ids(const SceneDraft& draft);
 
 /// Gives an id and a name to each organ that has none; adds ids that are not unique to `faults`.
 /// Returns the first free id.

@@ -8,8 +8,10 @@ namespace {
 
 /// What a path is worth: about the time that light tracing takes for one.
 constexpr double kStretchesPerPath = 16;
-/// A patch is met so often in all steps together; with less, fewer patches would do as well.
-constexpr double kStretchesPerPatch = 100;
+/// A patch is met so often in all steps together; with less, fewer patches would do as well. Of
+/// very many stretches patches get more: then there are more directions too, which are what is left
+/// of the error.
+constexpr double kStretchesPerPatch = 100, kManyStretches = 1 << 20;
 /// ... and at least so often in each step. With less, single patches would pass on light that was
 /// meant for many, the variance of which may grow from step to step.
 constexpr double kFewestPerPatch = 3;
@@ -25,7 +27,8 @@ constexpr double kCaught = 0.75;
 
 double patches_for(std::uint64_t paths) {
     const double stretches = kStretchesPerPath * static_cast<double>(paths);
-    return std::min(stretches / kStretchesPerPatch, kMostPatches);
+    const double few = std::min(stretches, kManyStretches);
+    return std::min(std::sqrt(stretches * few) / kStretchesPerPatch, kMostPatches);
 }
 
 double light_of_stretch() {

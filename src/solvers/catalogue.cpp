@@ -23,14 +23,16 @@ std::span<const SolverEntry> solver_catalogue() {
     static constexpr std::array kSolvers{
         SolverEntry{
             Method::light_tracing, "light_tracing", "paths start at the sources",
-            make_light_tracing, light_tracing_meaning},
+            make_light_tracing, light_tracing_meaning, EscapedLight::summed,
+            do_light_tracing_rounds_add_up},
         SolverEntry{
             Method::first_hits, "first_hits",
             "what the sources light first is found by geometry, paths start there", make_first_hits,
             first_hits_meaning},
         SolverEntry{
             Method::from_organs, "from_organs", "points on every organ look for light",
-            make_from_organs, from_organs_meaning, EscapedLight::remainder},
+            make_from_organs, from_organs_meaning, EscapedLight::remainder,
+            do_from_organs_rounds_add_up},
         SolverEntry{
             Method::ray_bundles, "ray_bundles",
             "scattered light of matt surfaces all at once, along bundles of lines",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -25,6 +26,9 @@ struct SolverEntry {
     std::unique_ptr<Solver> (*make)(const SolverInput& input);
     SumMeaning (*meaning)(const PreparedScene& prepared, const RunSpec& spec);
     EscapedLight escaped = EscapedLight::summed;  ///< what it knows of light that leaves the scene
+    /// Whether a first round of so many paths, and further ones of 1, 2, 4, ... times as many,
+    /// bring the bits of a single round of all of them. Null: they never do.
+    bool (*do_rounds_add_up)(const Scene& scene, std::uint64_t first_paths) = nullptr;
 };
 
 /// All solvers. Method::automatic is none of them.

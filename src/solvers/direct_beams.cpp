@@ -53,7 +53,7 @@ std::vector<VisibilityRole> visibility_roles(const PreparedScene& prepared) {
     return roles;
 }
 
-DirectBeams::DirectBeams(const SolverInput& input)
+DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       spec_(input.spec),
@@ -63,7 +63,7 @@ DirectBeams::DirectBeams(const SolverInput& input)
       scene_{
           &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
           prepared_.projection().outline(), &stop_},
-      budget_(input.prepared, skies_, scene_, input.spec.paths),
+      budget_(input.prepared, skies_, scene_, input.spec.paths, scattered),
       traced_(traced_lights(input.prepared, budget_)) {}
 
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
@@ -208,14 +208,15 @@ void DirectBeams::count_finds(
     finds.finish();
 }
 
-SumMeaning direct_beams_meaning(const PreparedScene& prepared, const RunSpec& spec) {
+SumMeaning direct_beams_meaning(
+    const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered) {
     SumMeaning meaning = light_tracing_meaning(prepared, spec);
     const SkyDirections skies(prepared);
     const std::vector<VisibilityRole> roles = visibility_roles(prepared);
     const ProjectedScene seen{
         &prepared.caster().mesh(), prepared.projection().cell(), roles,
         prepared.projection().outline(), nullptr};
-    const SamplingBudget budget(prepared, skies, seen, spec.paths);
+    const SamplingBudget budget(prepared, skies, seen, spec.paths, scattered);
     const Round first{0, spec.paths};
     std::vector<LightKind> counted;
     double of_line = 0;
@@ -239,6 +240,9 @@ SumMeaning direct_beams_meaning(const PreparedScene& prepared, const RunSpec& sp
         });
     });
     meaning.counted_kinds = counted.size();
+    if (of_line > 0 && budget.traces_suns()) {
+        kinds.push_back(kind_of_traced_suns(prepared, budget.lights_with_lines()));
+    }
     kinds.insert(kinds.begin(), counted.begin(), counted.end());
     return meaning;
 }

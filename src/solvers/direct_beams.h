@@ -22,7 +22,7 @@ namespace quasimc {
 /// its score. What becomes of what is lit is the solver's own.
 class DirectBeams {
   public:
-    explicit DirectBeams(const SolverInput& input);
+    explicit DirectBeams(const SolverInput& input, ScatteredBy scattered = ScatteredBy::paths);
 
     /// A block of a task.
     struct Work {
@@ -115,6 +115,7 @@ class DirectBeams {
 };
 
 /// What the sums of direct light mean, found so; of scattered light as in light tracing.
-[[nodiscard]] SumMeaning direct_beams_meaning(const PreparedScene& prepared, const RunSpec& spec);
+[[nodiscard]] SumMeaning direct_beams_meaning(
+    const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered = ScatteredBy::paths);
 
 }  // namespace quasimc

@@ -63,15 +63,12 @@ void DirectOnPatches::lay_line(
         }
         const double amount =
             per_length * piece.length() * mesh.exact_share(item.triangle, beam.direction);
-        Patches::cut(
-            patches_.patches.level(item.triangle), lines.place(piece, 0), lines.place(piece, 1),
-            scratch.stretches);
-        for (const Patches::Stretch& stretch : scratch.stretches) {
-            light.add_direct(
-                item.triangle, stretch.part,
-                item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper, amount * stretch.share,
-                beam.light->start_weights);
-        }
+        const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+        patches_.patches.cut(
+            item.triangle, lines.place(piece, 0), lines.place(piece, 1), scratch.stretches,
+            [&](std::uint32_t patch, double share) {
+                light.add_direct(patch, side, amount * share, beam.light->start_weights);
+            });
     }
 }
 
@@ -109,18 +106,21 @@ void DirectOnPatches::light_pixels(
         by_id[item.id] = item.id > 0 ? &item : nullptr;
     }
     direct.add_escaped();
+    std::vector<ItemBuffer::Places> places(by_id.size());
+    for (std::uint32_t id = 0; id < by_id.size(); ++id) {
+        places[id] = by_id[id] == nullptr ? ItemBuffer::Places{} : pixels.places(id);
+    }
     for (const ItemBuffer::Run& run : pixels.runs()) {
         if (by_id[run.id] == nullptr) {
             continue;
         }
         const ItemBuffer::Item& item = *by_id[run.id];
-        const int level = patches_.patches.level(item.triangle);
         const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
         const double of_pixel = amount * mesh.exact_share(item.triangle, beam.direction);
         for (std::uint32_t i = 0; i < run.count; ++i) {
-            const Barycentric at = pixels.place(run.first + i);
+            const Point2 at = places[run.id].of(run.first + i);
             light.add_direct(
-                item.triangle, Patches::part(level, at.u, at.v), side, of_pixel,
+                patches_.patches.at(item.triangle, at.s, at.t), side, of_pixel,
                 beam.light->start_weights);
         }
     }
@@ -174,8 +174,8 @@ std::uint64_t DirectOnPatches::trace_path(
                 to_fixed(start.weight) - to_fixed(amount));
             const std::uint32_t triangle = patches_.representative(surface.triangle);
             light.add_direct(
-                triangle, Patches::part(patches_.patches.level(triangle), at.hit.u, at.hit.v),
-                surface.side, amount, source.start_weights);
+                patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side, amount,
+                source.start_weights);
             return rays;
         }
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);

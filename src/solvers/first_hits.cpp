@@ -59,7 +59,7 @@ class FirstHits final : public Solver {
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums.paths += round.count;
-        sums.samples += round.count;
+        sums.samples += samples_of(round);
     }
 
   private:
@@ -192,17 +192,7 @@ class FirstHits final : public Solver {
 /// A path that starts where light falls stands for as much scattered light as others, of which each
 /// band has its part.
 std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
-    std::vector<double> largest(prepared.bands());
-    const std::vector<bool> is_used = used_materials(prepared.scene());
-    for (std::size_t m = 0; m < is_used.size(); ++m) {
-        const Material& material = prepared.scene().materials()[m];
-        for (const SurfaceSide side : kSurfaceSides) {
-            for (std::size_t b = 0; is_used[m] && b < largest.size(); ++b) {
-                const double albedo = material.side(side).albedo()[b];
-                largest[b] = std::max(largest[b], material.is_transparent() ? 0 : albedo);
-            }
-        }
-    }
+    std::vector<double> largest = largest_albedos(prepared.scene());
     for (std::size_t b = 0; b < largest.size(); ++b) {
         largest[b] *= prepared.flux()[b];
     }

@@ -58,6 +58,27 @@ MeasuredArea measured_area(const Scene& scene) {
     return measured;
 }
 
+/// From the flux of a light path to units of a region.
+double units_of_light_path(const MeasuredArea& measured, double own_area) {
+    return own_area > 0
+               ? kGain * measured.area / (own_area * static_cast<double>(measured.organs.size()))
+               : 0;
+}
+
+/// By region, how much coarser its units are, a power of two; 1 for all but the smallest organs. A
+/// light path brings an organ the more units the smaller it is: of as many as this all paths of a
+/// block may meet one.
+std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured) {
+    constexpr double kMostUnits = 1U << 21U;
+    static_assert(kMostUnits * kPointsPerBlock <= kLargestAmount);
+    std::vector<double> coarseness;
+    for (const Region& region : scene.regions()) {
+        const double units = units_of_light_path(measured, scene.organs()[region.organ.value].area);
+        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMostUnits)))));
+    }
+    return coarseness;
+}
+
 /// Whether points do not look for all light.
 bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
     const auto& lights = prepared.lights();
@@ -117,10 +138,16 @@ class FromOrgans final : public Solver {
                 start_dimensions_ = light.source_sampler->beam_direction() ? start_dimensions_ : 4U;
             }
         }
-        for (const Region& region : prepared_.scene().regions()) {
-            const double own = prepared_.scene().organs()[region.organ.value].area;
-            companion_scale_.push_back(
-                own > 0 ? kGain * measured_.area / (own * static_cast<double>(organs())) : 0);
+        const Scene& scene = prepared_.scene();
+        part_of_unit_.assign(scene.regions().size(), 1);
+        if (needs_companion()) {
+            for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured_)) {
+                part_of_unit_[i++] = 1 / coarser;
+            }
+        }
+        for (std::size_t i = 0; i < scene.regions().size(); ++i) {
+            const double own = scene.organs()[scene.regions()[i].organ.value].area;
+            companion_scale_.push_back(part_of_unit_[i] * units_of_light_path(measured_, own));
         }
     }
 
@@ -133,7 +160,10 @@ class FromOrgans final : public Solver {
                 trace(round, replicate, block, scratch, tally);
             });
         sums.paths += round.count;
-        sums.samples += points(round.count);
+        sums.samples += samples_of(round);
+    }
+    [[nodiscard]] std::uint64_t samples_of(const Round& round) const override {
+        return points(round.count);
     }
 
   private:
@@ -209,7 +239,8 @@ class FromOrgans final : public Solver {
     }
 
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
-        const Sight sight = next_event_.look(stream, point.index, 2, point.place);
+        const Sight sight = next_event_.look(
+            stream, point.index, 2, point.place, {point.up, prepared_.least_cosine(point.region)});
         const double cosine = dot(sight.to_light, point.up);
         if (cosine == 0 || sight.factor == 0 || NextEvent::is_in_plane(sight, point.up) ||
             near_.lights_near(*sight.light, point.region, point.place) ||
@@ -218,7 +249,8 @@ class FromOrgans final : public Solver {
         }
         const SumLayout& layout = tally.layout();
         const SurfaceSide side = side_facing(-cosine);
-        const double amount = sight.factor * std::abs(cosine);
+        const double part = part_of_unit_[point.region];
+        const double amount = part * sight.factor * std::abs(cosine);
         tally.add(layout.unoccluded(point.region, side, sight.light->spectrum), to_fixed(amount));
         if (!prepared_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
             return 1;
@@ -233,7 +265,7 @@ class FromOrgans final : public Solver {
             prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
-                to_fixed(kGain * sight.light->sun_share / sight.probability));
+                to_fixed(part * kGain * sight.light->sun_share / sight.probability));
         }
         return 1;
     }
@@ -255,7 +287,7 @@ class FromOrgans final : public Solver {
         std::fill(scratch.path.gathered.begin(), scratch.path.gathered.end(), 0.0);
         const std::uint64_t rays = gather(stream, point, away, dimension + 2, scratch);
         // pi for the cosine law, 2 for the choice of a side.
-        const double factor = 2 * std::numbers::pi * part;
+        const double factor = 2 * std::numbers::pi * part * part_of_unit_[point.region];
         for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
             scratch.fixed[b] = to_fixed(factor * scratch.path.gathered[b]);
         }
@@ -370,6 +402,7 @@ class FromOrgans final : public Solver {
     NextEvent next_event_;
     BlockRunner<Scratch> runner_;
     std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
+    std::vector<double> part_of_unit_;     // by region: of those of coarseness_of() 1 over it
     std::vector<double> companion_scale_;  // by region: from flux per light path to units
 };
 
@@ -381,7 +414,7 @@ std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
 
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
-    const double reference_area = measured_area(scene).area;
+    const MeasuredArea measured = measured_area(scene);
     SumMeaning meaning{
         .units = {},
         .measured = MeasuredOrgans::asked_for,
@@ -389,7 +422,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     SumUnits& units = meaning.units;
     const NearLamps near(prepared);
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
-        units.flux.push_back(prepared.flux()[b] / reference_area);
+        units.flux.push_back(prepared.flux()[b] / measured.area);
         double irradiance = 0;
         double on_surfaces = 0;
         for (const BoundSource& light : prepared.lights()) {
@@ -402,8 +435,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     }
     if (needs_light_paths(prepared, near)) {
         for (const double flux : prepared.flux()) {
-            units.flux_per_light_path.push_back(
-                flux / static_cast<double>(measured_area(scene).organs.size()));
+            units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
         }
     }
     units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
@@ -416,7 +448,17 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     for (const Region& region : scene.regions()) {
         units.region_scale.push_back(scene.organs()[region.organ.value].area / kGain);
     }
+    if (needs_light_paths(prepared, near)) {
+        units.find_scale = units.region_scale;
+        for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
+            units.region_scale[i++] *= coarser;
+        }
+    }
     return meaning;
+}
+
+bool do_from_organs_rounds_add_up(const Scene& scene, std::uint64_t first_paths) {
+    return first_paths >= measured_area(scene).organs.size();
 }
 
 }  // namespace quasimc

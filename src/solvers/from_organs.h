@@ -11,4 +11,7 @@ namespace quasimc {
 /// point; A_ref is the area of all measured organs. A sample is a point of an organ.
 [[nodiscard]] SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec& spec);
 
+/// Of a point for each organ, or more.
+[[nodiscard]] bool do_from_organs_rounds_add_up(const Scene& scene, std::uint64_t first_paths);
+
 }  // namespace quasimc

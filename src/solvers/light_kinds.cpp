@@ -81,7 +81,9 @@ struct Look {
 };
 
 /// By region, how much area a sun lights for each unit of area across its light, at most.
-std::vector<double> slants(const PreparedScene& prepared) {
+/// @param wanted  which suns
+template <typename Wanted>
+std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) {
     // Of very many suns some stand for all: their directions lie close.
     constexpr double kMostLooks = 1e8;
     const double looks =
@@ -89,7 +91,7 @@ std::vector<double> slants(const PreparedScene& prepared) {
     const auto stride = static_cast<std::size_t>(std::ceil(std::max(1.0, looks / kMostLooks)));
     std::vector<double> most(prepared.scene().regions().size());
     for (std::size_t light = 0; light < prepared.lights().size(); light += stride) {
-        if (!is_sun(prepared.lights()[light])) {
+        if (!wanted(prepared.lights()[light])) {
             continue;
         }
         const Vec3 direction = direction_of(prepared.lights()[light]);
@@ -115,7 +117,7 @@ std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
     std::erase_if(kinds, [](const LightKind& kind) { return kind.spectra.empty(); });
     for (LightKind& kind : kinds) {
         if (kind.has_suns) {
-            kind.sunlit_reach = slants(prepared);
+            kind.sunlit_reach = slants(prepared, is_sun);
         }
     }
     return kinds;
@@ -194,6 +196,33 @@ LightKind kind_by_line(
             const double slant = looks[i].seen > 0 ? looks[i].area / looks[i].seen : 0;
             kind.sunlit_reach[i] = std::max(kind.sunlit_reach[i], longest[i] * slant);
         }
+    }
+    return kind;
+}
+
+LightKind kind_of_traced_suns(const PreparedScene& prepared, const std::vector<bool>& has_lines) {
+    const auto is_wanted = [&](const BoundSource& light) {
+        const auto number = static_cast<std::size_t>(&light - prepared.lights().data());
+        return is_sun(light) && !has_lines[number];
+    };
+    LightKind kind = kind_of(prepared, is_wanted);
+    kind.spectra.clear();
+    kind.sunlit_reach = slants(prepared, is_wanted);
+    const Scene& scene = prepared.scene();
+    kind.reach.assign(2 * scene.regions().size(), 0);
+    for (const BoundSource& light : prepared.lights()) {
+        if (!is_wanted(light)) {
+            continue;
+        }
+        const Vec3 direction = direction_of(light);
+        for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
+            // A path is one find, whichever region of the organ it meets.
+            const Organ& organ = scene.organs()[scene.regions()[region].organ.value];
+            const double along = dot(area, direction);
+            if (std::abs(along) > kEdgeOn * length(area)) {
+                kind.reach[std::size_t{2} * organ.first_region + (along > 0 ? 1 : 0)] = 1;
+            }
+        });
     }
     return kind;
 }

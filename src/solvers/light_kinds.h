@@ -31,6 +31,12 @@ namespace quasimc {
 [[nodiscard]] LightKind kind_by_line(
     const PreparedScene& prepared, const std::vector<bool>& has_lines, double step, double spacing);
 
+/// The suns that are traced from themselves beside others whose light is found along lines. What
+/// they bring is summed with that of the others: of none of it is it known that it was found.
+/// @param has_lines  by light: those of which it is not
+[[nodiscard]] LightKind kind_of_traced_suns(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines);
+
 /// Counts finds: what a look (along a direction, or some lines) brought to each side of a region is
 /// told triangle after triangle, those of a region next to each other.
 class FindCounter {

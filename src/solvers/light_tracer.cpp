@@ -18,10 +18,6 @@
 namespace quasimc {
 namespace {
 
-/// Points a block holds: enough that neighbours are near, few enough for the cache and for many
-/// threads.
-constexpr std::uint64_t kPathsPerBlock = 16384;
-
 /// How the triangles hit lie towards the rays: normal times direction (not normalized), and
 /// 1/|cosine|.
 struct Facing {

@@ -22,6 +22,9 @@ class LightTracer {
   public:
     LightTracer(const SolverInput& input, TracedLights traced);
 
+    /// Points a block holds: enough that neighbours are near, few enough for the cache and for many
+    /// threads.
+    static constexpr std::uint64_t kPathsPerBlock = 16384;
     /// Number of blocks a round of one replicate is cut into.
     [[nodiscard]] static std::uint64_t blocks(const Round& round);
 

@@ -21,7 +21,7 @@ class LightTracing final : public Solver {
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums.paths += round.count;
-        sums.samples += round.count;
+        sums.samples += samples_of(round);
     }
 
   private:
@@ -48,6 +48,10 @@ SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) 
             .sunlit_area = prepared.sun_area(),
             .sunlit_area_per_find = prepared.sun_area() * largest,
             .kinds = kinds_by_path(prepared)}};
+}
+
+bool do_light_tracing_rounds_add_up(const Scene& /*scene*/, std::uint64_t first_paths) {
+    return first_paths % LightTracer::kPathsPerBlock == 0;
 }
 
 }  // namespace quasimc

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/checks.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {
@@ -31,11 +32,56 @@ PatchScene::Optics optics_of(const Side& side, std::size_t bands) {
     return optics;
 }
 
+/// Which triangle stands for all images of one, by triangle; empty: each for itself.
+std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
+    std::vector<std::uint32_t> found;
+    if (prepared.scene().cell().periodic()) {
+        const RayCaster& caster = prepared.caster();
+        for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
+            const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
+            found.push_back(image ? found.back() : i);
+        }
+    }
+    return found;
+}
+
+/// Where surfaces cross those that light leaves, on the triangles that have patches.
+std::vector<SurfaceCrossing> crossings_of(
+    const PreparedScene& prepared, const std::stop_token& stop) {
+    const SurfaceCrossings& all = prepared.caster().crossings(stop);
+    if (all.gave_up) {
+        throw InputError({{
+            "method",
+            "ray_bundles, where the boxes of very many triangles overlap",
+            "patches are cut where surfaces cross, and looking for that would take too long",
+            "use method = \"first_hits\"",
+        }});
+    }
+    const auto is_sensor = [&](std::uint32_t triangle) {
+        return prepared.has_transparent() &&
+               prepared.material(prepared.region(triangle)).is_transparent();
+    };
+    const std::vector<std::uint32_t> representatives = find_representatives(prepared);
+    std::vector<SurfaceCrossing> crossings;
+    for (SurfaceCrossing crossing : all.found) {
+        if (!is_sensor(crossing.triangle) && !is_sensor(crossing.other)) {
+            crossing.triangle =
+                representatives.empty() ? crossing.triangle : representatives[crossing.triangle];
+            crossings.push_back(crossing);
+        }
+    }
+    return crossings;
+}
+
 }  // namespace
 
 Patches make_patches(
-    const PreparedScene& prepared, std::span<const VisibilityRole> roles, double most) {
-    const std::uint32_t triangles = prepared.caster().mesh().triangle_count();
+    const PreparedScene& prepared,
+    std::span<const VisibilityRole> roles,
+    double most,
+    const std::stop_token& stop) {
+    const LocalMesh& mesh = prepared.caster().mesh();
+    const std::uint32_t triangles = mesh.triangle_count();
     double area = 0;
     for (std::uint32_t i = 0; i < triangles; ++i) {
         area += is_image(roles, i) ? 0 : area_of(prepared, i);
@@ -55,7 +101,7 @@ Patches make_patches(
                 static_cast<std::uint8_t>(std::clamp(level, 1.0, double{Patches::kFinest})));
         }
     }
-    return Patches(std::move(levels));
+    return Patches(std::move(levels), crossings_of(prepared, stop));
 }
 
 PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut)
@@ -69,16 +115,12 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
                     : optics_of(material.side(side), bands));
         }
     }
-    const RayCaster& caster = prepared.caster();
-    const LocalMesh& mesh = caster.mesh();
+    const LocalMesh& mesh = prepared.caster().mesh();
     const std::uint32_t triangles = patches.triangles();
+    representatives = find_representatives(prepared);
     std::vector<double> scattered(bands);
     std::vector<float> least_cosines;
     for (std::uint32_t i = 0; i < triangles; ++i) {
-        if (prepared.scene().cell().periodic()) {
-            const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
-            representatives.push_back(image ? representatives.back() : i);
-        }
         if (prepared.has_narrow()) {
             least_cosines.push_back(static_cast<float>(prepared.least_cosine(prepared.region(i))));
         }
@@ -88,8 +130,8 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
         const double own = area_of(prepared, i);
         const PrimitiveInfo info = prepared.primitive(i);
         surfaces.push_back(
-            {i, info.region, info.material, own / std::ldexp(1.0, 2 * patches.level(i)),
-             length(mesh.exact_across(i)) / (2 * own), is_sensor(seen.roles, i)});
+            {i, info.region, info.material, own, length(mesh.exact_across(i)) / (2 * own),
+             is_sensor(seen.roles, i)});
         area += own;
         for (std::size_t b = 0; b < bands; ++b) {
             for (const SurfaceSide side : kSurfaceSides) {
@@ -128,13 +170,8 @@ void PatchLight::clear() {
 }
 
 void PatchLight::add_direct(
-    std::uint32_t triangle,
-    std::uint32_t part,
-    SurfaceSide side,
-    double amount,
-    std::span<const double> weights) {
-    const std::size_t patch = scene_.patches.first(triangle) + part;
-    double* to = &incident_[(2 * patch + index_of(side)) * columns_];
+    std::uint32_t patch, SurfaceSide side, double amount, std::span<const double> weights) {
+    double* to = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_];
     for (std::size_t b = 0; b < bands_; ++b) {
         to[b] += amount * weights[b];
         to[bands_ + b] += amount * weights[b];
@@ -150,12 +187,16 @@ PatchLight::Step PatchLight::scatter(bool is_direct) {
         for (std::uint32_t patch = first; !is_direct && patch < end; ++patch) {
             sum_patch(surface, patch, step);
         }
-        for (std::uint32_t patch = first; !surface.is_sensor && patch < end; ++patch) {
-            scatter_patch(surface, patch, share, step);
+        if (surface.is_sensor) {
+            continue;
         }
-        if (!surface.is_sensor) {
-            even_out(surface);
+        const CutTriangle* cut = scene_.patches.cut_of(surface.triangle);
+        const double part = surface.area * scene_.patches.share(surface.triangle, 0);
+        for (std::uint32_t patch = first; patch < end; ++patch) {
+            const double area = cut == nullptr ? part : surface.area * cut->area(patch - first);
+            scatter_patch(surface, {patch, area, share}, step);
         }
+        cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
     }
     std::fill(incident_.begin(), incident_.end(), 0);
     return step;
@@ -173,20 +214,20 @@ void PatchLight::sum_patch(const PatchScene::Surface& surface, std::uint32_t pat
 }
 
 /// The cosine law: light leaves a patch equally bright in all directions.
-void PatchLight::scatter_patch(
-    const PatchScene::Surface& surface, std::uint32_t patch, double share, Step& step) {
-    const double per_area = share / surface.patch_area;
+void PatchLight::scatter_patch(const PatchScene::Surface& surface, const Sent& sent, Step& step) {
+    const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
     for (const SurfaceSide side : kSurfaceSides) {
         const SurfaceSide other = opposite(side);
         const auto& reflected = scene_.of(surface.material, side).reflected;
         const auto& transmitted = scene_.of(surface.material, other).transmitted;
-        const double* own = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_];
-        const double* across = &incident_[(std::size_t{2} * patch + index_of(other)) * columns_];
-        double* out = &exitance_[(std::size_t{2} * patch + index_of(side)) * columns_];
+        const std::size_t patch = std::size_t{2} * sent.patch;
+        const double* own = &incident_[(patch + index_of(side)) * columns_];
+        const double* across = &incident_[(patch + index_of(other)) * columns_];
+        double* out = &exitance_[(patch + index_of(side)) * columns_];
         for (std::size_t i = 0; i < columns_; ++i) {
             const std::size_t b = i < bands_ ? i : i - bands_;
             out[i] = (reflected[b] * own[i] + transmitted[b] * across[i]) * per_area;
-            step.scattered[i] += out[i] * surface.patch_area;
+            step.scattered[i] += out[i] * sent.area;
         }
     }
 }
@@ -198,18 +239,35 @@ void PatchLight::even_out(const PatchScene::Surface& surface) {
     const std::size_t row = 2 * bands_;  // of a patch, both sides
     means_.assign(parents.size() / 4 * row, 0);
     const std::size_t first = scene_.patches.first(surface.triangle);
-    const auto coarse = [&](std::size_t part, std::size_t i) -> double& {
-        const std::size_t side = i / bands_;
-        return exitance_[(2 * (first + part) + side) * columns_ + bands_ + i % bands_];
-    };
     for (std::size_t part = 0; part < parents.size(); ++part) {
         for (std::size_t i = 0; i < row; ++i) {
-            means_[parents[part] * row + i] += coarse(part, i) / 4;
+            means_[parents[part] * row + i] += coarse(first + part, i) / 4;
         }
     }
     for (std::size_t part = 0; part < parents.size(); ++part) {
         for (std::size_t i = 0; i < row; ++i) {
-            coarse(part, i) = means_[parents[part] * row + i];
+            coarse(first + part, i) = means_[parents[part] * row + i];
+        }
+    }
+}
+
+/// The same where patches are not equally large, nor four by four.
+void PatchLight::even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut) {
+    const std::size_t row = 2 * bands_;
+    const std::size_t first = scene_.patches.first(surface.triangle);
+    means_.assign(cut.patches() * row, 0);
+    areas_.assign(cut.patches(), 0);
+    for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
+        const std::size_t group = cut.group(patch);
+        areas_[group] += cut.area(patch);
+        for (std::size_t i = 0; i < row; ++i) {
+            means_[group * row + i] += cut.area(patch) * coarse(first + patch, i);
+        }
+    }
+    for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
+        const std::size_t group = cut.group(patch);
+        for (std::size_t i = 0; cut.area(patch) > 0 && i < row; ++i) {
+            coarse(first + patch, i) = means_[group * row + i] / areas_[group];
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/raster/columns.h"
@@ -12,10 +13,15 @@
 namespace quasimc {
 
 /// How finely light that leaves surfaces is told apart: by triangle of the caster's mesh, patches
-/// of about equal areas, at most about `most` and at least four a triangle. Images of triangles
-/// have none.
+/// of about equal areas, at most about `most` and at least four a triangle, and cut where surfaces
+/// cross. Images of triangles have none.
+/// @throws InputError  if looking for what crosses would take too long
+/// @throws StopRequested  if a stop was requested
 [[nodiscard]] Patches make_patches(
-    const PreparedScene& prepared, std::span<const VisibilityRole> roles, double most);
+    const PreparedScene& prepared,
+    std::span<const VisibilityRole> roles,
+    double most,
+    const std::stop_token& stop);
 
 /// What the matt surfaces of a scene are made of, patch by patch: const, shared by all threads.
 struct PatchScene {
@@ -25,7 +31,7 @@ struct PatchScene {
     /// A triangle that has patches.
     struct Surface {
         std::uint32_t triangle = 0, region = 0, material = 0;
-        double patch_area = 0;  ///< local units squared
+        double area = 0;  ///< local units squared
         /// Light on it over light on its rounded corners: 1 but for thin triangles.
         double exact_share = 1;
         bool is_sensor = false;
@@ -72,11 +78,7 @@ class PatchLight {
     /// Adds light straight from a source, per band `amount` times weights[b]; what misses thin
     /// triangles is left out of it.
     void add_direct(
-        std::uint32_t triangle,
-        std::uint32_t part,
-        SurfaceSide side,
-        double amount,
-        std::span<const double> weights);
+        std::uint32_t patch, SurfaceSide side, double amount, std::span<const double> weights);
 
     /// What came to surfaces in one step.
     struct Step {
@@ -95,15 +97,24 @@ class PatchLight {
 
   private:
     void sum_patch(const PatchScene::Surface& surface, std::uint32_t patch, Step& step);
-    void scatter_patch(
-        const PatchScene::Surface& surface, std::uint32_t patch, double share, Step& step);
+    struct Sent {
+        std::uint32_t patch = 0;
+        double area = 0;
+        double share = 1;  ///< of what came to it
+    };
+    void scatter_patch(const PatchScene::Surface& surface, const Sent& sent, Step& step);
     void even_out(const PatchScene::Surface& surface);
+    void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut);
+    /// Exitance of a patch in the columns of the coarser level; i < 2 * bands: both sides.
+    [[nodiscard]] double& coarse(std::size_t patch, std::size_t i) {
+        return exitance_[(2 * patch + i / bands_) * columns_ + bands_ + i % bands_];
+    }
 
     const PatchScene& scene_;
     std::size_t bands_, columns_;
     std::vector<double> incident_, exitance_;
     std::vector<double> sums_;  // [2 * region + side][column]
-    std::vector<double> means_;
+    std::vector<double> means_, areas_;
     std::vector<std::vector<std::uint32_t>> parents_;  // by level and part
 };
 

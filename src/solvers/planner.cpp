@@ -26,8 +26,8 @@ struct Thresholds {
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
-/// Lamps outside the sphere about the scene, as long as organs have so many paths each: few
-/// things if any are near enough to a lamp to be much brighter than the rest.
+/// Lamps outside the scene's box, as long as organs have so many paths each: few things if any are
+/// near enough to a lamp to be much brighter than the rest.
 constexpr double kDarkBelowFarLamps = 0.5;
 constexpr double kPathsToSpare = 16;
 /// Mean albedo from which on leaves count as bright.
@@ -43,15 +43,26 @@ constexpr double kMostLostToGloss = 12;
 /// What the sources are, dark ones left out.
 struct Lighting {
     bool lamp = false, sun = false, sky = false;
-    bool near_lamp = false;  ///< inside the sphere about the scene
+    bool near_lamp = false;  ///< in the scene's box, or so near that some of it is much brighter
 };
 
-/// Whether a lamp, as seen from the middle of the scene, is inside the sphere about it, or does not
-/// shine there.
+/// Whether a lamp is in the scene's box, does not shine on its middle, or shines much more brightly
+/// on the place of the box that is next to it.
 bool is_near(const Source& lamp, const Bounds& bounds) {
     constexpr double kMiddle = 0.5;
-    const double distance = lamp.illuminate(bounds.center(), kMiddle, kMiddle).distance;
-    return !(distance > bounds.radius() && std::isfinite(distance));
+    constexpr double kMuchBrighter = 16;
+    const Illumination middle = lamp.illuminate(bounds.center(), kMiddle, kMiddle);
+    if (!(middle.weight > 0 && std::isfinite(middle.distance))) {
+        return true;
+    }
+    const Vec3 place = bounds.center() + middle.distance * middle.to_light;
+    const Vec3 nearest{
+        std::clamp(place.x, bounds.low.x, bounds.high.x),
+        std::clamp(place.y, bounds.low.y, bounds.high.y),
+        std::clamp(place.z, bounds.low.z, bounds.high.z)};
+    const Vec3 gap = place - nearest;
+    return dot(gap, gap) == 0 ||
+           lamp.illuminate(nearest, kMiddle, kMiddle).weight > kMuchBrighter * middle.weight;
 }
 
 Lighting lighting_of(const Scene& scene, const Sources& sources) {
@@ -227,10 +238,7 @@ constexpr std::size_t kMostForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     if (spec.method != Method::automatic) {
-        return {
-            spec.method, spec.method == Method::ray_bundles
-                             ? "asked for; its errors leave out what surfaces that cross make"
-                             : "asked for"};
+        return {spec.method, "asked for"};
     }
     const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;

@@ -48,11 +48,12 @@ class RayBundles final : public Solver {
         : prepared_(input.prepared),
           spec_(input.spec),
           stop_(input.stop),
-          beams_(input),
+          beams_(input, ScatteredBy::bundles),
           patches_(
               input.prepared,
               beams_.scene(),
-              make_patches(input.prepared, beams_.scene().roles, patches_for(input.spec.paths))),
+              make_patches(
+                  input.prepared, beams_.scene().roles, patches_for(input.spec.paths), input.stop)),
           direct_(input, beams_, patches_),
           runner_(input) {}
 
@@ -65,7 +66,7 @@ class RayBundles final : public Solver {
                 solve_replicate({round, tasks, sums.units, replicate}, scratch, tally);
             });
         sums.paths += round.count;
-        sums.samples += round.count;
+        sums.samples += samples_of(round);
     }
 
   private:
@@ -236,7 +237,7 @@ void check_matt(const Scene& scene, Faults& faults) {
 }
 
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
-    SumMeaning meaning = direct_beams_meaning(prepared, spec);
+    SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
     meaning.patch_levels = PatchLevels::two;
     meaning.units.scattered_flux_per_find = prepared.flux();
     for (double& flux : meaning.units.scattered_flux_per_find) {

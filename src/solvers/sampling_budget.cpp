@@ -8,34 +8,33 @@
 namespace quasimc {
 namespace {
 
-/// How densely direct light is sampled for each path that may start. Where all bands scatter most
-/// of the light, its noise is in the paths: fewer lines and pixels, which leaves time for more of
-/// them (the first scattering is split, as it were).
-struct SamplingDensity {
-    double paths_per_line, pixels_per_path;
-};
-constexpr SamplingDensity kDarkDensity{80, 40};
-constexpr SamplingDensity kBrightDensity{160, 10};
+/// Where all bands scatter most of the light, its noise is in the paths: fewer lines and pixels,
+/// which leaves time for more of them (the first scattering is split, as it were).
+constexpr SamplingDensity kDarkDensity{
+    .paths_per_line = 80, .pixels_per_path = 40, .pixels_per_root = 640};
+constexpr SamplingDensity kBrightDensity{
+    .paths_per_line = 160, .pixels_per_path = 10, .pixels_per_root = 640};
+/// Errors of lines fall with the third power of their number, those of bundles with the square root
+/// of theirs.
+constexpr SamplingDensity kDarkBundles{
+    .lines_per_root = 12.8, .pixels_per_path = 160, .pixels_per_root = 320};
+constexpr SamplingDensity kBrightBundles{
+    .lines_per_root = 4, .pixels_per_path = 40, .pixels_per_root = 320};
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
-const SamplingDensity& sampling_density(const PreparedScene& prepared) {
-    const std::vector<bool> is_used = used_materials(prepared.scene());
-    for (std::size_t band = 0; band < prepared.bands(); ++band) {
-        double largest = 0;
-        for (std::size_t m = 0; m < is_used.size(); ++m) {
-            const Material& material = prepared.scene().materials()[m];
-            for (const SurfaceSide side : kSurfaceSides) {
-                const double albedo = material.side(side).albedo()[band];
-                const bool scatters = is_used[m] && !material.is_transparent();
-                largest = std::max(largest, scatters ? albedo : 0);
-            }
-        }
-        if (largest < kBrightAlbedo) {
-            return kDarkDensity;
-        }
+/// Whether all bands scatter most of the light.
+bool is_bright(const PreparedScene& prepared) {
+    const std::vector<double> albedos = largest_albedos(prepared.scene());
+    return std::all_of(
+        albedos.begin(), albedos.end(), [](double albedo) { return albedo >= kBrightAlbedo; });
+}
+
+const SamplingDensity& sampling_density(const PreparedScene& prepared, ScatteredBy scattered) {
+    if (scattered == ScatteredBy::bundles) {
+        return is_bright(prepared) ? kBrightBundles : kDarkBundles;
     }
-    return kBrightDensity;
+    return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
 
 /// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
@@ -69,7 +68,7 @@ constexpr std::uint32_t kFewestWhereCostly = 16;
 /// there are more of them each may be seen less well: the root is between, until there are two for
 /// each. Of very many paths directions become less of the error than pixels are, and each gets
 /// more.
-constexpr double kPixelsPerRootOfTriangles = 640, kFewestPerTriangle = 2;
+constexpr double kFewestPerTriangle = 2;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
 /// Of a periodic scene none of them is empty.
@@ -99,11 +98,9 @@ SamplingBudget::SamplingBudget(
     const PreparedScene& prepared,
     const SkyDirections& skies,
     const ProjectedScene& seen,
-    std::uint64_t paths)
-    : prepared_(prepared),
-      skies_(skies),
-      paths_per_line_(sampling_density(prepared).paths_per_line),
-      pixels_per_path_(sampling_density(prepared).pixels_per_path) {
+    std::uint64_t paths,
+    ScatteredBy scattered)
+    : prepared_(prepared), skies_(skies), density_(sampling_density(prepared, scattered)) {
     std::uint32_t suns = 0, beams = 0;
     for (const BoundSource& light : prepared.lights()) {
         if (light.source->is_sun()) {
@@ -138,13 +135,22 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
     }
 }
 
+bool SamplingBudget::traces_suns() const {
+    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+        if (prepared_.lights()[i].source->is_sun() && !has_lines_[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool SamplingBudget::are_skies_cheap(double paths) const {
     const double own = skies_.probability() * paths;
     const VisibilityTask task = skies_of(own);
     const double images = prepared_.scene().cell().periodic() ? 2 : 1;
     const double triangles = prepared_.caster().mesh().triangle_count();
     const double each = task.pixels + kPixelsPerTriangle * images * triangles;
-    return task.count * each <= kMostOverPixels * pixels_per_path_ * own &&
+    return task.count * each <= kMostOverPixels * density_.pixels_per_path * own &&
            task.count * measured_organs(prepared_.scene()) >= kFewestViews;
 }
 
@@ -190,7 +196,9 @@ VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
     const std::uint32_t beams = beams_of(prepared_.lights()[light]);
     const bool is_disk = beams > 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
-    const double lines = paths / paths_per_line_ * (is_disk ? 2 : 1) / beams;
+    const double usual = density_.paths_per_line > 0 ? paths / density_.paths_per_line
+                                                     : density_.lines_per_root * std::sqrt(paths);
+    const double lines = usual * (is_disk ? 2 : 1) / beams;
     std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
     const double cuts = beams * cuts_per_line_[light];
     if (count * cuts > kMostCutsPerPath * paths) {
@@ -212,7 +220,7 @@ void SamplingBudget::add_beams(
 
 VisibilityTask SamplingBudget::skies_of(double paths) const {
     const double pixels = pixels_for(paths);
-    const double directions = std::round(pixels_per_path_ * paths / pixels);
+    const double directions = std::round(density_.pixels_per_path * paths / pixels);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
@@ -228,7 +236,7 @@ double SamplingBudget::pixels_for(double paths) const {
     const double share = prepared_.scene().cell().periodic() ? kShareOfLayer : 1;
     const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
     const double pixels =
-        std::max(kPixelsPerRootOfTriangles * std::sqrt(triangles), kFewestPerTriangle * triangles);
+        std::max(density_.pixels_per_root * std::sqrt(triangles), kFewestPerTriangle * triangles);
     return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
 }
 

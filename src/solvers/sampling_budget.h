@@ -22,6 +22,18 @@ struct VisibilityTask {
     std::uint64_t first_block = 0, blocks = 0;
 };
 
+/// What scattered light is found by. Along bundles it is known so much better for the time that
+/// more of the error is in direct light, which then is looked at more closely.
+enum class ScatteredBy { paths, bundles };
+
+/// How densely direct light is sampled for each path that may start.
+struct SamplingDensity {
+    double paths_per_line = 0;  ///< 0: lines_per_root says
+    double lines_per_root = 0;  ///< of the number of paths
+    double pixels_per_path = 0;
+    double pixels_per_root = 0;  ///< of the number of triangles, along each direction of a sky
+};
+
 /// How much is looked at for how many paths. Direct light and scattered light each have their
 /// error; these numbers make the figure of merit of both together the largest in our measurements
 /// (docs/theory/first-hits.md).
@@ -33,7 +45,8 @@ class SamplingBudget {
         const PreparedScene& prepared,
         const SkyDirections& skies,
         const ProjectedScene& seen,
-        std::uint64_t paths);
+        std::uint64_t paths,
+        ScatteredBy scattered = ScatteredBy::paths);
 
     /// Whether the direct light of a sun is found along lines. Not where they cost so much that
     /// paths from the sun do better for the time: as at dawn in an endless stand, whose images a
@@ -52,6 +65,8 @@ class SamplingBudget {
 
     /// By light; as has_lines() says.
     [[nodiscard]] const std::vector<bool>& lights_with_lines() const { return has_lines_; }
+    /// Whether some sun has none, and is traced from itself.
+    [[nodiscard]] bool traces_suns() const;
 
     /// What a task's looks bring, in paths' light: a direction of the skies all that comes along
     /// it, a scan line so much for each unit of its length, local units, at most.
@@ -70,7 +85,7 @@ class SamplingBudget {
 
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
-    double paths_per_line_, pixels_per_path_;
+    SamplingDensity density_;
     std::uint32_t fewest_lines_;         // of a beam
     std::vector<double> cuts_per_line_;  // by light
     std::vector<bool> has_lines_;        // by light

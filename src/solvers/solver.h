@@ -34,7 +34,12 @@ class Solver {
     /// points, and the paths and samples done. The same bits with any number of workers.
     /// @throws InputError  where light is too strong to be summed
     /// @throws StopRequested  if a stop was requested; sums are then of no use
+    ///
+    /// The tasks of the last call of the executor are in the order of replicates: those before
+    /// have all light of the round when it is not complete yet.
     virtual void solve(const Round& round, Executor& executor, Sums& sums) = 0;
+    /// What a round adds to Sums::samples.
+    [[nodiscard]] virtual std::uint64_t samples_of(const Round& round) const { return round.count; }
 };
 
 /// What a solver is made for; all of it outlives the solver.

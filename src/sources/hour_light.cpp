@@ -98,14 +98,42 @@ SunPath sun_path(const Place& place, const CivilTime& start, double seconds, dou
     return path;
 }
 
+namespace {
+
+/// What thermopiles and their zeros are off at most where there is hardly any light, W m-2: they
+/// read -1 to -5 in clear nights, some -10 and more.
+constexpr double kOffset = 20;
+/// The same of the difference of two of them.
+constexpr double kDifference = 5;
+
+/// Of a reading slightly below zero 0. @returns  whether none is further below
+bool settle_offsets(Reading& reading, LightUnit unit, const DaylightSpectra& spectra) {
+    bool is_good = true;
+    for (std::optional<double>* part :
+         {&reading.global, &reading.direct_horizontal, &reading.beam_normal, &reading.diffuse}) {
+        if (*part && **part < 0) {
+            is_good = is_good && spectra.from_global(-**part, unit) <= kOffset;
+            *part = 0;
+        }
+    }
+    return is_good;
+}
+
+}  // namespace
+
 HourLight measured_light(
     const SunPath& path,
-    const Reading& reading,
+    const Reading& given,
     LightUnit unit,
     DiffuseModel model,
     const DaylightSpectra& spectra) {
     const double sine = path.mean_sine();
     HourLight light;
+    Reading reading = given;
+    if (!settle_offsets(reading, unit, spectra)) {
+        light.fault = ReadingFault::negative;
+        return light;
+    }
     std::optional<Parts> parts = parts_of(reading, sine);
     if (!parts && !reading.global) {
         light.fault = ReadingFault::incomplete;
@@ -120,11 +148,15 @@ HourLight measured_light(
     }
     if (parts && (parts->direct < 0 || parts->diffuse < 0)) {
         constexpr double kNoise = 0.1;
-        if (std::min(parts->direct, parts->diffuse) < -kNoise * global) {
-            light.fault = ReadingFault::direct_exceeds_global;
+        const bool is_all_direct = parts->diffuse < 0;
+        const double excess = -std::min(parts->direct, parts->diffuse);
+        if (excess > kNoise * global && spectra.from_global(excess, unit) > kDifference) {
+            light.fault = ReadingFault::part_exceeds_global;
         }
-        light.note = ReadingNote::more_direct_than_global;
-        parts = parts->diffuse < 0 ? Parts{global, 0} : Parts{0, global};
+        light.note = is_all_direct ? ReadingNote::more_direct_than_global
+                                   : ReadingNote::more_diffuse_than_global;
+        light.note = global > 0 ? light.note : ReadingNote::none;
+        parts = is_all_direct ? Parts{global, 0} : Parts{0, global};
     }
     if (global <= 0) {
         light.facing = even_beam(path, 0);

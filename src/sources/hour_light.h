@@ -43,12 +43,14 @@ struct Reading {
 /// What is odd about a reading, and was settled so that the global light is kept.
 enum class ReadingNote {
     none,
-    more_direct_than_global,  ///< by a tenth or less: all light is then direct
+    // By a tenth, or what instruments are off, or less.
+    more_direct_than_global,   ///< all light is then direct
+    more_diffuse_than_global,  ///< all light is then diffuse
     sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than
                   ///< outside the atmosphere: it counts as diffuse
 };
 /// What is wrong with a reading.
-enum class ReadingFault { none, incomplete, direct_exceeds_global, light_at_night };
+enum class ReadingFault { none, incomplete, negative, part_exceeds_global, light_at_night };
 
 /// Daylight of an hour: suns and one sky.
 struct HourLight {

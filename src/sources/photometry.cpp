@@ -25,12 +25,14 @@ AngleBetween angle_between(const std::vector<double>& values, double x) {
     return {i, std::clamp((x - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
 }
 
-/// The azimuth of the file that stands for `phi_deg`, 0 to 360.
+/// The azimuth of the file that stands for `phi_deg`, 0 to 360 about the aim. Those of files count
+/// counterclockwise as seen from above a lamp that is aimed down: about the opposite of its aim.
 double folded(double phi_deg, double last_deg) {
     if (last_deg == 0) {
         return 0;
     }
-    const double half = phi_deg > 180 && last_deg <= 180 ? 360 - phi_deg : phi_deg;
+    const double of_file = 360 - phi_deg;
+    const double half = of_file > 180 && last_deg <= 180 ? phi_deg : of_file;
     return half > 90 && last_deg <= 90 ? 180 - half : half;
 }
 
@@ -57,9 +59,9 @@ std::vector<double> bends(const std::vector<double>& horizontal_deg) {
         }
     };
     for (const double deg : horizontal_deg) {
-        add(deg);
+        add(360 - deg);
         if (last <= 180) {
-            add(360 - deg);
+            add(deg);
         }
         if (last <= 90) {
             add(180 - deg);

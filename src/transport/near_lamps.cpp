@@ -34,7 +34,9 @@ bool is_within(const Vec3& place, const Vec3& center, double radius) {
 }  // namespace
 
 NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
-    constexpr double kPartOfOrgan = 0.5;
+    // Of the size of an organ. Of bounded irradiance the bright place next to a lamp is as large as
+    // the distance: a tenth is met by one point in thirty.
+    constexpr double kPartOfOrgan = 0.5, kPartIfBounded = 0.1;
     lamps_.reserve(prepared.lights().size());
     for (const Region& region : prepared.scene().regions()) {
         const double area = prepared.scene().organs()[region.organ.value].area;
@@ -51,7 +53,8 @@ NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
         lamp.scatter_radius = radius_about(trials, *place, light.usual_irradiance);
         lamp.half_line = place->half_line;
         const bool is_line = dot(lamp.half_line, lamp.half_line) > 0;
-        lamp.organ_part = place->has_bounded_irradiance && !is_line ? 0 : kPartOfOrgan;
+        lamp.is_bounded = place->has_bounded_irradiance && !is_line;
+        lamp.organ_part = lamp.is_bounded ? kPartIfBounded : kPartOfOrgan;
         const bool is_near = std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
             return lights_near(light, trial.region, trial.place);
         });
@@ -141,6 +144,10 @@ bool NearLamps::lights_near(
         return false;
     }
     const double reach = lamp.organ_part * organ_size_[region];
+    // Points find what is near a lamp as large as that.
+    if (lamp.is_bounded && reach < lamp.body.radius) {
+        return false;
+    }
     const double square = dot(lamp.half_line, lamp.half_line);
     if (square == 0) {
         return is_within(place, lamp.body.center, 1.5 * lamp.body.radius + reach);

@@ -36,6 +36,7 @@ class NearLamps {
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
         double organ_part = 0;      ///< of the size of an organ, within which light on it is
                                     ///< near; 0: none is
+        bool is_bounded = false;    ///< its irradiance, and it is no line
         double irradiance = 0;
         Vec3 half_line;  ///< LampPlace::half_line
     };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/distribution.h"
+#include "sources/hemisphere.h"
 
 namespace quasimc {
 
@@ -65,8 +66,32 @@ NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     }
 }
 
+namespace {
+
+/// A sky as a narrow view shows it. Of directions drawn over all of the sky as many fall into the
+/// view in nearly every replicate, which then can't tell how many should.
+Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, double u1) {
+    const double part = 1 - view.least_cosine * view.least_cosine;  // sine of its edge, squared
+    const double edge = std::sqrt(part);
+    const bool above = view.normal.z > -edge;  // whether that side sees any of the sky
+    const bool below = -view.normal.z > -edge;
+    const bool is_upper = above && (!below || u0 < .5);
+    const double u = above && below ? 2 * u0 - (is_upper ? 0 : 1) : u0;
+    const Vec3 axis = is_upper ? view.normal : -view.normal;
+    const Vec3 to_light = cosine_direction_about(axis, part * u, u1);
+    const double sides = above && below ? 2 : 1;
+    return {
+        to_light, sides * std::numbers::pi * part * sky.radiance(to_light) / dot(to_light, axis)};
+}
+
+}  // namespace
+
 Sight NextEvent::look(
-    const Stream& stream, std::uint64_t point, std::uint32_t dimension, const Vec3& place) const {
+    const Stream& stream,
+    std::uint64_t point,
+    std::uint32_t dimension,
+    const Vec3& place,
+    const FieldOfView& view) const {
     double u0 = 0;
     double u1 = 0;
     if (dimensions_ > 0) {
@@ -75,7 +100,10 @@ Sight NextEvent::look(
     }
     const Pick picked = pick(u0, place);
     const BoundSource& light = *picked.light;
-    const Illumination seen = light.source->illuminate(prepared_.to_world(place), picked.u, u1);
+    const Illumination seen =
+        view.least_cosine > 0 && light.is_extended()
+            ? sky_within(*light.source, view, picked.u, u1)
+            : light.source->illuminate(prepared_.to_world(place), picked.u, u1);
     const double rarer = lamps_.empty() ? 1 : light.probability / picked.probability;
     return {
         &light, seen.to_light, seen.weight * scale_of(light) * rarer,

@@ -21,6 +21,12 @@ struct Sight {
     double probability = 1;  ///< with which the light was picked
 };
 
+/// What a place sees: all about it, or directions near the normal of a surface on either side.
+struct FieldOfView {
+    Vec3 normal;
+    double least_cosine = 0;  ///< of the angle from the normal; 0: all
+};
+
 /// A path that runs backwards, kept by each worker so that nothing is allocated on the way.
 struct GatherScratch {
     explicit GatherScratch(std::size_t bands) {
@@ -47,11 +53,13 @@ class NextEvent {
     /// Picks a light, and a direction to it. Where there are lamps, each light mostly by what it
     /// would bring to the place.
     /// @param place  local coordinates
+    /// @param view  skies are looked for within it
     [[nodiscard]] Sight look(
         const Stream& stream,
         std::uint64_t point,
         std::uint32_t dimension,
-        const Vec3& place) const;
+        const Vec3& place,
+        const FieldOfView& view = {}) const;
 
     /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
     /// neither lights the surface nor is hidden by it.

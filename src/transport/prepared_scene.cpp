@@ -98,8 +98,10 @@ void PreparedScene::set_regions() {
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = scene.materials()[i];
         has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
-        has_sharp_ = has_sharp_ || (is_used[i] && (material.side(SurfaceSide::upper).has_sharp() ||
-                                                   material.side(SurfaceSide::lower).has_sharp()));
+        // Light passes a sensor as if it were not there.
+        const bool scatters = is_used[i] && !material.is_transparent();
+        has_sharp_ = has_sharp_ || (scatters && (material.side(SurfaceSide::upper).has_sharp() ||
+                                                 material.side(SurfaceSide::lower).has_sharp()));
         has_constant_albedos_ =
             has_constant_albedos_ && (!is_used[i] || material.has_constant_albedo());
     }

@@ -137,7 +137,7 @@ class PreparedScene {
     [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
         return detectors_;
     }
-    /// Whether some material scatters in one direction, or nearly: see is_sharp().
+    /// Whether some material scatters in one direction, or nearly: see is_sharp(). Sensors don't.
     [[nodiscard]] bool has_sharp() const { return has_sharp_; }
     /// Whether no albedo depends on the angle of the light.
     [[nodiscard]] bool has_constant_albedos() const { return has_constant_albedos_; }

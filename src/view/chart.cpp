@@ -35,27 +35,50 @@ class ChartPlot {
 
     void draw_axes() {
         const std::vector<double> columns = ticks_of(chart_.x, 8), rows = ticks_of(chart_.y, 7);
-        for (const double tick : columns) {
-            const double x = place(tick, 0).x;
+        const std::vector<std::string> below = texts_of(chart_.x, columns);
+        const std::vector<std::string> beside = texts_of(chart_.y, rows);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const double x = place(columns[i], chart_.y.low).x;
             canvas_.line({x, top_}, {x, bottom_}, kGrid, scale_);
             canvas_.text(
-                {x, bottom_ + 20 * scale_}, tick_text(tick, step(columns)),
+                {x, bottom_ + 20 * scale_}, below[i],
                 {.size = 13 * scale_, .anchor = TextAnchor::middle});
         }
-        for (const double tick : rows) {
-            const double y = place(0, tick).y;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double y = place(chart_.x.low, rows[i]).y;
             canvas_.line({left_, y}, {right_, y}, kGrid, scale_);
             canvas_.text(
-                {left_ - 8 * scale_, y + 4.5 * scale_}, tick_text(tick, step(rows)),
+                {left_ - 8 * scale_, y + 4.5 * scale_}, beside[i],
                 {.size = 13 * scale_, .anchor = TextAnchor::end});
         }
         canvas_.line({left_, bottom_}, {right_, bottom_}, kLines, scale_);
         canvas_.line({left_, top_}, {left_, bottom_}, kLines, scale_);
     }
 
+    /// Colours and names of series, at the top right.
+    void draw_names() {
+        const double column = right_ - 330 * scale_;
+        double y = top_ + 20 * scale_;
+        for (const ChartSeries& series : chart_.series) {
+            if (series.name.empty()) {
+                continue;
+            }
+            const PixelPlace from{column, y - 5 * scale_}, to{column + 22 * scale_, y - 5 * scale_};
+            if (series.marks == ChartMarks::dots) {
+                canvas_.disk({0.5 * (from.x + to.x), from.y}, 3.5 * scale_, series.color);
+            } else {
+                canvas_.line(from, to, series.color, 2 * scale_);
+            }
+            canvas_.text({column + 30 * scale_, y}, series.name, {.size = 14 * scale_});
+            y += 20 * scale_;
+        }
+    }
+
     void draw(const ChartSeries& series) {
         if (series.marks == ChartMarks::columns) {
             draw_columns(series);
+        } else if (series.marks == ChartMarks::curve) {
+            canvas_.polyline(places_of(series), series.color, 2 * scale_);
         } else if (series.marks == ChartMarks::line) {
             draw_line(series);
         } else {
@@ -69,9 +92,6 @@ class ChartPlot {
     }
 
   private:
-    static double step(const std::vector<double>& ticks) {
-        return ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
-    }
     [[nodiscard]] PixelPlace place(double x, double y) const {
         return {
             left_ + (right_ - left_) * chart_.x.part(x),
@@ -95,14 +115,24 @@ class ChartPlot {
         }
     }
 
-    void draw_line(const ChartSeries& series) {
+    /// Of the points that have one.
+    [[nodiscard]] std::vector<PixelPlace> places_of(const ChartSeries& series) const {
         std::vector<PixelPlace> places;
         for (const ChartPoint& point : series.points) {
-            draw_errors(point, series.color);
             if (std::isfinite(point.x) && std::isfinite(point.y)) {
                 places.push_back(place(point.x, point.y));
-                canvas_.disk(places.back(), 3 * scale_, series.color);
             }
+        }
+        return places;
+    }
+
+    void draw_line(const ChartSeries& series) {
+        for (const ChartPoint& point : series.points) {
+            draw_errors(point, series.color);
+        }
+        const std::vector<PixelPlace> places = places_of(series);
+        for (const PixelPlace& at : places) {
+            canvas_.disk(at, 3 * scale_, series.color);
         }
         canvas_.polyline(places, series.color, 2 * scale_);
     }
@@ -134,6 +164,7 @@ void draw_chart(Canvas& canvas, const Chart& chart, double width, double height)
         plot.draw(series);
     }
     plot.draw_words();
+    plot.draw_names();
 }
 
 }  // namespace quasimc

@@ -19,12 +19,14 @@ enum class ChartMarks {
     dots,
     line,     ///< from point to point
     columns,  ///< from the x axis up to each point, side by side
+    curve,    ///< through the points, which are not drawn
 };
 
 struct ChartSeries {
     ChartMarks marks = ChartMarks::dots;
     Rgb color;
     std::vector<ChartPoint> points;
+    std::string name = {};  ///< told beside its colour; empty: not told
 };
 
 struct Chart {

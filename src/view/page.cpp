@@ -1,10 +1,9 @@
 #include "view/page.h"
 
-#include <cstdint>
-
 #include <fmt/format.h>
 
 #include "base/checks.h"
+#include "io/base64.h"
 #include "io/sha256.h"
 #include "quasimc/error.h"
 #include "view/color_map.h"
@@ -52,7 +51,7 @@ std::string source_hash(std::string_view text) {
     for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
         bytes.push_back(static_cast<char>(16 * digit(hex[i]) + digit(hex[i + 1])));
     }
-    return fmt::format("'sha256-{}'", base64(bytes));
+    return fmt::format("'sha256-{}'", encode_base64(bytes));
 }
 
 /// JSON that can stand in an element of HTML: no '<' in it ends the element.
@@ -110,25 +109,6 @@ std::string color_maps_json() {
     return json + '}';
 }
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            bits = (bits << 8U) |
-                   (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            const bool is_there = i + k <= bytes.size();
-            text += is_there ? kDigits[(bits >> (18 - 6 * k)) & 63U] : '=';
-        }
-    }
-    return text;
-}
-
 void write_report(const WindowData& data, const TextSink& sink) {
     const Page page = embedded_page();
     std::string_view rest = page.html;
@@ -155,7 +135,7 @@ void write_report(const WindowData& data, const TextSink& sink) {
         element(id, "application/octet-stream;base64");
         constexpr std::size_t kPiece = 3U << 18U;
         for (std::size_t i = 0; i < bytes.size(); i += kPiece) {
-            sink(base64(bytes.substr(i, kPiece)));
+            sink(encode_base64(bytes.substr(i, kPiece)));
         }
         sink("</script>\n");
     };

@@ -23,9 +23,6 @@ void require_page(std::string_view command);
 /// Colour maps, as a JSON object for the page.
 [[nodiscard]] std::string color_maps_json();
 
-/// What a base64 text (RFC 4648, section 4) says is `bytes`.
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 /// Writes the page with its data as one file that needs no network, and may reach none: its policy
 /// allows its own script alone.
 void write_report(const WindowData& data, const TextSink& sink);

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
-#include "geometry/cast/ray_caster.h"
 
 namespace quasimc {
 namespace {
@@ -26,36 +24,13 @@ struct Sight {
     }
 };
 
-/// The part of a line of sight from which the scene is looked at.
-struct Reach {
-    double near = 0, far = std::numeric_limits<double>::infinity();
-
-    /// Cuts off where rate * t > room.
-    void cut(double rate, double room) {
-        if (rate > 0) {
-            far = std::min(far, room / rate);
-        } else if (rate < 0) {
-            near = std::max(near, room / rate);
-        } else if (room < 0) {
-            far = -1;
-        }
-    }
-};
-
 class Renderer {
   public:
     Renderer(const Scene& scene, const Camera& camera, const RenderSpec& spec)
         : scene_(scene),
-          camera_(camera),
           spec_(spec),
-          caster_(scene.shared_triangles(), Cell{}, Engine::embree),
-          box_(scene.bounds()),
-          sights_(spec.width * spec.height) {
-        // Lines of sight that run in a face of the box see what lies in it.
-        const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};
-        box_.add(box_.low - more);
-        box_.add(box_.high + more);
-    }
+          sight_caster_(scene, camera, spec.cuts),
+          sights_(spec.width * spec.height) {}
 
     Image image() {
         const unsigned threads = thread_count(spec_.threads);
@@ -79,38 +54,14 @@ class Renderer {
     }
     Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
 
-    [[nodiscard]] Reach reach_of(const Camera::SightLine& line) const {
-        Reach reach;
-        const Vec3 &o = line.origin, &d = line.direction;
-        reach.cut(d.x, box_.high.x - o.x);
-        reach.cut(-d.x, o.x - box_.low.x);
-        reach.cut(d.y, box_.high.y - o.y);
-        reach.cut(-d.y, o.y - box_.low.y);
-        reach.cut(d.z, box_.high.z - o.z);
-        reach.cut(-d.z, o.z - box_.low.z);
-        for (const CutPlane& plane : spec_.cuts) {
-            reach.cut(dot(plane.normal, d), plane.offset - dot(plane.normal, o));
-        }
-        return reach;
-    }
-
     [[nodiscard]] Sight look(const PixelPlace& place) const {
-        const Camera::SightLine line = camera_.through(place);
-        const Reach reach = reach_of(line);
-        if (!(reach.near < reach.far)) {
+        const auto seen = sight_caster_.look(place);
+        if (!seen) {
             return {};
         }
-        const LocalMesh& mesh = caster_.mesh();
-        const Vec3 start = mesh.to_local(line.origin + reach.near * line.direction);
-        const CastHit cast = caster_.cast(start, line.direction, kNoTriangle);
-        const double length = (reach.far - reach.near) * mesh.scale;
-        if (cast.end != RayEnd::hit || double{cast.hit.t} > length) {
-            return {};
-        }
-        const Vec3 normal{cast.hit.normal[0], cast.hit.normal[1], cast.hit.normal[2]};
-        const RegionIndex region = scene_.region_of(caster_.source(cast.hit.triangle));
-        const double facing = std::abs(dot(normalized(normal), line.direction));
-        return {scene_.regions()[region.value].organ.value, static_cast<float>(facing)};
+        const Vec3 normal{seen->hit.normal[0], seen->hit.normal[1], seen->hit.normal[2]};
+        const double facing = std::abs(dot(normalized(normal), seen->direction));
+        return {scene_.regions()[seen->region].organ.value, static_cast<float>(facing)};
     }
 
     bool is_edge(std::size_t x, std::size_t y) {
@@ -152,10 +103,8 @@ class Renderer {
     }
 
     const Scene& scene_;
-    const Camera& camera_;
     const RenderSpec& spec_;
-    RayCaster caster_;
-    Bounds box_;
+    SightCaster sight_caster_;
     std::vector<Sight> sights_;
 };
 

@@ -5,14 +5,9 @@
 #include "quasimc/scene.h"
 #include "view/camera.h"
 #include "view/image.h"
+#include "view/sight_caster.h"
 
 namespace quasimc {
-
-/// What lies on one side of a plane is shown: dot(normal, p) <= offset; world, z up.
-struct CutPlane {
-    Vec3 normal;
-    double offset = 0;
-};
 
 /// How a scene is drawn.
 struct RenderSpec {

@@ -113,6 +113,27 @@ void draw_scale_bar(
         {.size = 13 * s, .anchor = TextAnchor::middle});
 }
 
+/// The scene in colours, or in its light.
+Image image_of(
+    const Scene& scene,
+    const Camera& camera,
+    const ScenePicture& picture,
+    std::size_t width,
+    std::size_t height) {
+    if (!picture.true_light) {
+        RenderSpec spec = picture.render;
+        spec.width = width;
+        spec.height = height;
+        return render(scene, camera, spec);
+    }
+    TrueLightSpec spec = *picture.true_light;
+    spec.width = width;
+    spec.height = height;
+    spec.cuts = picture.render.cuts;
+    spec.threads = picture.render.threads;
+    return render_true_light(scene, camera, spec);
+}
+
 }  // namespace
 
 void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture) {
@@ -124,10 +145,11 @@ void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture)
     const Layout layout(picture);
     const Camera camera(
         picture.view, scene.orientation(), shown, layout.view_width, layout.view_height);
-    RenderSpec spec = picture.render;
-    spec.width = static_cast<std::size_t>(layout.view_width);
-    spec.height = static_cast<std::size_t>(layout.view_height);
-    canvas.image({0, layout.view_top}, render(scene, camera, spec));
+    canvas.image(
+        {0, layout.view_top},
+        image_of(
+            scene, camera, picture, static_cast<std::size_t>(layout.view_width),
+            static_cast<std::size_t>(layout.view_height)));
     if (!picture.with_words) {
         return;
     }

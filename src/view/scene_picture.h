@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "view/legend.h"
 #include "view/render.h"
+#include "view/true_light.h"
 
 namespace quasimc {
 
@@ -13,6 +15,8 @@ struct ScenePicture {
     std::string title, subtitle;
     ViewSpec view;
     RenderSpec render;  ///< size and background are set here
+    std::optional<TrueLightSpec>
+        true_light;  ///< instead of colours; size, cuts and threads are set
     Legend legend;
     std::vector<Vec3> to_suns;  ///< unit, z up; drawn if there are few
     bool with_words = true;     ///< title, legend, scale bar, directions

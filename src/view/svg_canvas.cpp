@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/base64.h"
 #include "view/canvas.h"
 
 namespace quasimc {
@@ -28,24 +29,6 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
-        };
-        const unsigned three = byte(0) << 16U | byte(1) << 8U | byte(2);
-        out += kDigits[three >> 18U];
-        out += kDigits[three >> 12U & 63U];
-        out += i + 1 < bytes.size() ? kDigits[three >> 6U & 63U] : '=';
-        out += i + 2 < bytes.size() ? kDigits[three & 63U] : '=';
-    }
-    return out;
-}
-
 std::string places_text(std::span<const PixelPlace> places) {
     std::string out;
     for (const PixelPlace& place : places) {
@@ -68,7 +51,7 @@ class SvgCanvas final : public Canvas {
     void image(const PixelPlace& corner, const Image& picture) override {
         add("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
             "href=\"data:image/png;base64,{}\"/>\n",
-            corner.x, corner.y, picture.width, picture.height, base64(to_png(picture)));
+            corner.x, corner.y, picture.width, picture.height, encode_base64(to_png(picture)));
     }
 
     void polygon(std::span<const PixelPlace> corners, const Rgb& fill) override {

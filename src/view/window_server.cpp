@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 
 #include "quasimc/error.h"
@@ -98,6 +100,7 @@ class Connection {
     void start(const HttpAnswer& answer) {
         head_ = answer.head();
         body_ = answer.is_head ? std::string_view() : answer.body;
+        owner_ = answer.owner;
         deadline_ = after(limits_->idle_seconds);
     }
 
@@ -131,6 +134,7 @@ class Connection {
     Clock::time_point deadline_;
     std::string request_, head_;
     std::string_view body_;
+    std::shared_ptr<const std::string> owner_;  // of the body
     std::size_t sent_ = 0;
     bool is_leaving_ = false;
 };
@@ -185,6 +189,7 @@ class WindowServer::State {
             waits.push_back(each.waits_for());
         }
         const bool is_open = has_room() || find_waiting() != connections_.end();
+        waits.push_back({wake_.get(), POLLIN, 0});
         waits.push_back({listener_.get(), static_cast<short>(is_open ? POLLIN : 0), 0});
         constexpr int kMilliseconds = 200;
         if (poll(waits.data(), waits.size(), kMilliseconds) < 0) {
@@ -204,6 +209,11 @@ class WindowServer::State {
         if (waits.back().revents != 0) {
             accept_all();
         }
+    }
+
+    void wake() const {
+        const std::uint64_t one = 1;
+        static_cast<void>(::write(wake_.get(), &one, sizeof one) < 0);
     }
 
   private:
@@ -237,6 +247,7 @@ class WindowServer::State {
     WindowSite site_;
     ServerLimits limits_;
     Socket listener_;
+    Socket wake_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
     std::vector<Connection> connections_;
 };
 
@@ -247,6 +258,10 @@ WindowServer::~WindowServer() = default;
 
 std::string WindowServer::address() const {
     return state_->address();
+}
+
+void WindowServer::wake() const {
+    state_->wake();
 }
 
 void WindowServer::serve(const std::function<bool()>& is_stopped) {

@@ -29,6 +29,8 @@ class WindowServer {
     [[nodiscard]] std::string address() const;
     /// Serves until asked to stop, which is looked at some times a second.
     void serve(const std::function<bool()>& is_stopped);
+    /// Lets serve() look at once whether it is to stop, for good. From any thread.
+    void wake() const;
 
   private:
     class State;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -13,6 +12,7 @@
 #include <sys/random.h>
 
 #include "view/page.h"
+#include "view/window_names.h"
 
 namespace quasimc {
 namespace {
@@ -47,6 +47,14 @@ bool take_first_line(std::string_view line, HttpRequest& request) {
     return is_clean && !request.target.empty() && (version == "HTTP/1.1" || version == "HTTP/1.0");
 }
 
+/// Without control characters but tabs (RFC 9110, section 5.5): where some see the end of a line in
+/// a lone CR or LF, another Host could stand behind it.
+bool is_field_value(std::string_view value) {
+    return std::none_of(value.begin(), value.end(), [](unsigned char c) {
+        return (c < ' ' && c != '\t') || c == 0x7F;
+    });
+}
+
 bool take_header(std::string_view line, HttpRequest& request) {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos || colon == 0) {
@@ -54,6 +62,9 @@ bool take_header(std::string_view line, HttpRequest& request) {
     }
     const std::string_view name = line.substr(0, colon);
     const std::string_view value = without_blanks(line.substr(colon + 1));
+    if (!is_field_value(value)) {
+        return false;
+    }
     const auto set_once = [&](std::string_view& place) {
         const bool is_first = place.data() == nullptr;
         place = value.data() == nullptr ? std::string_view("") : value;
@@ -109,14 +120,16 @@ std::string_view reason_of(int status) {
 }
 
 /// The page with links to its parts instead of the parts.
-std::string served_html(std::string_view html) {
+std::string served_html(std::string_view html, WindowKind kind) {
     const auto put = [](std::string text, std::string_view mark, std::string_view link) {
         const std::size_t at = text.find(mark);
         return at == std::string::npos ? text : text.replace(at, mark.size(), link);
     };
     std::string text = put(std::string(html), "<!--policy-->", "");
     text = put(std::move(text), "<!--style-->", "<link rel=\"stylesheet\" href=\"viewer.css\">");
-    text = put(std::move(text), "<!--data-->", "");
+    text =
+        put(std::move(text), "<!--data-->",
+            kind == WindowKind::live ? "<div id=\"live\" hidden></div>" : "");
     return put(std::move(text), "<!--script-->", "<script src=\"viewer.js\"></script>");
 }
 
@@ -158,11 +171,28 @@ std::string HttpAnswer::head() const {
         status, reason_of(status), type, body.size());
 }
 
-WindowSite::WindowSite(WindowData data, std::string token)
-    : data_(std::move(data)),
+WindowFiles files_of(WindowData data) {
+    const auto kept = std::make_shared<const WindowData>(std::move(data));
+    return [kept](std::string_view name) -> std::optional<WindowFile> {
+        if (name == "data") {
+            return WindowFile{kJsonType, kept->json};
+        }
+        if (name == "positions") {
+            return WindowFile{kBytesType, kept->positions};
+        }
+        const auto number = numbers_behind<1>("values", name);
+        if (number && number->front() < kept->values.size()) {
+            return WindowFile{kBytesType, kept->values[number->front()]};
+        }
+        return std::nullopt;
+    };
+}
+
+WindowSite::WindowSite(WindowFiles files, std::string token, WindowKind kind)
+    : files_(std::move(files)),
       token_(std::move(token)),
       colors_(color_maps_json()),
-      html_(served_html(embedded_page().html)) {}
+      html_(served_html(embedded_page().html, kind)) {}
 
 void WindowSite::set_port(int port) {
     host_ = fmt::format("127.0.0.1:{}", port);
@@ -209,29 +239,19 @@ HttpAnswer WindowSite::answer(const HttpRequest& request) const {
 
 HttpAnswer WindowSite::file(std::string_view name) const {
     const Page page = embedded_page();
-    const std::array<std::pair<std::string_view, HttpAnswer>, 6> files{{
+    const std::array<std::pair<std::string_view, HttpAnswer>, 4> files{{
         {"", {200, "text/html; charset=utf-8", html_}},
         {"viewer.css", {200, "text/css; charset=utf-8", page.style}},
         {"viewer.js", {200, "text/javascript; charset=utf-8", page.script}},
-        {"data", {200, "application/json", data_.json}},
-        {"colors", {200, "application/json", colors_}},
-        {"positions", {200, "application/octet-stream", data_.positions}},
+        {"colors", {200, kJsonType, colors_}},
     }};
     for (const auto& [known, answer] : files) {
         if (name == known) {
             return answer;
         }
     }
-    constexpr std::string_view kValues = "values-";
-    if (name.starts_with(kValues)) {
-        const std::string_view digits = name.substr(kValues.size());
-        std::size_t number = 0;
-        const auto [end, error] =
-            std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (error == std::errc() && end == digits.data() + digits.size() &&
-            number < data_.values.size()) {
-            return {200, "application/octet-stream", data_.values[number]};
-        }
+    if (auto found = files_(name)) {
+        return {200, found->type, found->body, false, std::move(found->owner)};
     }
     return {404, "text/plain; charset=utf-8", "nothing here\n"};
 }

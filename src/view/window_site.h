@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,21 +21,37 @@ struct HttpRequest {
 /// @param text  up to the empty line, with it (RFC 9112, section 2)
 [[nodiscard]] HttpRequest parse_request(std::string_view text);
 
-/// An answer; its body is part of the site, or one of a few fixed words.
+/// A file that is served: a type and its bytes.
+struct WindowFile {
+    std::string_view type, body;
+    std::shared_ptr<const std::string> owner = {};  ///< of the body, if it was made for one request
+};
+
+/// The data of a run by name; nothing: there is none of that name.
+using WindowFiles = std::function<std::optional<WindowFile>(std::string_view name)>;
+
+/// Those of a run that is done. @param data  is kept
+[[nodiscard]] WindowFiles files_of(WindowData data);
+
+/// An answer; its body is part of the site, one of a few fixed words, or its own.
 struct HttpAnswer {
     int status = 400;
     std::string_view type = "text/plain; charset=utf-8", body = "bad request\n";
-    bool is_head = false;  ///< the body is not asked for
+    bool is_head = false;                           ///< the body is not asked for
+    std::shared_ptr<const std::string> owner = {};  ///< of the body
 
     /// Status line and headers, up to the empty line.
     [[nodiscard]] std::string head() const;
 };
 
+/// Whether the run that is shown goes on.
+enum class WindowKind { of_result, live };
+
 /// What is served of a run: the page and its data, below one address that nobody can guess.
 class WindowSite {
   public:
     /// @param token  at least 16 letters or digits, drawn at random for this site
-    WindowSite(WindowData data, std::string token);
+    WindowSite(WindowFiles files, std::string token, WindowKind kind = WindowKind::of_result);
 
     /// Says which port it is served at: only requests to it on this machine are answered.
     void set_port(int port);
@@ -47,7 +66,7 @@ class WindowSite {
   private:
     [[nodiscard]] HttpAnswer file(std::string_view name) const;
 
-    WindowData data_;
+    WindowFiles files_;
     std::string token_, colors_, html_;
     std::string host_, local_host_;  // as a Host header has them
 };

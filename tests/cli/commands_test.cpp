@@ -324,6 +324,7 @@ TEST_F(ProgramTest, AFullDiskIsAnInputError) {
 TEST_F(ProgramTest, ListsNameWhatThereIs) {
     EXPECT_NE(run({"list", "samplers"}).out.find("sobol"), std::string::npos);
     EXPECT_NE(run({"list", "models"}).out.find("phong"), std::string::npos);
+    EXPECT_NE(run({"list", "optics"}).out.find("grass_leaf"), std::string::npos);
     EXPECT_NE(run({"list", "detectors"}).out.find("rings 1 ... 180"), std::string::npos);
     EXPECT_NE(run({"list", "formats"}).out.find("ply"), std::string::npos);
     EXPECT_NE(run({"list", "options"}).out.find("target_error"), std::string::npos);
@@ -394,6 +395,13 @@ TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
     drawn.insert(drawn.end(), {"--png", "sky.png"});
     EXPECT_EQ(run(drawn).status, 1);
     EXPECT_TRUE(new_files().empty());
+}
+
+TEST_F(ProgramTest, SkyAsksForTheLightThatASkyNeeds) {
+    const Outcome outcome =
+        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("--sky: perez needs the light of the hour"), std::string::npos);
 }
 
 TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {

@@ -17,6 +17,11 @@ std::string rows_of(const std::string& table) {
     return at == std::string::npos ? "no table" : table.substr(at);
 }
 
+/// Lets Open MPI run here: as any user, on any number of cores.
+const std::string kOpenMpi =
+    "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none; ";
+
 class RanksTest : public ProgramTest {
   protected:
     /// Runs the program on ranks. @param node  ranks that share memory; 0: all
@@ -26,11 +31,9 @@ class RanksTest : public ProgramTest {
         int node = 0,
         const std::string& after = "") const {
         return shell(
-            "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-            "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none "
-            "QUASIMC_RANKS_OF_NODE=" +
-            std::to_string(node) + "; '" QUASIMC_MPIRUN "' -n " + std::to_string(ranks) +
-            " \"$quasimc\" run " + arguments + " " + after);
+            kOpenMpi + "export QUASIMC_RANKS_OF_NODE=" + std::to_string(node) +
+            "; '" QUASIMC_MPIRUN "' -n " + std::to_string(ranks) + " \"$quasimc\" run " +
+            arguments + " " + after);
     }
     void write_day() const {
         folder_.write(
@@ -66,11 +69,71 @@ TEST_F(RanksTest, GiveTheBitsOfTimesSweepsAndTargets) {
     for (const std::string run :
          {"day.toml", "sweep.toml", "run.toml --target-error 0.02 --method light_tracing"}) {
         ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);
-        const Outcome outcome = run_ranks(3, run + " --csv r.csv --quiet");
-        EXPECT_EQ(outcome.status, 0) << outcome.err;
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << run;
+        for (const int node : {0, 1, 2}) {
+            const Outcome outcome = run_ranks(3, run + " --csv r.csv --quiet", node);
+            EXPECT_EQ(outcome.status, 0) << outcome.err;
+            EXPECT_EQ(outcome.out, "");
+            EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << run;
+        }
     }
+}
+
+TEST_F(RanksTest, GoOnWithTimesThatACheckpointKnows) {
+    write_day();
+    ASSERT_EQ(shell("\"$quasimc\" run day.toml --csv whole.csv --quiet").status, 0);
+    // More paths of times that are kept, on other numbers of ranks.
+    ASSERT_EQ(run_ranks(2, "day.toml --checkpoint c --quiet").status, 0);
+    const Outcome again = run_ranks(3, "day.toml --checkpoint c --resume --csv r.csv --quiet");
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
+    const std::string more = "day.toml --max-paths 1024 --quiet";
+    ASSERT_EQ(shell("\"$quasimc\" run " + more + " --csv whole.csv").status, 0);
+    const Outcome exact = run_ranks(2, more + " --checkpoint c --resume --csv r.csv");
+    EXPECT_EQ(exact.status, 0) << exact.err;
+    EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
+}
+
+/// What comes through pipes is there once.
+TEST_F(RanksTest, ReadEachFileOnceForAllOfThem) {
+    ASSERT_EQ(run({"run", "run.toml", "--csv", "whole.csv"}).status, 0);
+    const std::string whole = rows_of(folder_.read("whole.csv"));
+    const Outcome from_input = run_ranks(3, "- --csv r.csv --json r.json --quiet", 1, "< run.toml");
+    EXPECT_EQ(from_input.status, 0) << from_input.err;
+    EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
+    folder_.write("piped.toml", replaced(good_run_file(), "leaves.tri", "pipe.tri"));
+    ASSERT_EQ(shell("mkfifo pipe.tri").status, 0);
+    const Outcome piped =
+        run_ranks(3, "piped.toml --csv r.csv --quiet", 0, "& cat leaves.tri > pipe.tri; wait $!");
+    EXPECT_EQ(piped.status, 0) << piped.err;
+    EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
+    const Outcome repeated = run_ranks(2, "--from r.json --csv r.csv --quiet", 1);
+    EXPECT_EQ(repeated.status, 0) << repeated.err;
+    EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
+}
+
+/// The first rank of the job in this folder gets a signal once a file has so many bytes.
+std::string signal_when(const std::string& file, int bytes) {
+    return "& until [ $(stat -c %s " + file + " 2>/dev/null || echo 0) -gt " +
+           std::to_string(bytes) +
+           " ]; do sleep 0.02; done; "
+           "kill -INT $(for p in $(pgrep -f 'quasimc run day.toml'); do "
+           "[ $(readlink /proc/$p/cwd) = $PWD ] && grep -qz OMPI_COMM_WORLD_RANK=0 "
+           "/proc/$p/environ && echo $p; done); wait $!";
+}
+
+TEST_F(RanksTest, StopASeriesOfTimesAfterTheLastThatIsComplete) {
+    write_day();
+    folder_.write("day.toml", replaced(folder_.read("day.toml"), "[9, 12]", "[0, 23]"));
+    const Outcome stopped = run_ranks(
+        3, "day.toml --paths 262144 --csv r.csv --checkpoint c --every 0 --quiet --threads 1", 0,
+        signal_when("c.done", 1));
+    EXPECT_EQ(stopped.status, 130) << stopped.err;
+    const std::string rows = rows_of(folder_.read("r.csv"));
+    const Outcome whole = shell("\"$quasimc\" run day.toml --paths 262144 --csv whole.csv --quiet");
+    ASSERT_EQ(whole.status, 0);
+    EXPECT_GT(rows.size(), 100U);
+    EXPECT_LT(rows.size(), rows_of(folder_.read("whole.csv")).size());
+    EXPECT_TRUE(rows_of(folder_.read("whole.csv")).starts_with(rows)) << rows;
 }
 
 TEST_F(RanksTest, KeepToALimitOfTimeAndStopAtCtrlC) {
@@ -131,6 +194,91 @@ TEST_F(RanksTest, EndWithinSecondsWhenOneDiesAndGoOn) {
     const Outcome resumed = run_ranks(2, run + " --csv r.csv --checkpoint c --resume");
     EXPECT_EQ(resumed.status, 0) << resumed.err;
     EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
+}
+
+/// Jobs of three ranks, one of which is killed at some moment, again and again.
+class KilledRanks : public RanksTest, public ::testing::WithParamInterface<int> {
+  protected:
+    /// Kills a rank of each of so many jobs, which go on where the one before was killed.
+    /// @returns how many jobs were killed, and how many of them took more than 10 s to end
+    [[nodiscard]] std::string kill_jobs(const std::string& run, int jobs) const {
+        return shell(
+                   kOpenMpi +
+                   "RANDOM=3; killed=0; late=0\n"
+                   "for i in $(seq 1 " +
+                   std::to_string(jobs) +
+                   "); do\n"
+                   "  '" QUASIMC_MPIRUN "' -n 3 \"$quasimc\" run " +
+                   run +
+                   " --checkpoint c --resume --every 0 --quiet --threads 1 2> err & job=$!\n"
+                   "  rank=$((RANDOM % 3)); ours=\n"
+                   "  until [ -n \"$ours\" ] || ! kill -0 $job 2> /dev/null; do sleep 0.02\n"
+                   "    ours=$(for p in $(pgrep -f 'quasimc run day.toml'); do "
+                   "[ $(readlink /proc/$p/cwd) = $PWD ] && "
+                   "grep -qz OMPI_COMM_WORLD_RANK=$rank /proc/$p/environ && echo $p; done)\n"
+                   "  done\n"
+                   "  sleep 0.$(printf %02d $((RANDOM % 90)))\n"
+                   "  kill -9 $ours; before=$(date +%s); wait $job\n"
+                   "  if [ $? != 0 ]; then killed=$((killed + 1)); fi\n"
+                   "  if [ $(($(date +%s) - before)) -gt 10 ]; then late=$((late + 1)); fi\n"
+                   "done 2> /dev/null; echo $killed killed, $late late")
+            .out;
+    }
+    void expect_the_bits_of_the_whole(int jobs) const {
+        const std::string run = "day.toml --method light_tracing --paths 262144";
+        ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);
+        const std::string counts = kill_jobs(run + " --csv r.csv", jobs);
+        EXPECT_FALSE(counts.starts_with("0 ")) << counts;
+        EXPECT_NE(counts.find(" 0 late"), std::string::npos) << counts;
+        const Outcome last =
+            run_ranks(2, run + " --csv r.csv --checkpoint c --resume --quiet", jobs % 2);
+        EXPECT_EQ(last.status, 0) << last.err;
+        EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
+    }
+};
+
+TEST_P(KilledRanks, LoseNothingThatWasKept) {
+    write_day();
+    folder_.write("day.toml", replaced(folder_.read("day.toml"), "[9, 12]", "[4, 20]"));
+    expect_the_bits_of_the_whole(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(FewTimes, KilledRanks, ::testing::Values(4));
+INSTANTIATE_TEST_SUITE_P(Long, KilledRanks, ::testing::Values(50));
+
+/// Four ranks on two machines that share nothing but a wire: two network namespaces with names of
+/// their own, between which the launcher starts its daemons as it would by ssh.
+TEST_F(RanksTest, OfTwoNetworksGiveTheSameBits) {
+    const std::string make =
+        "a=qmc${$}a; b=qmc${$}b; "
+        "trap 'ip netns del $a; ip netns del $b' EXIT; "
+        "{ ip netns add $a && ip netns add $b && "
+        "ip link add $a netns $a type veth peer name $b netns $b && "
+        "ip -n $a addr add 10.77.0.1/24 dev $a && ip -n $b addr add 10.77.0.2/24 dev $b && "
+        "ip -n $a link set $a up && ip -n $b link set $b up && "
+        "ip -n $a link set lo up && ip -n $b link set lo up; } 2> /dev/null || exit 77\n";
+    if (shell(make).status == 77) {
+        GTEST_SKIP() << "network namespaces take a privilege that is not there";
+    }
+    write_day();
+    folder_.write("hosts", "10.77.0.1 slots=2\n10.77.0.2 slots=2\n");
+    for (const std::string run : {"run.toml --paths 65536", "day.toml --paths 16384"}) {
+        ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);
+        const Outcome outcome = shell(
+            kOpenMpi + make +
+            // A machine has a name of its own as well.
+            "on() { n=$1; shift; ip netns exec $n unshare --uts "
+            "sh -c \"echo $n > /proc/sys/kernel/hostname; $*\"; }\n"
+            "printf '%s\\n' '#!/bin/bash' \"$(declare -f on)\" 'n='$b "
+            "'[ $1 = 10.77.0.1 ] && n='$a shift 'on $n $*' > agent; chmod +x agent\n"
+            "on $a '" QUASIMC_MPIRUN
+            "' --hostfile hosts --mca plm_rsh_agent $PWD/agent "
+            "--mca btl_tcp_if_include 10.77.0.0/24 --mca oob_tcp_if_include 10.77.0.0/24 "
+            "-n 4 $quasimc run " +
+            run + " --csv r.csv --quiet --threads 1");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << run;
+    }
 }
 
 }  // namespace

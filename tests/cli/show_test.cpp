@@ -10,6 +10,7 @@
 
 #include <png.h>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "program.h"
@@ -65,6 +66,64 @@ TEST_F(ShowCommand, DrawsLabels) {
         svg({"run.toml", "--label", "plant"}).find(">oak &lt;7&gt;</text>"), std::string::npos);
     expect_fault(
         {"show", "run.toml", "-o", "p.png", "--label", "kind"}, "no organ has a label 'kind'");
+}
+
+TEST_F(ShowCommand, DrawsOrganByOrganFromTheTop) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    ASSERT_EQ(
+        run({"run", "run.toml", "--sampler", "monte_carlo", "--json", "by_chance.json"}).status, 0);
+    const std::string light = svg({"out.json", "--chart", "organs"});
+    EXPECT_NE(light.find("organ n, counted from the top</text>"), std::string::npos);
+    EXPECT_NE(light.find(">out: mean "), std::string::npos) << "named by its file";
+    EXPECT_NE(light.find(" exp("), std::string::npos) << "a fitted curve";
+    const std::string both = svg(
+        {"out.json", "--chart", "organs", "--variance", "--with", "by_chance.json", "--note",
+         "as <published>"});
+    EXPECT_NE(both.find("variance of absorbed flux density, PAR ((W m-2)²)"), std::string::npos);
+    EXPECT_NE(both.find(">by chance: mean "), std::string::npos);
+    EXPECT_NE(both.find("as &lt;published&gt;</text>"), std::string::npos);
+    expect_fault(
+        {"show", "out.json", "-o", "p.svg", "--chart", "organs", "--with", "run.toml"},
+        "run.toml: is no result");
+    EXPECT_EQ(run({"show", "out.json", "-o", "p.svg", "--variance"}).status, 2);
+    EXPECT_EQ(run({"show", "out.json", "-o", "p.svg", "--note", "words"}).status, 2);
+}
+
+TEST_F(ShowCommand, DrawsWhatAnEyeWouldSee) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    EXPECT_NE(
+        svg({"out.json", "--as-seen"}).find("in the light of its sources"), std::string::npos);
+    expect_fault({"show", "run.toml", "-o", "p.png", "--as-seen"}, "run.toml: is no result");
+    folder_.write("run.toml", replaced(good_run_file(), "\"PAR\"", "\"NIR\""));
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    expect_fault({"show", "out.json", "-o", "p.png", "--as-seen"}, "no band that an eye sees");
+}
+
+TEST_F(ShowCommand, DrawsHowErrorsFell) {
+    ASSERT_EQ(run({"run", "run.toml", "--max-paths", "4096", "--paths", "512"}).status, 0);
+    const std::string json = folder_.read("out.json");
+    EXPECT_NE(json.find("\"worst_error\": "), std::string::npos);
+    const std::string chart = svg({"out.json", "--chart", "convergence"});
+    EXPECT_NE(chart.find(">worst organ</text>"), std::string::npos);
+    EXPECT_NE(chart.find(">5000</text>"), std::string::npos) << "an axis of powers";
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    expect_fault({"show", "out.json", "-o", "p.svg", "--chart", "convergence"}, "no rounds");
+}
+
+TEST_F(ShowCommand, DrawsTheFiguresOfThePaper) {
+    const Outcome outcome =
+        shell("python3 " QUASIMC_SOURCE_DIR
+              "/examples/02-paper/paper.py --program \"$quasimc\" --out figures --replicates 2");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* name : {"figure2", "figure3-irradiance", "figure3-variance"}) {
+        EXPECT_TRUE(folder_.read(fmt::format("figures/{}.png", name)).starts_with("\x89PNG"))
+            << name;
+        EXPECT_NE(
+            folder_.read(fmt::format("figures/{}.svg", name)).find("<svg"), std::string::npos);
+    }
+    const std::string variance = folder_.read("figures/figure3-variance.svg");
+    EXPECT_NE(variance.find(">Monte Carlo: mean "), std::string::npos);
+    EXPECT_NE(variance.find(">Korobov: mean "), std::string::npos);
 }
 
 TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "program.h"
+#include "support/http_get.h"
 #include "view/page.h"
 
 namespace quasimc::test {
@@ -67,6 +68,22 @@ TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     EXPECT_EQ(address.find('\n'), address.size() - 1) << "printed once";
     EXPECT_EQ(run({"view", "out.json", "--port", "65536"}).status, 2);
     expect_fault({"view", "run.toml"}, "run.toml: is no result");
+}
+
+TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
+    if (!has_page()) {
+        GTEST_SKIP() << "built without its page";
+    }
+    EXPECT_EQ(run({"run", "run.toml", "--csv", "alone.csv"}).status, 0);
+    const Outcome outcome = shell(
+        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view >told 2>err & "
+        "for i in {1..400}; do grep -q stays err && break; sleep 0.05; done; "
+        "cp seen.csv there_already.csv; kill -INT $!; wait $!");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(address_in(folder_.read("err")), "") << folder_.read("err");
+    EXPECT_EQ(folder_.read("there_already.csv"), folder_.read("alone.csv")) << "to the last bit";
+    EXPECT_EQ(folder_.read("told").find("http:"), std::string::npos) << "stdout is for the summary";
+    EXPECT_EQ(run({"run", "run.toml", "--view", "--part", "1/2"}).status, 2);
 }
 
 }  // namespace

@@ -1,25 +1,60 @@
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "scene/scene_builder.h"
+#include "view/live_window.h"
 #include "view/window_site.h"
+
+namespace {
+
+constexpr std::string_view kToken = "0123456789abcdef0123456789abcdef";
+
+quasimc::WindowSite make_site(quasimc::WindowFiles files, quasimc::WindowKind kind) {
+    quasimc::WindowSite made(std::move(files), std::string(kToken), kind);
+    made.set_port(8080);
+    return made;
+}
+
+/// A run of one organ, without light yet.
+quasimc::WindowFiles files_of_live_run() {
+    using namespace quasimc;
+    SceneBuilder builder({{"PAR"}});
+    builder.add_material({"leaf", {{.1, .1}}, {{.1, .1}}});
+    OrganSpec leaf;
+    leaf.parts.push_back({"leaf", {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}});
+    builder.add_organ(std::move(leaf));
+    LiveScene scene;
+    scene.scene = std::make_shared<const Scene>(std::move(builder).build());
+    scene.bands = scene.scene->bands();
+    LiveFrame frame;
+    frame.scene = std::make_shared<const LiveScene>(std::move(scene));
+    frame.results = std::make_shared<const std::vector<Result>>();
+    const auto window = std::make_shared<LiveWindow>();
+    window->add(std::move(frame));
+    return [window](std::string_view name) { return window->file(name); };
+}
+
+}  // namespace
 
 /// No request is answered that does not name the host and the token.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::string_view kToken = "0123456789abcdef0123456789abcdef";
-    static const quasimc::WindowSite site = [kToken] {
-        quasimc::WindowSite made({"{}", "positions", {"values"}}, std::string(kToken));
-        made.set_port(8080);
-        return made;
-    }();
+    using quasimc::WindowKind;
+    static const quasimc::WindowSite done =
+        make_site(quasimc::files_of({"{}", "positions", {"values"}}), WindowKind::of_result);
+    static const quasimc::WindowSite live = make_site(files_of_live_run(), WindowKind::live);
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    const quasimc::HttpAnswer answer = site.answer(quasimc::parse_request(text));
     const bool has_both =
         text.find(kToken) != std::string_view::npos && text.find(":8080") != std::string_view::npos;
-    const bool is_told = answer.status == 200 || answer.status == 404;
-    if ((is_told && !has_both) || !answer.head().ends_with("\r\n\r\n")) {
-        std::abort();
+    for (const quasimc::WindowSite* site : {&done, &live}) {
+        const quasimc::HttpAnswer answer = site->answer(quasimc::parse_request(text));
+        const bool is_told = answer.status == 200 || answer.status == 404;
+        if ((is_told && !has_both) || !answer.head().ends_with("\r\n\r\n")) {
+            std::abort();
+        }
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 """The interface of Caribu, by what is published of its behaviour."""
 
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -402,6 +403,8 @@ def test_the_sun_of_a_day_and_an_hour():
     expected = light_sources(90 - math.degrees(morning[2]), -math.degrees(morning[1]), 500)[0]
     assert light[1:] == pytest.approx(expected[1])
     assert Gensun.Gensun()(500.0, 172, 1, 45.0)[0] == 0
+    sun = Gensun.Gensun()(Rsun=500.0, DOY=172, heureTU=8, lat=45.0)  # as scripts call it
+    assert (sun.azim, sun.elev) == (morning[1], math.pi / 2 - morning[2])
 
 
 def test_the_diffuse_part_of_an_hour():
@@ -447,3 +450,26 @@ def test_triangles_are_moved_into_the_pattern():
     assert after[5] == pytest.approx(before[5], rel=1e-3)
     with pytest.raises(ValueError):
         CaribuScene({5: [far]}).runPeriodise()
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf])
+def test_corners_that_are_not_finite_are_refused(number):
+    faulty = [(0, 0, 1), (1, 0, number), (0, 1, 1)]
+    scene = CaribuScene({1: [LEAF], 2: [faulty]}, light=ZENITH)
+    with pytest.raises(ValueError, match="triangle 1 has a corner that is not finite"):
+        scene.run(direct=True)
+    with pytest.raises(ValueError, match="triangle 0 has a corner"):
+        raycasting([faulty, LEAF], [(0.1,), (0.1,)], ZENITH)
+    with pytest.raises(ValueError, match="sensor 0 has a corner"):
+        raycasting([LEAF], [(0.1,)], ZENITH, sensors=[faulty])
+
+
+def test_a_soil_that_lies_on_triangles_is_told():
+    with pytest.warns(quasimc.QuasimcWarning, match="state z_soil"):
+        square_scene(soil_mesh=1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        square_scene(soil_mesh=1, z_soil=-0.1)
+        square_scene(soil_mesh=1, z_soil=0)
+        slanted = {1: [[(0, 0, 0), (1, 0, 1), (0, 1, 1)]]}
+        CaribuScene(slanted, pattern=(0, 0, 1, 1), soil_mesh=1)

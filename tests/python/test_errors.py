@@ -48,6 +48,12 @@ def test_options_are_checked_as_those_of_a_run_file(keys, words):
         (lambda v, f, o: (v, f - 1, o), "names vertex -1"),
         (lambda v, f, o: (v * np.nan, f, o), "finite"),
         (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
+        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "integers end at 2.63"),
+        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "integers end at 2.63"),
+        (lambda v, f, o: (v, f, [2**70] * len(f)), "must be integers"),
+        (lambda v, f, o: (np.ma.masked_greater(v, 1.5), f, o), "some of vertices are masked"),
+        (lambda v, f, o: (v, np.ma.masked_equal(f, 0), o), "some of faces are masked"),
+        (lambda v, f, o: (v, f, np.ma.masked_equal(o, 1)), "some of organ are masked"),
     ],
 )
 def test_bad_arrays_are_refused(change, words):
@@ -88,3 +94,24 @@ def test_what_is_probably_not_meant_is_a_warning():
         scene.build()
     result = scene.run(quasimc.sky(irradiance_horizontal=1), **FEW)
     assert result.warnings
+
+
+@pytest.mark.parametrize("sources", ["sky", ["sky"], [3], ("sun", 4)])
+def test_what_is_no_source_is_refused(sources):
+    with pytest.raises(quasimc.InputError, match="is no source"):
+        canopy().run(sources)
+
+
+def test_a_source_may_be_a_dict():
+    stated = {"type": "uniform_sky", "irradiance_horizontal": 100}
+    light = canopy().run(stated, **FEW)["absorbed_flux"].mean
+    assert np.array_equal(light, canopy().run([stated], **FEW)["absorbed_flux"].mean)
+
+
+@pytest.mark.parametrize("key, options", [("all", {}), ("layer", {"layers": 2})])
+def test_a_label_named_as_other_groups_is_refused(key, options):
+    scene = canopy()
+    scene.add_mesh(*leaves(1)[:2], material="leaf", organ=99, labels={key: "x"})
+    with pytest.raises(quasimc.InputError, match="has the name of other groups"):
+        scene.run(groups=[key], **options, **FEW)
+    assert [g["by"] for g in scene.run(groups=["plant"], **FEW).groups.groups] == ["all", "plant"]

@@ -79,3 +79,85 @@ def test_organs_that_are_not_there_are_refused():
     ):
         with pytest.raises(quasimc.InputError, match="organ"):
             action()
+
+
+def light_of(session):
+    return session.run(SKY, **FEW)["absorbed_flux"]["PAR"].mean
+
+
+def two_leaves(first, second):
+    """Vertices, faces and ids of two leaves, in one mesh."""
+    (v, f), (w, g) = leaf(first, 3), leaf(second, 3)
+    return np.concatenate([v, w]), np.concatenate([f, g + 4]), [first, first, second, second]
+
+
+def test_a_call_changes_all_or_nothing():
+    session = quasimc.GrowthSession(soil())
+    session.add(*leaf(1, 0), material="leaf", organ=1)
+    before = light_of(session)
+    vertices, faces, organ = two_leaves(1, 999)
+    for action in (
+        lambda: session.change(vertices, faces, material="leaf", organ=organ),
+        lambda: session.remove([1, 999]),
+        lambda: session.remove([1, 1]),
+        lambda: session.add(vertices, faces, material="leaf", organ=[998, 998, 1, 1]),
+        lambda: session.change(*leaf(2, 0), material="leaf", organ=None),
+    ):
+        with pytest.raises(quasimc.InputError):
+            action()
+        assert len(session) == 1
+        assert np.array_equal(light_of(session), before)
+    session.remove([])
+    session.remove(np.array([1]))
+    assert len(session) == 0
+
+
+def test_a_step_warns_as_a_single_run():
+    twins = np.zeros((3, 3, 3)) + [[0, 0, 1], [1, 0, 1], [0, 1, 1]]
+    twins[0, :, 2] = -1
+    organ = [1, 2, 3]
+    scene = soil()
+    session = quasimc.GrowthSession(scene)
+    session.add(twins, material="leaf", organ=organ)
+    with pytest.warns(quasimc.QuasimcWarning) as told:
+        step = session.run(SKY, **FEW)
+    scene.add_mesh(twins, material="leaf", organ=organ)
+    with pytest.warns(quasimc.QuasimcWarning):
+        alone = scene.run(SKY, **FEW)
+    assert len(step.warnings) == 2 and step.warnings == alone.warnings
+    assert [str(warning.message) for warning in told] == step.warnings
+    assert session.run(SKY, **FEW).warnings == step.warnings  # kept, without another warning
+    session.remove([1, 3])
+    assert session.run(SKY, **FEW).warnings == []
+
+
+def test_ids_differ_from_those_of_the_scene():
+    scene = soil()
+    scene.add_mesh(*leaf(5, 0), material="leaf", organ=3)
+    scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1)
+    session = quasimc.GrowthSession(scene)
+    assert session.add(*leaf(1, 0), material="leaf") == [5]
+    for taken in (3, 4):
+        with pytest.raises(quasimc.InputError, match="scene of the session has an organ"):
+            session.add(*leaf(2, 0), material="leaf", organ=taken)
+        with pytest.raises(quasimc.InputError, match="is an organ of the scene of the session"):
+            session.change(*leaf(2, 0), material="leaf", organ=taken)
+    assert len(session) == 1 and 3 not in session and 5 in session
+    assert sorted(session.run(SKY, **FEW).organs.ids.tolist()) == [3, 4, 5, 6]
+    scene.add_mesh(*leaf(8, 0), material="leaf", organ=5)
+    with pytest.raises(quasimc.InputError, match="session has an organ of this id"):
+        session.update_scene()
+
+
+def test_ids_are_integers():
+    session = quasimc.GrowthSession(soil())
+    session.add(*leaf(1, 0), material="leaf", organ=5)
+    assert 5 in session and np.int32(5) in session
+    assert 5.9 not in session and "5" not in session and 2**70 not in session
+    for ids in (5.0, [5.9], [2**64 - 1], np.ma.masked_equal([5, 6], 6)):
+        with pytest.raises(quasimc.InputError, match="remove: "):
+            session.remove(ids)
+    result = session.run(SKY, **FEW)
+    assert result.select(np.array([5])).ids == [5]
+    with pytest.raises(KeyError):
+        result.select([5.9])

@@ -2,6 +2,7 @@ import io
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import quasimc
@@ -76,3 +77,64 @@ def test_a_callback_that_runs_its_own_scene_is_told_so():
     scene.run(progress=run_again, paths=1 << 18, method="light_tracing", replicates=16)
     assert told
     assert scene.run(paths=64).stop == "paths_done"
+
+
+def changes_of(scene):
+    """All that changes a scene."""
+    corners = [[0, 0, 3], [1, 0, 3], [0, 1, 3]]
+    return [
+        lambda: scene.add_mesh([corners], material="leaf"),
+        lambda: scene.add_material("leaf", reflectance=0.5),
+        lambda: scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1),
+        lambda: scene.add_file("leaf.obj", material="leaf"),
+        lambda: scene.add_detector("escaped_by_zenith"),
+        lambda: scene.add_source(quasimc.sky(irradiance_horizontal=[1, 1])),
+        lambda: scene.set_ground("leaf"),
+        lambda: scene.set_cell(x=[0, 1]),
+    ]
+
+
+def refuse_all(scene):
+    for change in changes_of(scene):
+        with pytest.raises(RuntimeError, match="is being computed"):
+            change()
+
+
+def long_run(scene, progress=None):
+    return scene.run(
+        progress=progress, paths=1 << 18, method="light_tracing", replicates=16, seed=3
+    )["absorbed_flux"].mean
+
+
+def test_a_callback_can_read_its_scene_but_not_change_it():
+    scene = canopy(200)
+    seen = []
+
+    def look(progress):
+        refuse_all(scene)
+        seen.append(len(scene.organs))
+
+    light = long_run(scene, look)
+    assert seen and set(seen) == {201}
+    assert np.array_equal(light, long_run(canopy(200)))
+    assert np.array_equal(light, long_run(scene))
+
+
+def test_another_thread_cannot_change_a_scene_that_is_computed():
+    scene = canopy(200)
+    begun, go_on = threading.Event(), threading.Event()
+    light = []
+
+    def tell(progress):
+        begun.set()
+        go_on.wait(60)
+
+    thread = threading.Thread(target=lambda: light.append(long_run(scene, tell)))
+    thread.start()
+    assert begun.wait(60)
+    refuse_all(scene)
+    go_on.set()
+    thread.join()
+    assert np.array_equal(light[0], long_run(canopy(200)))
+    scene.add_material("leaf", reflectance=0.5)  # now that it is done
+    assert not np.array_equal(light[0], long_run(scene))

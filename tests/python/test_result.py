@@ -120,3 +120,72 @@ def test_a_detector_counts_what_escapes():
     scene.add_detector("escaped_by_zenith", rings=3)
     seen = scene.run(**FEW, method="light_tracing").detectors[0]
     assert seen["values"].shape == (3, 2, 4) and len(seen["bins"]) == 3
+
+
+def test_sunlit_fractions_are_there_where_a_source_is_directional(result):
+    sky = canopy().run(quasimc.sky(irradiance_horizontal=100), **FEW, groups=["plant"])
+    for light in (sky, sky.groups, sky.select([1])):
+        assert "sunlit_fraction" not in list(light)
+        with pytest.raises(KeyError) as caught:
+            light["sunlit_fraction"]
+        assert "sunlit_fraction" not in str(caught.value).split("there are:")[1]
+    assert not any("sunlit" in column for column in sky.groups.to_pandas())
+
+
+def test_the_table_of_groups_has_the_columns_of_csv(result):
+    frame = result.groups.to_pandas()
+    assert list(frame.columns[:8]) == [
+        "by", "value", "organs", "area", "low", "high", "plant_area_index",
+        "cumulative_plant_area_index",
+    ]  # fmt: skip
+    last = list(frame.columns[-9:])
+    assert last == [
+        f"{name}{end}"
+        for name in ("sunlit_fraction", "sunlit_area", "ratio_PAR:NIR")
+        for end in ("", "_se", "_high")
+    ]
+    assert np.allclose(frame["sunlit_area"], frame["sunlit_fraction"] * frame["area"])
+    layers = frame[frame["by"] == "layer"]
+    assert layers["cumulative_plant_area_index"].iloc[0] == pytest.approx(
+        layers["plant_area_index"].sum()
+    )
+    sides = result.groups["incident_upper"].mean + result.groups["incident_lower"].mean
+    ratio = result.groups.ratios["PAR:NIR"].mean
+    assert np.allclose(ratio[:2], sides[:2, 0] / sides[:2, 1])
+    assert np.array_equal(frame["ratio_PAR:NIR"], ratio, equal_nan=True)
+
+
+def test_labels_take_no_column_of_light():
+    names = ("absorbed_flux_PAR", "sunlit_fraction", "name", "label_name", "organ", "absorbed_flux")
+    scene = quasimc.Scene("PAR").add_material("leaf", reflectance=0.1)
+    scene.add_mesh(
+        [[[0, 0, 1], [1, 0, 1], [0, 1, 1]]],
+        material="leaf",
+        labels={name: f"label {name}" for name in names},
+    )
+    result = scene.run(quasimc.sun(azimuth_deg=0, elevation_deg=90, irradiance_facing=100), **FEW)
+    frame = result.to_pandas()
+    assert frame["absorbed_flux_PAR"].iloc[0] == result["absorbed_flux"]["PAR"].mean[0]
+    assert frame["sunlit_fraction"].iloc[0] == result["sunlit_fraction"].mean[0] > 0.9
+    assert frame["name"].iloc[0] == "organ 1"
+    assert frame["label_absorbed_flux_PAR"].iloc[0] == "label absorbed_flux_PAR"
+    assert frame["label_sunlit_fraction"].iloc[0] == "label sunlit_fraction"
+    assert frame["label_label_name"].iloc[0] == "label name"
+    assert frame["label_name"].iloc[0] == "label label_name"
+    pytest.importorskip("xarray")
+    data = result.to_xarray()
+    assert data["organ"].values.tolist() == [1] and data["label_organ"].values == "label organ"
+    assert data["label_absorbed_flux"].values == "label absorbed_flux"
+
+
+def test_ids_and_areas_cannot_be_changed(result):
+    for array in (result.organs.ids, result.organs.areas):
+        with pytest.raises(ValueError):
+            array[0] = 7
+
+
+def test_organs_are_selected_by_whole_ids(result):
+    assert result.select(np.array([3, 1])).ids == [3, 1]
+    for organ in (1.7, "1", 99):
+        with pytest.raises(KeyError):
+            result.select([organ])

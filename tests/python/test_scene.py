@@ -20,7 +20,7 @@ def test_organs_of_a_mesh_come_in_the_order_of_their_ids():
         organ=organ[mixed],
         material="leaf",
         name={1: "a", 2: "b", 3: "c"},
-        labels={"kind": "leaf", "plant": [7, 8, 9]},
+        labels={"kind": "leaf", "plant": {1: 7, 2: 8, 3: 9}},
     )
     organs = scene.organs
     assert organs.ids.tolist() == [1, 2, 3]
@@ -135,3 +135,38 @@ def test_a_scene_is_loaded_from_a_run_file(tmp_path):
     assert scene.run(paths=256).paths == 256
     assert scene.run(SKY, paths=128).paths == 128
     assert not (tmp_path / "leaf.csv").exists()
+
+
+def test_lists_go_by_the_order_in_which_organs_appear():
+    triangles = np.zeros((4, 3, 3)) + [[0, 0, 1], [1, 0, 1], [0, 1, 1]]
+    triangles[:, :, 2] += np.arange(4)[:, None]
+    scene = scene_of_material()
+    scene.add_mesh(
+        triangles,
+        organ=[5, 3, 5, 9],
+        material="leaf",
+        name=["five", "three", "nine"],
+        labels={"k": np.array(["of 5", "of 3", "of 9"]), "d": {3: "c", 5: "e", 9: "i"}},
+    )
+    assert scene.organs.ids.tolist() == [3, 5, 9]
+    assert scene.organs.names == ["three", "five", "nine"]
+    assert scene.organs.labels == {"k": ["of 3", "of 5", "of 9"], "d": ["c", "e", "i"]}
+    assert scene.organs.areas.tolist() == [0.5, 1.0, 0.5]
+
+
+def test_files_are_those_of_the_folder_in_which_they_were_added(tmp_path, monkeypatch):
+    scene = scene_of_material()
+    (tmp_path / "leaf.obj").write_text("v 0 0 2\nv 1 0 2\nv 0 1 2\ng blade\nf 1 2 3\n")
+    monkeypatch.chdir(tmp_path)
+    scene.add_file("leaf.obj", material="leaf")
+    monkeypatch.chdir("/")
+    assert scene.organs.names == ["blade"]
+
+
+def test_a_sweep_is_left_to_the_program(tmp_path):
+    (tmp_path / "sweep.toml").write_text(
+        'bands = ["PAR"]\n[[material]]\nname = "leaf"\nreflectance = 0.1\n'
+        "[sweep]\n\"run.seed\" = [1, 2]\n"
+    )
+    with pytest.raises(quasimc.InputError, match=r"sweep.toml:5: \[sweep\] states several runs"):
+        quasimc.load(tmp_path / "sweep.toml")

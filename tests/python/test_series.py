@@ -52,8 +52,40 @@ def test_times_need_not_be_kept(scene, series):
     assert np.array_equal(
         sums.total["absorbed_flux"].mean, series.total["absorbed_flux"].mean
     )
-    with pytest.raises(KeyError, match="keep_times"):
-        sums[0]
+    assert len(sums) == 3
+    for use in (lambda: sums[0], lambda: list(sums), sums.to_pandas):
+        with pytest.raises(KeyError, match="keep_times"):
+            use()
+
+
+def test_sums_have_no_sunlit_fraction(series):
+    assert "sunlit_fraction" in list(series[0]) and "sunlit_fraction" not in list(series.total)
+    with pytest.raises(KeyError) as caught:
+        series.total["sunlit_fraction"]
+    assert "sunlit_fraction" not in str(caught.value).split("there are:")[1]
+
+
+def test_groups_are_summed_over_days():
+    scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"},
+                          place={"latitude_deg": 52, "longitude_deg": 5.7})
+    scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
+    for plant in (1, 1, 2):
+        x = len(scene._table.get("organ", [])) / 2
+        scene.add_organ("disk", material="leaf", center=[x, 0, 1], normal=[0, 0, 1], radius=0.1,
+                        labels={"plant": plant})
+    series = scene.run(time=DAY, paths=512, groups=["plant"])
+    for sums in (series.total, series.days["2024-06-21"]):
+        assert [(g["by"], g["value"]) for g in sums.groups.groups] == [
+            ("all", ""), ("plant", "1"), ("plant", "2")
+        ]  # fmt: skip
+        assert sums.groups["absorbed_flux"].unit == ("mol", "J")
+        of_organs = sums["absorbed_flux"].mean
+        of_groups = sums.groups["absorbed_flux"].mean
+        assert np.allclose(of_groups[0], of_organs.sum(axis=0), rtol=1e-12)
+        assert np.allclose(of_groups[1], of_organs[:2].sum(axis=0), rtol=1e-12)
+        frame = sums.groups.to_pandas()
+        assert np.array_equal(frame["absorbed_flux_NIR"], of_groups[:, 1])
+        assert sums.to_pandas()["plant"].tolist() == ["1", "1", "2"]
 
 
 def test_a_callback_is_told_of_all_times(scene):

@@ -114,4 +114,29 @@ Scene leaf_over_ground(double rho, double tau) {
     return std::move(builder).build();
 }
 
+Scene black_tube(double height) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
+    const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    std::vector<Triangle> walls;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 up{0, 0, height};
+        const Vec3& a = corners[i];
+        const Vec3& b = corners[(i + 1) % 4];
+        walls.push_back({a, b, b + up});
+        walls.push_back({a, b + up, a + up});
+    }
+    builder.add_organ(organ("tube", "black", walls));
+    return std::move(builder).build();
+}
+
+double tube_view_factor(double height) {
+    const double x = 1 / height;
+    const double root = std::sqrt(1 + x * x);
+    return 2 / (std::numbers::pi * x * x) *
+           (std::log((1 + x * x) / std::sqrt(1 + 2 * x * x)) + 2 * x * root * std::atan(x / root) -
+            2 * x * std::atan(x));
+}
+
 }  // namespace quasimc::test

@@ -36,6 +36,13 @@ inline constexpr std::uint32_t kReplicates = 32;
 /// A builder of a scene with bands "b0", "b1", ...
 [[nodiscard]] SceneBuilder make_builder(std::size_t bands = 1);
 
+/// A leaf of 1 x 1 at the bottom of a black tube of that height.
+[[nodiscard]] Scene black_tube(double height);
+
+/// The view factor of a square of side 1 to the same one at `height` over it (Howell, Menguc and
+/// Siegel, A Catalog of Radiation Heat Transfer Configuration Factors, C-11).
+[[nodiscard]] double tube_view_factor(double height);
+
 /// The horizontal rectangle [x0, x1] x [y0, y1] at height z, upper side up.
 [[nodiscard]] std::vector<Triangle> floor_of(double x0, double x1, double y0, double y1, double z);
 /// A leaf of 1 x 1 half a unit above a ground of 3 x 3 that reflects .3 of the light.

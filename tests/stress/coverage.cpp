@@ -1,5 +1,6 @@
 #include "stress/coverage.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sums/statistics.h"
@@ -18,7 +19,8 @@ Estimate mean_of(const Answers& answers, std::size_t number) {
     return estimate_mean(means);
 }
 
-/// What the sharpest other way says, if it is sharp beside the intervals.
+/// What the sharpest other way says, if it is sharp beside the intervals. They end at what is
+/// possible, its mean may lie above by noise and rounding.
 std::optional<double> truth_of(
     const Case& it, const std::vector<Answers>& all, std::size_t own, std::size_t number) {
     std::optional<Estimate> best;
@@ -30,13 +32,21 @@ std::optional<double> truth_of(
         }
     }
     double width = 0;
+    double highest = 0;
     for (const Answer& answer : all[own]) {
         const Number& n = answer.numbers[number];
+        highest = std::max(highest, n.high);
         width += .5 * (n.high - n.low) / static_cast<double>(all[own].size());
     }
     const bool is_sharp =
         best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);
-    return is_sharp ? std::optional(best->mean) : std::nullopt;
+    if (!is_sharp) {
+        return std::nullopt;
+    }
+    constexpr double kErrors = 4;
+    const double noise = kErrors * best->standard_error + slack_of(it, number, best->mean);
+    const bool is_noise = best->mean <= highest + noise;
+    return is_noise ? std::min(best->mean, highest) : best->mean;
 }
 
 Coverage coverage_of_way(const Case& it, const std::vector<Answers>& all, std::size_t own) {
@@ -48,10 +58,11 @@ Coverage coverage_of_way(const Case& it, const std::vector<Answers>& all, std::s
             continue;
         }
         ++coverage.numbers;
+        const double slack = slack_of(it, i, *truth);
         double of_number = 0;
         for (std::size_t s = 0; s < held.size(); ++s) {
             const Number& n = all[own][s].numbers[i];
-            const double holds = n.low <= *truth && *truth <= n.high ? 1 : 0;
+            const double holds = n.low - slack <= *truth && *truth <= n.high + slack ? 1 : 0;
             held[s] += holds;
             of_number += holds / static_cast<double>(held.size());
         }

@@ -21,13 +21,13 @@ function add(parent, name, attributes, text) {
 }
 
 /** An empty chart with axes. @returns its svg, and where values of x and y stand */
-function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true) {
+function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, isXTick = () => true) {
   parent.replaceChildren();
   const svg = add(parent, "svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "group", "aria-label": label });
   const x = (v) => kLeft + ((v - x0) / (x1 - x0 || 1)) * (kWidth - kLeft - 12);
   const y = (v) => kHeight - kBottom - ((v - y0) / (y1 - y0 || 1)) * (kHeight - kBottom - 12);
   add(svg, "path", { class: "axis", fill: "none", d: `M${kLeft} 8V${kHeight - kBottom}H${kWidth - 8}` });
-  for (const tick of ticks(x0, x1, 5)) {
+  for (const tick of ticks(x0, x1, 5).filter(isXTick)) {
     add(svg, "text", { x: x(tick), y: kHeight - kBottom + 14, "text-anchor": "middle" }, short(tick));
   }
   for (const tick of ticks(y0, y1, 4).filter(isYTick)) {
@@ -137,4 +137,30 @@ export function drawProfile(parent, numbers, heights, areas, isShown, title, onR
         () => onRange(from, to));
     }
   });
+}
+
+/** The median and the worst error after each round, per cent, both axes logarithmic. */
+export function drawConvergence(parent, rounds) {
+  const known = rounds.filter((round) => round.median_error > 0 && round.worst_error > 0);
+  if (known.length < 2) {
+    return;
+  }
+  const log = Math.log10;
+  const errors = known.flatMap((round) => [100 * round.median_error, 100 * round.worst_error]);
+  const ends = [Math.floor(log(Math.min(...errors))), Math.ceil(log(Math.max(...errors)))];
+  const paths = [log(known[0].paths), log(known.at(-1).paths)];
+  const { svg, x, y } = start(parent, "Convergence", paths, ends, "paths per replicate", () => false, () => false);
+  for (let power = ends[0]; power <= ends[1]; ++power) {
+    add(svg, "text", { x: kLeft - 5, y: y(power) + 4, "text-anchor": "end" }, `${power > 3 ? `1e${power}` : short(10 ** power)} %`);
+  }
+  known.forEach((round, i) => {
+    const anchor = i + 1 === known.length ? "end" : "middle";
+    add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
+  });
+  for (const [key, name] of [["worst_error", "worst organ"], ["median_error", "median"]]) {
+    const places = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
+    add(svg, "polyline", { class: `error ${key}`, fill: "none", points: places.map((place) => place.join(",")).join(" ") });
+    places.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
+    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] - 6 }, name);
+  }
 }

@@ -14,7 +14,7 @@ function element(name) {
   return document.getElementById(name);
 }
 
-async function request(name) {
+export async function request(name) {
   const answer = await fetch(name, { cache: "no-store" });
   if (!answer.ok) {
     throw new Error(`${name}: ${answer.status}`);
@@ -22,7 +22,7 @@ async function request(name) {
   return answer;
 }
 
-async function readJson(name) {
+export async function readJson(name) {
   const found = element(name);
   return found ? JSON.parse(found.textContent) : (await request(name)).json();
 }
@@ -40,15 +40,19 @@ async function readBytes(name) {
 /** Everything of a run; numbers of a time are read when they are first asked for. */
 export class RunData {
   static async load() {
-    const run = new RunData();
-    [run.json, run.colorMaps] = await Promise.all([readJson("data"), readJson("colors")]);
-    run.positions = new Float32Array(await readBytes("positions"));
-    run.count = run.json.organs.id.length;
-    run.known = new Map();
-    run.columns = run.json.columns
+    const [json, colorMaps] = await Promise.all([readJson("data"), readJson("colors")]);
+    const positions = new Float32Array(await readBytes("positions"));
+    return new RunData(json, colorMaps, positions, (blob) => readBytes(`values-${blob}`));
+  }
+
+  /** @param readBlob  gives a promise of the bytes of numbers, null if they can't be had */
+  constructor(json, colorMaps, positions, readBlob) {
+    Object.assign(this, { json, colorMaps, positions, readBlob });
+    this.count = json.organs.id.length;
+    this.known = new Map();
+    this.columns = json.columns
       .map((column, number) => ({ ...column, number }))
-      .filter((column) => run.json.times.some((time) => time.values[column.number] >= 0));
-    return run;
+      .filter((column) => json.times.some((time) => time.values[column.number] >= 0));
   }
 
   has(time, column) {
@@ -65,7 +69,10 @@ export class RunData {
       const n = this.count;
       this.known.set(
         blob,
-        readBytes(`values-${blob}`).then((bytes) => {
+        this.readBlob(blob).then((bytes) => {
+          if (bytes === null) {
+            return null;
+          }
           const part = (k) => new Float32Array(bytes, 4 * n * k, n);
           return { mean: part(0), error: part(1), low: part(2), high: part(3) };
         }),

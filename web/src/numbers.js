@@ -83,5 +83,8 @@ export function colorOf(value, scale, map) {
   const at = part * (map.length - 1);
   const below = Math.min(map.length - 2, Math.floor(at));
   const rest = at - below;
-  return map[below].map((from, k) => Math.round(from + rest * (map[below + 1][k] - from)));
+  const low = map[below];
+  const high = map[below + 1];
+  const mix = (k) => Math.round(low[k] + rest * (high[k] - low[k]));
+  return [mix(0), mix(1), mix(2)];
 }

@@ -75,10 +75,12 @@ export function weld(positions, triangles) {
   const corners = new Uint32Array(positions.length / 3);
   let corner = 0;
   let count = 0;
-  triangles.forEach((triangleCount, organ) => {
+  for (let organ = 0; organ < triangles.length; ++organ) {
     const first = count;
-    for (const end = corner + 3 * triangleCount; corner < end; ++corner) {
-      const [x, y, z] = [positions[3 * corner], positions[3 * corner + 1], positions[3 * corner + 2]];
+    for (const end = corner + 3 * triangles[organ]; corner < end; ++corner) {
+      const x = positions[3 * corner];
+      const y = positions[3 * corner + 1];
+      const z = positions[3 * corner + 2];
       let at = count - 1;
       const least = Math.max(first, count - kLast);
       while (at >= least && (places[3 * at] !== x || places[3 * at + 1] !== y || places[3 * at + 2] !== z)) {
@@ -93,7 +95,7 @@ export function weld(positions, triangles) {
       }
       corners[corner] = at;
     }
-  });
+  }
   return { places: places.slice(0, 3 * count), organs: organs.slice(0, count), corners };
 }
 
@@ -118,9 +120,7 @@ export class SceneWindow {
     this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, alpha: true });
     this.renderer.setPixelRatio(isSlow ? 1 : Math.min(2, globalThis.devicePixelRatio || 1));
     this.scene = new Scene();
-    this.low = new Vector3(...run.json.low);
-    this.high = new Vector3(...run.json.high);
-    this.radius = Math.max(1e-30, this.high.clone().sub(this.low).length() / 2);
+    this.#measure();
     this.camera = new PerspectiveCamera(35, 1, this.radius / 1000, this.radius * 100);
     this.camera.up.set(0, 0, 1);
     this.#addTriangles();
@@ -133,6 +133,49 @@ export class SceneWindow {
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
     this.look(200, 25);
     this.#resize();
+  }
+
+  #measure() {
+    this.low = new Vector3(...this.run.json.low);
+    this.high = new Vector3(...this.run.json.high);
+    this.radius = Math.max(1e-30, this.high.clone().sub(this.low).length() / 2);
+  }
+
+  /**
+   * Another scene of the same run. One looks at all of it if one has looked at all of the scene
+   * before, and otherwise at the same place.
+   */
+  setScene(run) {
+    const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
+    const from = this.camera.position.clone().sub(this.controls.target);
+    const showsAll = this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
+      Math.abs(from.length() / this.#distance() - 1) < 1e-3;
+    this.scene.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.material.dispose();
+    this.colors.dispose();
+    this.run = run;
+    this.#measure();
+    this.#addTriangles();
+    if (showsAll) {
+      this.controls.target.copy(this.#middle());
+      this.camera.position.copy(this.controls.target).addScaledVector(from.normalize(), this.#distance());
+    } else {
+      this.controls.target.add(moved);
+      this.camera.position.add(moved);
+    }
+    this.controls.update();
+    this.changed();
+  }
+
+  #middle() {
+    return this.low.clone().add(this.high).multiplyScalar(0.5);
+  }
+
+  /** From where all is seen. */
+  #distance() {
+    const opening = (this.camera.fov * Math.PI) / 360;
+    return ((1.25 * this.radius) / Math.sin(opening)) * Math.max(1, 1 / this.camera.aspect);
   }
 
   #addTriangles() {
@@ -165,9 +208,15 @@ export class SceneWindow {
 
   /** @param colorOfOrgan  [r, g, b] of an organ, null to hide it */
   paint(colorOfOrgan) {
+    const { texels } = this;
     for (let i = 0; i < this.run.count; ++i) {
       const color = colorOfOrgan(i);
-      this.texels.set(color ? [...color, 255] : [0, 0, 0, 0], 4 * i);
+      texels[4 * i + 3] = color ? 255 : 0;
+      if (color) {
+        texels[4 * i] = color[0];
+        texels[4 * i + 1] = color[1];
+        texels[4 * i + 2] = color[2];
+      }
     }
     this.colors.needsUpdate = true;
     this.changed();
@@ -192,11 +241,9 @@ export class SceneWindow {
     const high = Math.min(89.99, Math.max(-89.99, elevation)) * radians;
     const flat = north.multiplyScalar(Math.cos(azimuth * radians)).addScaledVector(east, Math.sin(azimuth * radians));
     const towards = flat.multiplyScalar(Math.cos(high)).add(new Vector3(0, 0, Math.sin(high)));
-    const middle = this.low.clone().add(this.high).multiplyScalar(0.5);
-    const opening = (this.camera.fov * radians) / 2;
-    const far = ((1.25 * this.radius) / Math.sin(opening)) * Math.max(1, 1 / this.camera.aspect);
+    const middle = this.#middle();
     this.controls.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(towards, far);
+    this.camera.position.copy(middle).addScaledVector(towards, this.#distance());
     this.controls.update();
     this.changed();
   }
@@ -227,7 +274,7 @@ export class SceneWindow {
     }
     const size = 1.15 * this.radius;
     const base = this.low.z;
-    const middle = this.low.clone().add(this.high).multiplyScalar(0.5).setZ(base);
+    const middle = this.#middle().setZ(base);
     const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
     const line = (points, color, Kind = Line) => {
       const geometry = new BufferGeometry().setFromPoints(points);

@@ -1,5 +1,6 @@
 // The report: what was run, and what came out, as tables. Texts of the result are never markup.
 
+import { drawConvergence } from "./charts.js";
 import { short, withError } from "./numbers.js";
 
 export function make(name, text, attributes = {}) {
@@ -84,6 +85,19 @@ function groupTables(groups, bands, unitOf) {
   });
 }
 
+/** How errors fell, round by round. */
+function convergenceNodes(rounds) {
+  const percent = (x) => ({ number: Number.isFinite(x) ? `${short(100 * x)} %` : "—" });
+  const rows = rounds.map((round) => [
+    { number: String(round.paths) }, { number: short(round.seconds) },
+    percent(round.median_error), percent(round.worst_error), percent(round.fraction_at_target),
+  ]);
+  const chart = make("div", undefined, { id: "convergence" });
+  drawConvergence(chart, rounds);
+  return [chart, table("Relative standard errors of the flux that organs absorb",
+    ["paths", "seconds", "median", "worst", "organs at the target"], rows)];
+}
+
 function settingsTables(head) {
   const options = Object.entries(head.run?.run ?? {}).map(([key, value]) => [key, words(value)]);
   const inputs = (head.inputs ?? []).map((file) => [file.path, { number: String(file.bytes) }, file.sha256]);
@@ -129,6 +143,9 @@ export function drawReport(parent, run, time, worst, unitOf) {
     section("Warnings", table("", ["place", "warning"], warnings));
   }
   section("What was run", aboutTable(run, time));
+  if (now.rounds?.length > 0) {
+    section(`Convergence${of}`, ...convergenceNodes(now.rounds));
+  }
   if (now.energy) {
     section(`Energy${of}`, energyTable(now.energy, now.escaped_is_remainder ?? head.escaped_is_remainder));
   }

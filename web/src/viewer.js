@@ -2,6 +2,7 @@
 
 import { drawHistogram, drawProfile } from "./charts.js";
 import { RunData } from "./data.js";
+import { Follower, LiveRun, isLive } from "./live.js";
 import { colorOf, scaleOf, short, ticks, withError } from "./numbers.js";
 import { SceneWindow } from "./scene.js";
 import { drawReport, make, table } from "./tables.js";
@@ -16,17 +17,24 @@ function heightsOf(run) {
   const { positions: p, json } = run;
   const heights = new Float64Array(run.count);
   let at = 0;
-  json.organs.triangles.forEach((count, organ) => {
-    let [sum, total] = [0, 0];
-    for (let k = 0; k < count; ++k, at += 9) {
-      const [ax, ay, az] = [p[at + 3] - p[at], p[at + 4] - p[at + 1], p[at + 5] - p[at + 2]];
-      const [bx, by, bz] = [p[at + 6] - p[at], p[at + 7] - p[at + 1], p[at + 8] - p[at + 2]];
-      const area = Math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
+  const { triangles } = json.organs;
+  for (let organ = 0; organ < triangles.length; ++organ) {
+    let sum = 0;
+    let total = 0;
+    for (let k = 0; k < triangles[organ]; ++k, at += 9) {
+      const ax = p[at + 3] - p[at];
+      const ay = p[at + 4] - p[at + 1];
+      const az = p[at + 5] - p[at + 2];
+      const bx = p[at + 6] - p[at];
+      const by = p[at + 7] - p[at + 1];
+      const bz = p[at + 8] - p[at + 2];
+      const [nx, ny, nz] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
+      const area = Math.sqrt(nx * nx + ny * ny + nz * nz);
       sum += (area * (p[at + 2] + p[at + 5] + p[at + 8])) / 3;
       total += area;
     }
     heights[organ] = (total > 0 ? sum / total : 0) + json.middle[2];
-  });
+  }
   return heights;
 }
 
@@ -35,8 +43,10 @@ function fill(select, entries) {
 }
 
 class Page {
-  constructor(run) {
+  /** @param onTime  is told of the place of the slider if the run goes on; null: it is done */
+  constructor(run, onTime = null) {
     this.run = run;
+    this.onTime = onTime;
     this.time = 0;
     this.column = run.columns.length > 0 ? run.columns[0].number : 0;
     this.heights = heightsOf(run);
@@ -44,6 +54,8 @@ class Page {
     this.chosen = null;
     this.hovered = null;
     this.#fillControls();
+    this.#describeRun();
+    this.#usePart();
     this.#listen();
     try {
       this.window = new SceneWindow($("canvas"), run);
@@ -76,30 +88,69 @@ class Page {
 
   #fillControls() {
     const { run } = this;
+    fill($("map"), Object.keys(run.colorMaps).map((name) => [name, name]));
+    const parts = [...new Set(run.json.times.map((time) => time.part))];
+    const names = { moments: "times", days: "days", total: "all together" };
+    fill($("part"), parts.map((part) => [part, names[part] ?? "run"]));
+    $("part-label").hidden = this.onTime !== null;
+    $("time-controls").hidden = run.json.times.length < 2;
+    for (const [name, azimuth, elevation] of kViews) {
+      const button = make("button", name, { type: "button" });
+      button.addEventListener("click", () => this.window?.look(azimuth, elevation));
+      $("views").append(button);
+    }
+  }
+
+  /** What depends on the scene: its name, kinds of numbers, labels and organs. */
+  #describeRun() {
+    const { run } = this;
     const { json } = run;
     document.title = `${json.title} — QuasiMC`;
     $("title").textContent = json.title;
     $("subtitle").textContent =
       `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.positions.length / 9} triangles — ${json.program}`;
     fill($("column"), run.columns.map((column) => [column.number, run.columnName(column.number)]));
-    fill($("map"), Object.keys(run.colorMaps).map((name) => [name, name]));
-    const parts = [...new Set(json.times.map((time) => time.part))];
-    const names = { moments: "times", days: "days", total: "all together" };
-    fill($("part"), parts.map((part) => [part, names[part] ?? "run"]));
-    $("time-controls").hidden = json.times.length < 2;
+    $("column").value = this.column;
     const keys = Object.keys(json.organs.labels);
+    const key = $("key").value;
     $("key-label").hidden = keys.length === 0;
-    fill($("key"), [["", "any"], ...keys.map((key) => [key, key])]);
+    fill($("key"), [["", "any"], ...keys.map((name) => [name, name])]);
+    $("key").value = keys.includes(key) ? key : "";
     $("ground-label").hidden = !json.organs.ground.includes(1);
     const most = Math.min(run.count, 1000);
     $("organ-names").replaceChildren(
       ...Array.from({ length: most }, (_, i) => make("option", undefined, { value: run.organName(i) })));
-    for (const [name, azimuth, elevation] of kViews) {
-      const button = make("button", name, { type: "button" });
-      button.addEventListener("click", () => this.window?.look(azimuth, elevation));
-      $("views").append(button);
+  }
+
+  /**
+   * Shows another frame of a run that goes on. @param run  null: what was shown before
+   * @param at, labels  its place among the frames, and their names
+   */
+  async show(run, at, labels) {
+    if (run && run !== this.run) {
+      const id = this.chosen === null ? null : this.run.json.organs.id[this.chosen];
+      const { quantity, band } = this.kind;
+      const isNewScene = run.positions !== this.run.positions;
+      this.run = run;
+      const same = run.columns.find((column) => column.quantity === quantity && column.band === band);
+      this.column = (same ?? run.columns[0])?.number ?? 0;
+      if (isNewScene) {
+        this.heights = heightsOf(run);
+        this.window?.setScene(run);
+        const found = run.json.organs.id.indexOf(id);
+        this.chosen = found < 0 ? null : found;
+        this.hovered = null;
+        this.window?.choose(this.chosen);
+      }
+      this.#describeRun();
+      await this.update();
     }
-    this.#usePart();
+    $("time-controls").hidden = labels.length < 2;
+    $("time").hidden = labels.length < 2;
+    $("time").max = labels.length - 1;
+    $("time").value = at;
+    $("time-text").textContent = labels[at];
+    $("time").setAttribute("aria-valuetext", labels[at]);
   }
 
   #timesOfPart() {
@@ -139,6 +190,10 @@ class Page {
       this.update();
     });
     on("time", "input", () => {
+      if (this.onTime) {
+        this.onTime(Number($("time").value));
+        return;
+      }
       this.#useTime();
       this.update();
     });
@@ -458,9 +513,40 @@ class Page {
   }
 }
 
+function tellProgress(words, fraction) {
+  $("progress").hidden = !words;
+  const bar = $("progress").querySelector("progress");
+  bar.hidden = fraction < 0;
+  bar.value = Math.max(0, fraction);
+  $("progress").querySelector("span").textContent = words;
+}
+
+/** Follows a run that goes on. */
+async function followRun() {
+  const live = await LiveRun.open();
+  let page = null;
+  const show = async (run, at, frames) => {
+    const labels = frames.map((frame) => frame.label);
+    if (page === null) {
+      page = new Page(run, (index) => follower.select(index));
+      await page.update();
+      document.documentElement.dataset.state = "ready";
+    }
+    await page.show(run, at, labels);
+    document.documentElement.dataset.frame = frames[at]?.number ?? "";
+  };
+  const follower = new Follower(live, show, tellProgress);
+  document.documentElement.dataset.state = "waiting";
+  await follower.follow();
+  document.documentElement.dataset.ended = "yes";
+}
+
 async function main() {
-  const run = await RunData.load();
-  const page = new Page(run);
+  if (isLive()) {
+    await followRun();
+    return;
+  }
+  const page = new Page(await RunData.load());
   await page.update();
   document.documentElement.dataset.state = "ready";
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "base/lazy.h"
 #include "base/stop.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
@@ -108,6 +109,7 @@ struct RayCaster::Impl {
     std::vector<Vec3> outline;
     Tile tile;
     std::unique_ptr<Intersector> engine;
+    Lazy<SurfaceCrossings> crossings;
 
     [[nodiscard]] bool periodic() const { return tile.along_x || tile.along_y; }
 
@@ -242,6 +244,10 @@ const Cell& RayCaster::cell() const {
 
 const std::vector<Vec3>& RayCaster::outline() const {
     return impl_->outline;
+}
+
+const SurfaceCrossings& RayCaster::crossings(const std::stop_token& stop) const {
+    return impl_->crossings.get([&] { return find_crossings(impl_->mesh, stop); });
 }
 
 CastHit RayCaster::cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const {

@@ -10,6 +10,7 @@
 
 #include "geometry/cast/intersector.h"
 #include "geometry/mesh/cell.h"
+#include "geometry/mesh/crossings.h"
 
 namespace quasimc {
 
@@ -57,6 +58,9 @@ class RayCaster {
     /// Points whose convex hull holds the scene, local coordinates; none of a scene periodic along
     /// x and y.
     [[nodiscard]] const std::vector<Vec3>& outline() const;
+    /// Where triangles of the mesh cross; looked for when it is first asked for.
+    /// @throws StopRequested  if a stop is requested before they are found
+    [[nodiscard]] const SurfaceCrossings& crossings(const std::stop_token& stop = {}) const;
 
     /// The first hit of a ray that leaves `self` (or kNoTriangle) from `origin`, local coordinates.
     /// `self` is never hit by its own ray. In a periodic scene the origin may lie in any image of

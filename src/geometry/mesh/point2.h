@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace quasimc {
 
 /// A point of a plane.
@@ -10,6 +12,14 @@ struct Point2 {
 /// Twice the area of the triangle a, b, c; positive when they turn left.
 [[nodiscard]] constexpr double turn(const Point2& a, const Point2& b, const Point2& c) {
     return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
+}
+
+/// A straight line from one point to another one.
+struct PlaneStretch {
+    Point2 from, to;
+};
+[[nodiscard]] inline double length_of(const PlaneStretch& stretch) {
+    return std::hypot(stretch.to.s - stretch.from.s, stretch.to.t - stretch.from.t);
 }
 
 }  // namespace quasimc

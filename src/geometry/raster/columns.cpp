@@ -50,7 +50,8 @@ std::vector<ColumnTriangle> column_triangles(
              .first_patch = patches.first(i),
              .level = static_cast<std::uint8_t>(patches.level(i)),
              .is_sensor = scene.role(i) == VisibilityRole::sensor,
-             .least_cosine = least_cosines.empty() ? 0 : least_cosines[i]});
+             .least_cosine = least_cosines.empty() ? 0 : least_cosines[i],
+             .cut = patches.cut_of(i)});
     }
     return triangles;
 }
@@ -192,6 +193,7 @@ void Columns::set_gradients(const ColumnTriangle& triangle, const ProjectedTrian
     u_of_ = plane.gradient(0, 1, 0);
     v_of_ = plane.gradient(0, 0, 1);
     level_ = triangle.level;
+    cut_ = triangle.cut;
     // Light comes to the lower side if the corners turn to the left, seen along it.
     const Passed lower = plane.turns_left() != is_turned_ ? 1 : 0;
     first_passed_ = (triangle.is_sensor ? kSensor : 0) | (2 * triangle.first_patch + lower);
@@ -204,14 +206,22 @@ void Columns::draw_stretch(const Stretch& stretch) {
     const double v = v_of_.at + v_of_.by_y * y;
     const auto first_line = static_cast<std::uint32_t>(stretch.in_row * columns_);
     std::int64_t line = repeats_x_ ? wrapped(stretch.first, columns_) : stretch.first;
+    const std::size_t before = fragments_.size();
+    fragments_.resize(before + static_cast<std::size_t>(stretch.last - stretch.first));
+    Fragment* to = fragments_.data() + before;
     for (std::int64_t column = stretch.first; column < stretch.last; ++column) {
         const double x = static_cast<double>(column) + stretch.shift;
         const double depth = std::clamp(z + z_of_.by_x * x, low_z_, high_z_);
-        const std::uint32_t part =
-            level_ == 0 ? 0 : Patches::part(level_, u + u_of_.by_x * x, v + v_of_.by_x * x);
-        fragments_.push_back(
-            {first_line + static_cast<std::uint32_t>(line), static_cast<float>(depth),
-             first_passed_ + 2 * part});
+        std::uint32_t part = 0;
+        if (level_ > 0) {
+            const double at_u = u + u_of_.by_x * x;
+            const double at_v = v + v_of_.by_x * x;
+            part = Patches::part(level_, at_u, at_v);
+            part = cut_ == nullptr ? part : cut_->patch(part, at_u, at_v);
+        }
+        *to++ = {
+            first_line + static_cast<std::uint32_t>(line), static_cast<float>(depth),
+            first_passed_ + 2 * part};
         ++line;
         line = line == columns_ && repeats_x_ ? 0 : line;
     }

@@ -18,10 +18,11 @@ struct ColumnTriangle {
     std::uint32_t first_patch = 0;
     std::uint8_t level = 0;  ///< see Patches
     bool is_sensor = false;
-    float least_cosine = 0;  ///< seen at less, it is left out
+    float least_cosine = 0;            ///< seen at less, it is left out
+    const CutTriangle* cut = nullptr;  ///< where others cross it: how it is cut into patches
 };
 
-/// The triangles of a scene that have patches.
+/// The triangles of a scene that have patches, which must outlive them.
 /// @param least_cosines  by triangle; empty: 0
 [[nodiscard]] std::vector<ColumnTriangle> column_triangles(
     const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines = {});
@@ -108,6 +109,7 @@ class Columns {
     double low_z_ = 0, high_z_ = 0;
     Passed first_passed_ = 0;
     int level_ = 0;
+    const CutTriangle* cut_ = nullptr;
 
     std::vector<Fragment> fragments_;
     std::vector<InLine> sorted_;

@@ -224,4 +224,10 @@ Barycentric ItemBuffer::place(std::uint32_t pixel) const {
         .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
 }
 
+ItemBuffer::Places ItemBuffer::places(std::uint32_t id) const {
+    const Image& image = images_[id];
+    const TrianglePlane plane(moved(seen(image.triangle), image));
+    return {plane.gradient(0, 1, 0), plane.gradient(0, 0, 1), columns_};
+}
+
 }  // namespace quasimc

@@ -4,8 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/mesh/point2.h"
 #include "geometry/raster/draw_span.h"
 #include "geometry/raster/projected_scene.h"
+#include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
 
@@ -51,6 +53,20 @@ class ItemBuffer {
     [[nodiscard]] std::size_t id_count() const { return images_.size(); }
     /// Where the ray of a pixel ends that sees something.
     [[nodiscard]] Barycentric place(std::uint32_t pixel) const;
+
+    /// Where the rays of pixels end that see one id.
+    struct Places {
+        PlaneGradient u, v;
+        std::uint32_t columns = 1;
+        /// Barycentric coordinates.
+        [[nodiscard]] Point2 of(std::uint32_t pixel) const {
+            const std::uint32_t row = pixel / columns;
+            const double x = pixel - row * columns;
+            return {u.at + u.by_x * x + u.by_y * row, v.at + v.by_x * x + v.by_y * row};
+        }
+    };
+    /// @param id  of an item
+    [[nodiscard]] Places places(std::uint32_t id) const;
 
   private:
     /// A triangle, moved by whole periods of the grid.

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/length_units.h"
 #include "geometry/shapes/shapes.h"
+#include "io/line_scanner.h"
 
 namespace quasimc {
 
@@ -72,6 +74,13 @@ std::span<const FormatEntry> format_table() {
             .keeps = "ids, names, materials, labels",
             .read = read_opf},
         FormatEntry{
+            .name = "ops",
+            .extensions = ".ops",
+            .summary = "AMAP's open plant scene: plants and where they stand",
+            .organs = "groups",
+            .keeps = "names, materials, labels",
+            .read = read_ops},
+        FormatEntry{
             .name = "fasttracer",
             .extensions = ".fasttracer",
             .summary = "fastTracer's 17 columns; what has the same five numbers is an organ",
@@ -85,6 +94,24 @@ std::span<const FormatEntry> format_table() {
             .organs = "groups",
             .keeps = "",
             .read = read_def},
+        FormatEntry{
+            .name = "glb",
+            .extensions = ".glb",
+            .summary = "binary glTF 2.0; nodes with a mesh are organs",
+            .organs = "groups",
+            .keeps = "ids, names, materials, labels",
+            .read = read_gltf,
+            .write = write_glb,
+            .has_units = true,
+            .precision = 0x1p-23},
+        FormatEntry{
+            .name = "gltf",
+            .extensions = ".gltf",
+            .summary = "glTF 2.0 with files beside it or embedded; nodes with a mesh are organs",
+            .organs = "groups",
+            .keeps = "ids, names, materials, labels",
+            .read = read_gltf,
+            .has_units = true},
         // (tools/new.py enters a format above this line)
     };
     return kTable;
@@ -103,6 +130,19 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
               fmt::format("use {}", fmt::join(writable, ", "))}});
     }
     format.write(scene, sink);
+}
+
+double FormatContext::units_per_metre() {
+    const std::optional<double> metres = metres_per(length_unit);
+    if (!metres) {
+        reporter.warnings.push_back(
+            {reporter.file,
+             fmt::format(
+                 "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
+                 "they are taken as they are",
+                 one_line(length_unit))});
+    }
+    return 1 / metres.value_or(1);
 }
 
 std::vector<Triangle> face_triangles(std::span<const Vec3> corners) {

@@ -84,6 +84,12 @@ struct FormatContext {
     Reporter& reporter;
     InputFiles& files;   ///< for files that the file names
     std::string folder;  ///< of the file, relative to that of `files`; "" or with a '/' at the end
+    /// Of the scene, for files that say where up is and how long their unit is.
+    UpAxis up = UpAxis::z;
+    std::string length_unit = "m";
+
+    /// How many units of the scene a metre has; 1 with a warning if its unit is not known.
+    [[nodiscard]] double units_per_metre();
 };
 
 /// One row of the table of geometry formats, the only place where a format is entered.
@@ -95,6 +101,10 @@ struct FormatEntry {
     std::string_view keeps;   ///< what is left of a scene that goes through it, beside triangles
     MeshFile (*read)(std::string_view bytes, FormatContext& context);
     void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
+    bool has_units = false;  ///< files state their unit and where up is: they become the scene's
+    /// What coordinates are rounded to when they are written, relative to the size of their organ;
+    /// 0: they keep all digits.
+    double precision = 0;
     /// Whether the file says what its organs are made of, in names or numbers of the scene.
     [[nodiscard]] bool keeps_materials() const { return keeps.find("material") != keeps.npos; }
 };
@@ -120,6 +130,8 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 [[nodiscard]] MeshFile read_fasttracer(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_opf(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_stl(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_ops(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_gltf(std::string_view bytes, FormatContext& context);
 
 // The writers. Coordinates come out in the axes of the scene's file, with all their digits.
 
@@ -134,6 +146,10 @@ void write_ply(const Scene& scene, const TextSink& sink);
 void write_can(const Scene& scene, const TextSink& sink);
 /// Text, a solid for each organ.
 void write_stl(const Scene& scene, const TextSink& sink);
+
+/// Binary glTF 2.0: a node for each organ, with its id and labels. Metres, y up, single precision
+/// about the middle of each organ. @throws InputError  if it takes 4 GiB or more
+void write_glb(const Scene& scene, const TextSink& sink);
 
 /// The materials of an OBJ file's library.
 [[nodiscard]] std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context);

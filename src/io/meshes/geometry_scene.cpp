@@ -79,7 +79,9 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
     } else {
         add_groups(std::move(file), builder);
     }
-    return {std::move(builder).build(), std::move(reporter.warnings), files.files()};
+    return {
+        std::move(builder).build(), std::move(reporter.warnings), files.files(),
+        format.has_units ? context.length_unit : ""};
 }
 
 }  // namespace quasimc

@@ -14,6 +14,7 @@ struct GeometryScene {
     Scene scene;  ///< materials have the names of the file ("unnamed" without one), and no meaning
     std::vector<Warning> warnings;  ///< of the reader
     std::vector<InputFile> inputs;  ///< what was read
+    std::string unit;               ///< of length; "" if the file states none
 };
 
 /// Reads a geometry file. Its organs are those that a run file gets that says nothing of them.

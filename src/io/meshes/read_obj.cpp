@@ -57,6 +57,7 @@ class ObjReader {
                 joined.clear();
             }
         }
+        read_statement(joined);  // of a last line that says it goes on
         crossed_.warn(context_.reporter);
         mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);

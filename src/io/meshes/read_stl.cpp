@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "io/little_endian.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/number_line.h"
 
@@ -12,16 +10,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kStlHeader = 80, kStlStart = kStlHeader + 4, kStlTriangle = 50;
-
-template <typename T>
-T little_endian_at(std::string_view bytes, std::size_t at) {
-    std::array<char, sizeof(T)> raw{};
-    std::memcpy(raw.data(), bytes.data() + at, sizeof(T));
-    if constexpr (std::endian::native == std::endian::big) {
-        std::reverse(raw.begin(), raw.end());
-    }
-    return std::bit_cast<T>(raw);
-}
 
 /// Whether the file is as long as the number of triangles in its header says.
 bool is_binary_stl(std::string_view bytes) {

@@ -22,11 +22,12 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 1\n";
+constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 2\n";
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
-constexpr std::array<std::string_view, 4> kEnds{
-    "run.run.target_error", "run.run.target_fraction", "run.run.max_paths", "run.run.max_seconds"};
+constexpr std::array<std::string_view, 5> kEnds{
+    "run.run.paths", "run.run.target_error", "run.run.target_fraction", "run.run.max_paths",
+    "run.run.max_seconds"};
 
 std::string text_of(std::uint64_t number) {
     return {reinterpret_cast<const char*>(&number), sizeof number};
@@ -84,7 +85,7 @@ std::uint64_t ByteReader::number() {
 
 CheckpointFile::CheckpointFile(
     std::string path, const RunFile& run, double every, CheckpointStart start)
-    : path_(std::move(path)), head_(checkpoint_head(run)), every_(every) {
+    : path_(std::move(path)), lock_(path_), head_(checkpoint_head(run)), every_(every) {
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {

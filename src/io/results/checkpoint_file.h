@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "io/descriptor.h"
+#include "io/file_lock.h"
 #include "io/runfile/run_file.h"
 #include "run/run_state.h"
 
@@ -51,13 +52,16 @@ enum class CheckpointStart {
 class CheckpointFile {
   public:
     /// @param every  seconds from the end of one save to the next
-    /// @throws InputError  if the file is damaged, of another run, or there though the run begins
-    ///         anew
+    /// @throws InputError  if the file is damaged, of another run, in use by another process, or
+    ///         there though the run begins anew
     CheckpointFile(std::string path, const RunFile& run, double every, CheckpointStart start);
 
     /// Whether there was one to go on from.
     [[nodiscard]] bool was_there() const { return was_there_; }
     [[nodiscard]] std::optional<RunState> state_of(std::size_t moment);
+    [[nodiscard]] bool has_state(std::size_t moment) const {
+        return states_.contains(moment) || places_.contains(moment);
+    }
     /// Whether it is time to save.
     [[nodiscard]] bool is_due() const { return Clock::now() >= next_save_; }
     /// Saves the state of a run on the way.
@@ -87,7 +91,9 @@ class CheckpointFile {
     void keep(std::size_t moment, State state);
     void write();
 
-    std::string path_, head_;
+    std::string path_;
+    FileLock lock_;
+    std::string head_;
     std::chrono::duration<double> every_;
     bool was_there_ = false;
     std::map<std::size_t, Place> places_;  // of runs that are done

@@ -24,7 +24,7 @@ std::string options_line(const RunSpec& spec) {
         text += fmt::format(
             "{}{} = {}", text.empty() ? "" : ", ", option.key, option_toml(option.get(spec)));
     }
-    return "# options: " + text + "\n";
+    return "# options: " + one_line(text) + "\n";
 }
 
 /// Where the light comes from; of a sweep at every point, and what the point sets.
@@ -191,8 +191,9 @@ std::string csv_light_columns(
             const std::string shown = amount == LightAmount::rate
                                           ? unit
                                           : summed_unit(unit).name + (is_period ? "" : " d-1");
-            out += fmt::format(
-                "# column {}_{} [{}]: {}\n", entry.name, band.name, shown, entry.summary);
+            out += one_line(fmt::format(
+                       "# column {}_{} [{}]: {}", entry.name, band.name, shown, entry.summary)) +
+                   "\n";
         }
     }
     return out;

@@ -20,8 +20,22 @@ std::span<const FieldFormat> field_format_table() {
             .extension = ".ply",
             .summary = "Stanford PLY with numbers as properties of faces",
             .write = write_field_ply},
+        FieldFormat{
+            .name = "glb",
+            .extension = ".glb",
+            .summary = "binary glTF for Blender and others, with numbers and colours of vertices",
+            .write = write_field_glb},
     };
     return kTable;
+}
+
+const FieldFormat* find_field_format(std::string_view name) {
+    for (const FieldFormat& format : field_format_table()) {
+        if (format.name == name) {
+            return &format;
+        }
+    }
+    return nullptr;
 }
 
 const FieldFormat* field_format_of_path(std::string_view path) {

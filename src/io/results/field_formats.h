@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,21 +19,35 @@ struct OrganField {
     std::vector<double> values;  ///< in the order of the scene's organs; NaN where it is unknown
 };
 
+/// A scene and what other programs are to show of it.
+struct FieldScene {
+    const Scene& scene;
+    std::vector<OrganField> fields = {};
+    /// Of each organ red, green and blue, as on a screen; empty: none.
+    std::vector<std::array<std::uint8_t, 3>> colors = {};
+    std::string colors_of = {};  ///< what they show, with the ends of the scale; "" for none
+};
+
 /// One row of the table of formats for a scene with numbers, the only place where one is entered.
 struct FieldFormat {
     std::string_view name;
     std::string_view extension;
     std::string_view summary;
-    void (*write)(const Scene& scene, std::span<const OrganField> fields, const TextSink& sink);
+    void (*write)(const FieldScene& shown, const TextSink& sink);
 };
 [[nodiscard]] std::span<const FieldFormat> field_format_table();
+/// The row of that name, or null.
+[[nodiscard]] const FieldFormat* find_field_format(std::string_view name);
 /// The row for the extension of a path, whatever its case, or null.
 [[nodiscard]] const FieldFormat* field_format_of_path(std::string_view path);
 
 /// VTK's XML PolyData: a triangle is a cell, with the organ's id and its numbers; names of organs
 /// are field data. Binary, little-endian, double precision.
-void write_vtp(const Scene& scene, std::span<const OrganField> fields, const TextSink& sink);
+void write_vtp(const FieldScene& shown, const TextSink& sink);
 /// Binary PLY, double precision: each face has the id of its organ and its numbers.
-void write_field_ply(const Scene& scene, std::span<const OrganField> fields, const TextSink& sink);
+void write_field_ply(const FieldScene& shown, const TextSink& sink);
+/// Binary glTF 2.0, single precision: each vertex has the numbers and the colour of its organ.
+/// @throws InputError  of more organs than single precision can count, or 4 GiB and more
+void write_field_glb(const FieldScene& shown, const TextSink& sink);
 
 }  // namespace quasimc

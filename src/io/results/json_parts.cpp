@@ -83,6 +83,24 @@ void json_done(JsonStream& json, const Result& result, JsonLayout layout) {
     json.end_object();
 }
 
+void json_rounds(JsonStream& json, const Result& result, JsonLayout layout) {
+    if (result.rounds.empty()) {
+        return;
+    }
+    json.key("rounds");
+    json.begin_list(layout);
+    for (const RoundErrors& round : result.rounds) {
+        json.begin_object(layout);
+        json.count("paths", round.paths);
+        json.real("seconds", round.seconds);
+        json.real("median_error", round.median);
+        json.real("worst_error", round.worst);
+        json.real("fraction_at_target", round.fraction_at_target);
+        json.end_object();
+    }
+    json.end_list();
+}
+
 void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
     json.key("audit");
     if (!result.audit) {
@@ -108,14 +126,17 @@ void json_audit(JsonStream& json, const RunFile& run, const Result& result, Json
     json.end_object();
 }
 
-void json_energy(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
-    const Scene& scene = run.scene;
+void json_energy(
+    JsonStream& json,
+    std::span<const Band> bands,
+    const std::string& length_unit,
+    const Result& result,
+    JsonLayout layout) {
     json.key("energy");
     json.begin_object(layout);
     for (std::size_t b = 0; b < result.budget.size(); ++b) {
-        const Band& band = scene.bands()[b];
-        json.key(band.name);
-        write_budget(json, flux_unit(band.unit, scene.length_unit()), result.budget[b], layout);
+        json.key(bands[b].name);
+        write_budget(json, flux_unit(bands[b].unit, length_unit), result.budget[b], layout);
     }
     json.end_object();
 }

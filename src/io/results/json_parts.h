@@ -3,6 +3,7 @@
 // The parts that results in JSON are made of. Included by their writer and reader only.
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +31,21 @@ void json_method(JsonStream& json, const RunFile& run, const Result& result, Jso
 /// "time_is_up".
 [[nodiscard]] std::string_view stop_name(StopReason stop);
 void json_done(JsonStream& json, const Result& result, JsonLayout layout);
+/// A list with what was known after each round; none if there was one round.
+void json_rounds(JsonStream& json, const Result& result, JsonLayout layout);
 /// null without one.
 void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
-void json_energy(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout);
+/// @param bands  of the result
+void json_energy(
+    JsonStream& json,
+    std::span<const Band> bands,
+    const std::string& length_unit,
+    const Result& result,
+    JsonLayout layout);
+inline void json_energy(
+    JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
+    json_energy(json, run.scene.bands(), run.scene.length_unit(), result, layout);
+}
 
 /// "key": {"mean": ..., ...}.
 void json_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout);

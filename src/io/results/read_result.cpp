@@ -125,10 +125,12 @@ std::vector<InputFile> stored_inputs(const Json& head) {
 
 /// Where the inputs are: beside the result, or where they were.
 fs::path input_folder(
-    const Json& head, const std::vector<InputFile>& inputs, const fs::path& beside) {
+    const Json& head,
+    const std::vector<InputFile>& inputs,
+    const fs::path& beside,
+    const FileAccess& access) {
     const auto is_there = [&](const InputFile& input) {
-        std::error_code error;
-        return input.is_run_file || fs::exists(beside / input.path, error);
+        return input.is_run_file || access.exists(beside / input.path);
     };
     const bool all_there = std::all_of(inputs.begin(), inputs.end(), is_there);
     return all_there ? beside : fs::path(text_of(head, "folder"));
@@ -192,7 +194,7 @@ StoredSweep read_result_text(
     const std::string& text,
     const std::string& name,
     const fs::path& beside,
-    const InputFiles::Reader& reader,
+    const FileAccess& access,
     const std::vector<Override>& overrides) {
     const Json head = parse_head(text, name);
     check_format(head, name);
@@ -206,8 +208,8 @@ StoredSweep read_result_text(
     rename_former_options(document);
 
     const std::vector<InputFile> inputs = stored_inputs(head);
-    const fs::path folder = input_folder(head, inputs, beside);
-    InputFiles files(folder, checking_reader(inputs, folder, reader));
+    const fs::path folder = input_folder(head, inputs, beside, access);
+    InputFiles files(folder, checking_reader(inputs, folder, access.read));
     const auto own = std::find_if(
         inputs.begin(), inputs.end(), [](const InputFile& input) { return input.is_run_file; });
     if (own != inputs.end()) {
@@ -221,8 +223,13 @@ StoredSweep read_result_text(
 }
 
 StoredSweep read_result_sweep(const std::string& path, const std::vector<Override>& overrides) {
-    const fs::path folder = path == "-" ? fs::current_path() : fs::absolute(path).parent_path();
-    return read_result_text(read_file(path), path, folder, read_file, overrides);
+    return read_result_sweep(path, overrides, FileAccess());
+}
+
+StoredSweep read_result_sweep(
+    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access) {
+    const fs::path folder = access.absolute(path).parent_path();
+    return read_result_text(access.read(path), path, folder, access, overrides);
 }
 
 StoredRun read_result_file(const std::string& path, const std::vector<Override>& overrides) {

@@ -15,7 +15,11 @@ namespace quasimc {
     const std::string& text,
     const std::string& name,
     const std::filesystem::path& folder,
-    const InputFiles::Reader& reader = read_file,
+    const FileAccess& access = {},
     const std::vector<Override>& overrides = {});
+
+/// read_result_sweep() of files that are reached otherwise.
+[[nodiscard]] StoredSweep read_result_sweep(
+    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access);
 
 }  // namespace quasimc

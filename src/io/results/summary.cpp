@@ -76,14 +76,24 @@ std::string time_line(const Result& result) {
     if (is_merged(result.rays, result.trace_seconds)) {
         return line("time", fmt::format("traced in parts, {} rays", result.rays));
     }
-    const double all = static_cast<double>(result.paths) * result.replicates;
+    const auto paths = static_cast<double>(result.paths);
+    const double own = paths - result.paths_before;
+    const double all = paths * result.replicates;
+    const double rays_per_path = static_cast<double>(result.rays) / std::max(all, 1.0);
+    if (result.paths > 0 && own <= 0) {
+        return line("time", fmt::format("traced before, {:.3g} rays per path", rays_per_path));
+    }
+    const std::string before =
+        result.paths_before > 0
+            ? fmt::format("; {:.3g} % of the paths were traced before", 100 * (1 - own / paths))
+            : "";
     return line(
         "time", fmt::format(
                     "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
-                    "paths/s, {:.3g} rays per path",
+                    "paths/s, {:.3g} rays per path{}",
                     result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
-                    all / std::max(result.trace_seconds, 1e-9) / 1e6,
-                    static_cast<double>(result.rays) / std::max(all, 1.0)));
+                    own * result.replicates / std::max(result.trace_seconds, 1e-9) / 1e6,
+                    rays_per_path, before));
 }
 
 std::string error_line(const ErrorStatistics& errors) {

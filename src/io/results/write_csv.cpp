@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "io/line_scanner.h"
 #include "io/results/csv_parts.h"
 #include "io/results/series_words.h"
 #include "io/results/written.h"
@@ -37,7 +38,8 @@ std::string light_columns(const RunFile& run) {
     }
     for (const std::string& ratio : run.spec.ratios) {
         out += fmt::format(
-            "# column ratio_{} [1]: of the light that falls on the organ, both sides\n", ratio);
+            "# column ratio_{} [1]: of the light that falls on the organ, both sides\n",
+            one_line(ratio));
     }
     return out;
 }

@@ -37,7 +37,9 @@ std::string field_ply_header(const Scene& scene, std::span<const OrganField> fie
 
 }  // namespace
 
-void write_field_ply(const Scene& scene, std::span<const OrganField> fields, const TextSink& sink) {
+void write_field_ply(const FieldScene& shown, const TextSink& sink) {
+    const Scene& scene = shown.scene;
+    const std::vector<OrganField>& fields = shown.fields;
     constexpr std::uint8_t kCorners = 3;
     sink(field_ply_header(scene, fields));
     const auto triangles = static_cast<std::uint32_t>(scene.triangles().size());

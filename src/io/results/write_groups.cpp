@@ -78,7 +78,8 @@ std::string group_light_comments(const RunFile& run, const WrittenColumns& writt
     }
     for (const std::string& ratio : run.spec.ratios) {
         out += fmt::format(
-            "# column ratio_{} [1]: of the light that falls on the organs, both sides\n", ratio);
+            "# column ratio_{} [1]: of the light that falls on the organs, both sides\n",
+            one_line(ratio));
     }
     for (const FractionEntry& entry : fraction_table()) {
         out += fmt::format(

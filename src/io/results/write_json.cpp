@@ -195,6 +195,7 @@ void JsonWriter::State::write_single_head(const Result& result) {
     constexpr JsonLayout kPretty = JsonLayout::pretty;
     json_method(json_, *run_, result, kPretty);
     json_done(json_, result, kPretty);
+    json_rounds(json_, result, kPretty);
     json_.key("seconds");
     json_.begin_object(kPretty);
     for (const auto& [key, seconds] :
@@ -225,6 +226,7 @@ void JsonWriter::State::write_moment_head(
     json_.text("traced", run_->series->notes[traced].time);
     json_method(json_, *run_, result, kCompact);
     json_done(json_, result, kCompact);
+    json_rounds(json_, result, kCompact);
     json_audit(json_, *run_, result, kCompact);
     json_energy(json_, *run_, result, kCompact);
     json_canopy(json_, *run_, result, kCompact);

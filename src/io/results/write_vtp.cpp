@@ -106,7 +106,9 @@ void write_array(
 
 }  // namespace
 
-void write_vtp(const Scene& scene, std::span<const OrganField> fields, const TextSink& sink) {
+void write_vtp(const FieldScene& shown, const TextSink& sink) {
+    const Scene& scene = shown.scene;
+    const std::vector<OrganField>& fields = shown.fields;
     const std::size_t n = scene.triangles().size();
     const auto organ_of = [&scene](std::size_t triangle) {
         return scene.regions()[scene.region_of(static_cast<std::uint32_t>(triangle)).value]

@@ -47,4 +47,9 @@ inline constexpr int kDeepestNesting = 64;
 /// @throws InputError  where the text is not TOML
 [[nodiscard]] Node read_toml(std::string_view text, const std::string& file);
 
+/// Reads a JSON document; lines are not known.
+/// @param file  its name, for messages
+/// @throws InputError  where the text is not JSON
+[[nodiscard]] Node read_json(std::string_view text, const std::string& file);
+
 }  // namespace quasimc

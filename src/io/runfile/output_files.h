@@ -6,7 +6,7 @@
 namespace quasimc {
 
 /// The keys of [output] that name files.
-inline constexpr std::array<std::string_view, 6> kOutputFiles{
-    "csv", "json", "days", "groups_csv", "groups_days", "picture"};
+inline constexpr std::array<std::string_view, 10> kOutputFiles{
+    "csv", "json", "days", "groups_csv", "groups_days", "picture", "vtp", "ply", "glb", "nc"};
 
 }  // namespace quasimc

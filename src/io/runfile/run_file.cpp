@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <initializer_list>
 #include <limits>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -192,6 +191,15 @@ void check_with_sources(
     check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
 }
 
+/// A sweep is several scenes, or several lights.
+void refuse_sweep(TableReader& top) {
+    if (const Node* sweep = top.any("sweep")) {
+        top.fault_at(
+            *sweep, "[sweep] states several runs", "a scene to work with is one",
+            "run the file with the program, `quasimc run`, or take [sweep] out");
+    }
+}
+
 /// The part of a document that makes the scene.
 SceneBuilder read_builder(
     const Node& document,
@@ -200,6 +208,7 @@ SceneBuilder read_builder(
     Reporter& reporter) {
     TableReader top(document, "", reporter);
     pass_over(top, {"title", "run", "source", "light_file", "output"});
+    refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
     read_materials(top, context, builder);
@@ -259,14 +268,6 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
               "give a run file, which is TOML and names files of geometry and weather; "
               "`quasimc --dump-default` prints one"}});
     }
-}
-
-/// Where a run file is. Paths in what comes through a pipe count from the current folder.
-std::filesystem::path absolute_path(const std::string& path) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    const bool is_stream = path == "-" || path == "/dev/stdin" || fs::is_fifo(path, error);
-    return is_stream ? fs::current_path() / fs::path(path).filename() : fs::absolute(path);
 }
 
 }  // namespace
@@ -361,6 +362,7 @@ LightOfRun read_light_document(
     pass_over(
         top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
               "detector", "output"});
+    refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     Sections sections;
     read_run_options(top, sections.options);
@@ -388,10 +390,15 @@ RunFile read_run_text(
 }
 
 RunSweep read_run_sweep(const std::string& path, const std::vector<Override>& overrides) {
-    const std::string text = read_file(path);
-    const std::filesystem::path absolute = absolute_path(path);
+    return read_run_sweep(path, overrides, FileAccess());
+}
+
+RunSweep read_run_sweep(
+    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access) {
+    const std::string text = access.read(path);
+    const std::filesystem::path absolute = access.absolute(path);
     const std::string name = path == "-" ? "standard input" : path;
-    InputFiles noted(absolute.parent_path());
+    InputFiles noted(absolute.parent_path(), access.read);
     noted.note(path, absolute, text);
     noted.mark_run_file();
     return read_sweep_document(

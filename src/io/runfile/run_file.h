@@ -39,6 +39,10 @@ enum class Darkness { refused, allowed };
     const Scene* base = nullptr,
     Darkness darkness = Darkness::refused);
 
+/// read_run_sweep() of files that are reached otherwise.
+[[nodiscard]] RunSweep read_run_sweep(
+    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access);
+
 /// Puts faults into the order of the file's lines.
 void sort_by_line(std::vector<Fault>& faults, const std::string& file);
 
@@ -52,7 +56,7 @@ void sort_by_line(std::vector<Fault>& faults, const std::string& file);
     const std::vector<Override>& overrides = {});
 
 // For programs that keep a scene and change the light on it, a document is read in two parts. Each
-// passes over the keys of the other, and over [output].
+// passes over the keys of the other, and over [output], and refuses [sweep].
 
 /// What a document says of what light falls on.
 struct SceneOfRun {

@@ -181,43 +181,52 @@ std::string place_words(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
 }
 
+/// Adds what a key states, of the bands in its unit; of others it must state nothing.
+/// @returns  whether it is so
+bool add_flux(
+    TableReader& table,
+    const FluxKey& key,
+    const RunFileContext& context,
+    std::vector<double>& flux) {
+    const auto stated = read_per_band(table, key.key, context.bands, TableReader::kLight);
+    for (std::size_t b = 0; stated && b < flux.size(); ++b) {
+        const Band& band = context.bands[b];
+        if (band.unit != key.of_band && (*stated)[b] != 0) {
+            table.fault_at(
+                key.key, fmt::format("{} for band '{}' in {}", key.key, band.name, band.unit),
+                fmt::format("it is in {}, of irradiance in {}", key.unit, key.of_band),
+                "state the flux of each band in its unit: one number for each band, 0 where it has "
+                "another unit");
+            return false;
+        }
+        flux[b] += (*stated)[b];
+    }
+    return stated.has_value();
+}
+
 }  // namespace
 
 std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
-    const FluxKey* stated = nullptr;
-    std::optional<std::vector<double>> flux;
+    std::vector<double> flux(context.bands.size());
+    bool is_stated = false;
+    bool is_good = true;
     for (const FluxKey& key : kFluxKeys) {
-        if (table.any(key.key) == nullptr) {
-            continue;
+        if (table.any(key.key) != nullptr) {
+            is_stated = true;
+            is_good = add_flux(table, key, context, flux) && is_good;
         }
-        if (stated != nullptr) {
-            table.fault(fmt::format("both {} and {} are given", stated->key, key.key));
-            return std::nullopt;
-        }
-        stated = &key;
-        flux = read_per_band(table, key.key, context.bands, TableReader::kLight);
     }
-    if (stated == nullptr) {
+    if (!is_stated) {
         table.fault(
             "what it emits is missing", "",
             "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");
         return std::nullopt;
     }
-    for (const Band& band : context.bands) {
-        if (band.unit != stated->of_band) {
-            table.fault_at(
-                stated->key,
-                fmt::format("{} for band '{}' in {}", stated->key, band.name, band.unit),
-                fmt::format("it is in {}, of irradiance in {}", stated->unit, stated->of_band),
-                "state the flux in the unit of the bands");
-            return std::nullopt;
-        }
-    }
-    const std::optional<double> square = square_metres(table, context);
-    if (!flux || !square) {
+    const std::optional<double> square = is_good ? square_metres(table, context) : std::nullopt;
+    if (!square) {
         return std::nullopt;
     }
-    for (double& value : *flux) {
+    for (double& value : flux) {
         value /= *square;
     }
     return flux;

@@ -91,12 +91,16 @@ SideKeys read_side(TableReader& table, const RunFileContext& context) {
     static const LobeKeyNames transmission = names_of("transmittance", "transmission");
     SideKeys keys{
         read_lobe(table, reflection, context.bands), read_lobe(table, transmission, context.bands)};
-    if (auto optics = read_spectral_optics(table, context)) {
-        if (keys.reflection.amount || keys.transmission.amount) {
-            table.fault("both a spectrum and values are given", "", "use one of them");
+    for (auto* read : {read_spectral_optics, read_usual_optics}) {
+        if (auto optics = read(table, context)) {
+            if (keys.reflection.amount || keys.transmission.amount) {
+                table.fault(
+                    "its optics are stated twice", "",
+                    "use one of spectrum, optics, and reflectance with transmittance");
+            }
+            keys.reflection.amount = std::move(optics->reflectance);
+            keys.transmission.amount = std::move(optics->transmittance);
         }
-        keys.reflection.amount = std::move(optics->reflectance);
-        keys.transmission.amount = std::move(optics->transmittance);
     }
     return keys;
 }

@@ -37,14 +37,18 @@ std::size_t triangle_count(const MeshFile& mesh) {
 
 /// Reads the file; nothing after a fault.
 std::optional<MeshFile> read_bytes(
-    TableReader& table, const std::string& file, const FormatEntry& format, InputFiles& files) {
+    TableReader& table,
+    const std::string& file,
+    const FormatEntry& format,
+    const RunFileContext& context) {
     Reporter reporter{file, {}, {}};
     MeshFile mesh;
     try {
-        const std::string bytes = files.read(file);
+        const std::string bytes = context.files->read(file);
         const std::size_t slash = file.rfind('/');
         FormatContext inner{
-            reporter, files, slash == std::string::npos ? "" : file.substr(0, slash + 1)};
+            reporter, *context.files, slash == std::string::npos ? "" : file.substr(0, slash + 1),
+            context.orientation.up(), context.length_unit};
         mesh = format.read(bytes, inner);
     } catch (const InputError& error) {
         table.fault_at(
@@ -69,7 +73,7 @@ std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& con
     if (!file || format == nullptr) {
         return std::nullopt;
     }
-    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, *context.files);
+    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, context);
     return mesh ? std::optional<NamedMesh>({*file, format, std::move(*mesh)}) : std::nullopt;
 }
 

@@ -141,6 +141,10 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
     output.groups_csv = paths["groups_csv"];
     output.groups_days = paths["groups_days"];
     output.picture = paths["picture"];
+    output.vtp = paths["vtp"];
+    output.ply = paths["ply"];
+    output.glb = paths["glb"];
+    output.nc = paths["nc"];
     check_apart(table, paths);
     read_choice(table, bands, output);
     refuse_groups(table);

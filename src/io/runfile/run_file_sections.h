@@ -120,6 +120,11 @@ struct SpectralOptics {
 [[nodiscard]] std::optional<SpectralOptics> read_spectral_optics(
     TableReader& table, const RunFileContext& context);
 
+// run_file_usual_optics.cpp
+/// By `optics`, `soil_color` and `water_content`; nothing if they are absent, or after a fault.
+[[nodiscard]] std::optional<SpectralOptics> read_usual_optics(
+    TableReader& table, const RunFileContext& context);
+
 // run_file_time.cpp
 /// [time]: the moments of the run, each with the sources of the file that are on and its own
 /// daylight. Nothing if there is none, or after a fault.

@@ -60,8 +60,12 @@ TimeSeries SeriesBuilder::finish() {
     series_.collapse = rules_.collapse;
     warn(
         direct_too_large_,
-        "times have more direct light than light in all, by a tenth at "
-        "most: it counts as direct");
+        "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
+        "counts as direct");
+    warn(
+        diffuse_too_large_,
+        "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
+        "counts as diffuse");
     warn(
         sun_too_low_,
         "times have direct light with the sun too low for it: it counts as "
@@ -142,7 +146,9 @@ void SeriesBuilder::note(ReadingNote note, const Interval& interval) {
     if (note == ReadingNote::none) {
         return;
     }
-    Noted& noted = note == ReadingNote::sun_too_low ? sun_too_low_ : direct_too_large_;
+    Noted& noted = note == ReadingNote::sun_too_low               ? sun_too_low_
+                   : note == ReadingNote::more_direct_than_global ? direct_too_large_
+                                                                  : diffuse_too_large_;
     noted.first = noted.count++ == 0 ? interval.place : noted.first;
 }
 
@@ -189,7 +195,13 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
                 {interval.place, fmt::format("the light at {} is not known", time), "",
                  "give global, or diffuse with direct_horizontal or beam_normal"});
             break;
-        case ReadingFault::direct_exceeds_global:
+        case ReadingFault::negative:
+            reporter_.faults.add(
+                {interval.place, fmt::format("the light at {} is below zero", time),
+                 "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
+                 "state what stands for missing values: missing_values = [\"-99\"]"});
+            break;
+        case ReadingFault::part_exceeds_global:
             reporter_.faults.add(
                 {interval.place,
                  fmt::format("at {} there is more direct or diffuse light than global", time),

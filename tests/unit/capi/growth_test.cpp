@@ -79,5 +79,51 @@ TEST(CGrowth, OrgansThatAreNotThereAreRefused) {
         QUASIMC_MISUSE);
 }
 
+/// Two leaves in one call.
+int give_two(
+    quasimc_growth& growth, GiveMesh how, const SquareLeaf& first, const SquareLeaf& second) {
+    std::vector<double> vertices = first.vertices;
+    vertices.insert(vertices.end(), second.vertices.begin(), second.vertices.end());
+    const std::vector<std::int32_t> faces{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    std::vector<std::int64_t> organs = first.organ;
+    organs.insert(organs.end(), second.organ.begin(), second.organ.end());
+    return how(&growth, vertices.data(), 8, faces.data(), 4, organs.data(), "leaf", nullptr);
+}
+
+TEST(CGrowth, ACallChangesAllOrNothing) {
+    const SceneHandle scene = small_canopy(1);
+    const GrowthHandle growth = new_growth(*scene);
+    ASSERT_EQ(give(*growth, &quasimc_growth_add_mesh, square_leaf(2)), QUASIMC_DONE);
+    const auto before = column(*step(*growth), "absorbed_flux", "PAR");
+    EXPECT_EQ(
+        give_two(*growth, &quasimc_growth_change_mesh, square_leaf(2, 1.5), square_leaf(9)),
+        QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(
+        give_two(*growth, &quasimc_growth_add_mesh, square_leaf(3), square_leaf(2)),
+        QUASIMC_INPUT_ERROR);
+    // Organ 1 is of the scene.
+    EXPECT_EQ(
+        give_two(*growth, &quasimc_growth_add_mesh, square_leaf(3), square_leaf(1)),
+        QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(quasimc_growth_remove(growth.get(), 1), QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(column(*step(*growth), "absorbed_flux", "PAR"), before);
+}
+
+TEST(CGrowth, AStepTellsTheWarningsOfASingleRun) {
+    const SceneHandle scene = lit_soil();
+    const GrowthHandle growth = new_growth(*scene);
+    SquareLeaf below = square_leaf(1);
+    for (std::size_t i = 2; i < below.vertices.size(); i += 3) {
+        below.vertices[i] -= 1;
+    }
+    ASSERT_EQ(give(*growth, &quasimc_growth_add_mesh, below), QUASIMC_DONE);
+    ASSERT_EQ(add_leaf(*scene, below), QUASIMC_DONE);
+    const ResultHandle alone = run(*scene);
+    const ResultHandle result = step(*growth);
+    ASSERT_EQ(quasimc_result_warning_count(result.get()), 1);
+    ASSERT_EQ(quasimc_result_warning_count(alone.get()), 1);
+    EXPECT_STREQ(quasimc_result_warning(result.get(), 0), quasimc_result_warning(alone.get(), 0));
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdint>
 #include <string>
 #include <thread>
 
@@ -54,6 +56,44 @@ TEST(CMisuse, WhatIsNotThereIsRefused) {
     EXPECT_EQ(quasimc_result_get_number(result.get(), "luck", &number), QUASIMC_MISUSE);
     EXPECT_EQ(quasimc_result_text(result.get(), "poem"), nullptr);
     EXPECT_EQ(quasimc_result_get_budget(result.get(), "lost", "PAR", values), QUASIMC_MISUSE);
+}
+
+TEST(CMisuse, CountsThatCannotBeAreRefused) {
+    const SceneHandle scene = small_canopy(1);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    const double numbers[] = {0.1, 0.2};
+    for (const std::int64_t count : {std::int64_t{-1}, std::int64_t{0}, INT64_MIN, INT64_MAX}) {
+        quasimc_scene* s = scene.get();
+        const std::array status{
+            quasimc_scene_add_material(s, "x", numbers, nullptr, count),
+            quasimc_scene_add_material(s, "x", nullptr, numbers, count),
+            quasimc_scene_add_directional(s, 0, 0, -1, numbers, count),
+            quasimc_scene_add_sun(s, 0, 50, numbers, count),
+            quasimc_scene_add_sun_at(s, "2024-06-21T12:00:00Z", numbers, count),
+            quasimc_scene_add_sky(s, "uniform", numbers, count),
+            quasimc_scene_add_point_lamp(s, 0, 0, 9, numbers, count)};
+        for (const int one : status) {
+            EXPECT_EQ(one, QUASIMC_MISUSE) << count;
+        }
+        const SquareLeaf leaf = square_leaf(2);
+        const auto add = [&](std::int64_t vertices, std::int64_t faces) {
+            return quasimc_scene_add_mesh(
+                s, leaf.vertices.data(), vertices, leaf.faces.data(), faces, leaf.organ.data(),
+                "leaf", nullptr);
+        };
+        EXPECT_EQ(add(count, 2), QUASIMC_INPUT_ERROR) << count;
+        EXPECT_EQ(add(4, count), QUASIMC_INPUT_ERROR) << count;
+        const ResultHandle result = run(*scene);
+        double values[2];
+        EXPECT_EQ(
+            quasimc_result_get(result.get(), "absorbed_flux", "PAR", "mean", values, count),
+            QUASIMC_MISUSE);
+        EXPECT_EQ(
+            quasimc_result_get_groups(result.get(), "absorbed_flux", "PAR", "mean", values, count),
+            QUASIMC_MISUSE);
+    }
+    EXPECT_EQ(quasimc_scene_add_material(scene.get(), "x", nullptr, nullptr, 2), QUASIMC_MISUSE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
 }
 
 TEST(CMisuse, AMissingFileIsAnInputError) {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -137,6 +138,61 @@ TEST(CStatements, SeveralTimesAreRefused) {
     quasimc_result* result = nullptr;
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
     EXPECT_TRUE(error_tells("a run is of one moment")) << quasimc_last_error();
+}
+
+TEST(CStatements, AMaterialOfTheSameNameReplacesTheOther) {
+    const SceneHandle scene = small_canopy(2);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    const double rho[] = {0.5, 0.5}, tau[] = {0.4, 0.4};
+    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "leaf", rho, tau, 2), QUASIMC_DONE);
+    const auto bright = column(*run(*scene), "absorbed_flux", "PAR");
+    EXPECT_LT(bright[0], 0.5 * before[0]);
+    const double leaf_rho[] = {0.08, 0.45}, leaf_tau[] = {0.06, 0.45};
+    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "leaf", leaf_rho, leaf_tau, 2), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+}
+
+bool is_refused(quasimc_scene& scene) {
+    quasimc_result* result = nullptr;
+    const int status = quasimc_scene_run(&scene, nullptr, nullptr, &result);
+    return status == QUASIMC_INPUT_ERROR && result == nullptr;
+}
+
+TEST(CStatements, WhatARunRefusesIsTakenBack) {
+    const SceneHandle scene = small_canopy(1);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    const double light[] = {std::nan(""), 50}, sky[] = {80, 20}, sun[] = {400, 380};
+    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "uniform", light, 2), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), "source"), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_sun(scene.get(), 135, 50, sun, 2), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "cie_overcast", sky, 2), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+
+    ASSERT_EQ(quasimc_scene_state(scene.get(), "colour = 3\n[sweep]\n"), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    EXPECT_TRUE(error_tells("unknown key 'colour'")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("[sweep] states several runs")) << quasimc_last_error();
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), "colour"), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), "sweep"), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+
+    SquareLeaf far = square_leaf(2);
+    far.vertices[0] = std::nan("");
+    ASSERT_EQ(add_leaf(*scene, far), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), "organ"), QUASIMC_DONE);
+    ASSERT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+    EXPECT_EQ(quasimc_scene_clear(scene.get(), "geometry"), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("nothing was stated under this key")) << quasimc_last_error();
+}
+
+TEST(CStatements, ALabelWithoutAValueKeepsTheFormer) {
+    const SceneHandle scene = small_canopy(1);
+    ASSERT_EQ(quasimc_scene_set_label(scene.get(), 1, "plant", "3"), QUASIMC_DONE);
+    EXPECT_EQ(quasimc_scene_set_label(scene.get(), 1, "plant", nullptr), QUASIMC_MISUSE);
+    EXPECT_STREQ(quasimc_result_organ_label(run(*scene).get(), 0, "plant"), "3");
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ TEST(Arguments, TakeEveryWordWithHForTheHost) {
     EXPECT_EQ(parse({"-h", "there", "s"}).host, "there");
 }
 
+TEST(Arguments, MayAskForThePage) {
+    EXPECT_TRUE(parse({"-e", "comm.e", "--view", "light.qmc"}).view);
+    EXPECT_FALSE(parse({"light.qmc"}).view);
+}
+
 TEST(Arguments, ThatCantBeUnderstoodAreRefused) {
     const std::vector<std::vector<const char*>> all{
         {"-k"}, {"-k", "many"}, {"one", "two"}, {"-x", "spec"}, {"-C", "-m"}, {"--spec", "qq"}};

@@ -111,6 +111,17 @@ TEST(Specification, ReadsWhatIsNew) {
     EXPECT_TRUE(spec.cylinder_takes_diameter);
 }
 
+TEST(Specification, SaysWhetherStepsAreShown) {
+    KeptNotices kept;
+    EXPECT_FALSE(specification("", kept).view_port);
+    EXPECT_EQ(specification("view: yes\n", kept).view_port, 0);
+    EXPECT_EQ(specification("View: yes 8080\n", kept).view_port, 8080);
+    EXPECT_FALSE(specification("view: yes\nview: no\n", kept).view_port);
+    for (const char* bad : {"view: maybe\n", "view: yes 65536\n", "view: yes 80.5\n", "view:\n"}) {
+        EXPECT_NE(faults_of(bad).find("light.qmc:1"), std::string::npos) << bad;
+    }
+}
+
 TEST(Specification, MayStateTheBandsAfterWhatNeedsThem) {
     KeptNotices kept;
     const Specification spec = specification(

@@ -115,6 +115,9 @@ TEST(ItemBuffer, AgreesWithRays) {
             EXPECT_GT(u, -1e-6);
             EXPECT_GT(v, -1e-6);
             EXPECT_LT(u + v, 1 + 1e-6);
+            const Point2 same = buffer.places(run.id).of(i);
+            EXPECT_NEAR(same.s, u, 1e-6);
+            EXPECT_NEAR(same.t, v, 1e-6);
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
             ++looks;
             agreed += engine->closest(ray).triangle == triangle ? 1 : 0;

@@ -88,8 +88,8 @@ TEST(Patches, CutALineWhereItPassesFromOneToTheNext) {
         std::vector<double> shares(64);
         double sum = 0;
         for (const Patches::Stretch& stretch : stretches) {
-            shares.at(stretch.part) += stretch.share;
-            sum += stretch.share;
+            shares.at(stretch.part) += stretch.share();
+            sum += stretch.share();
         }
         EXPECT_NEAR(sum, 1, 1e-12);
         for (int k = 0; k < kPoints; ++k) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/little_endian.h"
+#include "io/runfile/document.h"
 #include "io_testing.h"
 
 namespace quasimc::test {
@@ -27,8 +29,13 @@ const std::vector<OrganField> kFields{
 
 std::string field_bytes(const char* path) {
     std::string bytes;
+    const RunFile run = field_run();
     field_format_of_path(path)->write(
-        field_run().scene, kFields, [&](std::string_view piece) { bytes += piece; });
+        {.scene = run.scene,
+         .fields = kFields,
+         .colors = {{255, 0, 128}, {200, 200, 200}},
+         .colors_of = "light"},
+        [&](std::string_view piece) { bytes += piece; });
     return bytes;
 }
 
@@ -76,6 +83,50 @@ TEST(FieldFormats, PlyIsReadBackWithItsOrgans) {
     EXPECT_EQ(read.mesh.groups[0].id, 12345678901);
     EXPECT_EQ(triangles_of(read.mesh).size(), 3U);
     EXPECT_EQ(field_format_of_path("a.txt"), nullptr);
+}
+
+/// The part of a GLB file that an accessor names, as numbers.
+template <typename T>
+std::vector<T> glb_numbers(const std::string& bytes, const char* attribute) {
+    const std::size_t json_size = little_endian_at<std::uint32_t>(bytes, 12);
+    const Node json = read_json(bytes.substr(20, json_size), "file");
+    const Node& primitive = json.find("meshes")->as<Node::List>()->front();
+    const Node& attributes =
+        *primitive.find("primitives")->as<Node::List>()->front().find("attributes");
+    const auto whole = [](const Node& node, const char* key) {
+        return static_cast<std::size_t>(*node.find(key)->as<std::int64_t>());
+    };
+    const Node& accessor =
+        (*json.find("accessors")->as<Node::List>())[whole(attributes, attribute)];
+    const Node& view = (*json.find("bufferViews")->as<Node::List>())[whole(accessor, "bufferView")];
+    const std::size_t first = 20 + json_size + 8 + whole(view, "byteOffset");
+    std::vector<T> numbers;
+    for (std::size_t at = 0; at < whole(view, "byteLength"); at += sizeof(T)) {
+        numbers.push_back(little_endian_at<T>(bytes, first + at));
+    }
+    return numbers;
+}
+
+TEST(FieldFormats, GlbHasNumbersAndColoursOfEachVertex) {
+    const std::string bytes = field_bytes("a.glb");
+    // Two triangles of an organ share two vertices; two organs share none.
+    EXPECT_EQ(
+        glb_numbers<float>(bytes, "_ABSORBED_FLUX_PAR"),
+        (std::vector<float>{0.1F, 0.1F, 0.1F, 0.1F, 2.5F, 2.5F, 2.5F}));
+    EXPECT_EQ(glb_numbers<float>(bytes, "_SUNLIT_FRACTION").back(), -1) << "glTF has no NaN";
+    EXPECT_EQ(glb_numbers<float>(bytes, "_ORGAN").back(), 1);
+    const auto colors = glb_numbers<std::uint16_t>(bytes, "COLOR_0");
+    ASSERT_EQ(colors.size(), 28U);
+    EXPECT_EQ(colors[0], 65535);
+    EXPECT_EQ(colors[1], 0);
+    EXPECT_NEAR(colors[2], 0.2158605 * 65535, 1)
+        << "half of the way on a screen is a fifth of light";
+    EXPECT_EQ(colors[3], 65535);
+    EXPECT_NE(bytes.find("\"_ABSORBED_FLUX_PAR\":\"W\""), std::string::npos);
+    EXPECT_NE(bytes.find("{\"id\":12345678901,\"name\":\"a <leaf>\"}"), std::string::npos);
+    const ReadMesh read = read_mesh_text("glb", bytes);
+    EXPECT_EQ(read.faults, std::vector<std::string>{});
+    EXPECT_DOUBLE_EQ(area(triangles_of(read.mesh)), 1.5);
 }
 
 }  // namespace

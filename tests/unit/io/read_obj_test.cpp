@@ -61,6 +61,7 @@ TEST(ReadObj, LinesGoOnAfterABackslash) {
     const ReadMesh read = read_mesh_text("obj", kSquare + "f 1 \\\n 2 \\\r\n 3\n");
     EXPECT_TRUE(read.faults.empty());
     EXPECT_EQ(triangles_of(read.mesh).size(), 1U);
+    EXPECT_EQ(triangles_of(read_mesh_text("obj", kSquare + "f 1 2 3 \\").mesh).size(), 1U);
 }
 
 TEST(ReadObj, ReportsEveryBadStatement) {

@@ -111,7 +111,7 @@ TEST(Ies, IsMirroredAsItsAnglesSay) {
     EXPECT_NEAR(at(60), at(300), 1e-12);
     EXPECT_GT(at(120), at(60));
     web.horizontal_deg = {0, 180, 360};
-    EXPECT_GT(at(300), at(60));
+    EXPECT_GT(at(60), at(300));  // azimuths of files count the other way about the aim
 }
 
 TEST(Ies, RefusesWhatItCantRead) {
@@ -176,11 +176,27 @@ TEST(RunFileLamps, FluxGoesWithTheUnitOfLength) {
         mentions(faults_of(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cubit'\n")), "cubit"));
 }
 
+TEST(RunFileLamps, EmitInTheUnitOfEachBand) {
+    const std::string bands =
+        "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n[[band]]\nname = 'NIR'\nunit = 'W m-2'\n";
+    const std::string point = "type = 'point'\nposition = [0, 0, 3]\n";
+    const auto spectrum = [&](const std::string& keys) {
+        const RunFile run = read_text(with_lamp(point + keys, bands));
+        const auto spectrum = run.sources.at(0)->spectrum();
+        return std::vector<double>(spectrum.begin(), spectrum.end());
+    };
+    EXPECT_EQ(spectrum("photon_flux = [100, 0]\npower = [0, 7]\n"), (std::vector<double>{100, 7}));
+    EXPECT_EQ(spectrum("photon_flux = [100, 0]\n"), (std::vector<double>{100, 0}));
+    EXPECT_TRUE(
+        mentions(faults_of(with_lamp(point + "power = [1, 7]\n", bands)), "power for band 'PAR'"));
+}
+
 TEST(RunFileLamps, SayWhatIsWrong) {
     const std::string point = "type = 'point'\nposition = [0, 0, 3]\n";
     EXPECT_TRUE(mentions(faults_of(with_lamp(point)), "what it emits is missing"));
-    EXPECT_TRUE(
-        mentions(faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")), "both power and"));
+    EXPECT_TRUE(mentions(
+        faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")),
+        "photon_flux for band 'PAR' in W m-2"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp(point + "photon_flux = 2\n")), "of irradiance in umol m-2 s-1"));
     EXPECT_TRUE(mentions(faults_of(with_lamp(point + "power = 2\nradius = 1\n")), "radius"));

@@ -81,11 +81,45 @@ TEST(RunFileSpectrum, TellsFaults) {
     expect(
         {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",
         "has 400 to 450 nm, band 'blue' 400 to 500");
-    expect(kLeaf, "reflectance = 0.1\n", "both a spectrum and values are given");
+    expect(kLeaf, "reflectance = 0.1\n", "its optics are stated twice");
     expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light is 'moon'");
     RunText text = spectrum_text();
     text.top = "bands = ['odd']\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), kLeaf), "the wavelengths of band 'odd'"));
+}
+
+RunText usual_text(const std::string& keys) {
+    RunText text;
+    text.top = "bands = ['PAR', 'NIR']\n";
+    text.materials = "[[material]]\nname = 'leaf'\n" + keys;
+    return text;
+}
+
+/// CLM 5.0, tables of plant functional types and of soils.
+TEST(RunFileOptics, AreThoseOfTheRegionOfEachBand) {
+    const RunFile grass = read_text(usual_text("optics = 'grass_leaf'\n").text());
+    EXPECT_EQ(optics_of_band(grass, 0), (std::pair{.11, .05}));
+    EXPECT_EQ(optics_of_band(grass, 1), (std::pair{.35, .34}));
+    const auto soil = [](const std::string& keys) {
+        const RunFile run = read_text(usual_text("optics = 'soil'\n" + keys).text());
+        return std::pair{optics_of_band(run, 0).first, optics_of_band(run, 1).first};
+    };
+    EXPECT_EQ(soil("soil_color = 20\n"), (std::pair{.08, .16}));  // .04 + .11 is more than dry
+    EXPECT_EQ(soil("soil_color = 1\nwater_content = 0.5\n"), (std::pair{.25, .50}));
+    EXPECT_NEAR(soil("soil_color = 10\nwater_content = 0.2\n").first, .14 + .03, 1e-15);
+}
+
+TEST(RunFileOptics, TellFaults) {
+    const auto expect = [](const std::string& keys, const char* part) {
+        EXPECT_TRUE(mentions(faults_of(usual_text(keys).text()), part)) << part;
+    };
+    expect("optics = 'gras_leaf'\n", "did you mean 'grass_leaf'");
+    expect("optics = 'grass_leaf'\nreflectance = 0.1\n", "its optics are stated twice");
+    expect("optics = 'soil'\n", "soil_color");
+    expect("optics = 'soil'\nsoil_color = 21\n", "soil_color");
+    RunText text = usual_text("optics = 'broad_leaf'\n");
+    text.top = "[[band]]\nname = 'all'\nfrom_nm = 400\nto_nm = 1000\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "below and above 700 nm"));
 }
 
 }  // namespace

@@ -117,6 +117,24 @@ TEST(WriteCsv, EveryLineBeforeTheHeaderIsAComment) {
     }
 }
 
+TEST(WriteCsv, KeepsEachCommentOnALineWhateverThingsAreCalled) {
+    RunText text;
+    text.top = "bands = ['R', 'FR']\nirradiance_unit = \"W\\nm-2\"\n";
+    text.run = "[run]\ngroups = [\"a\\n= 1\"]\nratios = ['R:FR']\n";
+    text.organs =
+        "[[organ]]\nname = \"b\\nc = 1\"\nlabels = { \"a\\n= 1\" = \"=\\n1\" }\nmaterial = 'leaf'\n"
+        "shape = 'triangle'\ncorners = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]\n";
+    std::string csv;
+    write_csv(
+        read_text(text.text()), small_result(), [&](std::string_view piece) { csv += piece; });
+    const std::string header = "\nid,name,\"a\n= 1\",area,";
+    ASSERT_NE(csv.find(header), std::string::npos) << csv;
+    for (const std::string& line : lines_of(csv.substr(0, csv.find(header)))) {
+        EXPECT_TRUE(line.starts_with('#')) << line;
+    }
+    EXPECT_NE(csv.find("\n1,\"b\nc = 1\",\"=\n1\",0.5,"), std::string::npos) << csv;
+}
+
 nlohmann::ordered_json json_of(const RunFile& run, const Result& result) {
     std::string text;
     write_json(run, result, [&](std::string_view piece) { text += piece; });

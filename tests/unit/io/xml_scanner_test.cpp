@@ -38,5 +38,16 @@ TEST(XmlText, ReplacesEntities) {
     EXPECT_EQ(xml_text(" \n&lt;a&gt; &amp;lt; &quot;&apos; &x;"), "<a> &lt; \"' &x;");
 }
 
+TEST(XmlScanner, TellsWhereTagsStand) {
+    const std::string text = "\xEF\xBB\xBF<a>x <!-- <c> --><b k=\"1\"/></a>";
+    const std::string plain = text.substr(3);
+    XmlScanner scanner(text);
+    std::vector<std::string> tags;
+    for (auto kind = scanner.next(); kind != XmlScanner::Kind::end; kind = scanner.next()) {
+        tags.push_back(plain.substr(scanner.tag_begin(), scanner.tag_end() - scanner.tag_begin()));
+    }
+    EXPECT_EQ(tags, (std::vector<std::string>{"<a>", "<b k=\"1\"/>", "", "</a>"}));
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -136,5 +136,75 @@ TEST_F(GrowthSessionTest, GoesOnAfterAFaultyStep) {
     EXPECT_TRUE(have_same_bits(run(), run_alone({growing_leaf(1, 0), growing_leaf(2, 0)})));
 }
 
+TEST_F(GrowthSessionTest, ChangesAllOrNone) {
+    const std::vector<OrganSpec> before{growing_leaf(1, 0), growing_leaf(2, 0)};
+    session_.add(before);
+    EXPECT_THROW(session_.change({growing_leaf(1, 50), growing_leaf(9, 0)}), InputError);
+    EXPECT_THROW(session_.change({growing_leaf(1, 50), growing_leaf(1, 60)}), InputError);
+    EXPECT_THROW(session_.remove(std::array<std::int64_t, 2>{1, 9}), InputError);
+    EXPECT_THROW(session_.remove(std::array<std::int64_t, 2>{1, 1}), InputError);
+    EXPECT_THROW(session_.add({growing_leaf(3, 0), growing_leaf(2, 0)}), InputError);
+    EXPECT_THROW(session_.add({growing_leaf(3, 0), growing_leaf(3, 0)}), InputError);
+    EXPECT_EQ(session_.size(), 2U);
+    EXPECT_TRUE(have_same_bits(run(), run_alone(before)));
+    session_.change({growing_leaf(2, 30), growing_leaf(1, 20)});
+    EXPECT_TRUE(have_same_bits(run(), run_alone({growing_leaf(1, 20), growing_leaf(2, 30)})));
+}
+
+TEST_F(GrowthSessionTest, TellsAllFaultsOfAListAtOnce) {
+    session_.add(growing_leaf(1, 0));
+    try {
+        session_.remove(std::array<std::int64_t, 4>{5, 1, 6, 1});
+        FAIL() << "organs were removed that are not there";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.faults().size(), 3U);
+    }
+}
+
+TEST(GrowthSession, KeepsIdsApartFromThoseOfItsFrame) {
+    SceneBuilder frame = growth_frame();
+    frame.add_organ(growing_leaf(5, 0));
+    OrganSpec unnumbered = growing_leaf(0, 40);
+    unnumbered.id.reset();
+    frame.add_organ(unnumbered);
+    EXPECT_EQ(frame.organ_ids(), (std::vector<std::int64_t>{5, 6}));
+    GrowthSession session(frame);
+    EXPECT_EQ(session.add(unnumbered), 7);
+    EXPECT_THROW(session.add(growing_leaf(5, 0)), InputError);
+    EXPECT_THROW(session.add(growing_leaf(6, 0)), InputError);
+    EXPECT_THROW(session.change(growing_leaf(5, 1)), InputError);
+    EXPECT_THROW(session.remove(6), InputError);
+    EXPECT_FALSE(session.has(5));
+    EXPECT_EQ(session.size(), 1U);
+    EXPECT_EQ(session.scene()->organs().size(), 4U);
+
+    SceneBuilder other = growth_frame();
+    other.add_organ(growing_leaf(7, 0));
+    EXPECT_THROW(session.set_frame(other), InputError);
+    EXPECT_EQ(session.scene()->organs().front().id, 5);
+    other = growth_frame();
+    other.add_organ(growing_leaf(20, 0));
+    session.set_frame(other);
+    EXPECT_EQ(session.add(growing_leaf(5, 0)), 5);
+    EXPECT_EQ(session.add(unnumbered), 21);
+}
+
+TEST_F(GrowthSessionTest, WarnsOfWhatLintFinds) {
+    session_.add(growing_leaf(1, 0));
+    EXPECT_TRUE(session_.warnings().empty());
+    OrganSpec twin = growing_leaf(1, 0);
+    twin.id = 2;
+    session_.add(twin);
+    const std::vector<Warning> expected = lint(*session_.scene());
+    ASSERT_EQ(expected.size(), 1U);
+    EXPECT_EQ(session_.warnings().front().text, expected.front().text);
+    session_.remove(2);
+    EXPECT_TRUE(session_.warnings().empty());
+    EXPECT_EQ(
+        session_.scene_builds(), 3U);  // warnings() builds the scene of the step, run() no other
+    static_cast<void>(run());
+    EXPECT_EQ(session_.scene_builds(), 3U);
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -147,6 +147,10 @@ TEST(Planner, LooksForLampsThatStandApartFromDarkLeaves) {
     EXPECT_EQ(planned(.5, .1, 1 << 14), Method::light_tracing);
     EXPECT_EQ(planned(3, .4, 1 << 14), Method::light_tracing);
     EXPECT_EQ(planned(3, .1, 1 << 10), Method::light_tracing);
+    // Above the box, about which the sphere would hold it; next to its top, much of which it lights
+    // more brightly than the rest.
+    EXPECT_EQ(planned(1.3, .1, 1 << 14), Method::from_organs);
+    EXPECT_EQ(planned(1.1, .1, 1 << 14), Method::light_tracing);
 }
 
 TEST(Planner, NeverTracesRepeatedLampsFromTheOrgans) {

@@ -139,6 +139,7 @@ TEST(PreparedScene, KnowsWhatItsMaterialsAskFor) {
     EXPECT_FALSE(shiny.prepared.has_transparent());
     const Staged watched(make_layer(1, {organ("s", "sensor", place)}), light);
     EXPECT_TRUE(watched.prepared.has_transparent());
+    EXPECT_FALSE(watched.prepared.has_sharp());
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "samplers/catalogue.h"
+#include "solvers/catalogue.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -25,6 +27,7 @@ struct KeptStates {
     RunCheckpoint hooks() {
         RunCheckpoint hooks;
         hooks.state_of = [this](std::size_t) { return std::exchange(from, std::nullopt); };
+        hooks.has_state = [this](std::size_t) { return from.has_value(); };
         hooks.is_due = [] { return true; };
         hooks.save = [this](std::size_t, const RunSnapshot& s) { saved.push_back(save_state(s)); };
         hooks.finish = [this](std::size_t, const RunSnapshot& s) { finished = save_state(s); };
@@ -83,7 +86,13 @@ TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
         for (std::size_t i = 0; i < first.saved.size(); i += step) {
             KeptStates later;
             later.from = load_state(first.saved[i]);
-            expect_equal_runs(run_kept(spec, later, static_cast<unsigned>(1 + i % 3)), whole);
+            const Result resumed = run_kept(spec, later, static_cast<unsigned>(1 + i % 3));
+            expect_equal_runs(resumed, whole);
+            // Each pause comes after a task more.
+            const auto tasks = static_cast<double>(first.saved.size());
+            const double expected = static_cast<double>((i + 1) * whole.paths) / tasks;
+            EXPECT_NEAR(
+                resumed.paths_before, expected, 2 * static_cast<double>(whole.paths) / tasks);
             // Nothing that was done is done again.
             if (i % 3 == 0) {
                 EXPECT_EQ(later.saved.size(), first.saved.size() - i - 1);
@@ -101,7 +110,10 @@ TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
     ASSERT_EQ(whole.stop, StopReason::target_reached);
     KeptStates again;
     again.from = load_state(first.finished);
-    expect_equal_runs(run_kept(spec, again), whole);
+    const Result there = run_kept(spec, again);
+    expect_equal_runs(there, whole);
+    EXPECT_EQ(there.paths_before, static_cast<double>(whole.paths));
+    EXPECT_EQ(whole.paths_before, 0);
     EXPECT_TRUE(again.saved.empty());
     EXPECT_EQ(again.finished, first.finished);
 
@@ -111,8 +123,74 @@ TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
     later.from = load_state(first.finished);
     const Result exact = run_kept(spec, later);
     EXPECT_EQ(exact.paths, spec.max_paths);
+    EXPECT_EQ(exact.paths_before, static_cast<double>(whole.paths));
     EXPECT_EQ(exact.stop, StopReason::path_limit);
     expect_equal_runs(exact, run(kept_scene(), kept_lights(), spec));
+}
+
+TEST_P(RunStates, BecomeRunsOfMorePathsWhereTheBitsAreTheSame) {
+    RunSpec few = spec();
+    few.paths = 1U << 14U;
+    RunSpec many = few;
+    many.paths *= 4;
+    const bool adds_up = find_solver(GetParam())->do_rounds_add_up != nullptr;
+    EXPECT_EQ(adds_up, GetParam() != Method::first_hits);
+    for (const SamplerEntry& sampler : sampler_catalogue()) {
+        few.sampler = many.sampler = sampler.name;
+        const bool can = adds_up && sampler.is_sequence;
+        KeptStates first;
+        static_cast<void>(run_kept(few, first));
+        KeptStates later;
+        later.from = load_state(first.finished);
+        if (can) {
+            expect_equal_runs(run_kept(many, later), run(kept_scene(), kept_lights(), many));
+        } else {
+            EXPECT_THROW(static_cast<void>(run_kept(many, later)), InputError) << sampler.name;
+        }
+    }
+}
+
+TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
+    RunSpec few = spec_of(Method::light_tracing, 1U << 15U);
+    few.max_paths = 2 * few.paths;
+    KeptStates first;
+    static_cast<void>(run_kept(few, first));
+    const auto refusal_of = [&](std::uint64_t paths) {
+        RunSpec other = few;
+        other.paths = paths;
+        other.max_paths = 0;
+        KeptStates later;
+        later.from = load_state(first.finished);
+        try {
+            static_cast<void>(run_kept(other, later));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal_of(1U << 16U), "");
+    EXPECT_EQ(refusal_of(1U << 17U), "");
+    EXPECT_NE(refusal_of(1U << 14U).find("65536 paths are traced already"), std::string::npos);
+    few.sampler = "halton";
+    few.max_paths = 0;
+    few.paths = 20000;  // no whole blocks
+    first = {};
+    static_cast<void>(run_kept(few, first));
+    EXPECT_NE(refusal_of(40000).find("are not the beginning of 40000"), std::string::npos);
+    EXPECT_NE(refusal_of(60000).find("must be 20000, doubled"), std::string::npos);
+}
+
+/// The target of a run of more paths is looked at when these are traced, as if it had begun so.
+TEST(RunState, LooksAtATargetAfterTheFirstRoundThatWasAskedFor) {
+    RunSpec few = spec_of(Method::light_tracing, 1U << 14U);
+    few.target_error = 0.9;
+    KeptStates first;
+    ASSERT_EQ(run_kept(few, first).stop, StopReason::target_reached);
+    RunSpec many = few;
+    many.paths = 1U << 16U;
+    KeptStates later;
+    later.from = load_state(first.finished);
+    expect_equal_runs(run_kept(many, later), run(kept_scene(), kept_lights(), many));
 }
 
 TEST_P(RunStates, OfAnotherRunAreRefused) {

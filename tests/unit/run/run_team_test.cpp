@@ -7,9 +7,12 @@
 #include <atomic>
 #include <barrier>
 #include <cstdint>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,6 +34,9 @@ class Meeting {
     [[nodiscard]] RunTeam seen_by(unsigned rank, unsigned nodes) {
         RunTeam team;
         team.is_first = rank == 0;
+        team.machine = rank % nodes;
+        team.machines = nodes;
+        set_mail(rank, team.mail);
         team.tasks.begin = [=, this](std::uint64_t begin, std::uint64_t end) {
             const unsigned node = rank % nodes;
             const auto [first, last] = share_of(node + 1, nodes).range(end - begin);
@@ -47,6 +53,28 @@ class Meeting {
     }
 
   private:
+    void set_mail(unsigned rank, TeamMail& mail) {
+        mail.send = [this](std::uint64_t number, std::string_view bytes) {
+            const std::lock_guard lock(mutex_);
+            EXPECT_TRUE(mail_.emplace(number, bytes).second) << "a number is used once";
+        };
+        mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
+            const std::lock_guard lock(mutex_);
+            const auto node = mail_.extract(number);
+            return node ? std::optional(node.mapped()) : std::nullopt;
+        };
+        mail.close = [this] { is_closed_ = true; };
+        mail.is_closed = [this] { return is_closed_.load(); };
+        mail.end = [this, rank] {
+            barrier_.arrive_and_wait();
+            if (rank == 0) {
+                mail_.clear();
+                is_closed_ = false;
+            }
+            barrier_.arrive_and_wait();
+        };
+    }
+
     /// What the first has to say.
     template <typename T>
     T told(unsigned rank, const T& own, T& place) {
@@ -80,6 +108,8 @@ class Meeting {
     std::uint64_t met_ = 0;
     TeamOrder order_;
     std::mutex mutex_;
+    std::map<std::uint64_t, std::string> mail_;
+    std::atomic<bool> is_closed_{false};
     std::vector<std::int64_t> total_;
 };
 
@@ -99,6 +129,9 @@ struct Day {
     }
 };
 
+/// How a team traces a day: every run together, or runs each by itself.
+enum class Sharing { tasks, runs };
+
 /// The results of a day that a team of so many processes traces.
 std::vector<Result> trace_day(
     const Day& day,
@@ -106,12 +139,19 @@ std::vector<Result> trace_day(
     unsigned ranks,
     unsigned nodes,
     const RunCheckpoint* checkpoint = nullptr,
-    const std::stop_token& stop = {}) {
+    const std::stop_token& stop = {},
+    Sharing sharing = Sharing::tasks) {
     Meeting meeting(ranks);
+    const auto seen_by = [&](unsigned rank) {
+        RunTeam team = meeting.seen_by(rank, nodes);
+        // A team of one has nobody to give runs to.
+        team.size = sharing == Sharing::runs ? ranks : 1;
+        return team;
+    };
     std::vector<std::jthread> helpers;
     for (unsigned rank = 1; rank < ranks; ++rank) {
         helpers.emplace_back([&, rank] {
-            const RunTeam team = meeting.seen_by(rank, nodes);
+            const RunTeam team = seen_by(rank);
             TeamHelper helper;
             TeamOrder order = team.order({});
             while (order.is_end == 0) {
@@ -119,13 +159,18 @@ std::vector<Result> trace_day(
             }
         });
     }
-    const RunTeam team = meeting.seen_by(0, nodes);
+    const RunTeam team = seen_by(0);
     std::vector<Result> results;
     SeriesEvents events;
     events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
     events.checkpoint = checkpoint;
     events.team = &team;
-    static_cast<void>(run_series(day.scene, day.moments, spec, events, stop));
+    try {
+        static_cast<void>(run_series(day.scene, day.moments, spec, events, stop));
+    } catch (const Stopped&) {
+        static_cast<void>(team.order({.is_end = 1}));
+        throw;
+    }
     static_cast<void>(team.order({.is_end = 1}));
     return results;
 }
@@ -180,6 +225,10 @@ TEST_P(RunTeams, PauseForCheckpointsThatOthersGoOnFrom) {
             saved.begin(), saved.end(), [&](const auto& each) { return each.first == moment; });
         return state == saved.end() ? std::nullopt : std::optional(load_state(state->second));
     };
+    checkpoint.has_state = [&](std::size_t moment) {
+        return std::any_of(
+            saved.begin(), saved.end(), [&](const auto& each) { return each.first == moment; });
+    };
     checkpoint.is_due = [] { return true; };
     checkpoint.save = [&](std::size_t moment, const RunSnapshot& state) {
         saved.emplace_back(moment, save_state(state));
@@ -192,6 +241,59 @@ TEST_P(RunTeams, PauseForCheckpointsThatOthersGoOnFrom) {
     std::reverse(saved.begin(), saved.end());  // the last of each moment
     checkpoint.is_due = [] { return false; };
     expect_equal_days(trace_day(day, spec(), 2, 1, &checkpoint), alone);
+}
+
+TEST_P(RunTeams, TraceRunsEachByItselfToTheSameBits) {
+    const Day day;
+    RunSpec one_round = spec();
+    one_round.max_paths = 0;  // so that runs are cut into parts as well
+    RunSpec target = spec();
+    target.target_error = 1e-3;
+    for (const RunSpec& spec : {one_round, spec(), target}) {
+        const std::vector<Result> alone = day_alone(day, spec);
+        for (const auto& [ranks, nodes] :
+             std::vector<std::pair<unsigned, unsigned>>{{2, 1}, {3, 1}, {3, 3}}) {
+            const std::vector<Result> shared =
+                trace_day(day, spec, ranks, nodes, nullptr, {}, Sharing::runs);
+            expect_equal_days(shared, alone);
+            for (std::size_t i = 0; i < shared.size(); ++i) {
+                EXPECT_EQ(shared[i].stop, alone[i].stop);
+                EXPECT_EQ(shared[i].fraction_at_target, alone[i].fraction_at_target);
+            }
+        }
+    }
+}
+
+TEST_P(RunTeams, KeepRunsThatOthersHaveTracedAndGoOnFromThem) {
+    const Day day;
+    RunSpec spec = RunTeams::spec();
+    spec.max_paths = 0;
+    std::map<std::size_t, std::string> kept;
+    std::size_t restored = 0;
+    RunCheckpoint checkpoint;
+    checkpoint.has_state = [&](std::size_t moment) { return kept.contains(moment); };
+    checkpoint.state_of = [&](std::size_t moment) {
+        restored += kept.contains(moment) ? 1 : 0;
+        return kept.contains(moment) ? std::optional(load_state(kept[moment])) : std::nullopt;
+    };
+    checkpoint.is_due = [] { return false; };
+    checkpoint.save = [](std::size_t, const RunSnapshot&) {};
+    checkpoint.finish = [&](std::size_t moment, const RunSnapshot& state) {
+        kept[moment] = save_state(state);
+    };
+    const std::vector<Result> alone = day_alone(day, spec);
+    expect_equal_days(trace_day(day, spec, 3, 1, &checkpoint, {}, Sharing::runs), alone);
+    ASSERT_EQ(kept.size(), 3U) << "one of the four is like another";
+    EXPECT_EQ(restored, 0U);
+    kept.erase(3);
+    expect_equal_days(trace_day(day, spec, 1, 1, &checkpoint, {}, Sharing::runs), alone);
+    EXPECT_EQ(restored, 2U);
+    EXPECT_EQ(kept.size(), 3U);
+    // More paths than before, of those that are there and of one that is not.
+    kept.erase(3);
+    spec.max_paths = 2 * spec.paths;
+    expect_equal_days(
+        trace_day(day, spec, 2, 1, &checkpoint, {}, Sharing::runs), day_alone(day, spec));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -210,6 +312,17 @@ TEST(RunTeam, StopsWhenTheFirstIsStopped) {
     const std::vector<Result> results = trace_day(day, spec, 3, 1, nullptr, source.get_token());
     ASSERT_EQ(results.size(), 1U);
     EXPECT_EQ(results[0].stop, StopReason::interrupted);
+}
+
+TEST(RunTeam, StopsRunsThatItTracesEachByItself) {
+    const Day day;
+    const RunSpec spec = spec_of(Method::light_tracing, 1U << 28U);
+    std::stop_source source;
+    std::jthread later([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        source.request_stop();
+    });
+    EXPECT_THROW(trace_day(day, spec, 3, 1, nullptr, source.get_token(), Sharing::runs), Stopped);
 }
 
 TEST(AddUp, IsExactForLargeSumsOfEitherSign) {

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -213,6 +216,37 @@ TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
         EXPECT_EQ(result.stop, StopReason::target_reached) << static_cast<int>(method);
         EXPECT_EQ(result.at(1, Quantity::absorbed_flux, 0).mean, 0);
         EXPECT_EQ(result.at(2, Quantity::absorbed_flux, 0).mean, 0);
+    }
+}
+
+/// Half of the errors of the organs' absorbed flux are smaller; and the largest.
+std::pair<double, double> spread_in(const Scene& scene, const Result& result) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+        const Estimate& e = result.at(i, Quantity::absorbed_flux, 0);
+        if (!scene.organs()[i].is_ground && std::isfinite(e.standard_error / e.mean)) {
+            errors.push_back(e.standard_error / e.mean);
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    return {errors[errors.size() / 2], errors.back()};
+}
+
+TEST(Run, TellsHowErrorsFellRoundByRound) {
+    const Scene scene = leaf_over_ground();
+    const Sources sources{sun(30, {1}), sky({.5})};
+    RunSpec spec = spec_of(Method::light_tracing, 256);
+    EXPECT_TRUE(run(scene, sources, spec).rounds.empty()) << "one round";
+    spec.max_paths = 2048;
+    const Result result = run(scene, sources, spec);
+    ASSERT_EQ(result.rounds.size(), 4U);
+    for (std::size_t i = 0; i < result.rounds.size(); ++i) {
+        const RoundErrors& round = result.rounds[i];
+        EXPECT_EQ(round.paths, 256U << i);
+        spec.max_paths = round.paths;
+        const auto [median, worst] = spread_in(scene, run(scene, sources, spec));
+        EXPECT_DOUBLE_EQ(round.median, median);
+        EXPECT_DOUBLE_EQ(round.worst, worst);
     }
 }
 

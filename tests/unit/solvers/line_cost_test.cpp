@@ -176,6 +176,24 @@ TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
     }
 }
 
+/// Beside bundles direct light is most of the error: lines by the root of the paths, more
+/// directions of the sky.
+TEST(SamplingBudget, LooksCloserAtDirectLightBesideBundles) {
+    const SeenStand open(false, {sun(20, {1}), sky({1})});
+    const SkyDirections skies(open.prepared);
+    const auto tasks = [&](std::uint64_t paths, ScatteredBy scattered) {
+        return SamplingBudget(open.prepared, skies, open.seen, paths, scattered).tasks({0, paths});
+    };
+    constexpr std::uint64_t kMany = 1 << 16;
+    const auto beside_paths = tasks(kMany, ScatteredBy::paths);
+    const auto beside_bundles = tasks(kMany, ScatteredBy::bundles);
+    ASSERT_EQ(beside_bundles.size(), 2);
+    EXPECT_GT(beside_bundles[0].count, 2 * beside_paths[0].count);
+    EXPECT_GT(beside_bundles[1].count, 2 * beside_paths[1].count);
+    const auto more = tasks(4 * kMany, ScatteredBy::bundles);
+    EXPECT_NEAR(more[0].count, 2. * beside_bundles[0].count, .01 * more[0].count);
+}
+
 TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
     const SeenStand open(false, {sun(20, {1})});
     EXPECT_FALSE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)

@@ -105,7 +105,7 @@ TEST(MeasuredLight, TellsWhatCantBe) {
     EXPECT_EQ(light_of_reading(noon, {.diffuse = 3}).fault, ReadingFault::incomplete);
     EXPECT_EQ(
         light_of_reading(noon, {.global = 100, .direct_horizontal = 200}).fault,
-        ReadingFault::direct_exceeds_global);
+        ReadingFault::part_exceeds_global);
     EXPECT_EQ(
         light_of_reading(noon, {.global = 100, .direct_horizontal = 105}).note,
         ReadingNote::more_direct_than_global);
@@ -113,6 +113,37 @@ TEST(MeasuredLight, TellsWhatCantBe) {
     EXPECT_EQ(light_of_reading(night, {.global = 300}).fault, ReadingFault::light_at_night);
     EXPECT_EQ(light_of_reading(night, {.global = 2}).fault, ReadingFault::none)
         << "an offset of a sensor";
+}
+
+/// Thermopiles read some W m-2 below zero at night, each of its own.
+TEST(MeasuredLight, TakesOffsetsOfInstrumentsForDarkness) {
+    const SunPath night = sun_path(kWageningen, june(0), 3600, 300);
+    const std::vector<Reading> readings{
+        {.global = -2},
+        {.global = -2, .diffuse = -2},
+        {.global = -2, .diffuse = -1},
+        {.global = -1, .diffuse = -2},
+        {.global = -2, .diffuse = 0},
+        {.global = 0, .diffuse = -2},
+        {.global = 0, .diffuse = .5},
+        {.beam_normal = -.5, .diffuse = -3},
+        {.direct_horizontal = -1, .diffuse = 0}};
+    for (const Reading& reading : readings) {
+        const HourLight light = light_of_reading(night, reading);
+        EXPECT_EQ(light.fault, ReadingFault::none);
+        EXPECT_EQ(light.note, ReadingNote::none);
+        EXPECT_EQ(light.daylight.global(), 0);
+    }
+    EXPECT_EQ(light_of_reading(night, {.global = -99}).fault, ReadingFault::negative);
+}
+
+TEST(MeasuredLight, IsDiffuseAtDuskWhereThatIsALittleMoreThanAll) {
+    const SunPath dusk = sun_path(kWageningen, june(19), 3600, 300);
+    const HourLight light = light_of_reading(dusk, {.global = 10, .diffuse = 12});
+    EXPECT_EQ(light.fault, ReadingFault::none);
+    EXPECT_EQ(light.note, ReadingNote::more_diffuse_than_global);
+    EXPECT_EQ(light.daylight.direct, 0);
+    EXPECT_EQ(light.daylight.diffuse, 10);
 }
 
 TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {

@@ -62,6 +62,23 @@ TEST(Lamp, FollowsTheInverseSquareLaw) {
 }
 
 /// E = M R^2 / (R^2 + h^2) below a disk's center, M its exitance.
+/// The horizontal angles of photometric files of type C count counterclockwise, as seen from above.
+TEST(Lamp, ThatShinesTo90DegreesShinesNorthIfItIsAlongEast) {
+    LampSpec spec = lamp_of(
+        {},
+        web_pattern(
+            {{0, 90, 180}, {0, 90, 180, 270, 360}, {1, 1, 1, 3, 3, 3, 2, 2, 2, 0, 0, 0, 1, 1, 1}}));
+    spec.axes = lamp_axes({0, 0, -1}, {1, 0, 0});
+    const auto lamp = make_lamp(spec);
+    const auto intensity = [&](const Vec3& place) {
+        return lamp->illuminate(place, .5, .5).weight;
+    };
+    const double east = intensity({1, 0, 0});
+    EXPECT_NEAR(intensity({0, 1, 0}) / east, 3, 1e-9);
+    EXPECT_NEAR(intensity({-1, 0, 0}) / east, 2, 1e-9);
+    EXPECT_NEAR(intensity({0, -1, 0}) / east, 0, 1e-9);
+}
+
 TEST(Lamp, ADiskLightsThePlaceBelowItsCenterByTheClosedForm) {
     const auto lamp = make_lamp(disk());
     const double exitance = 1 / (pi * .25);

@@ -20,7 +20,8 @@ Sums some_sums() {
         .flux_per_find = {1, 1},
         .sunlit_area = .25,
         .sunlit_area_per_find = 1,
-        .region_scale = {1, 2}};
+        .region_scale = {1, 2},
+        .find_scale = {1, .5}};
     sums.spectra = {{1, .5}};
     sums.emitted_flux = {3, 4};
     sums.escaped = EscapedLight::remainder;

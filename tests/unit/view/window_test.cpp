@@ -19,6 +19,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include "io/base64.h"
 #include "quasimc/error.h"
 #include "view/page.h"
 #include "view/window_server.h"
@@ -34,7 +35,7 @@ WindowData small_data() {
 }
 
 WindowSite small_site() {
-    WindowSite site(small_data(), kToken);
+    WindowSite site(files_of(small_data()), kToken);
     site.set_port(8080);
     return site;
 }
@@ -130,6 +131,23 @@ TEST(WindowSite, RefusesWhatIsNoRequest) {
     }
 }
 
+TEST(WindowSite, RefusesTwoHosts) {
+    const std::string host = "127.0.0.1:8080";
+    for (const std::string& second :
+         {"Host: " + host, std::string("Host: evil.example"), std::string("host:"),
+          std::string("Host: "), "hOST:" + host}) {
+        const std::string first = "Host: " + host;
+        for (const std::string& lines :
+             {first + "\r\n" + second, second + "\r\n" + first, first + "\r\nAccept: a\n" + second,
+              first + "\r\nAccept: a\r" + second, first + "\r\n " + second,
+              first + "\n" + second}) {
+            EXPECT_EQ(status_of_request("GET " + kRoot + " HTTP/1.1\r\n" + lines + "\r\n\r\n"), 400)
+                << lines;
+        }
+    }
+    EXPECT_EQ(status_of_request(get_request(kRoot, "Accept: a,\tb\r\n")), 200);
+}
+
 TEST(WindowSite, TellsBrowsersToKeepItToItself) {
     const std::string request = get_request(kRoot);
     const std::string head = small_site().answer(parse_request(request)).head();
@@ -197,7 +215,7 @@ class WindowServerTest : public testing::Test {
   protected:
     WindowServerTest()
         : server_(
-              WindowSite(data(), kToken),
+              WindowSite(files_of(data()), kToken),
               0,
               {.connections = 16, .request_bytes = 2048, .request_seconds = 1, .idle_seconds = 1}),
           thread_([this] { server_.serve([this] { return is_over_.load(); }); }) {}
@@ -282,13 +300,13 @@ TEST_F(WindowServerTest, RefusesAPortThatIsTaken) {
 
 TEST(Page, Base64IsThatOfTheStandard) {
     // RFC 4648, section 10.
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+    EXPECT_EQ(encode_base64(""), "");
+    EXPECT_EQ(encode_base64("f"), "Zg==");
+    EXPECT_EQ(encode_base64("fo"), "Zm8=");
+    EXPECT_EQ(encode_base64("foo"), "Zm9v");
+    EXPECT_EQ(encode_base64("foob"), "Zm9vYg==");
+    EXPECT_EQ(encode_base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(encode_base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Page, ReportsHoldNoMarkupOfTheData) {

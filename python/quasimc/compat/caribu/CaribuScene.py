@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import numbers
+import warnings
 
 import numpy as np
 
+from ...errors import QuasimcWarning
 from . import plantgl_adaptor as adaptor
 from ._trace import TracedScene, as_array
 from .caribu import check_counts, options_of, warn_of_ignored
@@ -136,7 +138,8 @@ class CaribuScene:
     soil_mesh : int
         1: two triangles over the pattern, at z_soil; None or -1: none.
     z_soil : float
-        Default: the lowest of the scene.
+        Default: the lowest of the scene; a warning tells if triangles lie there, as these then get
+        the light of the soil.
     scene_unit : str
         "mm" to "km".
     debug, filecache
@@ -238,9 +241,21 @@ class CaribuScene:
         xs, ys = sorted(self.pattern[::2]), sorted(self.pattern[1::2])
         lowest = 0.0 if self.scene is None else self.scene.getZmin()
         z = lowest if z_soil is None else z_soil
+        if z_soil is None and self.scene is not None:
+            self._warn_of_triangles_at(lowest)
         a, b = (xs[0], ys[0], z), (xs[1], ys[0], z)
         c, d = (xs[1], ys[1], z), (xs[0], ys[1], z)
         self.soil = [[a, b, c], [a, c, d]]
+
+    def _warn_of_triangles_at(self, height):
+        heights = as_array(self.scene.allvalues())[..., 2]
+        if np.any(np.all(heights == height, axis=1)):
+            warnings.warn(
+                f"soil_mesh: z_soil is not stated, and the soil at {height:g} lies on the lowest "
+                "triangles, which get its light; state z_soil",
+                QuasimcWarning,
+                stacklevel=4,
+            )
 
     # What is known without a run.
 

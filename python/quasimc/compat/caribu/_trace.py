@@ -25,6 +25,16 @@ def as_array(triangles):
     return np.array(corners, dtype=float).reshape(-1, 3, 3)
 
 
+def check_finite(triangles, what="triangle"):
+    """Refuses triangles of which a coordinate is NaN or infinite. Raises ValueError."""
+    faulty = np.flatnonzero(~np.isfinite(triangles).all(axis=(1, 2)))
+    if len(faulty):
+        raise ValueError(
+            f"{what} {faulty[0]} has a corner that is not finite: "
+            f"{triangles[faulty[0]].tolist()}"
+        )
+
+
 def areas_of(triangles):
     """Areas; 0 of what is degenerate once coordinates are rounded."""
     rounded = np.round(triangles, DECIMALS)
@@ -107,6 +117,9 @@ class TracedScene:
     """
 
     def __init__(self, triangles, materials, groups=None, domain=None, ground=None, sensors=None):
+        check_finite(triangles)
+        if sensors is not None:
+            check_finite(sensors, "sensor")
         self.areas = areas_of(triangles)
         self.materials = Materials(materials)
         self.sensor_areas = np.zeros(0) if sensors is None else areas_of(sensors)

@@ -3,12 +3,31 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from .spitters_horaire import declination, sin_elevation
 
 
+class Sun(NamedTuple):
+    """The sun as a cell of `GenSky` is stated: energy on the horizontal, and radians."""
+
+    energy: float
+    azimuth: float
+    zenith: float
+
+    @property
+    def azim(self):
+        """The azimuth, from X+ (north) to Y+ (west), radians."""
+        return self.azimuth
+
+    @property
+    def elev(self):
+        """The elevation above the horizon, radians."""
+        return math.pi / 2 - self.zenith
+
+
 class Gensun:
-    """Calling it gives the sun: (energy on the horizontal, azimuth, zenith), radians."""
+    """Calling it gives the `Sun`."""
 
     def __call__(self, Rsun=1.0, DOY=1, heureTU=12, lat=0.0):
         """The sun, as a cell of `GenSky` is stated.
@@ -24,8 +43,9 @@ class Gensun:
 
         Returns
         -------
-        energy, azimuth, zenith : float
-            Azimuth from X+ to Y+, where X+ is north and Y+ is west, as in `light_sources`.
+        Sun
+            Unpacked: energy, azimuth, zenith. Azimuth from X+ to Y+, where X+ is north and Y+
+            is west, as in `light_sources`.
         """
         sine = sin_elevation(DOY, heureTU, lat)
         down, place = declination(DOY), math.radians(lat)
@@ -35,4 +55,4 @@ class Gensun:
             angle
         )
         zenith = math.atan2(math.hypot(west, north), sine)
-        return (Rsun if sine > 0 else 0.0), math.atan2(west, north), zenith
+        return Sun(Rsun if sine > 0 else 0.0, math.atan2(west, north), zenith)

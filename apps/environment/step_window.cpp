@@ -1,0 +1,76 @@
+#include "step_window.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "io/results/window_head.h"
+#include "io/results/window_scene.h"
+#include "view/page.h"
+
+namespace {
+
+/// Of a step whose bands were traced each by itself that of the first that has light.
+std::string head_of(const quasimc::SeenStep& step) {
+    const std::vector<quasimc::Result>& results = step.light->results;
+    const std::span<const quasimc::Band> bands = step.specification.bands;
+    const auto lit = std::find_if(
+        results.begin(), results.end(), [](const auto& result) { return !result.values.empty(); });
+    if (lit == results.end()) {
+        return "{}";
+    }
+    const bool is_together = results.size() == 1;
+    const auto band = static_cast<std::size_t>(lit - results.begin());
+    return quasimc::window_light_head(
+        is_together ? bands : bands.subspan(band, 1), step.light->scene->length_unit(), *lit);
+}
+
+std::vector<quasimc::Vec3> suns_of(const quasimc::Lighting& lighting) {
+    return lighting.sources.empty() ? std::vector<quasimc::Vec3>()
+                                    : quasimc::suns_among(lighting.sources.front());
+}
+
+}  // namespace
+
+quasimc::StepViewer StepWindow::viewer() {
+    return {
+        .open = [this](int port) { open(port); },
+        .begin =
+            [this](std::int64_t step) {
+                window_->tell(fmt::format("the light of step {} is being computed", step));
+            },
+        .show = [this](const quasimc::SeenStep& step) { show(step); }};
+}
+
+void StepWindow::open(int port) {
+    quasimc::require_page("view");
+    window_ = std::make_shared<quasimc::LiveWindow>();
+    window_->tell("waiting for the first step");
+    thread_.emplace(
+        quasimc::WindowSite(
+            [window = window_](std::string_view name) { return window->file(name); },
+            quasimc::random_token(), quasimc::WindowKind::live),
+        port);
+    tell_("view: " + thread_->address());
+}
+
+void StepWindow::show(const quasimc::SeenStep& step) {
+    if (!step.light->scene) {
+        window_->tell(fmt::format("step {}: nothing is lit", step.step));
+        return;
+    }
+    const auto scene = std::make_shared<const quasimc::LiveScene>(quasimc::LiveScene{
+        .scene = {step.light, &*step.light->scene},
+        .bands = step.specification.bands,
+        .title = "A plant that grows"});
+    window_->add(
+        {.label = fmt::format("step {}", step.step),
+         .scene = scene,
+         .results = {step.light, &step.light->results},
+         .suns = suns_of(step.lighting),
+         .head = head_of(step)});
+    window_->tell(fmt::format("after step {}: the plant grows", step.step));
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "coupling/environment.h"
+#include "view/live_window.h"
+#include "view/window_thread.h"
+
+/// Shows the steps of a growing plant on the page in the browser. What a step costs here is to keep
+/// its light, and nothing is made of it before a page asks.
+class StepWindow {
+  public:
+    /// @param tell  takes the address of the page
+    explicit StepWindow(std::function<void(const std::string&)> tell) : tell_(std::move(tell)) {}
+
+    [[nodiscard]] quasimc::StepViewer viewer();
+
+  private:
+    void open(int port);
+    void show(const quasimc::SeenStep& step);
+
+    std::function<void(const std::string&)> tell_;
+    std::shared_ptr<quasimc::LiveWindow> window_;
+    std::optional<quasimc::WindowThread> thread_;
+};

@@ -1,0 +1,107 @@
+#include "team_files.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/input_files.h"
+#include "part_run.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the first rank has found out about files, for the others.
+///
+/// It sends what it is asked, and the answer. Others ask the same, as they read the same, and find
+/// the answers in what was sent; they may ask in another order.
+class TeamFiles {
+  public:
+    explicit TeamFiles(const quasimc::RunTeam& team) : team_(team) {}
+
+    template <typename Find>
+    std::string answer(const std::string& question, const Find& find) {
+        if (team_.is_first) {
+            std::string found = find();
+            send(question, found);
+            return found;
+        }
+        auto known = answers_.find(question);
+        while (known == answers_.end() && !has_ended_) {
+            receive();
+            known = answers_.find(question);
+        }
+        if (known == answers_.end()) {
+            throw quasimc::InputError(
+                {{"MPI", "the first rank has not read a file", question, ""}});
+        }
+        return known->second;
+    }
+
+    /// Everything was read. All ranks call it.
+    void end() {
+        if (team_.is_first) {
+            send(kEnd, "");
+        }
+        while (!team_.is_first && !has_ended_) {
+            receive();
+        }
+        answers_.clear();
+    }
+
+  private:
+    static constexpr std::string_view kEnd = "end";
+
+    void send(std::string_view question, std::string_view found) const {
+        std::string bytes(question);
+        team_.share(bytes);
+        bytes = found;
+        team_.share(bytes);
+    }
+
+    void receive() {
+        std::string question, found;
+        team_.share(question);
+        team_.share(found);
+        has_ended_ = question == kEnd;
+        answers_[question] = std::move(found);
+    }
+
+    const quasimc::RunTeam& team_;
+    std::map<std::string, std::string> answers_;
+    bool has_ended_ = false;
+};
+
+quasimc::FileAccess access_through(const std::shared_ptr<TeamFiles>& files) {
+    const quasimc::FileAccess disk;
+    quasimc::FileAccess access;
+    access.read = [files, read = disk.read](const fs::path& path) {
+        return files->answer("read " + path.string(), [&] { return read(path); });
+    };
+    access.exists = [files, exists = disk.exists](const fs::path& path) {
+        const auto find = [&] { return std::string(exists(path) ? "yes" : ""); };
+        return !files->answer("exists " + path.string(), find).empty();
+    };
+    access.absolute = [files, absolute = disk.absolute](const std::string& path) {
+        return fs::path(files->answer("absolute " + path, [&] { return absolute(path).string(); }));
+    };
+    return access;
+}
+
+}  // namespace
+
+quasimc::StoredSweep read_for_team(const RunArguments& arguments, const quasimc::RunTeam& team) {
+    const auto files = std::make_shared<TeamFiles>(team);
+    try {
+        quasimc::StoredSweep stored = read_runs(arguments, access_through(files));
+        files->end();
+        return stored;
+    } catch (...) {
+        files->end();
+        throw;
+    }
+}

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/results/json_stream.h"
+#include "io/results/spool.h"
+#include "quasimc/file.h"
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// What a list of numbers in a GLB file is.
+struct GlbNumbers {
+    std::uint32_t component_type = 0;  ///< 5123 uint16, 5125 uint32, 5126 float
+    std::string_view type;             ///< "SCALAR", "VEC3", "VEC4"
+    std::size_t bytes = 0;             ///< of an element, a multiple of 4
+    bool is_index = false;             ///< names vertices
+    bool is_normalized = false;        ///< integers stand for fractions
+};
+inline constexpr GlbNumbers kGlbPoints{5126, "VEC3", 12};
+inline constexpr GlbNumbers kGlbFloats{5126, "SCALAR", 4};
+inline constexpr GlbNumbers kGlbColors{5123, "VEC4", 8, false, true};
+inline constexpr GlbNumbers kGlbIndices{5125, "SCALAR", 4, true};
+
+/// The binary part of a GLB file and what the JSON says of it. Bytes are kept in temporary files
+/// until they are written.
+class GlbParts {
+  public:
+    GlbParts();
+
+    /// A place for lists of one kind. @returns its number
+    std::size_t add_view(const GlbNumbers& kind);
+    /// A list in a view. @returns the number of its accessor
+    /// @param low, high  of points, per axis: the least and largest coordinates; else empty
+    std::size_t add_list(
+        std::size_t view,
+        std::string_view bytes,
+        const std::vector<double>& low = {},
+        const std::vector<double>& high = {});
+    /// The same of points, in single precision about an origin.
+    std::size_t add_points(std::size_t view, const std::vector<Vec3>& points, const Vec3& origin);
+
+    /// Writes the file. @param members  of the JSON, all but buffers, views and accessors:
+    /// "\"nodes\":[...],..."
+    /// @throws InputError  if it takes 4 GiB or more
+    void write(const std::string& members, const TextSink& sink);
+
+  private:
+    struct View {
+        GlbNumbers kind;
+        std::uint64_t size = 0;
+        std::unique_ptr<Spool> bytes;
+    };
+
+    std::vector<View> views_;
+    JsonStream accessors_;
+    std::size_t lists_ = 0;
+};
+
+/// The members of every file: asset and scene. @param roots  how many nodes the scene has, the
+/// first ones
+[[nodiscard]] std::string glb_scene_members(std::size_t roots);
+
+}  // namespace quasimc

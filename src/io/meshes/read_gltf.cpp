@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "io/meshes/file_axes.h"
+#include "io/meshes/formats.h"
+#include "io/meshes/gltf_buffers.h"
+#include "io/meshes/gltf_container.h"
+#include "io/meshes/gltf_document.h"
+#include "io/meshes/gltf_shapes.h"
+
+namespace quasimc {
+namespace {
+
+/// Goes through the nodes of a scene; each with a mesh becomes an organ.
+class GltfSceneReader {
+  public:
+    GltfSceneReader(const GltfDocument& document, GltfBuffers& buffers, FormatContext& context)
+        : document_(document), context_(context), shapes_(buffers, context.reporter) {
+        meshes_.resize(document.meshes.size());
+    }
+
+    MeshFile read() {
+        const Affine top = from_y_up(context_.up, context_.units_per_metre());
+        std::vector<Open> open;
+        for (auto root = document_.roots.rbegin(); root != document_.roots.rend(); ++root) {
+            open.push_back({*root, top, ""});
+        }
+        while (!open.empty() && !context_.reporter.is_full()) {
+            const Open above = std::move(open.back());
+            open.pop_back();
+            const GltfNode& node = document_.nodes[above.node];
+            const Affine transform = after(above.transform, node.transform);
+            if (node.mesh) {
+                add_organ(above, transform);
+            }
+            const std::string& parent = node.name.empty() ? above.parent : node.name;
+            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+                open.push_back({*child, transform, parent});
+            }
+        }
+        finish();
+        return std::move(file_);
+    }
+
+  private:
+    /// A node that is still to be looked at.
+    struct Open {
+        std::size_t node;
+        Affine transform;    ///< of what it is below
+        std::string parent;  ///< the nearest name above it
+    };
+
+    void add_organ(const Open& place, const Affine& transform) {
+        const GltfNode& node = document_.nodes[place.node];
+        const GltfMesh& mesh = document_.meshes[*node.mesh];
+        const std::string& name = node.name.empty() ? mesh.name : node.name;
+        MeshGroup group{
+            name.empty() ? fmt::format("node {}", place.node) : name, node.organ_id, {}};
+        const auto line = static_cast<std::uint32_t>(place.node);
+        const std::vector<GltfTriangles>& shapes = shapes_of(*node.mesh);
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            const auto material = mesh.primitives[i].material;
+            add_part(
+                shapes[i], transform, material ? document_.materials[*material].name : "", line,
+                group);
+        }
+        if (group.parts.empty()) {
+            return;
+        }
+        group.labels = node.labels;
+        add_label("parent", place.parent, group);
+        add_label("mesh", mesh.name, group);
+        if (group.id && !ids_.insert(*group.id).second) {
+            ++repeated_ids_;
+        }
+        file_.groups.push_back(std::move(group));
+    }
+
+    static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
+        const bool is_stated = std::any_of(
+            group.labels.begin(), group.labels.end(),
+            [key](const auto& label) { return label.first == key; });
+        if (!is_stated && !value.empty() && value != group.name) {
+            group.labels.emplace_back(key, value);
+        }
+    }
+
+    void add_part(
+        const GltfTriangles& shape,
+        const Affine& transform,
+        const std::string& material,
+        std::uint32_t line,
+        MeshGroup& group) {
+        constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+        if (shape.faces.empty()) {
+            return;
+        }
+        if (file_.vertices.size() + shape.points.size() >= kMost) {
+            if (!std::exchange(is_too_large_, true)) {
+                context_.reporter.fault(0, "it has more than 4294967294 vertices", "");
+            }
+            return;
+        }
+        const auto first = static_cast<std::uint32_t>(file_.vertices.size());
+        for (const Vec3& point : shape.points) {
+            file_.vertices.push_back(transform.point(point));
+        }
+        // A mirror image keeps the side that is its front.
+        const bool is_mirrored = determinant(transform) < 0;
+        MeshPart part{material, {}, std::vector<std::uint32_t>(shape.faces.size(), line)};
+        part.faces.reserve(shape.faces.size());
+        for (const auto& [a, b, c] : shape.faces) {
+            part.faces.push_back(
+                is_mirrored ? Face{first + a, first + c, first + b}
+                            : Face{first + a, first + b, first + c});
+        }
+        group.parts.push_back(std::move(part));
+    }
+
+    /// The triangles of a mesh, read when it is first placed.
+    const std::vector<GltfTriangles>& shapes_of(std::size_t number) {
+        std::optional<std::vector<GltfTriangles>>& shapes = meshes_[number];
+        if (!shapes) {
+            shapes.emplace();
+            for (const GltfPrimitive& primitive : document_.meshes[number].primitives) {
+                const bool has_triangles = primitive.mode != GltfMode::none;
+                without_triangles_ += has_triangles ? 0 : 1;
+                shapes->push_back(
+                    has_triangles ? shapes_.triangles(primitive).value_or(GltfTriangles())
+                                  : GltfTriangles());
+                note_material(primitive, shapes->back());
+            }
+        }
+        return *shapes;
+    }
+
+    void note_material(const GltfPrimitive& primitive, const GltfTriangles& triangles) {
+        if (primitive.material && !triangles.faces.empty() &&
+            document_.materials[*primitive.material].is_cut_out) {
+            cut_out_.insert(document_.materials[*primitive.material].name);
+        }
+    }
+
+    void warn(std::string text) {
+        context_.reporter.warnings.push_back({context_.reporter.file, std::move(text)});
+    }
+
+    void finish() {
+        for (const GltfMaterial& material : document_.materials) {
+            if (material.reflectance) {
+                file_.materials.push_back({material.name, *material.reflectance});
+            }
+        }
+        if (without_triangles_ > 0) {
+            warn(fmt::format("{} parts are lines or points: left out", without_triangles_));
+        }
+        for (const std::string& name : cut_out_) {
+            warn(fmt::format(
+                "material '{}' is transparent in part (alphaMode): its triangles are taken whole",
+                name));
+        }
+        if (repeated_ids_ > 0) {
+            warn(fmt::format(
+                "{} nodes have an id that another node has: organs are counted instead",
+                repeated_ids_));
+            for (MeshGroup& group : file_.groups) {
+                group.id.reset();
+            }
+        }
+    }
+
+    const GltfDocument& document_;
+    FormatContext& context_;
+    GltfShapes shapes_;
+    MeshFile file_{{}, {}, "node", {}};
+    std::vector<std::optional<std::vector<GltfTriangles>>> meshes_;  // those read so far
+    std::set<std::int64_t> ids_;
+    std::set<std::string> cut_out_;
+    std::size_t repeated_ids_ = 0, without_triangles_ = 0;
+    bool is_too_large_ = false;
+};
+
+}  // namespace
+
+MeshFile read_gltf(std::string_view bytes, FormatContext& context) {
+    MeshFile nothing{{}, {}, "node", {}};
+    const auto container = open_gltf(bytes, context.reporter);
+    if (!container) {
+        return nothing;
+    }
+    Node root;
+    try {
+        root = read_json(container->json, context.reporter.file);
+    } catch (const InputError& error) {
+        context.reporter.faults.add(error);
+        return nothing;
+    }
+    const auto document = read_gltf_document(root, context.reporter);
+    if (!document) {
+        return nothing;
+    }
+    GltfBuffers buffers(root, *container, context);
+    return GltfSceneReader(*document, buffers, context).read();
+}
+
+}  // namespace quasimc

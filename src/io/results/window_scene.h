@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/results/json_stream.h"
+#include "quasimc/result.h"
+#include "scene/scene.h"
+#include "sources/source.h"
+
+namespace quasimc {
+
+/// How the page's JSON stands.
+inline constexpr JsonLayout kWindowLayout = JsonLayout::compact;
+
+/// A kind of number that the page in the browser shows of every organ.
+struct WindowColumn {
+    /// Where it stands in a result: a quantity and a band, "ratios" and a ratio, "sunlit_fraction".
+    std::vector<std::string> path;
+    std::string quantity, name, band, unit, sum_unit;
+};
+
+/// Light absorbed per area first, the sunlit fraction and ratios last.
+[[nodiscard]] std::vector<WindowColumn> window_columns(
+    const std::vector<Band>& bands,
+    const std::string& length_unit,
+    const std::vector<std::string>& ratios);
+
+/// Members of the outermost object: program, unit, axes, place, organs and columns
+/// (docs/develop/decisions/window-server.md).
+void json_window_scene(
+    JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns);
+
+/// Corners of triangles, those of one organ together: three numbers in single precision each, about
+/// the middle of the scene, z up.
+[[nodiscard]] std::string window_positions(const Scene& scene);
+
+/// Unit vectors towards the suns among sources, z up.
+[[nodiscard]] std::vector<Vec3> suns_among(const Sources& sources);
+
+/// A list of vectors.
+void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors);
+
+}  // namespace quasimc

@@ -1,0 +1,275 @@
+#include "netcdf/netcdf_layout.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "io/numbers.h"
+#include "io/results/series_words.h"
+#include "io/runfile/units.h"
+#include "results/groups.h"
+
+namespace quasimc {
+namespace {
+
+const NetcdfAttributes kTimeAttributes{
+    {"standard_name", "time"},
+    {"units", "seconds since 1970-01-01 00:00:00 UTC"},
+    {"calendar", "standard"}};
+
+/// Chunks of some ten thousand numbers: a few times of a small scene, a part of a large one.
+std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& sizes) {
+    constexpr std::size_t kNumbers = 1 << 15;
+    std::vector<std::size_t> chunk(sizes.size(), 1);
+    std::size_t left = kNumbers;
+    for (std::size_t i = sizes.size(); i-- > 0;) {
+        chunk[i] = std::clamp<std::size_t>(sizes[i], 1, std::max<std::size_t>(left, 1));
+        left /= chunk[i];
+    }
+    return chunk;
+}
+
+}  // namespace
+
+NetcdfLayout::NetcdfLayout(const RunFile& run, NetcdfFile& file)
+    : columns(written_columns(run)),
+      bands(netcdf_bands(run, columns)),
+      run_(run),
+      file_(file),
+      rows_(netcdf_rows(run)) {
+    file_.add_attributes(netcdf_attributes(run));
+    define_axes();
+    define_points();
+    define_times();
+    define_days();
+    define_organs();
+    define_light();
+}
+
+std::optional<std::size_t> NetcdfLayout::row_of(std::size_t time_step) const {
+    const auto found = std::lower_bound(rows_.begin(), rows_.end(), time_step);
+    return found == rows_.end() || *found != time_step
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - rows_.begin()));
+}
+
+std::string NetcdfLayout::free_name(std::string_view wish) {
+    std::string name(wish);
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c < 0x80; },
+        '_');
+    std::string free = name;
+    for (int number = 2; !names_.insert(free).second; ++number) {
+        free = fmt::format("{}_{}", name, number);
+    }
+    return free;
+}
+
+void NetcdfLayout::define_axes() {
+    names_ = {"point",      "time", "time_bounds", "time_text", "day",  "organ",
+              "organ_name", "area", "band",        "bounds",    "ratio"};
+    if (run_.sweep) {
+        point_ = file_.add_dimension("point", run_.sweep->size());
+    }
+    if (run_.series) {
+        time_ = file_.add_dimension("time", std::max<std::size_t>(rows_.size(), 1));
+        day_ = file_.add_dimension("day", std::max<std::size_t>(run_.series->days.size(), 1));
+    }
+    if (bands.size() == 1 && bands.front().suffix.empty()) {
+        std::vector<std::string> names;
+        for (const std::size_t b : columns.bands) {
+            names.push_back(run_.scene.bands()[b].name);
+        }
+        band_ = file_.add_dimension("band", names.size());
+        file_.put(
+            file_.add_variable("band", NetcdfType::text, {*band_}, {{"long_name", "waveband"}}),
+            names);
+    }
+    if (!run_.spec.ratios.empty()) {
+        ratio_ = file_.add_dimension("ratio", run_.spec.ratios.size());
+        file_.put(
+            file_.add_variable(
+                "ratio", NetcdfType::text, {*ratio_}, {{"long_name", "the bands of a ratio"}}),
+            run_.spec.ratios);
+    }
+}
+
+void NetcdfLayout::define_points() {
+    if (!point_) {
+        return;
+    }
+    for (std::size_t key = 0; key < run_.sweep->front().values.size(); ++key) {
+        std::vector<std::string> texts;
+        std::vector<double> numbers;
+        for (const SweepPoint& point : *run_.sweep) {
+            texts.push_back(point.values[key].text);
+            if (const auto number = parse_real(texts.back())) {
+                numbers.push_back(*number);
+            }
+        }
+        const std::string& stated = run_.sweep->front().values[key].key;
+        const NetcdfAttributes words{{"long_name", "value of " + stated}};
+        const bool is_number = numbers.size() == texts.size();
+        const int variable = file_.add_variable(
+            free_name(stated), is_number ? NetcdfType::real : NetcdfType::text, {*point_}, words);
+        is_number ? file_.put(variable, numbers) : file_.put(variable, texts);
+    }
+}
+
+void NetcdfLayout::define_times() {
+    if (!time_ || rows_.empty()) {
+        return;
+    }
+    const int ends = file_.add_dimension("bounds", 2);
+    std::vector<double> begin, bounds;
+    std::vector<std::string> texts;
+    for (const std::size_t row : rows_) {
+        const MomentNotes& notes = run_.series->notes[row];
+        begin.push_back(netcdf_seconds(notes.time));
+        bounds.push_back(begin.back());
+        bounds.push_back(
+            notes.collapsed ? netcdf_seconds(notes.collapsed->until)
+                            : begin.back() + notes.seconds);
+        texts.push_back(notes.time);
+    }
+    NetcdfAttributes attributes = kTimeAttributes;
+    attributes.emplace_back("long_name", "where the time begins that numbers are the mean of");
+    attributes.emplace_back("bounds", "time_bounds");
+    file_.put(file_.add_variable("time", NetcdfType::real, {*time_}, attributes), begin);
+    file_.put(
+        file_.add_variable("time_bounds", NetcdfType::real, {*time_, ends}, kTimeAttributes),
+        bounds);
+    file_.put(
+        file_.add_variable(
+            "time_text", NetcdfType::text, {*time_},
+            {{"long_name", "the same by the clock, with its difference from UTC"}}),
+        texts);
+}
+
+void NetcdfLayout::define_days() {
+    if (!day_ || run_.series->days.empty()) {
+        return;
+    }
+    file_.put(
+        file_.add_variable(
+            "day", NetcdfType::text, {*day_},
+            {{"long_name", "day, or first and last of a period"}}),
+        run_.series->days);
+}
+
+void NetcdfLayout::define_organs() {
+    const std::vector<Organ>& organs = run_.scene.organs();
+    organ_ = file_.add_dimension("organ", organs.size());
+    std::vector<std::int64_t> ids;
+    std::vector<double> areas;
+    std::vector<std::string> names;
+    for (const Organ& organ : organs) {
+        ids.push_back(organ.id);
+        areas.push_back(organ.area);
+        names.push_back(organ.name);
+    }
+    file_.put(
+        file_.add_variable(
+            "organ", NetcdfType::integer, {organ_}, {{"long_name", "id of the organ"}}),
+        std::span<const std::int64_t>(ids));
+    file_.put(
+        file_.add_variable(
+            "organ_name", NetcdfType::text, {organ_}, {{"long_name", "name of the organ"}}),
+        names);
+    file_.put(
+        file_.add_variable(
+            "area", NetcdfType::real, {organ_},
+            {{"long_name", "area of one side"}, {"units", run_.scene.length_unit() + "2"}}),
+        areas);
+    for (const std::string_view key : label_keys(run_.scene)) {
+        std::vector<std::string> values(organs.size());
+        for (std::size_t i = 0; i < organs.size(); ++i) {
+            for (const auto& label : organs[i].labels) {
+                values[i] = label.first == key ? label.second : values[i];
+            }
+        }
+        file_.put(
+            file_.add_variable(
+                free_name("label_" + std::string(key)), NetcdfType::text, {organ_},
+                {{"long_name", "label " + std::string(key)}}),
+            values);
+    }
+}
+
+NetcdfEstimates NetcdfLayout::define_estimates(
+    const std::string& name,
+    const std::string& unit,
+    const std::string& summary,
+    std::vector<int> dimensions,
+    const std::vector<std::size_t>& sizes) {
+    const std::string mean = free_name(name), error = free_name(name + "_standard_error"),
+                      low = free_name(name + "_interval_low"),
+                      high = free_name(name + "_interval_high");
+    const std::string coordinates = "organ_name area";
+    const auto add = [&](const std::string& variable, const std::string& words,
+                         const std::string& ancillary) {
+        NetcdfAttributes attributes{
+            {"long_name", words}, {"units", unit}, {"coordinates", coordinates}};
+        if (!ancillary.empty()) {
+            attributes.emplace_back("ancillary_variables", ancillary);
+        }
+        return file_.add_variable(
+            variable, NetcdfType::real, dimensions, attributes, chunk_of(sizes));
+    };
+    NetcdfEstimates estimates;
+    estimates.variables = {
+        add(mean, summary, fmt::format("{} {} {}", error, low, high)),
+        add(error, "standard error of " + mean, ""),
+        add(low, "lower end of the 95 % confidence interval of " + mean, ""),
+        add(high, "upper end of the 95 % confidence interval of " + mean, "")};
+    return estimates;
+}
+
+void NetcdfLayout::define_light() {
+    using Axis = std::pair<std::optional<int>, std::size_t>;
+    const Axis point{point_, run_.sweep ? run_.sweep->size() : 1};
+    const Axis time{time_, std::max<std::size_t>(rows_.size(), 1)};
+    const Axis day{day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
+    const Axis band{band_, columns.bands.size()};
+    const Axis ratio{ratio_, run_.spec.ratios.size()};
+    const Axis organ{organ_, run_.scene.organs().size()};
+    const auto define = [&](const std::string& name, const std::string& unit,
+                            const std::string& summary, const std::vector<Axis>& axes) {
+        std::vector<int> dimensions;
+        std::vector<std::size_t> sizes;
+        for (const auto& [dimension, size] : axes) {
+            if (dimension) {
+                dimensions.push_back(*dimension);
+                sizes.push_back(size);
+            }
+        }
+        return define_estimates(name, unit, summary, dimensions, sizes);
+    };
+    for (const NetcdfBands& list : bands) {
+        const Band& first = run_.scene.bands()[list.bands.front()];
+        for (const QuantityEntry& entry : columns.quantities) {
+            const std::string unit = unit_of(entry, first, run_.scene.length_unit());
+            const std::string name = std::string(entry.name) + list.suffix;
+            light.push_back(
+                define(name, unit, std::string(entry.summary), {point, time, band, organ}));
+            if (run_.series) {
+                days.push_back(define(
+                    name + "_day_sum", summed_unit(unit).name,
+                    std::string(entry.summary) + ", summed", {point, day, band, organ}));
+            }
+        }
+    }
+    if (columns.has_sunlit) {
+        sunlit = define(
+            "sunlit_fraction", "1", "part of the area lit straight by directional sources",
+            {point, time, organ});
+    }
+    if (ratio_) {
+        ratios = define(
+            "light_ratio", "1", "of the light that falls on the organ, both sides",
+            {point, time, ratio, organ});
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "io/results/written.h"
+#include "netcdf/netcdf_file.h"
+#include "netcdf/netcdf_parts.h"
+
+namespace quasimc {
+
+/// A number and what is known of its error: four variables of one shape.
+struct NetcdfEstimates {
+    std::array<int, 4> variables{};  ///< mean, standard error, ends of the interval
+};
+
+/// The variables of a file: what they are called and where the numbers of a run stand in them.
+class NetcdfLayout {
+  public:
+    /// Defines and puts everything but the light.
+    NetcdfLayout(const RunFile& run, NetcdfFile& file);
+
+    const WrittenColumns columns;
+    const std::vector<NetcdfBands> bands;
+    std::vector<NetcdfEstimates> light;  ///< [bands * quantities + quantity]
+    std::vector<NetcdfEstimates> days;   ///< the same, summed; empty without [time]
+    std::optional<NetcdfEstimates> sunlit, ratios;
+
+    /// Where a time step stands; nothing of one that is not in the file.
+    [[nodiscard]] std::optional<std::size_t> row_of(std::size_t time_step) const;
+
+  private:
+    void define_axes();
+    void define_organs();
+    void define_times();
+    void define_days();
+    void define_points();
+    void define_light();
+    NetcdfEstimates define_estimates(
+        const std::string& name,
+        const std::string& unit,
+        const std::string& summary,
+        std::vector<int> dimensions,
+        const std::vector<std::size_t>& sizes);
+    /// A name that netCDF takes, and no variable has yet.
+    std::string free_name(std::string_view wish);
+
+    const RunFile& run_;
+    NetcdfFile& file_;
+    std::set<std::string> names_;
+    std::vector<std::size_t> rows_;  // time steps in the file
+    std::optional<int> point_, time_, day_, band_, ratio_;
+    int organ_ = 0;
+};
+
+}  // namespace quasimc

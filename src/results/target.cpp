@@ -1,0 +1,150 @@
+// How well the light that organs absorb is known: whether to a target, and how far it is from it.
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "results/evaluate.h"
+#include "results/organ_blocks.h"
+#include "results/organ_finds.h"
+#include "results/organ_reader.h"
+#include "results/patch_error.h"
+
+namespace quasimc {
+namespace {
+
+/// Adds what an organ absorbs, per band, on the mean over the replicates.
+void add_absorbed(const Sums& sums, const OrganReader& reader, std::vector<double>& flux) {
+    const auto replicates = static_cast<std::uint32_t>(sums.replicates.size());
+    for (std::size_t b = 0; b < flux.size(); ++b) {
+        double sum = 0;
+        for (std::uint32_t r = 0; r < replicates; ++r) {
+            sum += reader.incident(r, b).absorbed;
+        }
+        flux[b] += sum / replicates;
+    }
+}
+
+/// Mean flux that a measured organ absorbs, per band: the same on any number of threads.
+std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    const std::size_t bands = sums.layout.bands;
+    std::vector<std::vector<double>> of_block(blocks_of(scene));
+    std::atomic<std::size_t> count{0};
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        std::vector<double>& flux = of_block[first / kOrgansPerBlock];
+        flux.resize(bands);
+        for (std::size_t i = first; i < last; ++i) {
+            const Organ& organ = scene.organs()[i];
+            if (is_measured(sums, organ)) {
+                add_absorbed(sums, OrganReader(sums, scene, spec, organ), flux);
+                ++count;
+            }
+        }
+    });
+    std::vector<double> mean(bands);
+    for (const std::vector<double>& flux : of_block) {
+        for (std::size_t b = 0; b < bands; ++b) {
+            mean[b] += flux[b] / std::max(static_cast<double>(count), 1.0);
+        }
+    }
+    return mean;
+}
+
+/// What an organ absorbs in a band.
+Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t band) {
+    std::vector<double> absorbed(sums.replicates.size());
+    for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
+        absorbed[r] = reader.incident(r, band).absorbed;
+    }
+    return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
+}
+
+/// The same with the error of patches. @param coarse  of sums with two levels of patches, that of
+/// the coarser; else null
+Estimate absorbed_flux(
+    const Sums& sums, const OrganReader& reader, const OrganReader* coarse, std::size_t band) {
+    const Estimate estimate = absorbed_flux(sums, reader, band);
+    return coarse == nullptr
+               ? estimate
+               : with_patch_error(
+                     estimate, estimate.mean - absorbed_flux(sums, *coarse, band).mean);
+}
+
+/// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
+/// any light is. Where nothing was found, if what may be there is little beside what others get.
+/// @param coarse  of sums with two levels of patches, that of the coarser; else null
+bool is_at_target(
+    const Sums& sums,
+    const OrganReader& reader,
+    const OrganReader* coarse,
+    double target,
+    const std::vector<double>& usual) {
+    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
+        const Estimate estimate = absorbed_flux(sums, reader, coarse, b);
+        const bool is_unlit = std::isnan(estimate.standard_error);
+        const bool is_known = is_unlit ? estimate.high <= target * usual[b]
+                                       : estimate.standard_error <= target * estimate.mean;
+        if (!is_known) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+double fraction_at_target(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
+    std::atomic<std::size_t> reached{0};
+    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
+    const std::vector<double> usual = usual_flux(sums, scene, spec);
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Organ& organ = scene.organs()[i];
+            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
+            const OrganReader reader(sums, scene, spec, organ);
+            const OrganReader other(coarse, scene, spec, organ);
+            const bool is_done =
+                !is_measured(sums, organ) || is_covered ||
+                is_at_target(sums, reader, has_two_levels(sums) ? &other : nullptr, target, usual);
+            reached += is_done ? 1 : 0;
+        }
+    });
+    return static_cast<double>(reached) / static_cast<double>(scene.organs().size());
+}
+
+ErrorSpread spread_of_errors(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    const std::size_t bands = sums.layout.bands;
+    std::vector<double> errors(
+        scene.organs().size() * bands, std::numeric_limits<double>::quiet_NaN());
+    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Organ& organ = scene.organs()[i];
+            if (organ.is_ground || !is_measured(sums, organ)) {
+                continue;
+            }
+            const OrganReader reader(sums, scene, spec, organ);
+            const OrganReader other(coarse, scene, spec, organ);
+            for (std::size_t b = 0; b < bands; ++b) {
+                const Estimate e =
+                    absorbed_flux(sums, reader, has_two_levels(sums) ? &other : nullptr, b);
+                errors[i * bands + b] = e.standard_error / e.mean;
+            }
+        }
+    });
+    errors.erase(
+        std::remove_if(
+            errors.begin(), errors.end(), [](double error) { return !std::isfinite(error); }),
+        errors.end());
+    if (errors.empty()) {
+        return {};
+    }
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return {*middle, *std::max_element(middle, errors.end())};
+}
+
+}  // namespace quasimc

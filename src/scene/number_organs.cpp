@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "scene/scene_checks.h"
+#include "scene/scene_draft.h"
+
+namespace quasimc {
+namespace {
+
+/// Counts the ids of organs, from the first on.
+class IdCounter {
+  public:
+    /// The id of the next organ: the one that was stated, or the first that is free.
+    std::int64_t next(const SceneDraft& draft, std::size_t organ) {
+        const std::int64_t id = draft.stated[organ].has_id ? draft.organs[organ].id : free();
+        largest_ = std::clamp(id, largest_, kLastId - 1);
+        return id;
+    }
+    /// One more than the largest so far, at least 1.
+    [[nodiscard]] std::int64_t free() const { return largest_ + 1; }
+
+  private:
+    std::int64_t largest_ = 0;
+};
+
+void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
+    const std::vector<Organ>& organs = draft.organs;
+    std::vector<std::uint32_t> order(organs.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return organs[a].id < organs[b].id;
+    });
+    std::uint32_t first = order.front();
+    for (const std::uint32_t i : order) {
+        if (i == first || organs[i].id != organs[first].id) {
+            first = i;
+            continue;
+        }
+        faults.add(
+            draft, i,
+            {"", fmt::format("id {} is taken", organs[i].id), "by " + place_of(draft, first),
+             "ids are unique in a scene"});
+    }
+}
+
+}  // namespace
+
+std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
+    IdCounter ids;
+    bool ascending = true;
+    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+        Organ& organ = draft.organs[i];
+        organ.id = ids.next(draft, i);
+        if (organ.name.empty()) {
+            organ.name = fmt::format("organ {}", organ.id);
+        }
+        if (organ.id >= kLastId) {
+            faults.add(
+                draft, i,
+                {"", fmt::format("id {} is too large", organ.id),
+                 fmt::format("ids end at {}", kLastId - 1), ""});
+        }
+        ascending = ascending && (i == 0 || organ.id > draft.organs[i - 1].id);
+    }
+    if (!ascending) {
+        add_repeated_ids(draft, faults);
+    }
+    return ids.free();
+}
+
+std::vector<std::int64_t> organ_ids(const SceneDraft& draft) {
+    IdCounter counter;
+    std::vector<std::int64_t> ids;
+    ids.reserve(draft.organs.size());
+    for (std::size_t i = 0; i < draft.organs.size(); ++i) {
+        ids.push_back(counter.next(draft, i));
+    }
+    return ids;
+}
+
+}  // namespace quasimc

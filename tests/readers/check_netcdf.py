@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""Compares the NetCDF that quasimc writes with its JSON: check_netcdf.py QUASIMC"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+HEAD = """
+title = "Two leaves"
+length_unit = "cm"
+{bands}
+[run]
+paths = 256
+ratios = ["PAR:NIR"]
+[place]
+latitude_deg = 50
+longitude_deg = 8
+"""
+SUN = """
+[[source]]
+type = "directional"
+direction = [0.1, 0, -1]
+irradiance_facing = 100
+"""
+TIME = """
+[time]
+from = "2024-06-21"
+to = "2024-06-22"
+utc_offset_hours = 2
+"""
+SCENE = """
+[[material]]
+name = "leaf"
+reflectance = 0.1
+transmittance = 0.1
+[[organ]]
+id = 17
+name = "upper"
+labels = {{ plant = 1, "my kind" = "leaf" }}
+material = "leaf"
+shape = "disk"
+center = [0, 0, 30]
+normal = [0, 0, 1]
+radius = 5
+[[organ]]
+id = 3
+name = "lower, \\"left\\""
+material = "leaf"
+shape = "disk"
+center = [2, 0, 10]
+normal = [0.2, 0, 1]
+radius = 5
+"""
+ONE_UNIT = 'bands = ["PAR", "NIR"]'
+TWO_UNITS = """
+[[band]]
+name = "PAR"
+unit = "umol m-2 s-1"
+[[band]]
+name = "NIR"
+"""
+PARTS = {
+    "": "mean",
+    "_standard_error": "standard_error",
+    "_interval_low": "low",
+    "_interval_high": "high",
+}
+
+
+def number(value):
+    return np.nan if value is None else value
+
+
+def estimate(value):
+    """The four numbers of an estimate in the JSON."""
+    return {part: number(value.get(part)) for part in PARTS.values()}
+
+
+def compare(variables, where, organs, bands, suffixed, extra=""):
+    """Whether the variables hold what the organs of the JSON say, quantity by quantity."""
+    compared = 0
+    for i, organ in enumerate(organs):
+        for quantity, by_band in organ.items():
+            if quantity in ("id", "name", "labels", "area", "sunlit_fraction", "ratios"):
+                continue
+            for b, band in enumerate(bands):
+                for suffix, part in PARTS.items():
+                    name = quantity + (f"_{band}" if suffixed else "") + extra + suffix
+                    place = where + ((i,) if suffixed else (b, i))
+                    ours = variables[name].values[place]
+                    theirs = estimate(by_band[band])[part]
+                    assert np.array_equal(ours, theirs, equal_nan=True), (name, place, ours, theirs)
+                    compared += 1
+    return compared
+
+
+class Case:
+    def __init__(self, program, folder, text):
+        (folder / "run.toml").write_text(text)
+        done = subprocess.run(
+            [program, "run", "run.toml", "--quiet", "--nc", "out.nc", "--json", "out.json"],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        self.json = json.loads((folder / "out.json").read_text())
+        self.data = xarray.load_dataset(folder / "out.nc")
+        self.dump = subprocess.run(
+            ["ncdump", "-h", "out.nc"], cwd=folder, capture_output=True, text=True, check=True
+        ).stdout
+
+
+def check_organs(case):
+    data = case.data
+    assert list(data.organ.values) == [17, 3]
+    assert list(data.organ_name.values) == ["upper", 'lower, "left"']
+    assert list(data.label_my_kind.values) == ["leaf", ""]
+    assert data.area.attrs["units"] == "cm2"
+    assert data.attrs["Conventions"] == "CF-1.8" and data.attrs["title"] == "Two leaves"
+    assert "run.toml (sha256 " in data.attrs["inputs"] and "paths = 256" in data.attrs["options"]
+
+
+def check_single(program, folder):
+    case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + SUN + SCENE.format())
+    check_organs(case)
+    data = case.data
+    assert data.absorbed_flux.dims == ("band", "organ")
+    assert list(data.band.values) == ["PAR", "NIR"]
+    assert data.absorbed_flux.attrs["units"] == "W m-2 cm2", data.absorbed_flux.attrs
+    assert data.absorbed_flux.attrs["ancillary_variables"].split()[0] == "absorbed_flux_standard_error"
+    assert compare(data, (), case.json["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
+    assert data.light_ratio.dims == ("ratio", "organ") and list(data.ratio.values) == ["PAR:NIR"]
+    assert data.sunlit_fraction.values[0] == case.json["organs"][0]["sunlit_fraction"]["mean"]
+    assert "double absorbed_flux(band, organ)" in case.dump
+
+
+def check_series(program, folder):
+    case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format())
+    check_organs(case)
+    data = case.data
+    assert data.absorbed_flux_PAR.dims == ("time", "organ")
+    assert data.absorbed_flux_density_PAR.attrs["units"] == "umol m-2 s-1"
+    assert data.absorbed_flux_density_PAR_day_sum.attrs["units"] == "mol m-2"
+    assert data.absorbed_flux_density_NIR_day_sum.attrs["units"] == "J m-2"
+    moments = case.json["moments"]
+    assert len(moments) == data.sizes["time"] > 10
+    for row, moment in enumerate(moments):
+        assert str(data.time_text.values[row]) == moment["time"]
+        clock = np.datetime64(moment["time"][:16])
+        assert data.time.values[row] + np.timedelta64(2, "h") == clock
+        begin, end = data.time_bounds.values[row]
+        assert end - begin == np.timedelta64(int(moment["seconds"]), "s")
+        assert compare(data, (row,), moment["organs"], ["PAR", "NIR"], True) == 2 * 6 * 2 * 4
+    assert list(data.day.values) == ["2024-06-21", "2024-06-22"]
+    for row, day in enumerate(case.json["days"]):
+        assert compare(data, (row,), day["organs"], ["PAR", "NIR"], True, "_day_sum") > 0
+    # What xarray is for.
+    at_noon = data.absorbed_flux_PAR.sel(time="2024-06-21T10:00", organ=17)
+    assert float(at_noon) > 0
+
+
+def check_sweep(program, folder):
+    sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
+    case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
+    data = case.data
+    assert data.absorbed_flux.dims == ("point", "band", "organ")
+    assert list(data.material_leaf_reflectance.values) == [0.1, 0.4]
+    for row, point in enumerate(case.json["points"]):
+        assert compare(data, (row,), point["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        for check in (check_single, check_series, check_sweep):
+            check(sys.argv[1], Path(name))
+
+
+main()

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Whether a run writes for other programs what convert makes of its JSON: check_outputs.py QUASIMC"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+RUN = """
+bands = ["PAR", "NIR"]
+[run]
+paths = 64
+ratios = ["PAR:NIR"]
+{more}
+[output]
+json = "out.json"
+vtp = "out.vtp"
+ply = "out.ply"
+glb = "out.glb"
+[[material]]
+name = "leaf"
+reflectance = 0.1
+transmittance = 0.1
+[[organ]]
+material = "leaf"
+shape = "disk"
+center = [0, 0, 1]
+normal = [0, 0, 1]
+radius = 1
+[[organ]]
+material = "leaf"
+shape = "disk"
+center = [0.5, 0, 0.5]
+normal = [0, 0.2, 1]
+radius = 1
+"""
+ONCE = """
+[[source]]
+type = "directional"
+direction = [0.1, 0, -1]
+irradiance_facing = 100
+"""
+DAY = """
+[place]
+latitude_deg = 50
+longitude_deg = 8
+[time]
+day = "2024-06-21"
+utc_offset_hours = 2
+"""
+
+
+def main():
+    for more in (ONCE, DAY):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+
+            def run(*command):
+                done = subprocess.run(
+                    [sys.argv[1], *command],
+                    cwd=folder,
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+                assert done.returncode == 0, done.stderr
+
+            (folder / "run.toml").write_text(RUN.format(more=more))
+            run("run", "run.toml", "--quiet")
+            for ending in ("vtp", "ply", "glb"):
+                run("convert", "out.json", f"back.{ending}")
+                ours = (folder / f"out.{ending}").read_bytes()
+                assert ours == (folder / f"back.{ending}").read_bytes(), (ending, more)
+            # Flags go before the file.
+            run("run", "run.toml", "--quiet", "--glb", "other.glb")
+            assert (folder / "other.glb").read_bytes() == (folder / "out.glb").read_bytes()
+
+
+main()

@@ -1,0 +1,106 @@
+// Who looks on while a run is computed sees what a shorter run would have told, and changes
+// nothing.
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/run.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+bool are_same(const Result& a, const Result& b) {
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return std::equal(
+        a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
+        [&](const Estimate& x, const Estimate& y) {
+            return bits(x.mean) == bits(y.mean) && bits(x.low) == bits(y.low) &&
+                   bits(x.standard_error) == bits(y.standard_error);
+        });
+}
+
+Scene make_leaves() {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .4, .2));
+    for (const Triangle& leaf : random_leaves(200, .2, 1, 3)) {
+        builder.add_organ(organ("", "leaf", {leaf}));
+    }
+    return std::move(builder).build();
+}
+
+class PreviewOfMethods : public ::testing::TestWithParam<Method> {
+  protected:
+    /// The result of a run that is looked at; what was seen of it goes to seen_.
+    Result run_seen(const RunSpec& spec) {
+        RunPreview preview;
+        preview.is_wanted = [] { return true; };
+        preview.on_result = [this](std::size_t moment, Result so_far) {
+            EXPECT_EQ(moment, 7U);
+            seen_.push_back(std::move(so_far));
+        };
+        return run(scene_, sources_, spec, {.moment = 7, .preview = &preview});
+    }
+    [[nodiscard]] RunSpec make_spec(std::uint64_t paths) const {
+        RunSpec spec = spec_of(GetParam(), paths);
+        spec.threads = 3;
+        return spec;
+    }
+
+    Scene scene_ = make_leaves();
+    Sources sources_{sun(30, {1}), sky({.5})};
+    std::vector<Result> seen_;
+};
+
+TEST_P(PreviewOfMethods, OfReplicatesIsTheResultOfSoManyReplicates) {
+    RunSpec spec = make_spec(1U << 14U);
+    const Result result = run_seen(spec);
+    EXPECT_TRUE(are_same(result, run(scene_, sources_, spec)));
+    ASSERT_FALSE(seen_.empty());
+    for (const Result& seen : seen_) {
+        EXPECT_GE(seen.replicates, 2U);
+        EXPECT_LT(seen.replicates, kReplicates);
+        EXPECT_EQ(seen.chosen.method, GetParam());
+        spec.replicates = seen.replicates;
+        EXPECT_TRUE(are_same(seen, run(scene_, sources_, spec))) << seen.replicates;
+    }
+}
+
+TEST_P(PreviewOfMethods, OfRoundsIsTheResultOfSoManyPaths) {
+    RunSpec spec = make_spec(256);
+    spec.replicates = 2;  // none is complete before the round is
+    spec.max_paths = 2048;
+    const Result result = run_seen(spec);
+    EXPECT_TRUE(are_same(result, run(scene_, sources_, spec)));
+    EXPECT_EQ(result.paths, 2048U);
+    ASSERT_FALSE(seen_.empty());
+    for (const Result& seen : seen_) {
+        EXPECT_LT(seen.paths, result.paths);
+        spec.max_paths = seen.paths;
+        EXPECT_TRUE(are_same(seen, run(scene_, sources_, spec))) << seen.paths;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AllMethods,
+    PreviewOfMethods,
+    ::testing::Values(
+        Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles));
+
+TEST(Preview, OfARunThatNobodyLooksAtIsNotMade) {
+    RunPreview preview;
+    preview.is_wanted = [] { return false; };
+    preview.on_result = [](std::size_t, const Result&) { ADD_FAILURE() << "nobody looks"; };
+    const Result result =
+        run(make_leaves(), {sun(30, {1})}, spec_of(Method::first_hits, 1U << 12U),
+            {.preview = &preview});
+    EXPECT_EQ(result.replicates, kReplicates);
+}
+
+}  // namespace
+}  // namespace quasimc::test

@@ -1,0 +1,127 @@
+// A run that goes on: its states so far, as the server tells of them.
+
+import { RunData, readJson, request } from "./data.js";
+
+const kBetween = 400; // milliseconds from one question for news to the next
+const kHidden = 3000; // the same while nobody sees the page
+
+export function isLive() {
+  return document.getElementById("live") !== null;
+}
+
+const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+
+/** The numbers of a frame; null once the program is gone. */
+async function valuesOrNothing(name) {
+  try {
+    return await (await request(name)).arrayBuffer();
+  } catch {
+    return null;
+  }
+}
+
+export class LiveRun {
+  static async open() {
+    const live = new LiveRun();
+    live.colorMaps = await readJson("colors");
+    live.scenes = new Map(); // promises, by number
+    live.frames = new Map(); // promises, by number and version
+    await live.poll();
+    return live;
+  }
+
+  /** Asks for news. Rejects when the program is gone. */
+  async poll() {
+    this.state = await (await request("live")).json();
+    const known = new Set(this.state.frames.map(({ number, version }) => `${number}-${version}`));
+    const scenes = new Set(this.state.frames.map((frame) => frame.scene));
+    const forget = (map, kept) => [...map.keys()].filter((key) => !kept.has(key)).forEach((key) => map.delete(key));
+    forget(this.frames, known);
+    forget(this.scenes, scenes);
+  }
+
+  #scene(number) {
+    if (!this.scenes.has(number)) {
+      this.scenes.set(number, Promise.all([
+        readJson(`scene-${number}`), request(`positions-${number}`).then((answer) => answer.arrayBuffer()),
+      ]).then(([json, bytes]) => ({ json, positions: new Float32Array(bytes) })));
+    }
+    return this.scenes.get(number);
+  }
+
+  /** A state of the run, as if it were a run that is done. */
+  frame({ number, version, scene }) {
+    const key = `${number}-${version}`;
+    if (!this.frames.has(key)) {
+      this.frames.set(key, Promise.all([this.#scene(scene), readJson(`light-${key}`)]).then(([shape, light]) => {
+        const { label, suns, values } = light;
+        const json = {
+          ...shape.json,
+          head: { ...shape.json.head, ...light.head },
+          times: [{ part: "", index: 0, label, suns, values }],
+        };
+        return new RunData(json, this.colorMaps, shape.positions,
+          (column) => valuesOrNothing(`values-${key}-${column}`));
+      }));
+    }
+    return this.frames.get(key);
+  }
+}
+
+/**
+ * Shows the newest frame of a run as it comes, until somebody goes back to an older one.
+ * @param show  (run, index, entries) => promise
+ * @param tell  (words, fraction) of how far the run is
+ */
+export class Follower {
+  constructor(live, show, tell) {
+    Object.assign(this, { live, show, tell, isFollowing: true, shown: null });
+  }
+
+  /** Returns when the run has ended, or the program is gone. */
+  async follow() {
+    for (;;) {
+      const { words, fraction, ended } = this.live.state;
+      await this.#showNews();
+      this.tell(ended || words, ended ? -1 : fraction);
+      if (ended) {
+        return;
+      }
+      await wait(document.hidden ? kHidden : kBetween);
+      try {
+        await this.live.poll();
+      } catch {
+        this.tell("The run has ended. This page keeps what it has read.", -1);
+        return;
+      }
+    }
+  }
+
+  /** Goes to one of the frames; at the newest, follows again. */
+  async select(index) {
+    const { frames } = this.live.state;
+    this.isFollowing = index >= frames.length - 1;
+    await this.#showFrame(frames[index]);
+  }
+
+  async #showNews() {
+    const { frames } = this.live.state;
+    const own = frames.find((frame) => frame.number === this.shown?.number);
+    const wanted = this.isFollowing ? frames.at(-1) : own ?? this.shown;
+    await this.#showFrame(wanted);
+  }
+
+  async #showFrame(frame) {
+    if (!frame) {
+      return;
+    }
+    const { frames } = this.live.state;
+    const isNew = frame.number !== this.shown?.number || frame.version !== this.shown?.version;
+    const run = isNew ? await this.live.frame(frame).catch(() => null) : null;
+    if (isNew && run === null) {
+      return; // it is gone; the next news will tell
+    }
+    this.shown = frame;
+    await this.show(run, Math.max(0, frames.findIndex(({ number }) => number === frame.number)), frames);
+  }
+}
