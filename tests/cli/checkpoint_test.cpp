@@ -29,6 +29,13 @@ class CheckpointTest : public ProgramTest {
         folder_.write(
             "sweep.toml", good_run_file() + "[sweep]\nmax_depth = [1, 2]\nseed = [1, 2, 3]\n");
     }
+    /// Sends a signal to a run as soon as a condition of bash holds; the run must need far longer.
+    [[nodiscard]] Outcome stopped_once(
+        const std::string& condition, const std::string& run, const std::string& signal) const {
+        return shell(  // with job control: a shell without lets its background ignore SIGINT
+            "set -m; " + run + " & pid=$!\nuntil " + condition +
+            " || ! kill -0 $pid; do sleep 0.01; done; kill -" + signal + " $pid; wait $pid");
+    }
     /// Kills a run again and again after some time, and lets it go on in other numbers of threads.
     /// @returns how often it was killed
     [[nodiscard]] int run_and_kill(const std::string& run, int kills) const {
@@ -80,17 +87,37 @@ TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
         again.err,
         "c: is there already (a run that begins would overwrite it); state --resume to go on from "
         "it, or remove it\n");
-    ASSERT_EQ(
-        run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"}).status, 0);
+    const Outcome there =
+        run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"});
+    ASSERT_EQ(there.status, 0);
+    EXPECT_NE(there.out.find("time      traced before"), std::string::npos) << there.out;
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
-    ASSERT_EQ(
-        run({"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
-             "b.csv"})
-            .status,
-        0);
+    const Outcome more = run(
+        {"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
+         "b.csv"});
+    ASSERT_EQ(more.status, 0);
+    EXPECT_NE(more.out.find("; 25 % of the paths were traced before\n"), std::string::npos)
+        << more.out;
     ASSERT_EQ(run({"run", "run.toml", "--max-paths", "1024", "--csv", "w.csv"}).status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
     EXPECT_NE(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
+}
+
+TEST_F(CheckpointTest, GoesOnToMorePathsOrSaysWhyNot) {
+    const std::string command = "\"$quasimc\" run run.toml --method light_tracing --quiet ";
+    ASSERT_EQ(shell(command + "--paths 16384 --checkpoint c").status, 0);
+    const Outcome more = shell(command + "--paths 65536 --checkpoint c --resume --csv b.csv");
+    EXPECT_EQ(more.status, 0) << more.err;
+    ASSERT_EQ(shell(command + "--paths 65536 --csv w.csv").status, 0);
+    EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
+    const Outcome fewer = shell(command + "--paths 16384 --checkpoint c --resume");
+    EXPECT_EQ(fewer.status, 1);
+    EXPECT_EQ(
+        fewer.err,
+        "--paths: the checkpoint can't go on to 16384 of them (65536 paths are traced already); "
+        "leave paths as they were and state max_paths, or begin anew\n");
+    // What was refused stays what it was.
+    EXPECT_EQ(shell(command + "--paths 16384 --checkpoint c --resume").err, fewer.err);
 }
 
 TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
@@ -123,16 +150,57 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
 
 TEST_F(CheckpointTest, IsKeptWhenARunIsInterrupted) {
     const std::string run =
-        "\"$quasimc\" run run.toml --method light_tracing --paths 4194304 "
+        "\"$quasimc\" run run.toml --method light_tracing --paths 1073741824 "
         "--replicates 2 --quiet --checkpoint c --every 0";
-    const Outcome stopped = shell("timeout --foreground --preserve-status -s INT 0.5 " + run);
+    const Outcome stopped = stopped_once("[ -e c ]", run, "INT");
     EXPECT_EQ(stopped.status, 130) << stopped.err;
     // The paths that the run has traced are not traced again: the checkpoint has grown.
     EXPECT_GT(folder_.read("c").size(), 2000U);
 }
 
-TEST_F(CheckpointTest, HasNoPlaceForAuditsAndParts) {
-    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--audit", "0.5"}).status, 1);
+TEST_F(CheckpointTest, OfAnAuditedRunLetsItBeAuditedAnew) {
+    const std::string command =
+        "\"$quasimc\" run run.toml --method light_tracing --paths 1048576 --audit 0.5 --json ";
+    ASSERT_EQ(shell(command + "whole.json --quiet").status, 0);
+    const Outcome stopped = stopped_once(
+        "[ -e c ]", command + "out.json --quiet --checkpoint c --every 0 --threads 1", "KILL");
+    EXPECT_EQ(stopped.status, 137) << stopped.err;
+    for (int times = 0; times < 2; ++times) {  // of the rest, and of a run that is done
+        const Outcome resumed = shell(command + "out.json --quiet --checkpoint c --resume");
+        EXPECT_EQ(resumed.status, 0) << resumed.err;
+        const auto audit_of = [&](const std::string& name) {
+            const std::string text = folder_.read(name);
+            const std::size_t at = text.find("\"audit\": {");
+            return at == std::string::npos ? "none" : text.substr(at, text.find('}', at) - at);
+        };
+        EXPECT_NE(audit_of("out.json"), "none");
+        EXPECT_EQ(audit_of("out.json"), audit_of("whole.json"));
+    }
+}
+
+TEST_F(CheckpointTest, IsOfOneRunAtATime) {
+    const std::string command =
+        "\"$quasimc\" run run.toml --method light_tracing --paths 1073741824 --quiet "
+        "--checkpoint c --every 0";
+    // The first is killed, so that its lock is left behind.
+    const Outcome second = shell(
+        command +
+        " & first=$!; until [ -e c ]; do sleep 0.01; done; "
+        "\"$quasimc\" run run.toml --checkpoint c --resume; status=$?; "
+        "kill -9 $first; echo $first; exit $status");
+    EXPECT_EQ(second.status, 1);
+    const std::string owner = second.out.substr(0, second.out.find('\n'));
+    EXPECT_TRUE(second.err.starts_with("c: is in use by another run (process " + owner + " on "))
+        << second.err;
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "c.lock"));
+    std::filesystem::copy_file(folder_.path() / "c.lock", folder_.path() / "left");
+    const Outcome third =
+        stopped_once("! cmp -s c.lock left", command + " --resume --threads 1", "INT");
+    EXPECT_EQ(third.status, 130) << third.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.lock"));
+}
+
+TEST_F(CheckpointTest, HasNoPlaceForParts) {
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--part", "1/2"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--resume"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "run.toml", "--resume"}).status, 1);
@@ -148,7 +216,7 @@ TEST_P(LongCheckpointTest, LosesNothingAtFiftyKills) {
 INSTANTIATE_TEST_SUITE_P(Long, LongCheckpointTest, ::testing::Values(50));
 
 TEST_F(CheckpointTest, IsNoOutput) {
-    for (const char* output : {"--csv c", "--json ./c", "--csv c.done"}) {
+    for (const char* output : {"--csv c", "--json ./c", "--csv c.done", "--csv c.lock"}) {
         const Outcome outcome =
             shell(std::string("\"$quasimc\" run run.toml --checkpoint c ") + output);
         EXPECT_EQ(outcome.status, 1) << output;
