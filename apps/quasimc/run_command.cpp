@@ -138,6 +138,7 @@ class SweepRun {
           team_(team),
           run_(next_file(0)),
           writers_(arguments, *run_),
+          interrupt_(std::in_place, stopping_note(arguments)),
           checkpoint_(arguments, *run_),
           tell_(progress_line(progress_lines(arguments))) {
         if (arguments.view) {
@@ -146,8 +147,7 @@ class SweepRun {
     }
 
     void compute() {
-        const InterruptWatch interrupt(stopping_note(arguments_));
-        while (trace(interrupt.token()) && point_ + 1 < sweep_.size() && goes_on()) {
+        while (trace(interrupt_->token()) && point_ + 1 < sweep_.size() && goes_on()) {
             std::unique_ptr<quasimc::RunFile> next = next_file(++point_);
             writers_.next_run(*next, last_);
             if (window_) {
@@ -160,6 +160,7 @@ class SweepRun {
         if (window_) {
             window_->finish(all_.stop);
         }
+        interrupt_.reset();
     }
 
     /// The page stays for who wants to see the result. One who has stopped the run wants to leave.
@@ -291,6 +292,7 @@ class SweepRun {
     std::size_t moments_before_ = 0;  // of the points before
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
+    std::optional<InterruptWatch> interrupt_;  // before what has threads and what is left behind
     CheckpointRun checkpoint_;
     std::function<void(const quasimc::Progress&)> tell_;
     std::optional<RunWindow> window_;

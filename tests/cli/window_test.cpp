@@ -1,6 +1,7 @@
 // The page in the browser from the command line. What it shows: tests/web. What its server refuses:
 // tests/unit/view/window_test.cpp.
 
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,20 @@ TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
     EXPECT_EQ(folder_.read("there_already.csv"), folder_.read("alone.csv")) << "to the last bit";
     EXPECT_EQ(folder_.read("told").find("http:"), std::string::npos) << "stdout is for the summary";
     EXPECT_EQ(run({"run", "run.toml", "--view", "--part", "1/2"}).status, 2);
+}
+
+TEST_F(WindowCommand, OfARunThatIsInterruptedEndsInOrder) {
+    if (!has_page()) {
+        GTEST_SKIP() << "built without its page";
+    }
+    const Outcome outcome = shell(
+        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c --every 0 "
+        "--method light_tracing --paths 1073741824 >told 2>err & "
+        "until [ -e c ] || ! kill -0 $!; do sleep 0.01; done; kill -INT $!; wait $!");
+    EXPECT_EQ(outcome.status, 130) << outcome.err;
+    EXPECT_NE(folder_.read("err").find("stopping;"), std::string::npos) << folder_.read("err");
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "c"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.lock"));
 }
 
 }  // namespace

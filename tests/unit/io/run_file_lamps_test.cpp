@@ -182,8 +182,8 @@ TEST(RunFileLamps, EmitInTheUnitOfEachBand) {
     const std::string point = "type = 'point'\nposition = [0, 0, 3]\n";
     const auto spectrum = [&](const std::string& keys) {
         const RunFile run = read_text(with_lamp(point + keys, bands));
-        const auto spectrum = run.sources.at(0)->spectrum();
-        return std::vector<double>(spectrum.begin(), spectrum.end());
+        const auto emitted = run.sources.at(0)->spectrum();
+        return std::vector<double>(emitted.begin(), emitted.end());
     };
     EXPECT_EQ(spectrum("photon_flux = [100, 0]\npower = [0, 7]\n"), (std::vector<double>{100, 7}));
     EXPECT_EQ(spectrum("photon_flux = [100, 0]\n"), (std::vector<double>{100, 0}));
