@@ -74,16 +74,24 @@ SemaphorePair::~SemaphorePair() {
     }
 }
 
+// The sign is a value of 0. With it, in one, comes what the last operation takes and the kernel
+// gives back when we end: there is no moment at which we have signed and a kill would leave no
+// answer.
 void SemaphorePair::announce() {
-    SemaphoreArgument zero{};
-    zero.value = 0;
-    if (::semctl(set_, kToMaster, SETVAL, zero) < 0) {
+    const int before = ::semctl(set_, kToMaster, GETVAL);
+    if (before < 0) {
         gone_by_error(errno);
     }
-    // Nothing changes, but what the second operation takes the kernel gives back when we end.
-    std::array<sembuf, 2> owe{{{kToMaster, kMost, 0}, {kToMaster, -kMost, SEM_UNDO}}};
-    static_cast<void>(
-        ::semop(set_, owe.data(), owe.size()));  // without it, all but this is as well
+    std::array<sembuf, 3> sign_and_owe{
+        {{kToMaster, static_cast<short>(-before), IPC_NOWAIT},
+         {kToMaster, kMost, 0},
+         {kToMaster, -kMost, SEM_UNDO}}};
+    SemaphoreArgument zero{};
+    zero.value = 0;
+    if (::semop(set_, sign_and_owe.data(), sign_and_owe.size()) < 0 &&
+        ::semctl(set_, kToMaster, SETVAL, zero) < 0) {  // without it, all but a kill is as well
+        gone_by_error(errno);
+    }
 }
 
 void SemaphorePair::wait_for_master() {
