@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/executor.h"
-#include "geometry/cast/ray_caster.h"
 #include "quasimc/run.h"
 #include "quasimc/series.h"
 #include "quasimc/sums.h"
+#include "run/kept_caster.h"
 #include "scene/scene.h"
 #include "solvers/solver.h"
 
@@ -93,13 +93,9 @@ class TeamHelper {
         const RunSpec& spec,
         const RunTeam& team,
         TeamOrder order);
-    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
 
     Simulator simulator_;  // of runs that it traces by itself
-    std::shared_ptr<const RayCaster> caster_;
-    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
-    Cell cell_;
-    Engine engine_ = Engine::embree;
+    KeptCaster caster_;
 };
 
 }  // namespace quasimc
