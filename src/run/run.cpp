@@ -381,7 +381,7 @@ Result Simulator::State::trace(
     result.rounds = traced.rounds;
     result.build_seconds = build_seconds;
     result.trace_seconds = seconds_since(start) - build_seconds;
-    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before;
+    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
     return result;
 }
 
@@ -446,7 +446,9 @@ Simulator::State::Traced Simulator::State::trace_rounds(
     }
     const double before = few ? 0 : tracer.paths_before();
     Sums sums = few ? std::move(*few) : std::move(tracer).take_sums();
-    return {std::move(sums), rounds.stop(), rounds.at_target(), before, std::move(errors)};
+    return {
+        std::move(sums),  rounds.stop(), rounds.at_target(), before, tracer.cpu_seconds_of_others(),
+        std::move(errors)};
 }
 
 }  // namespace quasimc

@@ -55,6 +55,7 @@ class Simulator::State {
         StopReason stop;
         double at_target;
         double paths_before;
+        double cpu_seconds_of_others;
         std::vector<RoundErrors> rounds;
     };
     [[nodiscard]] Traced trace_rounds(
