@@ -141,6 +141,9 @@ Exit run_with_others(const RunArguments& arguments) {
         return run(arguments, read_runs(arguments), nullptr);
     }
     quasimc::RunTeam& team = ranks->team();
+    if (!arguments.checkpoint.empty()) {
+        team.keep_every = arguments.every;
+    }
     return ranks->run([&] {
         return team.is_first ? run(arguments, read_for_team(arguments, team), nullptr, &team)
                              : help_run(arguments, team);

@@ -374,7 +374,8 @@ Result Simulator::State::trace(
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
     const Traced traced =
         trace_rounds(prepared, spec, asked, control, early, {start, build_seconds});
-    Result result = make_result(traced.sums, scene, asked);
+    const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
+    Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();
     result.stop = traced.stop;
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;

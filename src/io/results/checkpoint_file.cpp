@@ -189,13 +189,19 @@ void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
     }
 }
 
+void CheckpointFile::keep_state(std::size_t moment, std::string state) {
+    if (!places_.contains(moment)) {
+        keep(moment, {std::move(state), false});
+    }
+}
+
 void CheckpointFile::flush() {
     if (!is_saved_) {
         write();
     }
 }
 
-/// Runs come in the order of their numbers: what is done of those before goes to the second file.
+/// Runs end in the order of their numbers: what is done of those before goes to the second file.
 void CheckpointFile::keep(std::size_t moment, State state) {
     const auto place = places_.find(moment);
     if (state.is_done && place != places_.end() &&
@@ -204,7 +210,7 @@ void CheckpointFile::keep(std::size_t moment, State state) {
     }
     states_[moment] = std::move(state);
     is_saved_ = false;
-    while (states_.begin()->first < moment) {
+    while (states_.begin()->first < moment && states_.begin()->second.is_done) {
         move_to_done(states_.begin()->first, states_.begin()->second.bytes);
         states_.erase(states_.begin());
     }
