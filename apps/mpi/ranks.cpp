@@ -114,6 +114,21 @@ void send_mail(std::uint64_t number, const char* bytes, std::uint64_t count) {
     wait_for_mail(kMostOnTheirWay);
 }
 
+int has_mail_arrived() {
+    auto& sent = mail_box().sent;
+    while (!sent.empty()) {
+        for (MPI_Request& request : sent.front().requests) {
+            int is_done = 0;
+            MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+            if (is_done == 0) {
+                return 0;
+            }
+        }
+        sent.pop_front();
+    }
+    return 1;
+}
+
 /// Of mail whose tag is known: its source and how many bytes it has.
 std::uint64_t begin_mail(const MPI_Status& status) {
     MailBox& box = mail_box();
@@ -276,6 +291,7 @@ const QuasimcRanks* quasimc_ranks() {
     ranks.broadcast = broadcast;
     ranks.add_up = add_up;
     ranks.send = send_mail;
+    ranks.has_arrived = has_mail_arrived;
     ranks.find = find_mail;
     ranks.receive = receive_mail;
     ranks.close = close_mail;

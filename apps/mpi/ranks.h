@@ -22,6 +22,7 @@ struct QuasimcRanks {
     /// Of the others: sends bytes to rank 0 under a number. Returns while they are on their way,
     /// but waits while many are.
     void (*send)(std::uint64_t number, const char* bytes, std::uint64_t count);
+    int (*has_arrived)();  ///< of the others: whether all that was sent has arrived
     /// Of rank 0: how many bytes were sent under a number, if they are there; else kNoMail.
     std::uint64_t (*find)(std::uint64_t number);
     /// Of rank 0: receives what find() has found.
@@ -36,7 +37,7 @@ struct QuasimcRanks {
 constexpr std::uint64_t kNoMail = ~std::uint64_t{0};
 
 /// Version of the table.
-constexpr std::uint64_t kQuasimcRanksVersion = 2;
+constexpr std::uint64_t kQuasimcRanksVersion = 3;
 
 /// Starts MPI. @returns null if it can't be started
 const QuasimcRanks* quasimc_ranks();

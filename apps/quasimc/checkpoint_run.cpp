@@ -1,6 +1,8 @@
 #include "checkpoint_run.h"
 
 #include <cstdio>
+#include <string>
+#include <utility>
 
 CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
     if (arguments.checkpoint.empty()) {
@@ -27,6 +29,10 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
     hooks_.finish = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
         attempt([&] { file_->finish(moments_before_ + moment, state); });
     };
+    hooks_.keep = [this](std::size_t moment, std::string state) {
+        attempt([&] { file_->keep_state(moments_before_ + moment, std::move(state)); });
+    };
+    hooks_.flush = [this] { flush(); };
 }
 
 template <typename Save>

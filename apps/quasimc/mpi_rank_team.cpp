@@ -113,6 +113,7 @@ class MpiRankTeam final : public RankTeam {
         team_.mail.send = [this](std::uint64_t number, std::string_view bytes) {
             ranks_.send(number, bytes.data(), bytes.size());
         };
+        team_.mail.has_arrived = [this] { return ranks_.has_arrived() != 0; };
         team_.mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
             const std::uint64_t count = ranks_.find(number);
             if (count == kNoMail) {

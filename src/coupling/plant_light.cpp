@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "coupling/step_files.h"
+#include "scene/lint.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {
@@ -46,6 +47,7 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
     } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
         light_ = std::make_shared<StepLight>(trace(pass, shapes, simulator_, check));
+        tell_warnings();
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
@@ -57,6 +59,26 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
         }
     }
     write_files(pass);
+}
+
+void PlantLight::tell_warnings() {
+    if (!light_->scene) {
+        return;
+    }
+    for (const LintFinding& finding : lint_by_check(*light_->scene)) {
+        const std::string check = fmt::format("lint {}", finding.check);
+        // A specification states no unit, and each of its materials.
+        const bool is_stated = finding.check == "unit" || finding.check == "materials";
+        if (is_stated || notices_.was_told(check)) {
+            continue;
+        }
+        for (std::size_t i = 0; i < finding.warnings.size(); ++i) {
+            const Warning& warning = finding.warnings[i];
+            notices_.once(
+                i == 0 ? check : fmt::format("{} {}", check, i),
+                fmt::format("{}: {}", warning.place, warning.text));
+        }
+    }
 }
 
 bool PlantLight::anything_is_measured(const Pass& pass, std::span<const PlacedShape> shapes) const {

@@ -57,6 +57,8 @@ class PlantLight {
         const Pass& pass, std::span<const PlacedShape> shapes) const;
 
     [[nodiscard]] std::vector<PlacedShape> place_shapes(const Pass& pass);
+    /// Of a step that was traced: each check of lint() once, when it has found something.
+    void tell_warnings();
     [[nodiscard]] StepLight trace(
         const Pass& pass,
         std::span<const PlacedShape> shapes,

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "results/evaluate.h"
@@ -74,15 +75,11 @@ Estimate absorbed_flux(
 
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is. Where nothing was found, if what may be there is little beside what others get.
-/// @param coarse  of sums with two levels of patches, that of the coarser; else null
+/// @param absorbed  [band]
 bool is_at_target(
-    const Sums& sums,
-    const OrganReader& reader,
-    const OrganReader* coarse,
-    double target,
-    const std::vector<double>& usual) {
-    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
-        const Estimate estimate = absorbed_flux(sums, reader, coarse, b);
+    const std::vector<Estimate>& absorbed, double target, const std::vector<double>& usual) {
+    for (std::size_t b = 0; b < absorbed.size(); ++b) {
+        const Estimate& estimate = absorbed[b];
         const bool is_unlit = std::isnan(estimate.standard_error);
         const bool is_known = is_unlit ? estimate.high <= target * usual[b]
                                        : estimate.standard_error <= target * estimate.mean;
@@ -93,58 +90,58 @@ bool is_at_target(
     return true;
 }
 
-}  // namespace
-
-double fraction_at_target(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
-    std::atomic<std::size_t> reached{0};
-    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
-    const std::vector<double> usual = usual_flux(sums, scene, spec);
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
-            const OrganReader reader(sums, scene, spec, organ);
-            const OrganReader other(coarse, scene, spec, organ);
-            const bool is_done =
-                !is_measured(sums, organ) || is_covered ||
-                is_at_target(sums, reader, has_two_levels(sums) ? &other : nullptr, target, usual);
-            reached += is_done ? 1 : 0;
-        }
-    });
-    return static_cast<double>(reached) / static_cast<double>(scene.organs().size());
+/// Median and worst of the errors that are finite; NaN if there are none.
+void set_spread(std::vector<double> errors, RoundErrors& known) {
+    std::erase_if(errors, [](double error) { return !std::isfinite(error); });
+    if (errors.empty()) {
+        known.median = known.worst = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    known.median = *middle;
+    known.worst = *std::max_element(middle, errors.end());
 }
 
-ErrorSpread spread_of_errors(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+}  // namespace
+
+RoundErrors errors_so_far(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     const std::size_t bands = sums.layout.bands;
+    const bool has_two = has_two_levels(sums);
+    const Sums coarse = has_two ? coarser_sums(sums) : Sums{};
+    const std::vector<double> usual =
+        target > 0 ? usual_flux(sums, scene, spec) : std::vector<double>();
+    std::atomic<std::size_t> reached{0};
     std::vector<double> errors(
         scene.organs().size() * bands, std::numeric_limits<double>::quiet_NaN());
-    const Sums coarse = has_two_levels(sums) ? coarser_sums(sums) : Sums{};
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        std::vector<Estimate> absorbed(bands);
         for (std::size_t i = first; i < last; ++i) {
             const Organ& organ = scene.organs()[i];
-            if (organ.is_ground || !is_measured(sums, organ)) {
+            if (!is_measured(sums, organ)) {
+                ++reached;
                 continue;
             }
             const OrganReader reader(sums, scene, spec, organ);
             const OrganReader other(coarse, scene, spec, organ);
             for (std::size_t b = 0; b < bands; ++b) {
-                const Estimate e =
-                    absorbed_flux(sums, reader, has_two_levels(sums) ? &other : nullptr, b);
-                errors[i * bands + b] = e.standard_error / e.mean;
+                absorbed[b] = absorbed_flux(sums, reader, has_two ? &other : nullptr, b);
+                if (!organ.is_ground) {
+                    errors[i * bands + b] = absorbed[b].standard_error / absorbed[b].mean;
+                }
             }
+            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
+            reached += is_covered || (target > 0 && is_at_target(absorbed, target, usual)) ? 1 : 0;
         }
     });
-    errors.erase(
-        std::remove_if(
-            errors.begin(), errors.end(), [](double error) { return !std::isfinite(error); }),
-        errors.end());
-    if (errors.empty()) {
-        return {};
+    RoundErrors known{.paths = sums.paths};
+    set_spread(std::move(errors), known);
+    if (target > 0) {
+        known.fraction_at_target =
+            static_cast<double>(reached) / static_cast<double>(scene.organs().size());
     }
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    return {*middle, *std::max_element(middle, errors.end())};
+    return known;
 }
 
 }  // namespace quasimc

@@ -1,11 +1,13 @@
 #include "run/round_tracer.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/memory_need.h"
+#include "base/process_time.h"
 #include "solvers/catalogue.h"
 
 namespace quasimc {
@@ -81,11 +83,24 @@ void RoundTracer::order(
     }
 }
 
+/// @param own  of this process
+void RoundTracer::add_cpu_seconds(double own) {
+    constexpr double kNano = 1e-9;
+    std::vector<std::int64_t> numbers{
+        team_->is_first ? 0 : static_cast<std::int64_t>(std::round(own / kNano))};
+    team_->add_up(numbers);
+    if (team_->is_first) {
+        cpu_seconds_of_others_ += kNano * static_cast<double>(numbers.front());
+    }
+}
+
 void RoundTracer::solve(const Round& round, Sums& sums) {
+    const Stopwatch watch;
     partial_ = &sums;
     solver_->solve(round, executor_, sums);
     if (team_ != nullptr) {
         add_up(*team_, sums);
+        add_cpu_seconds(watch.cpu_seconds());
     }
     partial_ = nullptr;
 }

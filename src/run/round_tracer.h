@@ -63,6 +63,8 @@ class RoundTracer {
     /// Of the paths of the sums, those that were traced before: by who kept the sums that this
     /// tracer took over. Of a round that was not complete in proportion to its tasks.
     [[nodiscard]] double paths_before() const { return paths_before_; }
+    /// That other processes took for tasks of the rounds that are complete, all of their threads.
+    [[nodiscard]] double cpu_seconds_of_others() const { return cpu_seconds_of_others_; }
     [[nodiscard]] bool has_sums() const { return done_.has_value(); }
     /// Of the first of the rounds that are complete.
     [[nodiscard]] std::uint64_t first_paths() const { return first_paths_; }
@@ -79,6 +81,7 @@ class RoundTracer {
     void solve(const Round& round, Sums& sums);
     [[nodiscard]] bool ask_watchers();
     void tell_watchers(const Pause& pause);
+    void add_cpu_seconds(double own);
     void order(const Round& round, const TaskPosition& tasks, std::uint64_t first_paths) const;
 
     const PreparedScene& prepared_;
@@ -90,6 +93,7 @@ class RoundTracer {
     std::optional<Sums> done_;
     std::uint64_t first_paths_ = 0;
     double paths_before_ = 0;
+    double cpu_seconds_of_others_ = 0;
     Sums* partial_ = nullptr;  // while a round is traced
     std::vector<Watcher> watchers_;
     const RunTeam* team_ = nullptr;

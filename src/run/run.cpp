@@ -176,6 +176,14 @@ Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& a
         estimates * sizeof(Estimate), [&] { return evaluate(sums, scene, asked); });
 }
 
+/// The result of the sums of a run that goes on.
+Result preview_of(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& asked, Method method) {
+    Result result = make_result(sums, scene, asked);
+    result.chosen.method = method;
+    return result;
+}
+
 /// Tells how far a single round is.
 std::function<void(double)> round_progress(
     const std::function<void(const Progress&)>& tell, Clock::time_point start) {
@@ -312,7 +320,7 @@ Sums Simulator::State::sums(
 
 PreparedScene Simulator::State::prepare(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const std::stop_token& stop) {
-    return {scene, sources, spec.window, caster_for(scene, spec.engine, stop), stop};
+    return {scene, sources, spec.window, caster_.caster_for(scene, spec.engine, stop), stop};
 }
 
 std::optional<Sums> Simulator::State::trace_few(
@@ -366,43 +374,17 @@ Result Simulator::State::trace(
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
     const Traced traced =
         trace_rounds(prepared, spec, asked, control, early, {start, build_seconds});
-    Result result = make_result(traced.sums, scene, asked);
+    const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
+    Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();
     result.stop = traced.stop;
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;
     result.rounds = traced.rounds;
     result.build_seconds = build_seconds;
     result.trace_seconds = seconds_since(start) - build_seconds;
-    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before;
+    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
     return result;
 }
-
-namespace {
-
-Result preview_of(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& asked, Method method) {
-    Result result = make_result(sums, scene, asked);
-    result.chosen.method = method;
-    return result;
-}
-
-/// What is known after a round. @param errors  of its time, and what is at the target
-RoundErrors errors_of(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& asked, RoundErrors errors) {
-    const ErrorSpread spread = spread_of_errors(sums, scene, asked);
-    errors.paths = sums.paths;
-    errors.median = spread.median;
-    errors.worst = spread.worst;
-    return errors;
-}
-
-/// The part of the organs that are at the target; 0 if there is none.
-double part_at_target(
-    const Sums& sums, const Scene& scene, const RunSpec& spec, const EvaluationSpec& asked) {
-    return spec.target_error > 0 ? fraction_at_target(sums, scene, asked, spec.target_error) : 0;
-}
-
-}  // namespace
 
 Simulator::State::Traced Simulator::State::trace_rounds(
     const PreparedScene& prepared,
@@ -423,9 +405,10 @@ Simulator::State::Traced Simulator::State::trace_rounds(
     RoundTracer tracer(prepared, sampler_for(spec.sampler), spec, executor, early.is_possible());
     tracer.set_team(control.team, control.moment);
     StateKeeper keeper(control, prepared, spec);
-    const auto at_target = [&] {
-        return part_at_target(tracer.sums(), prepared.scene(), spec, asked);
+    const auto known = [&] {
+        return errors_so_far(tracer.sums(), prepared.scene(), asked, spec.target_error);
     };
+    const auto at_target = [&] { return spec.target_error > 0 ? known().fraction_at_target : 0; };
     keeper.begin(rounds, tracer, at_target);
     PreviewTeller preview(control, [&](const Sums& sums) {
         return preview_of(sums, prepared.scene(), asked, spec.method);
@@ -449,11 +432,12 @@ Simulator::State::Traced Simulator::State::trace_rounds(
         if (spec.max_seconds > 0) {
             early.set_limit(spec.max_seconds);
         }
-        rounds.finish(seconds_since(start.time), at_target());
-        if (rounds.asks_for_more() && !rounds.state().is_trial) {
-            errors.push_back(errors_of(
-                tracer.sums(), prepared.scene(), asked,
-                {.seconds = seconds_since(start.time), .fraction_at_target = rounds.at_target()}));
+        const bool is_told = rounds.asks_for_more() && !rounds.state().is_trial;
+        RoundErrors now = is_told || spec.target_error > 0 ? known() : RoundErrors{};
+        now.seconds = seconds_since(start.time);
+        rounds.finish(now.seconds, now.fraction_at_target);
+        if (is_told) {
+            errors.push_back(now);
         }
         keeper.finish_round(rounds, tracer);
     }
@@ -463,7 +447,9 @@ Simulator::State::Traced Simulator::State::trace_rounds(
     }
     const double before = few ? 0 : tracer.paths_before();
     Sums sums = few ? std::move(*few) : std::move(tracer).take_sums();
-    return {std::move(sums), rounds.stop(), rounds.at_target(), before, std::move(errors)};
+    return {
+        std::move(sums),  rounds.stop(), rounds.at_target(), before, tracer.cpu_seconds_of_others(),
+        std::move(errors)};
 }
 
 }  // namespace quasimc

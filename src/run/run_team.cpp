@@ -97,7 +97,7 @@ TeamOrder TeamHelper::help_moment(
     RunSpec planned = spec;
     planned.method = plan_method(scene, sources, spec).method;
     const PreparedScene prepared(
-        scene, sources, planned.window, caster_for(scene, planned.engine), std::stop_token());
+        scene, sources, planned.window, caster_.caster_for(scene, planned.engine, {}), {});
     const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
     Executor executor(thread_count(planned.threads));
     RoundTracer tracer(prepared, *sampler, planned, executor, false);
@@ -112,21 +112,6 @@ TeamOrder TeamHelper::help_moment(
         order = team.order({});
     }
     return order;
-}
-
-std::shared_ptr<const RayCaster> TeamHelper::caster_for(const Scene& scene, Engine engine) {
-    const auto triangles = scene.shared_triangles();
-    const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
-                      (triangles == triangles_ || *triangles == *triangles_);
-    if (!same) {
-        caster_.reset();  // its memory first
-        caster_ =
-            std::make_shared<const RayCaster>(triangles, scene.cell(), engine, std::stop_token());
-        cell_ = scene.cell();
-        engine_ = engine;
-    }
-    triangles_ = triangles;
-    return caster_;
 }
 
 }  // namespace quasimc

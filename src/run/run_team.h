@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "base/executor.h"
-#include "geometry/cast/ray_caster.h"
 #include "quasimc/run.h"
 #include "quasimc/series.h"
 #include "quasimc/sums.h"
+#include "run/kept_caster.h"
 #include "scene/scene.h"
 #include "solvers/solver.h"
 
@@ -38,11 +38,13 @@ struct TeamOrder {
 };
 
 /// What the processes of a team send to the first one while each traces runs by itself. Each piece
-/// of mail has a number, which is used once before the mail ends.
+/// of mail has a number; all of one number, before the mail ends, is of one process.
 struct TeamMail {
     /// Of the others: sends bytes to the first. Returns while they are on their way, but waits if
-    /// more are.
+    /// more are. What has the same number arrives in the order in which it was sent.
     std::function<void(std::uint64_t number, std::string_view bytes)> send;
+    /// Of the others: whether all that was sent has arrived.
+    std::function<bool()> has_arrived;
     /// Of the first: what was sent under a number, if it is there.
     std::function<std::optional<std::string>(std::uint64_t number)> receive;
     /// Of the first: lets the others know that it wants no more.
@@ -67,6 +69,9 @@ struct RunTeam {
     /// Gives the others bytes of the first process. All call it.
     std::function<void(std::string& bytes)> share;
     std::uint64_t point = 0;  ///< that the first process is at
+    /// Seconds from one state to the next that a process sends of the run that it traces by itself,
+    /// so that a checkpoint has it; nothing: it sends none.
+    std::optional<double> keep_every;
 };
 
 /// Adds up the bins of all processes, which are of one layout: they are those of the first process
@@ -93,13 +98,9 @@ class TeamHelper {
         const RunSpec& spec,
         const RunTeam& team,
         TeamOrder order);
-    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(const Scene& scene, Engine engine);
 
     Simulator simulator_;  // of runs that it traces by itself
-    std::shared_ptr<const RayCaster> caster_;
-    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
-    Cell cell_;
-    Engine engine_ = Engine::embree;
+    KeptCaster caster_;
 };
 
 }  // namespace quasimc

@@ -14,7 +14,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/checks.h"
+#include <fmt/format.h>
+
 #include "base/process_time.h"
 #include "results/evaluate.h"
 #include "results/flows.h"
@@ -26,6 +27,23 @@
 
 namespace quasimc {
 namespace {
+
+/// @throws InputError  if moments are not in the order of their days
+void check_order(const std::vector<TimeStep>& time_steps) {
+    Faults faults;
+    for (std::size_t i = 1; i < time_steps.size(); ++i) {
+        const TimeStep& before = time_steps[i - 1];
+        const TimeStep& own = time_steps[i];
+        if (own.day < before.day) {
+            faults.add(
+                {own.name.empty() ? fmt::format("time {}", i + 1) : own.name,
+                 fmt::format("it is of day {}, after one of day {}", own.day, before.day),
+                 "the sum of a day is made when its last time is done",
+                 "sort the times by their days"});
+        }
+    }
+    faults.throw_if_any();
+}
 
 /// Traces a series, moment by moment.
 class SeriesRun {
@@ -358,9 +376,7 @@ SeriesSummary run_series(
     const RunSpec& spec,
     const SeriesEvents& events,
     const std::stop_token& stop) {
-    EXPECT(std::is_sorted(time_steps.begin(), time_steps.end(), [](const auto& a, const auto& b) {
-        return a.day < b.day;
-    }));
+    check_order(time_steps);
     return SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
 }
 

@@ -58,6 +58,8 @@ RunCheckpoint checkpoint_of(std::optional<RunState> state, const RunCheckpoint* 
         hooks.is_due = [] { return false; };
         hooks.save = [](std::size_t, const RunSnapshot&) {};
         hooks.finish = hooks.save;
+        hooks.keep = [](std::size_t, const std::string&) {};
+        hooks.flush = [] {};
     }
     const auto given = std::make_shared<std::optional<RunState>>(std::move(state));
     hooks.state_of = [given](std::size_t) { return std::exchange(*given, std::nullopt); };

@@ -1,8 +1,5 @@
 #include "run/simulator.h"
 
-#include <fmt/format.h>
-
-#include "base/memory_need.h"
 #include "samplers/catalogue.h"
 
 namespace quasimc {
@@ -42,28 +39,6 @@ Sums Simulator::sums(
 
 std::size_t Simulator::builds() const {
     return state_->builds();
-}
-
-std::shared_ptr<const RayCaster> Simulator::State::caster_for(
-    const Scene& scene, Engine engine, const std::stop_token& stop) {
-    const auto triangles = scene.shared_triangles();
-    const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
-                      (triangles == triangles_ || *triangles == *triangles_);
-    if (!same) {
-        caster_.reset();  // their memory first
-        triangles_.reset();
-        constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
-        caster_ = make_big(
-            fmt::format("the ray caster of {} triangles", triangles->size()),
-            kBytesOfTriangle * static_cast<double>(triangles->size()), [&] {
-                return std::make_shared<const RayCaster>(triangles, scene.cell(), engine, stop);
-            });
-        cell_ = scene.cell();
-        engine_ = engine;
-        ++builds_;
-    }
-    triangles_ = triangles;
-    return caster_;
 }
 
 const Sampler& Simulator::State::sampler_for(const std::string& name) {

@@ -9,10 +9,10 @@
 #include <stop_token>
 #include <string>
 
-#include "geometry/cast/ray_caster.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "run/early_stop.h"
+#include "run/kept_caster.h"
 #include "run/run_team.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
@@ -38,7 +38,7 @@ class Simulator::State {
         std::uint64_t first,
         const Share& share,
         const RunControl& control);
-    [[nodiscard]] std::size_t builds() const { return builds_; }
+    [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
 
   private:
     /// Traces a specification that was checked and planned.
@@ -55,6 +55,7 @@ class Simulator::State {
         StopReason stop;
         double at_target;
         double paths_before;
+        double cpu_seconds_of_others;
         std::vector<RoundErrors> rounds;
     };
     [[nodiscard]] Traced trace_rounds(
@@ -81,16 +82,10 @@ class Simulator::State {
         const Sources& sources,
         const RunSpec& spec,
         const std::stop_token& stop = {});
-    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
-        const Scene& scene, Engine engine, const std::stop_token& stop);
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
-    std::shared_ptr<const RayCaster> caster_;
-    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
-    Cell cell_;
-    Engine engine_ = Engine::embree;
+    KeptCaster caster_;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;
-    std::size_t builds_ = 0;
 };
 
 }  // namespace quasimc

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/process_time.h"
+#include "run/run_state.h"
 #include "run/trace_spec.h"
 
 namespace quasimc {
@@ -83,22 +84,61 @@ std::optional<RunState> trace_rounds(
     const RunSpec& spec,
     const RunControl& asked) {
     std::optional<RunState> last;
+    const bool is_kept = asked.checkpoint != nullptr;
     RunCheckpoint keeper;
     keeper.state_of = [](std::size_t) { return std::nullopt; };
     keeper.has_state = [](std::size_t) { return false; };
-    keeper.is_due = [] { return false; };
-    keeper.save = [](std::size_t, const RunSnapshot&) {};
+    keeper.is_due = is_kept ? asked.checkpoint->is_due : [] { return false; };
+    keeper.save = is_kept ? asked.checkpoint->save : [](std::size_t, const RunSnapshot&) {};
+    keeper.is_state_enough = true;
     keeper.finish = [&](std::size_t, const RunSnapshot& state) {
         last = {state.position, *state.done, std::nullopt};
     };
     RunControl control{.on_progress = asked.on_progress, .stop = asked.stop};
     control.checkpoint = &keeper;
+    control.moment = asked.moment;
     const Result result = simulator.run(scene, sources, spec, control);
     if (result.stop == StopReason::interrupted) {
         throw Stopped(StopReason::interrupted, "stopped before all rounds were traced");
     }
     return last;
 }
+
+/// Sends the states of runs to the first process, now and then.
+class StateSender {
+  public:
+    explicit StateSender(const RunTeam& team) : team_(team) {
+        // So that the first process gets no more than a few of them in this time.
+        constexpr double kAtOnce = 16;
+        const double all = static_cast<double>(team.size);
+        every_ = std::chrono::duration<double>(
+            team.keep_every.value_or(0) * std::max(1.0, all / kAtOnce));
+        hooks_.is_due = [this] { return Clock::now() >= next_ && team_.mail.has_arrived(); };
+        hooks_.save = [this](std::size_t, const RunSnapshot& state) {
+            team_.mail.send(state_number(job_), save_state(state));
+            begin_wait();
+        };
+    }
+
+    /// For the run of a job; null if no states are asked for.
+    [[nodiscard]] const RunCheckpoint* hooks_of(std::size_t job) {
+        job_ = job;
+        begin_wait();
+        return team_.keep_every ? &hooks_ : nullptr;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void begin_wait() {
+        next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(every_);
+    }
+
+    const RunTeam& team_;
+    RunCheckpoint hooks_;
+    std::size_t job_ = 0;
+    std::chrono::duration<double> every_{};
+    Clock::time_point next_;
+};
 
 }  // namespace
 
@@ -151,7 +191,8 @@ TracedJob trace_job(
     }
     const Stopwatch watch;
     try {
-        if (is_one_round(spec)) {
+        const bool is_kept = control.checkpoint != nullptr && job.parts == 1;
+        if (is_one_round(spec) && !is_kept) {
             const Share share = quasimc::share_of(job.part, job.parts);
             traced.sums = simulator.sums(scene, sources, spec, 0, share, control);
         } else {
@@ -199,6 +240,7 @@ std::optional<TracedRun> TeamRuns::take(std::uint64_t run, const RunControl& con
     std::vector<TracedJob> parts;
     TracedRun traced;
     double seconds = 0;
+    run_ = run;
     while (next_ < jobs_.size() && jobs_[next_].run <= run) {
         TracedJob job = take_job(next_, control);
         if (jobs_[next_++].run == run) {
@@ -220,7 +262,7 @@ std::optional<TracedRun> TeamRuns::take(std::uint64_t run, const RunControl& con
 std::optional<TracedJob> TeamRuns::find(std::size_t job) {
     const auto own = own_.find(job);
     if (own == own_.end()) {
-        const std::optional<std::string> bytes = team_.mail.receive(job);
+        const std::optional<std::string> bytes = team_.mail.receive(result_number(job));
         return bytes ? std::optional(load_job(*bytes)) : std::nullopt;
     }
     TracedJob traced = std::move(own->second);
@@ -233,6 +275,10 @@ TracedJob TeamRuns::take_job(std::size_t job, const RunControl& control) {
     constexpr microseconds kFirstPause{50}, kLongestPause{2000};
     microseconds pause = kFirstPause;
     while (true) {
+        if (control.checkpoint != nullptr && control.checkpoint->is_due()) {
+            keep_states(control);
+            control.checkpoint->flush();
+        }
         if (std::optional<TracedJob> traced = find(job)) {
             return std::move(*traced);
         }
@@ -241,7 +287,7 @@ TracedJob TeamRuns::take_job(std::size_t job, const RunControl& control) {
         }
         const auto more = own_.size() < kMostAhead ? queue_.next() : std::nullopt;
         if (more) {
-            own_[*more] = trace_(jobs_[*more], {.stop = control.stop});
+            own_[*more] = trace_here(*more, control);
         } else {
             std::this_thread::sleep_for(pause);
             pause = std::min(2 * pause, kLongestPause);
@@ -249,8 +295,49 @@ TracedJob TeamRuns::take_job(std::size_t job, const RunControl& control) {
     }
 }
 
+TracedJob TeamRuns::trace_here(std::size_t job, const RunControl& control) {
+    RunControl own{.stop = control.stop};
+    own.moment = moment_of(job, control);
+    RunCheckpoint hooks;
+    if (control.checkpoint != nullptr) {
+        hooks.is_due = control.checkpoint->is_due;
+        hooks.save = [&](std::size_t moment, const RunSnapshot& state) {
+            keep_states(control);
+            control.checkpoint->save(moment, state);
+        };
+        own.checkpoint = &hooks;
+    }
+    return trace_(jobs_[job], own);
+}
+
+/// What a checkpoint knows the run of a job by, which is the one that is taken or behind it.
+std::size_t TeamRuns::moment_of(std::size_t job, const RunControl& control) const {
+    return control.moment + (jobs_[job].run - run_);
+}
+
+/// Lets the checkpoint have what is done of the runs behind this one, here and elsewhere.
+void TeamRuns::keep_states(const RunControl& control) {
+    for (const auto& [job, traced] : own_) {
+        if (traced.state && kept_.insert(job).second) {
+            control.checkpoint->keep(
+                moment_of(job, control),
+                save_state({traced.state->position, &*traced.state->done, nullptr}));
+        }
+    }
+    for (std::size_t job = next_; job < jobs_.size(); ++job) {
+        std::optional<std::string> last;
+        while (auto bytes = team_.mail.receive(state_number(job))) {
+            last = std::move(bytes);
+        }
+        if (last) {
+            control.checkpoint->keep(moment_of(job, control), std::move(*last));
+        }
+    }
+}
+
 void help_with_runs(const RunTeam& team, const std::vector<TeamJob>& jobs, const TraceJob& trace) {
     JobQueue queue(team, jobs);
+    StateSender states(team);
     std::stop_source stop;
     RunControl control{.stop = stop.get_token()};
     control.on_progress = [&](const Progress&) {
@@ -260,7 +347,8 @@ void help_with_runs(const RunTeam& team, const std::vector<TeamJob>& jobs, const
     };
     try {
         for (auto job = queue.next(); job && !team.mail.is_closed(); job = queue.next()) {
-            team.mail.send(*job, save_job(trace(jobs[*job], control)));
+            control.checkpoint = states.hooks_of(*job);
+            team.mail.send(result_number(*job), save_job(trace(jobs[*job], control)));
         }
     } catch (const Stopped&) {  // by the first process, which wants no more
     }

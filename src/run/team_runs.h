@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,10 +49,19 @@ struct TracedJob {
 /// @throws std::invalid_argument  if these are not the bytes of a job
 [[nodiscard]] TracedJob load_job(std::string_view bytes);
 
+/// The numbers of mail about a job: what came of it, and its state meanwhile.
+[[nodiscard]] constexpr std::uint64_t result_number(std::size_t job) {
+    return 2 * job;
+}
+[[nodiscard]] constexpr std::uint64_t state_number(std::size_t job) {
+    return 2 * job + 1;
+}
+
 using TraceJob = std::function<TracedJob(const TeamJob& job, const RunControl& control)>;
 
 /// Traces a run, or a part of it, for the first process. What this process can't trace, or not in
 /// parts, or finds faulty, is left to the first: it is not traced then.
+/// @param control  its checkpoint is told of the states of a whole run
 /// @throws Stopped  if it was stopped
 [[nodiscard]] TracedJob trace_job(
     Simulator& simulator,
@@ -81,18 +91,24 @@ class TeamRuns {
     TeamRuns& operator=(const TeamRuns&) = delete;
 
     /// As TracedRuns::take. Runs must be taken in the order of jobs. Traces others meanwhile.
+    /// @param control  of the run: its checkpoint keeps what all processes have done of theirs
     [[nodiscard]] std::optional<TracedRun> take(std::uint64_t run, const RunControl& control);
 
   private:
     [[nodiscard]] TracedJob take_job(std::size_t job, const RunControl& control);
     [[nodiscard]] std::optional<TracedJob> find(std::size_t job);
+    [[nodiscard]] TracedJob trace_here(std::size_t job, const RunControl& control);
+    void keep_states(const RunControl& control);
+    [[nodiscard]] std::size_t moment_of(std::size_t job, const RunControl& control) const;
 
     const RunTeam& team_;
     std::vector<TeamJob> jobs_;
     TraceJob trace_;
     JobQueue queue_;
     std::map<std::size_t, TracedJob> own_;  // traced here, and not taken yet
+    std::set<std::size_t> kept_;            // of these, those that the checkpoint has
     std::size_t next_ = 0;                  // the first job that was not taken
+    std::uint64_t run_ = 0;                 // that is taken
 };
 
 /// Of the other processes: traces jobs until none is left, or the first process wants no more.

@@ -73,6 +73,8 @@ bool is_black(const Material& material) {
            all_zero(material.side(SurfaceSide::lower).albedo());
 }
 
+}  // namespace
+
 std::vector<Warning> lint_unit(const Survey& survey) {
     const std::string& unit = survey.scene.length_unit();
     const std::optional<double> metres = metres_per(unit);
@@ -90,8 +92,6 @@ std::vector<Warning> lint_unit(const Survey& survey) {
              "the median organ measures {:.3g} {}{}: are the coordinates in {}?", size, unit,
              unit == "m" ? "" : fmt::format(", {:.3g} m", median), unit)}};
 }
-
-}  // namespace
 
 const Organ* ground_of(const Scene& scene) {
     const Organ& last = scene.organs().back();
@@ -132,7 +132,6 @@ bool is_degenerate(const Triangle& t) {
 
 std::vector<Warning> lint_sizes(const Survey& survey) {
     const Scene& scene = survey.scene;
-    std::vector<Warning> warnings = lint_unit(survey);
     WarningKind blurred("organs are too small beside the scene");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const double part = part_of_scene(survey, i);
@@ -145,9 +144,7 @@ std::vector<Warning> lint_sizes(const Survey& survey) {
                     part));
         }
     }
-    std::vector<Warning> more = std::move(blurred).finish();
-    std::move(more.begin(), more.end(), std::back_inserter(warnings));
-    return warnings;
+    return std::move(blurred).finish();
 }
 
 std::vector<Warning> lint_materials(const Survey& survey) {
@@ -224,14 +221,35 @@ std::vector<Warning> lint_areas(const Survey& survey) {
     return std::move(empty).finish();
 }
 
-std::vector<Warning> lint(const Scene& scene) {
+std::vector<LintFinding> lint_by_check(const Scene& scene) {
+    struct Check {
+        std::string_view name;
+        std::vector<Warning> (*look)(const Survey& survey);
+    };
+    constexpr std::array<Check, 8> kChecks{
+        {{"unit", lint_unit},
+         {"sizes", lint_sizes},
+         {"materials", lint_materials},
+         {"cell", lint_cell},
+         {"ground", lint_ground},
+         {"areas", lint_areas},
+         {"thin", lint_thin},
+         {"overlap", lint_overlap}}};
     const Survey survey = survey_of(scene);
+    std::vector<LintFinding> findings;
+    for (const Check& check : kChecks) {
+        std::vector<Warning> found = check.look(survey);
+        if (!found.empty()) {
+            findings.push_back({check.name, std::move(found)});
+        }
+    }
+    return findings;
+}
+
+std::vector<Warning> lint(const Scene& scene) {
     std::vector<Warning> all;
-    for (const auto check :
-         {lint_sizes, lint_materials, lint_cell, lint_ground, lint_areas, lint_thin,
-          lint_overlap}) {
-        std::vector<Warning> found = check(survey);
-        std::move(found.begin(), found.end(), std::back_inserter(all));
+    for (LintFinding& finding : lint_by_check(scene)) {
+        std::move(finding.warnings.begin(), finding.warnings.end(), std::back_inserter(all));
     }
     return all;
 }

@@ -8,9 +8,18 @@
 #include "quasimc/vec3.h"
 #include "scene/scene.h"
 
-// What lint() is made of. To add a warning: write a function like these, and call it in lint().
+// What lint() is made of. To add a warning: write a function like these, and call it in
+// lint_by_check().
 
 namespace quasimc {
+
+/// The warnings of one check.
+struct LintFinding {
+    std::string_view check;  ///< its name: "overlap"
+    std::vector<Warning> warnings;
+};
+/// What lint() tells, check by check; without those that have found nothing.
+[[nodiscard]] std::vector<LintFinding> lint_by_check(const Scene& scene);
 
 /// A scene and the bounds of each of its organs.
 struct Survey {
@@ -46,7 +55,9 @@ class WarningKind {
     std::size_t count_ = 0;
 };
 
-/// Sizes that smell of a wrong unit, and organs too small beside the scene for single precision.
+/// Sizes that smell of a wrong unit.
+[[nodiscard]] std::vector<Warning> lint_unit(const Survey& survey);
+/// Organs too small beside the scene for single precision.
 [[nodiscard]] std::vector<Warning> lint_sizes(const Survey& survey);
 /// Materials that scatter nothing.
 [[nodiscard]] std::vector<Warning> lint_materials(const Survey& survey);

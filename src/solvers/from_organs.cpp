@@ -20,6 +20,7 @@
 #include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
+#include "solvers/organ_units.h"
 #include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
 #include "transport/near_lamps.h"
@@ -31,91 +32,10 @@
 namespace quasimc {
 namespace {
 
-/// Points a block holds: of one organ, or of several if they have few each.
-constexpr std::uint64_t kPointsPerBlock = 8192;
-/// Steps of the fixed point are finer by this: weights of big organs are small (2^40 steps a unit).
-constexpr double kGain = 4096;
-
 /// A point of an organ that looks for light, and its number in the point set.
 struct Point : OrganPoint {
     std::uint64_t index = 0;
 };
-
-/// The organs that points are placed on, and the area of all of them.
-struct MeasuredArea {
-    std::vector<std::uint32_t> organs;
-    double area = 0;
-};
-
-MeasuredArea measured_area(const Scene& scene) {
-    MeasuredArea measured;
-    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
-        if (scene.organs()[i].measured) {
-            measured.organs.push_back(i);
-            measured.area += scene.organs()[i].area;
-        }
-    }
-    return measured;
-}
-
-/// From the flux of a light path to units of a region.
-double units_of_light_path(const MeasuredArea& measured, double own_area) {
-    return own_area > 0
-               ? kGain * measured.area / (own_area * static_cast<double>(measured.organs.size()))
-               : 0;
-}
-
-/// By region, how much coarser its units are, a power of two; 1 for all but the smallest organs. A
-/// light path brings an organ the more units the smaller it is: of as many as this all paths of a
-/// block may meet one.
-std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured) {
-    constexpr double kMostUnits = 1U << 21U;
-    static_assert(kMostUnits * kPointsPerBlock <= kLargestAmount);
-    std::vector<double> coarseness;
-    for (const Region& region : scene.regions()) {
-        const double units = units_of_light_path(measured, scene.organs()[region.organ.value].area);
-        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMostUnits)))));
-    }
-    return coarseness;
-}
-
-/// Whether points do not look for all light.
-bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
-    const auto& lights = prepared.lights();
-    const bool is_small = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
-        return !light.is_extended();
-    });
-    return near.any() || (is_small && prepared.has_sharp());
-}
-
-/// The most that a material of the scene sends to one of its sides, of light that falls on it:
-/// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
-/// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
-/// as its peak; sharp ones are not looked through.
-double brightest(const PreparedScene& prepared, std::size_t band) {
-    constexpr double kUsual = 0.5;
-    // By a sharp lobe points find a sky and nothing else.
-    const auto& lights = prepared.lights();
-    const bool has_sky = std::any_of(
-        lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
-    const double by_sharp = has_sky ? 1 : 0;
-    double most = 0;
-    for (std::uint32_t region = 0; region < prepared.scene().regions().size(); ++region) {
-        const Material& material = prepared.material(region);
-        for (const SurfaceSide side : kSurfaceSides) {
-            std::array<double, 2> sum{};
-            for (const Lobe& lobe : material.side(side).lobes()) {
-                const double peak = is_sharp(*lobe.shape)
-                                        ? by_sharp
-                                        : std::max(1.0, kUsual * peak_brightness(*lobe.shape));
-                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
-                    peak * lobe.albedo[band];
-            }
-            most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
-        }
-    }
-    return most;
-}
 
 class FromOrgans final : public Solver {
   public:
@@ -129,7 +49,7 @@ class FromOrgans final : public Solver {
           measured_(measured_area(input.prepared.scene())),
           organ_points_(input.prepared),
           near_(input.prepared),
-          next_event_(input.prepared, input.sampler, near_, kGain * measured_.area),
+          next_event_(input.prepared, input.sampler, near_, kOrganGain * measured_.area),
           runner_(input) {
         const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
         points_per_organ_ = std::bit_floor(share);
@@ -177,8 +97,9 @@ class FromOrgans final : public Solver {
     /// Blocks of points; companions take as many again.
     [[nodiscard]] std::uint64_t blocks(const Round& round) const {
         const std::uint64_t each = points(round.count);
-        return each >= kPointsPerBlock ? organs() * (each / kPointsPerBlock)
-                                       : (organs() * each + kPointsPerBlock - 1) / kPointsPerBlock;
+        return each >= kOrganPointsPerBlock
+                   ? organs() * (each / kOrganPointsPerBlock)
+                   : (organs() * each + kOrganPointsPerBlock - 1) / kOrganPointsPerBlock;
     }
 
     void trace(
@@ -192,8 +113,8 @@ class FromOrgans final : public Solver {
         const bool is_companion = block >= own;
         const std::uint64_t piece = is_companion ? block - own : block;
         std::uint64_t rays = 0;
-        const std::uint64_t begin = piece * kPointsPerBlock;
-        const std::uint64_t end = std::min(begin + kPointsPerBlock, organs() * each);
+        const std::uint64_t begin = piece * kOrganPointsPerBlock;
+        const std::uint64_t end = std::min(begin + kOrganPointsPerBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
             throw_if_stopped(stop_);
@@ -265,7 +186,7 @@ class FromOrgans final : public Solver {
             prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
-                to_fixed(part * kGain * sight.light->sun_share / sight.probability));
+                to_fixed(part * kOrganGain * sight.light->sun_share / sight.probability));
         }
         return 1;
     }
@@ -410,55 +331,6 @@ class FromOrgans final : public Solver {
 
 std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
     return std::make_unique<FromOrgans>(input);
-}
-
-SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
-    const Scene& scene = prepared.scene();
-    const MeasuredArea measured = measured_area(scene);
-    SumMeaning meaning{
-        .units = {},
-        .measured = MeasuredOrgans::asked_for,
-        .unoccluded_light = UnoccludedLight::summed};
-    SumUnits& units = meaning.units;
-    const NearLamps near(prepared);
-    for (std::size_t b = 0; b < prepared.bands(); ++b) {
-        units.flux.push_back(prepared.flux()[b] / measured.area);
-        double irradiance = 0;
-        double on_surfaces = 0;
-        for (const BoundSource& light : prepared.lights()) {
-            const double usual = light.usual_irradiance;
-            irradiance += light.source->spectrum()[b] * usual;
-            on_surfaces += light.source->spectrum()[b] * std::max(usual, near.irradiance(light));
-        }
-        units.flux_per_find.push_back(irradiance * kGain);
-        units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * on_surfaces * kGain);
-    }
-    if (needs_light_paths(prepared, near)) {
-        for (const double flux : prepared.flux()) {
-            units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
-        }
-    }
-    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
-    units.sunlit_area_per_find = 0;
-    for (const BoundSource& light : prepared.lights()) {
-        units.sunlit_area_per_find =
-            std::max(units.sunlit_area_per_find, kGain * light.sun_share / light.probability);
-    }
-    // A power of two: the division is exact.
-    for (const Region& region : scene.regions()) {
-        units.region_scale.push_back(scene.organs()[region.organ.value].area / kGain);
-    }
-    if (needs_light_paths(prepared, near)) {
-        units.find_scale = units.region_scale;
-        for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
-            units.region_scale[i++] *= coarser;
-        }
-    }
-    return meaning;
-}
-
-bool do_from_organs_rounds_add_up(const Scene& scene, std::uint64_t first_paths) {
-    return first_paths >= measured_area(scene).organs.size();
 }
 
 }  // namespace quasimc

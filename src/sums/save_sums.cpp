@@ -1,6 +1,7 @@
 // The bytes of sums: a mark with version and byte order, then every field in the order of its
-// declaration, each list after its length, then a checksum (FNV-1a) of all before it.
+// declaration, each list after its length, then a checksum of all before it.
 
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
@@ -10,12 +11,17 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x35534D5553434D51;  // "QMCSUMS5", read as a little-endian number
+constexpr std::uint64_t kMark = 0x36534D5553434D51;  // "QMCSUMS6", read as a little-endian number
 
+/// FNV-1a of words of 8 bytes, the last filled up with zeros; high bits are mixed into low ones
+/// after each. Every step can be turned back: bytes that differ in one word have other checksums.
 std::uint64_t checksum(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char c : bytes) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    std::uint64_t hash = 0xcbf29ce484222325U ^ bytes.size();
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof hash) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
+        hash = (hash ^ word) * 0x100000001b3U;
+        hash ^= hash >> 32U;
     }
     return hash;
 }
@@ -32,6 +38,8 @@ void visit_kind(Visit& visit, KindOrConst& kind) {
 
 class Writer {
   public:
+    /// @param bytes  about as many as there will be
+    explicit Writer(std::size_t bytes) { bytes_.reserve(bytes); }
     template <Plain T>
     void operator()(const T& value) {
         bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -149,7 +157,10 @@ void check_sizes(const Sums& sums) {
 }  // namespace
 
 std::string save_sums(const Sums& sums) {
-    Writer writer;
+    constexpr std::size_t kRest = 4096;
+    constexpr std::size_t kBytesOfBin = 2 * sizeof(std::int64_t);
+    Writer writer(
+        kRest + sums.replicates.size() * (sums.layout.bins() * kBytesOfBin + sizeof kMark));
     writer(kMark);
     visit_fields(writer, sums);
     return writer.take();

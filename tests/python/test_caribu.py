@@ -6,6 +6,7 @@ import warnings
 import numpy as np
 import pytest
 
+import fake_plantgl as plantgl
 import quasimc
 from quasimc.compat.caribu import CaribuScene_nodes as nodes
 from quasimc.compat.caribu import caribu as functions
@@ -340,6 +341,39 @@ def test_scenes_of_plantgl_and_mtgs_are_known_by_what_they_can_do():
     assert sorted(mtg_to_cscene(Mtg())) == [4, 6]
     assert sorted(CaribuScene([Shape(3)]).run(simplify=True)[1]["Ei"]) == [3]
     assert sorted(CaribuScene(Mtg()).run(simplify=True)[1]["Ei"]) == [4, 6]
+
+
+def leaf_of_plantgl():
+    return plantgl.TriangleSet([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+
+
+def test_transformed_shapes_of_plantgl_stand_where_they_were_moved(monkeypatch):
+    plantgl.install(monkeypatch)
+    leaf = leaf_of_plantgl()
+    scene = plantgl.Scene([plantgl.Shape(leaf, id=1)])
+    scene.add(plantgl.Shape(plantgl.Translated((0, 0, 2), plantgl.Scaled((1, 2, 1), leaf)), id=2))
+    cscene = CaribuScene(scene)
+    assert cscene.bbox() == ((0, 0, 0), (1, 2, 2))
+    aggregated = cscene.run(simplify=True)[1]
+    assert aggregated["area"] == {1: pytest.approx(1), 2: pytest.approx(2)}
+    assert aggregated["Ei"][1] == pytest.approx(0, abs=1e-3)
+    assert aggregated["Ei"][2] == pytest.approx(1, abs=1e-2)
+
+
+def test_geometries_of_an_mtg_are_transformed(monkeypatch):
+    plantgl.install(monkeypatch)
+
+    class Plant:
+        def property(self, name):
+            return {7: plantgl.Translated((0, 0, 3), leaf_of_plantgl())}
+
+    assert mtg_to_cscene(Plant())[7][0][0] == (0, 0, 3)
+
+
+def test_transformed_shapes_need_plantgl_to_be_made_triangles():
+    moved = plantgl.Translated((0, 0, 2), leaf_of_plantgl())
+    with pytest.raises(ValueError, match="no triangles can be made of a Translated"):
+        CaribuScene([plantgl.Shape(moved, id=1)])
 
 
 class Lsystem:

@@ -14,8 +14,8 @@
 
 #include "io/atomic_file.h"
 #include "io/input_files.h"
-#include "io/results/json_parts.h"
 #include "io/results/part_difference.h"
+#include "io/results/run_head.h"
 #include "io/sha256.h"
 #include "quasimc/error.h"
 
@@ -29,20 +29,8 @@ constexpr std::array<std::string_view, 5> kEnds{
     "run.run.paths", "run.run.target_error", "run.run.target_fraction", "run.run.max_paths",
     "run.run.max_seconds"};
 
-std::string text_of(std::uint64_t number) {
-    return {reinterpret_cast<const char*>(&number), sizeof number};
-}
-
 std::string block_of(std::string_view bytes) {
-    return text_of(bytes.size()).append(bytes);
-}
-
-std::string checkpoint_head(const RunFile& run) {
-    JsonStream json;
-    json.begin_object(JsonLayout::rows);
-    json_head(json, run);
-    json.end_object();
-    return json.take();
+    return number_bytes(bytes.size()).append(bytes);
 }
 
 std::string done_path(const std::string& path) {
@@ -85,7 +73,7 @@ std::uint64_t ByteReader::number() {
 
 CheckpointFile::CheckpointFile(
     std::string path, const RunFile& run, double every, CheckpointStart start)
-    : path_(std::move(path)), lock_(path_), head_(checkpoint_head(run)), every_(every) {
+    : path_(std::move(path)), lock_(path_), head_(head_of_run(run)), every_(every) {
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {
@@ -201,13 +189,19 @@ void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
     }
 }
 
+void CheckpointFile::keep_state(std::size_t moment, std::string state) {
+    if (!places_.contains(moment)) {
+        keep(moment, {std::move(state), false});
+    }
+}
+
 void CheckpointFile::flush() {
     if (!is_saved_) {
         write();
     }
 }
 
-/// Runs come in the order of their numbers: what is done of those before goes to the second file.
+/// Runs end in the order of their numbers: what is done of those before goes to the second file.
 void CheckpointFile::keep(std::size_t moment, State state) {
     const auto place = places_.find(moment);
     if (state.is_done && place != places_.end() &&
@@ -216,7 +210,7 @@ void CheckpointFile::keep(std::size_t moment, State state) {
     }
     states_[moment] = std::move(state);
     is_saved_ = false;
-    while (states_.begin()->first < moment) {
+    while (states_.begin()->first < moment && states_.begin()->second.is_done) {
         move_to_done(states_.begin()->first, states_.begin()->second.bytes);
         states_.erase(states_.begin());
     }
@@ -241,13 +235,14 @@ void CheckpointFile::write() {
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
     std::string bytes(kFirstCheckpointLine);
-    bytes += block_of(head_) + text_of(done_bytes_) + text_of(places_.size());
+    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(places_.size());
     for (const auto& [moment, place] : places_) {
-        bytes += text_of(moment) + text_of(place.offset) + text_of(place.size) + place.sha256;
+        bytes += number_bytes(moment) + number_bytes(place.offset) + number_bytes(place.size) +
+                 place.sha256;
     }
-    bytes += text_of(states_.size());
+    bytes += number_bytes(states_.size());
     for (const auto& [moment, state] : states_) {
-        bytes += text_of(moment) + text_of(state.is_done ? 1 : 0) + block_of(state.bytes);
+        bytes += number_bytes(moment) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
     }
     AtomicFile file(path_);
     file.write(bytes);

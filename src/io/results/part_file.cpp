@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "io/results/json_parts.h"
 #include "io/results/part_difference.h"
 #include "io/results/read_result.h"
+#include "io/results/run_head.h"
 
 namespace quasimc {
 namespace {
@@ -24,21 +24,9 @@ constexpr std::uint64_t kMostParts = 1'000'000;
 /// Stands for the number of a moment behind the last one.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
 
-std::string bytes_of(std::uint64_t number) {
-    return {reinterpret_cast<const char*>(&number), sizeof number};
-}
-
 Fault missing_part(std::uint64_t part, std::uint64_t parts) {
     return {
         "PART", fmt::format("part {} of {} is missing", part, parts), "", "name its file as well"};
-}
-
-std::string head_of(const RunFile& run) {
-    JsonStream json;
-    json.begin_object(JsonLayout::rows);
-    json_head(json, run);
-    json.end_object();
-    return json.take();
 }
 
 }  // namespace
@@ -64,9 +52,9 @@ PartNumber read_part_number(const std::string& text, const std::string& place) {
 
 PartWriter::PartWriter(const RunFile& run, const PartNumber& number, TextSink sink)
     : sink_(std::move(sink)) {
-    write(std::string(kFirstLine) + bytes_of(number.part) + bytes_of(number.parts));
-    const std::string head = head_of(run);
-    write(bytes_of(head.size()));
+    write(std::string(kFirstLine) + number_bytes(number.part) + number_bytes(number.parts));
+    const std::string head = head_of_run(run);
+    write(number_bytes(head.size()));
     write(head);
     write_digest();
 }
@@ -78,13 +66,13 @@ void PartWriter::write(const std::string& bytes) {
 
 void PartWriter::add(std::size_t moment, const Sums& sums) {
     const std::string bytes = save_sums(sums);
-    write(bytes_of(moment) + bytes_of(bytes.size()));
+    write(number_bytes(moment) + number_bytes(bytes.size()));
     write(bytes);
     write_digest();
 }
 
 void PartWriter::finish() {
-    write(bytes_of(kEnd));
+    write(number_bytes(kEnd));
     write_digest();
 }
 

@@ -49,6 +49,20 @@ TEST_F(PlantLightTest, AnswersWhatItDoesNotUnderstandWithZeroAndANotice) {
     EXPECT_TRUE(kept_.has("'X' is not understood"));
 }
 
+TEST_F(PlantLightTest, WarnsOnceOfOrgansThatLieOnEachOther) {
+    PlantLight light(specification(kBlack, kept_), kept_.notices);
+    const std::string apart = flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 2);
+    static_cast<void>(answers_of(light, apart));
+    const std::size_t before = kept_.texts.size();
+    EXPECT_FALSE(kept_.has("black")) << "as it is stated";
+    const std::string upon = apart + flat(2, "P(1,2)", 2);
+    static_cast<void>(answers_of(light, upon));
+    EXPECT_TRUE(kept_.has("with the same corners as triangles of organ 'P' (id 2)"));
+    EXPECT_EQ(kept_.texts.size(), before + 1);
+    static_cast<void>(answers_of(light, upon + flat(3, "P(1,2)", 1)));
+    EXPECT_EQ(kept_.texts.size(), before + 1);
+}
+
 TEST_F(PlantLightTest, AnswersSeveralBandsAndLeavesSlotsEmpty) {
     const std::string bands =
         "spectrum samples: 3\nsource spectrum: 1 1 2 2 3 0\nreturn type: D U D\n"

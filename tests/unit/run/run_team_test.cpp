@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/process_time.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
 
@@ -56,12 +57,18 @@ class Meeting {
     void set_mail(unsigned rank, TeamMail& mail) {
         mail.send = [this](std::uint64_t number, std::string_view bytes) {
             const std::lock_guard lock(mutex_);
-            EXPECT_TRUE(mail_.emplace(number, bytes).second) << "a number is used once";
+            mail_.emplace(number, bytes);  // behind what has the same number
         };
+        mail.has_arrived = [] { return true; };
         mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
             const std::lock_guard lock(mutex_);
-            const auto node = mail_.extract(number);
-            return node ? std::optional(node.mapped()) : std::nullopt;
+            const auto first = mail_.lower_bound(number);
+            // What came of a job waits until its states were received.
+            const bool is_held = number % 2 == 0 && mail_.contains(number + 1);
+            if (first == mail_.end() || first->first != number || is_held) {
+                return std::nullopt;
+            }
+            return mail_.extract(first).mapped();
         };
         mail.close = [this] { is_closed_ = true; };
         mail.is_closed = [this] { return is_closed_.load(); };
@@ -108,7 +115,7 @@ class Meeting {
     std::uint64_t met_ = 0;
     TeamOrder order_;
     std::mutex mutex_;
-    std::map<std::uint64_t, std::string> mail_;
+    std::multimap<std::uint64_t, std::string> mail_;
     std::atomic<bool> is_closed_{false};
     std::vector<std::int64_t> total_;
 };
@@ -117,8 +124,8 @@ struct Day {
     Scene scene = leaf_over_ground();
     std::vector<TimeStep> moments;
 
-    Day() {
-        for (const double elevation : {20.0, 50.0, 50.0, 80.0}) {
+    explicit Day(const std::vector<double>& elevations = {20, 50, 50, 80}) {
+        for (const double elevation : elevations) {
             moments.push_back(
                 {.name = "",
                  .sources = {sun(elevation, {1}), sky({1})},
@@ -129,8 +136,9 @@ struct Day {
     }
 };
 
-/// How a team traces a day: every run together, or runs each by itself.
-enum class Sharing { tasks, runs };
+/// How a team traces a day: every run together, or runs each by itself, also with their states sent
+/// after each task.
+enum class Sharing { tasks, runs, runs_with_states };
 
 /// The results of a day that a team of so many processes traces.
 std::vector<Result> trace_day(
@@ -145,7 +153,10 @@ std::vector<Result> trace_day(
     const auto seen_by = [&](unsigned rank) {
         RunTeam team = meeting.seen_by(rank, nodes);
         // A team of one has nobody to give runs to.
-        team.size = sharing == Sharing::runs ? ranks : 1;
+        team.size = sharing != Sharing::tasks ? ranks : 1;
+        if (sharing == Sharing::runs_with_states) {
+            team.keep_every = 0;
+        }
         return team;
     };
     std::vector<std::jthread> helpers;
@@ -296,10 +307,61 @@ TEST_P(RunTeams, KeepRunsThatOthersHaveTracedAndGoOnFromThem) {
         trace_day(day, spec, 2, 1, &checkpoint, {}, Sharing::runs), day_alone(day, spec));
 }
 
+TEST_P(RunTeams, KeepWhatIsDoneOfRunsThatAreTracedElsewhere) {
+    const Day day({20, 30, 40, 50, 60, 70, 80, 85});  // so many that some are not cut into parts
+    for (const std::uint64_t max_paths : {std::uint64_t{0}, spec().max_paths}) {
+        RunSpec spec = RunTeams::spec();
+        spec.max_paths = max_paths;
+        std::map<std::size_t, std::string> kept;  // the first of each moment: little is done
+        RunCheckpoint checkpoint;
+        checkpoint.has_state = [](std::size_t) { return false; };
+        checkpoint.state_of = [](std::size_t) { return std::nullopt; };
+        checkpoint.is_due = [] { return true; };
+        checkpoint.save = [&](std::size_t moment, const RunSnapshot& state) {
+            kept.emplace(moment, save_state(state));
+        };
+        checkpoint.finish = [](std::size_t, const RunSnapshot&) {};
+        checkpoint.keep = [&](std::size_t moment, std::string state) {
+            kept.emplace(moment, std::move(state));
+        };
+        checkpoint.flush = [] {};
+        const std::vector<Result> alone = day_alone(day, spec);
+        expect_equal_days(
+            trace_day(day, spec, 2, 1, &checkpoint, {}, Sharing::runs_with_states), alone);
+        ASSERT_FALSE(kept.empty());
+        double paths_before = 0;
+        checkpoint.is_due = [] { return false; };
+        checkpoint.has_state = [&](std::size_t moment) { return kept.contains(moment); };
+        checkpoint.state_of = [&](std::size_t moment) {
+            return kept.contains(moment) ? std::optional(load_state(kept[moment])) : std::nullopt;
+        };
+        const std::vector<Result> resumed =
+            trace_day(day, spec, 3, 1, &checkpoint, {}, Sharing::runs);
+        expect_equal_days(resumed, alone);
+        for (const Result& result : resumed) {
+            paths_before += result.paths_before;
+        }
+        EXPECT_GT(paths_before, 0);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     EveryMethod,
     RunTeams,
     ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits));
+
+TEST(RunTeam, TellsTheProcessorTimeOfAll) {
+    const Day day;
+    RunSpec spec = spec_of(Method::light_tracing, 1U << 18U);
+    spec.threads = 1;
+    const Stopwatch watch;
+    double told = 0;
+    for (const Result& result : trace_day(day, spec, 3, 1)) {
+        told += result.trace_cpu_seconds;
+    }
+    // Here all are threads of one process, and each tells the time of all.
+    EXPECT_GT(told, 1.5 * watch.cpu_seconds());
+}
 
 TEST(RunTeam, StopsWhenTheFirstIsStopped) {
     const Day day;

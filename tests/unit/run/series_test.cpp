@@ -51,6 +51,22 @@ bool same_numbers(const Result& a, const Result& b) {
         [](const Estimate& x, const Estimate& y) { return x.mean == y.mean && x.high == y.high; });
 }
 
+TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
+    const Scene scene = make_scene();
+    const Sources sources{sun(30, {500})};
+    const std::vector<TimeStep> times{
+        moment_of(sources, "a", 2), moment_of(sources, "a", 1), moment_of(sources, "a", 3),
+        moment_of(sources, "a", 0)};
+    try {
+        run_series(scene, times, small_spec());
+        FAIL() << "it is not refused";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.faults().size(), 2U);
+        EXPECT_EQ(error.faults()[0].problem, "it is of day 1, after one of day 2");
+        EXPECT_EQ(error.faults()[1].problem, "it is of day 0, after one of day 3");
+    }
+}
+
 TEST(Series, OfOneMomentIsTheRun) {
     const Scene scene = make_scene();
     const Sources sources{sun(30, {500}), sky({100})};

@@ -21,8 +21,8 @@ def _tesselator():
 def triangles_of(geometry):
     """The triangles of a geometry: list of lists of three (x, y, z).
 
-    A geometry is a list of triangles, has `pointList` and `indexList`, has a `geometry` (a shape),
-    or is one of PlantGL, which its user has imported.
+    A geometry is a list of triangles, has `pointList` and `indexList`, is a shape (which has an
+    `id` and a `geometry`), or is one of PlantGL, which its user has imported.
     """
     if is_triangles(geometry):
         return list(geometry)
@@ -33,7 +33,8 @@ def triangles_of(geometry):
             for face in (list(face) for face in geometry.indexList)
             for k in range(1, len(face) - 1)
         ]
-    if hasattr(geometry, "geometry"):
+    # A translated, scaled or turned geometry of PlantGL has a `geometry` too, but no `id`.
+    if hasattr(geometry, "geometry") and hasattr(geometry, "id"):
         return triangles_of(geometry.geometry)
     tesselator = _tesselator()
     if tesselator is None or not hasattr(geometry, "apply"):

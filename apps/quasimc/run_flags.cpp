@@ -1,0 +1,179 @@
+#include "run_flags.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace {
+
+/// The flags that name files to be written, and those files.
+std::array<std::pair<std::string_view, const std::string*>, 10> outputs_of(
+    const RunArguments& arguments) {
+    return {{
+        {"--csv", &arguments.csv},
+        {"--json", &arguments.json},
+        {"--days", &arguments.days},
+        {"--groups-csv", &arguments.groups_csv},
+        {"--groups-days", &arguments.groups_days},
+        {"--picture", &arguments.picture},
+        {"--vtp", &arguments.vtp},
+        {"--ply", &arguments.ply},
+        {"--glb", &arguments.glb},
+        {"--nc", &arguments.nc},
+    }};
+}
+
+/// Of what is written and told.
+std::vector<Flag> output_flags(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "--csv",
+         .target = &arguments.csv,
+         .summary = "write the table of organs here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--json",
+         .target = &arguments.json,
+         .summary = "write everything here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--days",
+         .target = &arguments.days,
+         .summary =
+             "of a run with [time]: write the table of sums over days here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--groups-csv",
+         .target = &arguments.groups_csv,
+         .summary = "write the table of groups of organs here; - is standard output",
+         .type_name = "FILE"},
+        {.name = "--groups-days",
+         .target = &arguments.groups_days,
+         .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
+                    "standard output",
+         .type_name = "FILE"},
+        {.name = "--picture",
+         .target = &arguments.picture,
+         .summary = "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
+         .type_name = "FILE"},
+        {.name = "--vtp",
+         .target = &arguments.vtp,
+         .summary = "write the scene with its numbers here, for ParaView and pyvista",
+         .type_name = "FILE"},
+        {.name = "--ply",
+         .target = &arguments.ply,
+         .summary = "the same as PLY, for MeshLab and CloudCompare",
+         .type_name = "FILE"},
+        {.name = "--glb",
+         .target = &arguments.glb,
+         .summary = "the same as binary glTF, coloured, for Blender",
+         .type_name = "FILE"},
+        {.name = "--nc",
+         .target = &arguments.nc,
+         .summary = "write the light by organ, band and time here, for xarray and others",
+         .type_name = "FILE"},
+        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
+        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
+    add_choice_flags(arguments.choice, flags);
+    return flags;
+}
+
+}  // namespace
+
+void check_outputs(const RunArguments& arguments) {
+    const auto files = outputs_of(arguments);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!files[i].second->empty() && *files[i].second == *files[j].second) {
+                throw UsageError(
+                    fmt::format("{} and {}: name the same file", files[j].first, files[i].first));
+            }
+        }
+    }
+}
+
+void check_usage(const RunArguments& arguments) {
+    if (arguments.file.empty() && arguments.from.empty()) {
+        throw UsageError("FILE or --from RESULT is required");
+    }
+    if (arguments.part.empty() && !arguments.sums.empty()) {
+        throw UsageError("--sums: is the file of a --part");
+    }
+    if (!arguments.part.empty() && arguments.view) {
+        throw UsageError("--view: a --part has no results to be seen");
+    }
+    if (arguments.checkpoint.empty() &&
+        (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
+        throw UsageError("--every and --resume: are of a --checkpoint");
+    }
+    if (arguments.checkpoint == "-") {
+        throw UsageError("--checkpoint: is a file, not standard output");
+    }
+    if (std::isnan(arguments.every)) {
+        throw UsageError("--every: nan is no time");
+    }
+    for (const auto& [flag, path] : outputs_of(arguments)) {
+        if (!arguments.part.empty() && !path->empty()) {
+            throw UsageError(
+                fmt::format("{}: a --part has no results; `quasimc merge` writes them", flag));
+        }
+    }
+    check_outputs(arguments);
+}
+
+std::vector<Flag> flags_of_run(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "FILE",
+         .target = &arguments.file,
+         .summary = "run file (docs/formats/run-file.md); - is standard input",
+         .excludes = "--from"},
+        {.name = "--from",
+         .target = &arguments.from,
+         .summary = "repeat the run of this JSON result instead",
+         .type_name = "RESULT"},
+        {.name = "--part",
+         .target = &arguments.part,
+         .summary = "compute this part of the run alone, 3/16 the third of sixteen, for "
+                    "`quasimc merge`",
+         .type_name = "K/N"},
+        {.name = "--sums",
+         .target = &arguments.sums,
+         .summary = "write the part here; by default NAME.KofN.part in the current folder",
+         .type_name = "FILE"},
+        {.name = "--checkpoint",
+         .target = &arguments.checkpoint,
+         .summary = "keep here what was computed, so that --resume can go on from it",
+         .type_name = "FILE",
+         .excludes = "--part"},
+        {.name = "--every",
+         .target = &arguments.every,
+         .summary = "seconds from one checkpoint to the next",
+         .type_name = "SECONDS",
+         .range = std::pair(0.0, 1e6),
+         .default_text = "60"},
+        {"--view", &arguments.view,
+         "serve a page to the browsers of this machine that follows the run; its address is "
+         "printed, and Ctrl-C ends it"},
+        {"--resume", &arguments.resume,
+         "go on from the checkpoint, if it is there; paths, target_error, target_fraction, "
+         "max_paths and "
+         "max_seconds may be others than before"}};
+    for (Flag& flag : output_flags(arguments)) {
+        flags.push_back(std::move(flag));
+    }
+    arguments.flags.add_to(flags);
+    return flags;
+}
+
+std::vector<Flag> flags_of_merge(RunArguments& arguments) {
+    std::vector<Flag> flags{
+        {.name = "PART",
+         .target = &arguments.parts,
+         .summary = "files of `quasimc run --part`: all parts of one run, in any order",
+         .required = true}};
+    for (Flag& flag : output_flags(arguments)) {
+        flags.push_back(std::move(flag));
+    }
+    return flags;
+}

@@ -1,0 +1,197 @@
+#include "sweep_run.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "part_run.h"
+#include "progress.h"
+#include "sweep_jobs.h"
+
+namespace {
+
+/// @throws quasimc::InputError
+void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
+    quasimc::Faults faults;
+    for (const auto& [flag, path] :
+         {std::pair("--days", &arguments.days),
+          std::pair("--groups-days", &arguments.groups_days)}) {
+        if (!path->empty() && !run.series) {
+            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
+        }
+    }
+    faults.throw_if_any();
+}
+
+/// What all points of a sweep have together.
+void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all) {
+    all.traced += point.traced;
+    all.unlit += point.unlit;
+    all.at_target += point.at_target;
+    all.done += point.done;
+    all.cut_short += point.cut_short;
+    all.stop = point.stop == quasimc::StopReason::paths_done ? all.stop : point.stop;
+    // Of the most unlikely audit, times their number.
+    if (point.audited > 0) {
+        const double count = static_cast<double>(all.audited);
+        const double own = static_cast<double>(point.audited);
+        const double least =
+            std::min(count > 0 ? all.audit_chance / count : 1.0, point.audit_chance / own);
+        all.audited += point.audited;
+        all.audit_chance = std::min(1.0, least * (count + own));
+    }
+    all.rays += point.rays;
+    all.seconds += point.seconds;
+    all.build_seconds += point.build_seconds;
+    all.trace_seconds += point.trace_seconds;
+    all.trace_cpu_seconds += point.trace_cpu_seconds;
+    for (const auto& [method, times] : point.methods) {
+        all.methods[method] += times;
+    }
+}
+
+}  // namespace
+
+SweepRun::SweepRun(
+    const RunArguments& arguments,
+    quasimc::RunSweep& sweep,
+    quasimc::PartFiles* parts,
+    quasimc::RunTeam* team)
+    : arguments_(arguments),
+      sweep_(sweep),
+      parts_(parts),
+      team_(team),
+      run_(next_file(0)),
+      writers_(arguments, *run_),
+      interrupt_(std::in_place, stopping_note(arguments)),
+      checkpoint_(arguments, *run_),
+      tell_(progress_line(progress_lines(arguments))) {
+    if (arguments.view) {
+        window_.emplace(*run_, 0);
+    }
+}
+
+void SweepRun::compute() {
+    while (trace(interrupt_->token()) && point_ + 1 < sweep_.size() && goes_on()) {
+        std::unique_ptr<quasimc::RunFile> next = next_file(++point_);
+        writers_.next_run(*next, last_);
+        if (window_) {
+            window_->next_run(*next);
+        }
+        run_ = std::move(next);
+    }
+    checkpoint_.flush();
+    point_runs_.reset();
+    if (window_) {
+        window_->finish(all_.stop);
+    }
+    interrupt_.reset();
+}
+
+void SweepRun::stay() const {
+    if (window_ && all_.stop != quasimc::StopReason::interrupted) {
+        RunWindow::stay();
+    }
+}
+
+std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
+    auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
+    apply_choice(arguments_.choice, *run);
+    if (point == 0) {
+        require_times(arguments_, *run);
+    }
+    return run;
+}
+
+bool SweepRun::goes_on() {
+    const double limit = run_->spec.max_seconds;
+    if (limit > 0 && all_.seconds >= limit && all_.stop != quasimc::StopReason::interrupted) {
+        last_.stop = all_.stop = quasimc::StopReason::time_is_up;
+        return false;
+    }
+    return last_.stop != quasimc::StopReason::interrupted;
+}
+
+bool SweepRun::trace(const std::stop_token& stop) {
+    quasimc::RunSpec spec = run_->spec;
+    const auto points_left = static_cast<double>(sweep_.size() - point_);
+    if (spec.max_seconds > 0) {
+        constexpr double kLeast = 1e-3;
+        spec.max_seconds = std::max(spec.max_seconds - all_.seconds, kLeast) / points_left;
+    }
+    try {
+        const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(*run_);
+        checkpoint_.set_moments_before(moments_before_);
+        last_ = quasimc::run_series(simulator_, run_->scene, moments, spec, events(), stop);
+        moments_before_ += moments.size();
+    } catch (const quasimc::Stopped& stopped) {
+        checkpoint_.flush();
+        if (point_ == 0) {
+            throw;
+        }
+        last_ = {};
+        last_.stop = all_.stop = stopped.why();
+        return false;
+    } catch (const quasimc::InputError& error) {
+        writers_.throw_if_given_up();
+        if (parts_ != nullptr) {
+            throw;
+        }
+        rethrow_of_file(error, *run_, arguments_.flags.overrides());
+    }
+    add_point(last_, all_);
+    return true;
+}
+
+std::function<void(const quasimc::Progress&)> SweepRun::progress() const {
+    if (!tell_ || sweep_.size() == 1) {
+        return tell_;
+    }
+    return [this](const quasimc::Progress& own) {
+        const double fraction =
+            (static_cast<double>(point_) + own.fraction) / static_cast<double>(sweep_.size());
+        const double seconds = all_.seconds + own.seconds;
+        tell_({fraction, seconds, seconds / fraction, own.fraction_at_target});
+    };
+}
+
+quasimc::SeriesEvents SweepRun::events() {
+    quasimc::SeriesEvents events = writers_.events(progress());
+    if (window_) {
+        window_->listen(events);
+    }
+    events.checkpoint = checkpoint_.hooks();
+    events.team = team_;
+    if (team_ != nullptr) {
+        team_->point = point_;
+        share_points();
+        events.traced_runs = point_runs_ ? &traced_points_ : nullptr;
+    }
+    if (parts_ != nullptr) {
+        events.sums_of = [this](std::size_t moment) {
+            return parts_->next(moments_before_ + moment);
+        };
+    }
+    return events;
+}
+
+void SweepRun::share_points() {
+    bool is_kept = false;
+    for (std::size_t i = point_; checkpoint_.hooks() != nullptr && i < sweep_.size(); ++i) {
+        is_kept = is_kept || checkpoint_.hooks()->has_state(i - point_);
+    }
+    if (point_runs_ || parts_ != nullptr || is_kept) {
+        return;
+    }
+    const auto jobs = jobs_of_points(*run_, sweep_.size(), point_, team_->size);
+    if (jobs.empty()) {
+        return;
+    }
+    point_runs_ = std::make_unique<quasimc::TeamRuns>(
+        *team_, quasimc::TeamOrder{.is_runs = quasimc::TeamOrder::kPoints, .point = point_}, jobs,
+        point_tracer(simulator_, sweep_));
+    traced_points_.take = [this](std::size_t, const quasimc::RunControl& control) {
+        return point_runs_->take(point_, control);
+    };
+}

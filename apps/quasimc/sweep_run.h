@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "checkpoint_run.h"
+#include "interrupt.h"
+#include "io/results/part_file.h"
+#include "quasimc/quasimc.h"
+#include "run/run_team.h"
+#include "run/team_runs.h"
+#include "run_window.h"
+#include "run_writers.h"
+
+/// Computes the runs of a sweep, one after the other, until all are done or Ctrl-C or the limit of
+/// time stops them.
+class SweepRun {
+  public:
+    /// @param parts  which the sums of the runs are taken from; null: they are traced
+    /// @param team  which they are traced with; null: alone
+    SweepRun(
+        const RunArguments& arguments,
+        quasimc::RunSweep& sweep,
+        quasimc::PartFiles* parts,
+        quasimc::RunTeam* team);
+
+    void compute();
+    /// The page stays for who wants to see the result. One who has stopped the run wants to leave.
+    void stay() const;
+
+    /// Of all points that are done. Its total is that of the last one.
+    [[nodiscard]] const quasimc::SeriesSummary& all() const { return all_; }
+    [[nodiscard]] const quasimc::SeriesSummary& last() const { return last_; }
+    [[nodiscard]] const quasimc::RunFile& file() const { return *run_; }
+    [[nodiscard]] RunWriters& writers() { return writers_; }
+    [[nodiscard]] const CheckpointRun& checkpoint() const { return checkpoint_; }
+
+  private:
+    [[nodiscard]] std::unique_ptr<quasimc::RunFile> next_file(std::size_t point);
+    /// Whether there is time for another point.
+    [[nodiscard]] bool goes_on();
+    /// Traces a point. @returns false  if there is no result of it, and others are there
+    [[nodiscard]] bool trace(const std::stop_token& stop);
+    /// Of all points, which take about equally long.
+    [[nodiscard]] std::function<void(const quasimc::Progress&)> progress() const;
+    [[nodiscard]] quasimc::SeriesEvents events();
+    /// Lets the ranks trace the points from this one on each by itself, unless a checkpoint knows
+    /// one of them: what it knows is traced together.
+    void share_points();
+
+    const RunArguments& arguments_;
+    quasimc::RunSweep& sweep_;
+    quasimc::PartFiles* parts_;
+    quasimc::RunTeam* team_;
+    std::size_t point_ = 0;
+    std::size_t moments_before_ = 0;  // of the points before
+    std::unique_ptr<quasimc::RunFile> run_;
+    RunWriters writers_;
+    std::optional<InterruptWatch> interrupt_;  // before what has threads and what is left behind
+    CheckpointRun checkpoint_;
+    std::function<void(const quasimc::Progress&)> tell_;
+    std::optional<RunWindow> window_;
+    quasimc::Simulator simulator_;
+    std::unique_ptr<quasimc::TeamRuns> point_runs_;  // once ranks trace points
+    quasimc::TracedRuns traced_points_;
+    quasimc::SeriesSummary last_, all_;
+};

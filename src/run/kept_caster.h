@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+
+#include "geometry/cast/ray_caster.h"
+#include "quasimc/run_spec.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// The ray caster of the scene that was asked for last: it is built anew when triangles, cell or
+/// engine are others.
+class KeptCaster {
+  public:
+    /// @throws StopRequested  if it was stopped while it was built
+    /// @throws InputError  if there is not enough memory for it
+    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
+        const Scene& scene, Engine engine, const std::stop_token& stop);
+    /// How many were built.
+    [[nodiscard]] std::size_t builds() const { return builds_; }
+
+  private:
+    std::shared_ptr<const RayCaster> caster_;
+    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
+    Cell cell_;
+    Engine engine_ = Engine::embree;
+    std::size_t builds_ = 0;
+};
+
+}  // namespace quasimc
