@@ -19,6 +19,7 @@
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "run/season.h"
 #include "run/series_sum.h"
 #include "run/shared_series.h"
 #include "run/simulator.h"
@@ -361,7 +362,9 @@ SeriesSummary run_series(
     EXPECT(std::is_sorted(time_steps.begin(), time_steps.end(), [](const auto& a, const auto& b) {
         return a.day < b.day;
     }));
-    return SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
+    return spec.hours == Hours::together
+               ? run_season(simulator, scene, time_steps, spec, events, stop)
+               : SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
 }
 
 }  // namespace quasimc
