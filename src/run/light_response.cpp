@@ -76,10 +76,30 @@ class ResponseReader {
                 put(flux, to_.coarse_escaped() + i * to_.bands + b, band(bins, coarse, b));
             }
         }
+        settle(flux);
         return flux;
     }
 
   private:
+    /// Of a sky a number of directions was drawn, which brought more or less than its light: in
+    /// proportion to what they brought all of it is known better.
+    void settle(std::vector<float>& flux) const {
+        std::vector<float> factors(to_.bands, 1);
+        for (std::size_t b = 0; b < to_.bands; ++b) {
+            const float drawn = flux[to_.emitted() + b];
+            if (drawn > 0) {
+                factors[b] = static_cast<float>(sums_.emitted_flux[first_ + b]) / drawn;
+            }
+        }
+        const std::vector<BinPart> parts = bin_parts(to_);
+        for (std::size_t i = 0; i < flux.size(); ++i) {
+            const std::size_t tail = to_.regions * to_.stride();
+            const BinPart& bin = parts[i < tail ? i % to_.stride() : i - tail + to_.stride()];
+            if (bin.part == Part::direct || bin.part == Part::scattered) {
+                flux[i] *= factors[bin.band];
+            }
+        }
+    }
     void read_region(const ExactBins& bins, std::size_t region, std::vector<float>& flux) const {
         for (const SurfaceSide side : kSurfaceSides) {
             for (std::size_t b = 0; b < to_.bands; ++b) {

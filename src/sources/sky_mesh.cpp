@@ -13,8 +13,11 @@ namespace quasimc {
 namespace {
 
 constexpr double kQuarterTurn = kFullTurn / 4;
-/// Places at which skies are looked at, equal in solid angle.
-constexpr std::uint32_t kLookRows = 48, kLookColumns = 96;
+/// Steps of the fit to a sky: the first gives the mean radiance under each hat, the others sharpen
+/// what that has blurred.
+constexpr int kFits = 5;
+/// Places at which skies are looked at, in equal steps of elevation and azimuth.
+constexpr std::uint32_t kLookRows = 60, kLookColumns = 96;
 
 double elevation_of(const Vec3& direction) {
     return std::asin(std::clamp(direction.z, 0.0, 1.0));
@@ -42,13 +45,15 @@ void SkyMesh::set_looks() {
     sine_.resize(nodes());
     for (std::uint32_t row = 0; row < kLookRows; ++row) {
         for (std::uint32_t column = 0; column < kLookColumns; ++column) {
-            const double sine = (row + 0.5) / kLookRows;
+            const double elevation = kQuarterTurn * (row + 0.5) / kLookRows;
+            const double sine = std::sin(elevation);
             const Vec3 direction =
                 hemisphere_direction(kFullTurn * (column + 0.5) / kLookColumns, sine);
-            looks_.push_back({direction, shares(direction)});
+            looks_.push_back({direction, std::cos(elevation), shares(direction)});
             for (const Share& share : looks_.back().shares) {
-                looked_[share.node] += share.weight;
-                sine_[share.node] += share.weight * sine;
+                const double weight = looks_.back().weight * share.weight;
+                looked_[share.node] += weight;
+                sine_[share.node] += weight * sine;
             }
         }
     }
@@ -104,22 +109,39 @@ SkyShape SkyMesh::hat(std::uint32_t node) const {
     return shape;
 }
 
-std::vector<double> SkyMesh::light_of_sky(const Source& sky) const {
-    std::vector<double> light(nodes());
+std::vector<double> SkyMesh::fit(const Source& sky) const {
+    std::vector<double> radiance, sky_radiance;
     for (const Look& look : looks_) {
-        const double radiance = sky.radiance(look.direction);
-        for (const Share& share : look.shares) {
-            light[share.node] += radiance * share.weight;
+        sky_radiance.push_back(sky.radiance(look.direction));
+    }
+    radiance.assign(nodes(), 1);
+    for (int i = 0; i < kFits; ++i) {
+        std::vector<double> factors(nodes());
+        for (std::size_t k = 0; k < looks_.size(); ++k) {
+            double now = 0;
+            for (const Share& share : looks_[k].shares) {
+                now += share.weight * radiance[share.node];
+            }
+            const double factor = now > 0 ? looks_[k].weight * sky_radiance[k] / now : 0;
+            for (const Share& share : looks_[k].shares) {
+                factors[share.node] += share.weight * factor;
+            }
+        }
+        for (std::uint32_t node = 0; node < nodes(); ++node) {
+            radiance[node] *= factors[node] / looked_[node];
         }
     }
+    return radiance;
+}
+
+std::vector<double> SkyMesh::light_of_sky(const Source& sky) const {
+    std::vector<double> light = fit(sky);
     double sum = 0;
     for (std::uint32_t node = 0; node < nodes(); ++node) {
-        light[node] *= sine_[node];
+        light[node] *= looked_[node] * sine_[node];
         sum += light[node];
     }
-    // A sky with all its light between the looks is given to the zenith.
-    light.back() += sum > 0 ? 0 : 1;
-    const double scale = sky.horizontal_irradiance() / (sum > 0 ? sum : 1);
+    const double scale = sum > 0 ? sky.horizontal_irradiance() / sum : 0;
     std::transform(light.begin(), light.end(), light.begin(), [&](double x) { return x * scale; });
     return light;
 }

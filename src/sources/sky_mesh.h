@@ -31,8 +31,10 @@ class SkyMesh {
     /// The hat of a node as a sky.
     [[nodiscard]] SkyShape hat(std::uint32_t node) const;
 
-    /// A sky in hats, of the mean radiance under each, scaled together to the sky's irradiance on
-    /// the horizontal. @returns by node: its hat's irradiance on the horizontal, for a spectrum of
+    /// A sky in hats, fitted to its radiance (expectation maximization, Richardson 1972 and Lucy
+    /// 1974: nothing is negative), scaled together to the sky's irradiance on the horizontal; no
+    /// light if all of it lies between the places that are looked at. @returns by node: its hat's
+    /// irradiance on the horizontal, for a spectrum of
     /// 1
     [[nodiscard]] std::vector<double> light_of_sky(const Source& sky) const;
     /// A beam of irradiance 1 on the plane that faces it in the hats about it, which together send
@@ -43,6 +45,7 @@ class SkyMesh {
     /// A direction that stands for a part of the hemisphere.
     struct Look {
         Vec3 direction;
+        double weight = 0;  ///< its solid angle, in any unit
         std::array<Share, 4> shares;
     };
 
@@ -52,12 +55,13 @@ class SkyMesh {
     [[nodiscard]] double elevation(std::uint32_t ring) const;
     void put_ring(std::uint32_t ring, double weight, double azimuth, Share* to) const;
     void set_looks();
+    [[nodiscard]] std::vector<double> fit(const Source& sky) const;
 
     double step_;                       // between rings, radians
     std::vector<std::uint32_t> first_;  // node of each ring from below, and their number
-    std::vector<Look> looks_;           // all of the same solid angle
-    std::vector<double> looked_;        // by node: sum of its hat over them
-    std::vector<double> sine_;          // by node: mean sine of elevation under its hat
+    std::vector<Look> looks_;
+    std::vector<double> looked_;  // by node: its hat's sum over them, by weight
+    std::vector<double> sine_;    // by node: mean sine of elevation under its hat
 };
 
 }  // namespace quasimc
