@@ -46,6 +46,13 @@ enum class Effort {
     day,   ///< by the light that a time brings to the sum of its day
 };
 
+/// How the times of a series are computed.
+enum class Hours {
+    one_by_one,  ///< each for itself
+    together,    ///< the sun's direct light for itself, all else from the light of one set of
+                 ///< directions (docs/theory/time-series.md): ray bundles only
+};
+
 /// A point set that paths are made from.
 struct SamplerModel {
     std::string_view name;     ///< as in RunSpec::sampler
@@ -75,6 +82,8 @@ struct RunSpec {
     /// Of a series of times with lengths: whose precision paths and target are for. A single run
     /// takes no notice of it.
     Effort effort = Effort::each;
+    /// Of a series: whether its times share what they can. A single run takes no notice of it.
+    Hours hours = Hours::one_by_one;
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band

@@ -141,6 +141,7 @@ class Scene {
 
   private:
     friend class SceneBuilder;
+    friend Scene with_repeated_bands(const Scene& scene, std::size_t times);
     Scene();
 
     std::vector<Band> bands_;

@@ -127,6 +127,14 @@ SeriesSummary run_series(
     const SeriesEvents& events = {},
     const std::stop_token& stop = {});
 
+/// Adds the faults of a specification whose times are to be computed together (Hours::together):
+/// of sources, detectors and options that this can't do. None of other specifications.
+void check_together(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    Faults& faults);
+
 /// Traces a share of every moment of a series that run_series would trace.
 /// @param on_sums  is told of the sums of each, in the order of moments
 /// @param control  its on_progress is told of all moments together

@@ -20,6 +20,7 @@
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "run/season.h"
 #include "run/series_sum.h"
 #include "run/shared_series.h"
 #include "run/simulator.h"
@@ -377,7 +378,9 @@ SeriesSummary run_series(
     const SeriesEvents& events,
     const std::stop_token& stop) {
     check_order(time_steps);
-    return SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
+    return spec.hours == Hours::together
+               ? run_season(simulator, scene, time_steps, spec, events, stop)
+               : SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
 }
 
 }  // namespace quasimc

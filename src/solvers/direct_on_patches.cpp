@@ -55,6 +55,7 @@ void DirectOnPatches::lay_line(
     const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const {
     const ScanLines& lines = scratch.beams.lines;
     const LocalMesh& mesh = prepared_.caster().mesh();
+    const LitBands bands = lit_bands(beam.light->start_weights);
     for (const LinePiece& piece : lines.pieces()) {
         const ScanLines::Item& item = lines.items()[piece.segment];
         if (prepared_.material(prepared_.region(item.triangle)).is_transparent() ||
@@ -67,7 +68,7 @@ void DirectOnPatches::lay_line(
         patches_.patches.cut(
             item.triangle, lines.place(piece, 0), lines.place(piece, 1), scratch.stretches,
             [&](std::uint32_t patch, double share) {
-                light.add_direct(patch, side, amount * share, beam.light->start_weights);
+                light.add_direct(patch, side, amount * share, bands);
             });
     }
 }
@@ -106,6 +107,7 @@ void DirectOnPatches::light_pixels(
         by_id[item.id] = item.id > 0 ? &item : nullptr;
     }
     direct.add_escaped();
+    const LitBands bands = lit_bands(beam.light->start_weights);
     std::vector<ItemBuffer::Places> places(by_id.size());
     for (std::uint32_t id = 0; id < by_id.size(); ++id) {
         places[id] = by_id[id] == nullptr ? ItemBuffer::Places{} : pixels.places(id);
@@ -119,9 +121,7 @@ void DirectOnPatches::light_pixels(
         const double of_pixel = amount * mesh.exact_share(item.triangle, beam.direction);
         for (std::uint32_t i = 0; i < run.count; ++i) {
             const Point2 at = places[run.id].of(run.first + i);
-            light.add_direct(
-                patches_.patches.at(item.triangle, at.s, at.t), side, of_pixel,
-                beam.light->start_weights);
+            light.add_direct(patches_.patches.at(item.triangle, at.s, at.t), side, of_pixel, bands);
         }
     }
 }
@@ -175,7 +175,7 @@ std::uint64_t DirectOnPatches::trace_path(
             const std::uint32_t triangle = patches_.representative(surface.triangle);
             light.add_direct(
                 patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side, amount,
-                source.start_weights);
+                lit_bands(source.start_weights));
             return rays;
         }
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);

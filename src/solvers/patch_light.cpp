@@ -144,6 +144,15 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
     mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
 }
 
+LitBands lit_bands(std::span<const double> weights) {
+    const auto is_lit = [](double weight) { return weight != 0; };
+    const auto first = std::find_if(weights.begin(), weights.end(), is_lit);
+    const auto last = std::find_if(weights.rbegin(), weights.rend(), is_lit).base();
+    const auto before = static_cast<std::size_t>(first - weights.begin());
+    return {
+        before, first < last ? std::span<const double>(first, last) : std::span<const double>()};
+}
+
 PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
       bands_(scene.prepared.bands()),
@@ -170,11 +179,11 @@ void PatchLight::clear() {
 }
 
 void PatchLight::add_direct(
-    std::uint32_t patch, SurfaceSide side, double amount, std::span<const double> weights) {
-    double* to = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_];
-    for (std::size_t b = 0; b < bands_; ++b) {
-        to[b] += amount * weights[b];
-        to[bands_ + b] += amount * weights[b];
+    std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands) {
+    double* to = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_ + bands.first];
+    for (std::size_t i = 0; i < bands.weights.size(); ++i) {
+        to[i] += amount * bands.weights[i];
+        to[bands_ + i] += amount * bands.weights[i];
     }
 }
 

@@ -59,6 +59,14 @@ struct PatchScene {
     std::vector<std::uint32_t> representatives;  ///< of images, by triangle; empty: itself
 };
 
+/// Bands that a source lights: those outside have none of its light.
+struct LitBands {
+    std::size_t first = 0;
+    std::span<const double> weights;  ///< of the bands from the first on
+};
+/// @param weights  of all bands
+[[nodiscard]] LitBands lit_bands(std::span<const double> weights);
+
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///
@@ -75,10 +83,9 @@ class PatchLight {
 
     /// No light anywhere.
     void clear();
-    /// Adds light straight from a source, per band `amount` times weights[b]; what misses thin
+    /// Adds light straight from a source, per band `amount` times its weight; what misses thin
     /// triangles is left out of it.
-    void add_direct(
-        std::uint32_t patch, SurfaceSide side, double amount, std::span<const double> weights);
+    void add_direct(std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands);
 
     /// What came to surfaces in one step.
     struct Step {

@@ -170,6 +170,11 @@ std::vector<Option> rows_of_engine() {
              "with [time]: each time has these paths and this target_error, or paths go by the "
              "light of the hours, for the sum of the day"},
             &RunSpec::effort, {{"each", Effort::each}, {"day", Effort::day}}),
+        choice_option<Hours>(
+            {"hours", "",
+             "with [time]: each time is traced for itself, or skies and scattered light of all "
+             "times are put together from those of one set of directions (ray_bundles)"},
+            &RunSpec::hours, {{"one_by_one", Hours::one_by_one}, {"together", Hours::together}}),
     };
 }
 

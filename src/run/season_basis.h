@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "quasimc/run.h"
+#include "quasimc/series.h"
+#include "run/light_response.h"
+#include "sources/sky_mesh.h"
+
+namespace quasimc {
+
+/// What the times of a series have in common: the responses of a scene to light from a set of
+/// directions, of which skies, and the scattered light of suns, are put together
+/// (docs/develop/decisions/season-by-bundles.md).
+class SeasonBasis {
+  public:
+    /// Who hears how far it is, 0 to 1, and may stop it.
+    struct Control {
+        std::function<void(double)> on_progress;
+        std::stop_token stop;
+    };
+    /// Solves for all directions that some time needs, and for a few times as they are, which tell
+    /// the error of the others.
+    /// @param spec  that check_together() found no fault with
+    /// @throws Stopped  if it was stopped
+    SeasonBasis(
+        Simulator& simulator,
+        const Scene& scene,
+        const std::vector<TimeStep>& time_steps,
+        const RunSpec& spec,
+        const Control& control);
+
+    /// Amounts of light from the directions: [direction][LightSum::add's amounts].
+    using Amounts = std::vector<double>;
+    [[nodiscard]] Amounts no_light() const;
+    /// Those of a time's skies and of the scattered light of its suns.
+    [[nodiscard]] Amounts amounts_of(const Sources& sources) const;
+    /// That light.
+    [[nodiscard]] LightSum light_of(const Amounts& amounts) const;
+    /// The relative error of it, by bin of common_layout().
+    [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
+
+    [[nodiscard]] const SumLayout& layout() const { return layout_; }
+    /// Lights that were solved for, and rays of all of them.
+    [[nodiscard]] std::size_t lights() const { return lights_; }
+    [[nodiscard]] std::uint64_t rays() const { return rays_; }
+
+  private:
+    struct LeftOut;
+    class Solving;
+
+    [[nodiscard]] std::vector<bool> needed_nodes(const std::vector<TimeStep>& time_steps) const;
+    [[nodiscard]] LeftOut leave_out(const TimeStep& step) const;
+
+    void add_beam(const Vec3& to_light, std::span<const double> facing, Amounts& amounts) const;
+    void add_sky(const Source& sky, Amounts& amounts) const;
+    void set_errors(const std::vector<LeftOut>& left_out);
+
+    SkyMesh mesh_;
+    SumLayout layout_;
+    std::size_t replicates_, lights_ = 0;
+    std::uint64_t rays_ = 0;
+    std::vector<LightResponse> responses_;  // by node; empty: no time needs it
+    std::vector<double> errors_;
+};
+
+/// A sun as a beam: where its light comes from (of a disk: from its middle), and the irradiance on
+/// a plane that faces it, per band.
+struct SunBeam {
+    Vec3 to_light;
+    std::vector<double> facing;
+};
+[[nodiscard]] SunBeam beam_of(const Source& sun);
+/// The sources of a time that are suns and shine, or those that are not and do.
+enum class Shining { suns, skies };
+[[nodiscard]] Sources shining(const Sources& sources, Shining which);
+
+}  // namespace quasimc
