@@ -4,8 +4,9 @@
 // is drawn and tested (next-event estimation). Light that comes by a sharp lobe, or a mirror, is
 // hardly ever found so. From a sky it is found by the paths that the lobe sends there; from a sun
 // or a lamp from its own side, so a light path follows each point's where a scene has such lobes.
-// So does what falls on something next to a lamp (NearLamps). The two sets of paths are disjoint by
-// where and how light meets its first surface, and together complete (PathFilter::left_out).
+// So does what falls on something next to a lamp (NearLamps): from there points take it, unless
+// they are near too (VertexLight). The sets of paths are disjoint by where and how light meets its
+// first surfaces, and together complete (PathFilter::left_out).
 
 #include "solvers/from_organs.h"
 
@@ -20,8 +21,11 @@
 #include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
+#include "solvers/from_organs_units.h"
+#include "solvers/organ_shares.h"
 #include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
+#include "transport/light_vertices.h"
 #include "transport/near_lamps.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
@@ -31,91 +35,10 @@
 namespace quasimc {
 namespace {
 
-/// Points a block holds: of one organ, or of several if they have few each.
-constexpr std::uint64_t kPointsPerBlock = 8192;
-/// Steps of the fixed point are finer by this: weights of big organs are small (2^40 steps a unit).
-constexpr double kGain = 4096;
-
 /// A point of an organ that looks for light, and its number in the point set.
 struct Point : OrganPoint {
     std::uint64_t index = 0;
 };
-
-/// The organs that points are placed on, and the area of all of them.
-struct MeasuredArea {
-    std::vector<std::uint32_t> organs;
-    double area = 0;
-};
-
-MeasuredArea measured_area(const Scene& scene) {
-    MeasuredArea measured;
-    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
-        if (scene.organs()[i].measured) {
-            measured.organs.push_back(i);
-            measured.area += scene.organs()[i].area;
-        }
-    }
-    return measured;
-}
-
-/// From the flux of a light path to units of a region.
-double units_of_light_path(const MeasuredArea& measured, double own_area) {
-    return own_area > 0
-               ? kGain * measured.area / (own_area * static_cast<double>(measured.organs.size()))
-               : 0;
-}
-
-/// By region, how much coarser its units are, a power of two; 1 for all but the smallest organs. A
-/// light path brings an organ the more units the smaller it is: of as many as this all paths of a
-/// block may meet one.
-std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured) {
-    constexpr double kMostUnits = 1U << 21U;
-    static_assert(kMostUnits * kPointsPerBlock <= kLargestAmount);
-    std::vector<double> coarseness;
-    for (const Region& region : scene.regions()) {
-        const double units = units_of_light_path(measured, scene.organs()[region.organ.value].area);
-        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMostUnits)))));
-    }
-    return coarseness;
-}
-
-/// Whether points do not look for all light.
-bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
-    const auto& lights = prepared.lights();
-    const bool is_small = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
-        return !light.is_extended();
-    });
-    return near.any() || (is_small && prepared.has_sharp());
-}
-
-/// The most that a material of the scene sends to one of its sides, of light that falls on it:
-/// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
-/// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
-/// as its peak; sharp ones are not looked through.
-double brightest(const PreparedScene& prepared, std::size_t band) {
-    constexpr double kUsual = 0.5;
-    // By a sharp lobe points find a sky and nothing else.
-    const auto& lights = prepared.lights();
-    const bool has_sky = std::any_of(
-        lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
-    const double by_sharp = has_sky ? 1 : 0;
-    double most = 0;
-    for (std::uint32_t region = 0; region < prepared.scene().regions().size(); ++region) {
-        const Material& material = prepared.material(region);
-        for (const SurfaceSide side : kSurfaceSides) {
-            std::array<double, 2> sum{};
-            for (const Lobe& lobe : material.side(side).lobes()) {
-                const double peak = is_sharp(*lobe.shape)
-                                        ? by_sharp
-                                        : std::max(1.0, kUsual * peak_brightness(*lobe.shape));
-                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
-                    peak * lobe.albedo[band];
-            }
-            most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
-        }
-    }
-    return most;
-}
 
 class FromOrgans final : public Solver {
   public:
@@ -129,7 +52,11 @@ class FromOrgans final : public Solver {
           measured_(measured_area(input.prepared.scene())),
           organ_points_(input.prepared),
           near_(input.prepared),
-          next_event_(input.prepared, input.sampler, near_, kGain * measured_.area),
+          followed_peak_(followed_peak(input.prepared.scene())),
+          next_event_(
+              input.prepared, input.sampler, near_, kFinerSteps * measured_.area, followed_peak_),
+          vertex_light_(input.prepared, kFinerSteps * measured_.area, followed_peak_),
+          needs_companion_(needs_light_paths(input.prepared, near_)),
           runner_(input) {
         const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
         points_per_organ_ = std::bit_floor(share);
@@ -140,7 +67,7 @@ class FromOrgans final : public Solver {
         }
         const Scene& scene = prepared_.scene();
         part_of_unit_.assign(scene.regions().size(), 1);
-        if (needs_companion()) {
+        if (needs_companion_) {
             for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured_)) {
                 part_of_unit_[i++] = 1 / coarser;
             }
@@ -149,10 +76,14 @@ class FromOrgans final : public Solver {
             const double own = scene.organs()[scene.regions()[i].organ.value].area;
             companion_scale_.push_back(part_of_unit_[i] * units_of_light_path(measured_, own));
         }
+        connected_ = near_.any() ? connected_regions(
+                                       prepared_, parts_by_vertices(prepared_, measured_, near_))
+                                 : std::vector<char>{};
+        has_others_ = std::find(connected_.begin(), connected_.end(), 0) != connected_.end();
     }
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
-        const std::uint64_t count = blocks(round) * (needs_companion() ? 2 : 1);
+        const std::uint64_t count = blocks(round);
         executor.announce(count * sums.replicates.size());
         runner_.run(
             count, executor, sums,
@@ -168,13 +99,15 @@ class FromOrgans final : public Solver {
 
   private:
     struct Scratch {
-        explicit Scratch(std::size_t bands) : path(bands), companion(bands), fixed(bands) {}
+        explicit Scratch(std::size_t bands)
+            : path(bands), companion(bands), fixed(bands), irradiance(bands) {}
         GatherScratch path;
         ParticleScratch companion;
         std::vector<std::int64_t> fixed;  // per band
+        std::vector<double> irradiance;   // per band: from a light vertex
     };
 
-    /// Blocks of points; companions take as many again.
+    /// Blocks of points and their companions.
     [[nodiscard]] std::uint64_t blocks(const Round& round) const {
         const std::uint64_t each = points(round.count);
         return each >= kPointsPerBlock ? organs() * (each / kPointsPerBlock)
@@ -188,21 +121,21 @@ class FromOrgans final : public Solver {
         Scratch& scratch,
         Tally& tally) const {
         const std::uint64_t each = points(round.count);
-        const std::uint64_t own = blocks(round);
-        const bool is_companion = block >= own;
-        const std::uint64_t piece = is_companion ? block - own : block;
+        const std::uint64_t own_streams = prepared_.scene().organs().size();
         std::uint64_t rays = 0;
-        const std::uint64_t begin = piece * kPointsPerBlock;
+        const std::uint64_t begin = block * kPointsPerBlock;
         const std::uint64_t end = std::min(begin + kPointsPerBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
             throw_if_stopped(stop_);
             const std::uint64_t organ = measured_.organs[i / each];
-            const Stream stream{
-                spec_.seed, (is_companion ? prepared_.scene().organs().size() : 0) + organ + 1,
-                replicate, first, each};
-            rays += is_companion ? trace_companion(stream, first + i % each, scratch, tally)
-                                 : trace_point(stream, organ, first + i % each, scratch, tally);
+            const std::uint64_t index = first + i % each;
+            if (needs_companion_) {
+                const Stream stream{spec_.seed, own_streams + organ + 1, replicate, first, each};
+                rays += trace_companion(stream, index, scratch, tally);
+            }
+            const Stream stream{spec_.seed, organ + 1, replicate, first, each};
+            rays += trace_point(stream, organ, index, scratch, tally);
         }
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
     }
@@ -212,7 +145,6 @@ class FromOrgans final : public Solver {
     [[nodiscard]] std::uint64_t points(std::uint64_t paths) const {
         return paths / spec_.paths * points_per_organ_;
     }
-    [[nodiscard]] bool needs_companion() const { return needs_light_paths(prepared_, near_); }
 
     [[nodiscard]] double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
@@ -235,7 +167,74 @@ class FromOrgans final : public Solver {
             return 0;
         }
         const Point point{*place, index};
-        return score_direct(stream, point, tally) + score_scattered(stream, point, scratch, tally);
+        if (connected_.empty() || connected_[point.region] == 0) {
+            scratch.companion.vertices.clear();
+        }
+        return score_direct(stream, point, tally) + score_vertices(point, scratch, tally) +
+               score_scattered(stream, point, scratch, tally);
+    }
+
+    /// Light that comes to the point straight from the vertices of its light path.
+    std::uint64_t score_vertices(const Point& point, Scratch& scratch, Tally& tally) const {
+        std::uint64_t rays = 0;
+        const LightVertices& vertices = scratch.companion.vertices;
+        for (std::size_t i = 0; i < vertices.all().size(); ++i) {
+            const LightVertex& vertex = vertices.all()[i];
+            const auto [wi, is_asked_for, arrives] = vertex_light_.find(
+                vertex, vertices.weights(i), point.place, point.triangle, near_.leg(*vertex.light),
+                scratch.irradiance);
+            rays += is_asked_for ? 1 : 0;
+            const double cosine = dot(wi, point.up);
+            if (!arrives || !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
+                continue;
+            }
+            const SurfaceSide side = side_facing(cosine);
+            const double factor = part_of_unit_[point.region] * std::abs(cosine);
+            for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
+                scratch.fixed[b] = to_fixed(factor * scratch.irradiance[b]);
+            }
+            tally.add(tally.layout().scattered(point.region, side), scratch.fixed);
+            score_absorbed(
+                prepared_,
+                {point.region, side, std::abs(cosine), LightPart::scattered, factor,
+                 scratch.irradiance},
+                tally);
+        }
+        return rays;
+    }
+
+    /// Adds to scratch.path.gathered what a surface sends along `out` of the light that comes to it
+    /// from the vertices of the light path. Returns the rays cast.
+    /// @param depth  hits of the path that runs backwards, this one with them
+    std::uint64_t add_vertices(
+        const Surface& surface,
+        const Vec3& place,
+        const Vec3& out,
+        std::uint32_t depth,
+        Scratch& scratch) const {
+        std::uint64_t rays = 0;
+        const LightVertices& vertices = scratch.companion.vertices;
+        GatherScratch& path = scratch.path;
+        for (std::size_t i = 0; i < vertices.all().size(); ++i) {
+            const LightVertex& vertex = vertices.all()[i];
+            if (spec_.max_depth > 0 && vertex.depth + depth >= spec_.max_depth) {
+                continue;
+            }
+            const auto [wi, is_asked_for, arrives] = vertex_light_.find(
+                vertex, vertices.weights(i), place, surface.triangle, near_.leg(*vertex.light),
+                scratch.irradiance);
+            rays += is_asked_for ? 1 : 0;
+            for (std::size_t b = 0; b < path.products.size(); ++b) {
+                path.products[b] = path.weights[b] * scratch.irradiance[b];
+            }
+            if (arrives) {
+                prepared_.material(surface.region)
+                    .add_reflected(
+                        surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
+                        followed_peak_);
+            }
+        }
+        return rays;
     }
 
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
@@ -265,7 +264,7 @@ class FromOrgans final : public Solver {
             prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
-                to_fixed(part * kGain * sight.light->sun_share / sight.probability));
+                to_fixed(part * kFinerSteps * sight.light->sun_share / sight.probability));
         }
         return 1;
     }
@@ -339,6 +338,7 @@ class FromOrgans final : public Solver {
             }
             const Sight sight = next_event_.look(stream, point.index, dimension, place);
             rays += next_event_.add_light(sight, surface, place, -away, scratch.path);
+            rays += add_vertices(surface, place, -away, depth, scratch);
             dimension += next_event_.dimensions();
             const auto from = material.gather(
                 surface.normal, surface.side, -away,
@@ -359,6 +359,7 @@ class FromOrgans final : public Solver {
     /// scattering is by a sharp lobe, or that falls on something near the lamp.
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Scratch& scratch, Tally& tally) const {
+        scratch.companion.vertices.clear();
         const double u0 = coordinate(stream, index, 0);
         const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
         if (light.is_extended()) {
@@ -380,7 +381,10 @@ class FromOrgans final : public Solver {
             .filter = PathFilter::left_out,
             .scales = companion_scale_,
             .stop = &stop_,
-            .near = &near_};
+            .near = &near_,
+            .sharp_from = followed_peak_,
+            .connected = connected_,
+            .has_others = has_others_};
         const CastHit at =
             light.source->is_lamp()
                 ? prepared_.caster().cast_from_lamp(emission.origin, emission.direction)
@@ -399,7 +403,12 @@ class FromOrgans final : public Solver {
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     NearLamps near_;
+    double followed_peak_;
     NextEvent next_event_;
+    VertexLight vertex_light_;
+    bool needs_companion_;
+    std::vector<char> connected_;  // by region; empty: none is
+    bool has_others_ = true;       // some measured region is not
     BlockRunner<Scratch> runner_;
     std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
     std::vector<double> part_of_unit_;     // by region: of those of coarseness_of() 1 over it
@@ -410,51 +419,6 @@ class FromOrgans final : public Solver {
 
 std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
     return std::make_unique<FromOrgans>(input);
-}
-
-SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
-    const Scene& scene = prepared.scene();
-    const MeasuredArea measured = measured_area(scene);
-    SumMeaning meaning{
-        .units = {},
-        .measured = MeasuredOrgans::asked_for,
-        .unoccluded_light = UnoccludedLight::summed};
-    SumUnits& units = meaning.units;
-    const NearLamps near(prepared);
-    for (std::size_t b = 0; b < prepared.bands(); ++b) {
-        units.flux.push_back(prepared.flux()[b] / measured.area);
-        double irradiance = 0;
-        double on_surfaces = 0;
-        for (const BoundSource& light : prepared.lights()) {
-            const double usual = light.usual_irradiance;
-            irradiance += light.source->spectrum()[b] * usual;
-            on_surfaces += light.source->spectrum()[b] * std::max(usual, near.irradiance(light));
-        }
-        units.flux_per_find.push_back(irradiance * kGain);
-        units.scattered_flux_per_find.push_back(2 * brightest(prepared, b) * on_surfaces * kGain);
-    }
-    if (needs_light_paths(prepared, near)) {
-        for (const double flux : prepared.flux()) {
-            units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
-        }
-    }
-    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
-    units.sunlit_area_per_find = 0;
-    for (const BoundSource& light : prepared.lights()) {
-        units.sunlit_area_per_find =
-            std::max(units.sunlit_area_per_find, kGain * light.sun_share / light.probability);
-    }
-    // A power of two: the division is exact.
-    for (const Region& region : scene.regions()) {
-        units.region_scale.push_back(scene.organs()[region.organ.value].area / kGain);
-    }
-    if (needs_light_paths(prepared, near)) {
-        units.find_scale = units.region_scale;
-        for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
-            units.region_scale[i++] *= coarser;
-        }
-    }
-    return meaning;
 }
 
 bool do_from_organs_rounds_add_up(const Scene& scene, std::uint64_t first_paths) {

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x35534D5553434D51;  // "QMCSUMS5", read as a little-endian number
+constexpr std::uint64_t kMark = 0x36534D5553434D51;  // "QMCSUMS6", read as a little-endian number
 
 std::uint64_t checksum(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325U;
@@ -129,7 +129,7 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     visit(layout.counted_kinds), visit(layout.patch_levels);
     auto& units = sums.units;
     visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
-    visit(units.flux_per_light_path);
+    visit(units.flux_per_light_path), visit(units.light_path_part);
     visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
     visit(units.find_scale), visit(units.kinds);
     visit(sums.spectra), visit(sums.emitted_flux);
