@@ -249,6 +249,8 @@ struct SumUnits {
     /// The same of a light path that is followed along with a sample, whatever region it meets;
     /// empty if there are none.
     std::vector<double> flux_per_light_path = {};
+    /// Per region, how much of that one may bring; empty: all.
+    std::vector<double> light_path_part = {};
     double sunlit_area = 0;  ///< square scene units; 0 if no source counts as a sun
     double sunlit_area_per_find = 0;
     std::vector<double> region_scale = {};  ///< per region; empty: 1

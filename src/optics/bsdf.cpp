@@ -30,8 +30,7 @@ double peak_brightness(const Bsdf& lobe) {
 }
 
 bool is_sharp(const Bsdf& lobe) {
-    constexpr double kSharp = 25;  // Phong: an exponent of 49
-    return peak_brightness(lobe) >= kSharp;
+    return peak_brightness(lobe) >= kSharpPeak;
 }
 
 }  // namespace quasimc

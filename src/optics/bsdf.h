@@ -64,6 +64,9 @@ class Bsdf {
 /// infinite for one of one direction.
 [[nodiscard]] double peak_brightness(const Bsdf& lobe);
 
+/// The peak_brightness from which on a lobe is sharp. Phong: an exponent of 49.
+inline constexpr double kSharpPeak = 25;
+
 /// Whether a lobe is so narrow that one of many directions to a light that are drawn without regard
 /// to it hardly ever lies within it. Such lobes are followed, not looked through.
 [[nodiscard]] bool is_sharp(const Bsdf& lobe);

@@ -89,6 +89,7 @@ LobeTable::LobeTable(std::span<const Lobe> lobes, std::size_t bands) : bands_(ba
              .lambertian = lobe.shape->is_lambertian(),
              .reciprocal = lobe.shape->is_reciprocal(),
              .sharp = is_sharp(*lobe.shape),
+             .peak = peak_brightness(*lobe.shape),
              .alone = true,
              .constant = lobe.shape->has_constant_albedo()});
         EXPECT(rows_.back().constant || !rows_.back().lambertian);

@@ -42,6 +42,7 @@ class LobeTable {
         double sign;             ///< 1 reflected, -1 transmitted
         bool delta, lambertian, reciprocal;
         bool sharp;     ///< see is_sharp()
+        double peak;    ///< see peak_brightness()
         bool alone;     ///< no other lobe can give the same direction
         bool constant;  ///< the albedo is the same at every angle
 

@@ -111,7 +111,7 @@ std::optional<Material::Gathered> Material::gather(
     return Gathered{wi, row.sharp};
 }
 
-// NOLINTNEXTLINE(readability-function-size): seven arguments, none of which belong together.
+// NOLINTNEXTLINE(readability-function-size): eight arguments, none of which belong together.
 void Material::add_reflected(
     const Vec3& n,
     SurfaceSide side,
@@ -119,12 +119,13 @@ void Material::add_reflected(
     const Vec3& wi,
     double factor,
     std::span<const double> weights,
-    std::span<double> out) const {
+    std::span<double> out,
+    double sharp_from) const {
     const LobeTable& table = side == SurfaceSide::upper ? to_upper_ : to_lower_;
     const double cosine = dot(wi, n);
     const double sign = cosine < 0 ? 1 : -1;
     for (const LobeTable::Row& row : table.rows()) {
-        if (row.sharp || row.sign != sign) {
+        if (row.peak >= sharp_from || row.sign != sign) {
             continue;
         }
         const double bsdf =

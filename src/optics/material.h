@@ -51,10 +51,10 @@ class Material {
         const Draw& draw,
         std::span<double> weights) const;
 
-    /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, sharp lobes left out: the radiance
-    /// along `wo` on the side with normal `n` (`side` tells which) per irradiance on a plane
-    /// facing light that travels along `wi`, from either side. Adds factor * that * weights[b] to
-    /// out[b].
+    /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, sharp lobes left out (those whose
+    /// peak_brightness() is `sharp_from` or more): the radiance along `wo` on the side with normal
+    /// `n` (`side` tells which) per irradiance on a plane facing light that travels along `wi`,
+    /// from either side. Adds factor * that * weights[b] to out[b].
     void add_reflected(
         const Vec3& n,
         SurfaceSide side,
@@ -62,7 +62,8 @@ class Material {
         const Vec3& wi,
         double factor,
         std::span<const double> weights,
-        std::span<double> out) const;
+        std::span<double> out,
+        double sharp_from = kSharpPeak) const;
 
   private:
     std::string name_;

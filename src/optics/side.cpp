@@ -40,7 +40,7 @@ Side::Side(const std::vector<Lobe>& lobes, std::size_t bands)
     : lobes_(merged(lobes)), table_(lobes_, bands), albedo_(bands), absorptance_(bands) {
     for (const Lobe& lobe : lobes_) {
         has_delta_ = has_delta_ || lobe.shape->is_delta();
-        has_sharp_ = has_sharp_ || is_sharp(*lobe.shape);
+        sharpest_peak_ = std::max(sharpest_peak_, peak_brightness(*lobe.shape));
         for (std::size_t b = 0; b < bands; ++b) {
             albedo_[b] += lobe.albedo[b];
         }
@@ -108,6 +108,20 @@ Side::Scattered Side::scatter_by_alone(
     const LobeTable::Row& row = *choice.row;
     table_.follow(row, choice.scale * row.relative_albedo(n, wi), weights);
     return {row.sample(n, wi, choice.u, u1), row.delta};
+}
+
+void Side::add_scattered(
+    const Vec3& n,
+    const Vec3& wi,
+    const Vec3& wo,
+    double sharp_from,
+    std::span<const double> weights,
+    std::span<double> out) const {
+    for (const LobeTable::Row& row : table_.rows()) {
+        if (row.peak < sharp_from) {
+            table_.add(row, row.relative_albedo(n, wi) * row.shape->pdf(n, wi, wo), weights, out);
+        }
+    }
 }
 
 }  // namespace quasimc

@@ -40,8 +40,8 @@ class Side {
     }
     /// Whether some lobe is of one direction.
     [[nodiscard]] bool has_delta() const { return has_delta_; }
-    /// Whether some lobe is sharp: see is_sharp().
-    [[nodiscard]] bool has_sharp() const { return has_sharp_; }
+    /// peak_brightness() of the sharpest lobe; 0 if nothing is scattered.
+    [[nodiscard]] double sharpest_peak() const { return sharpest_peak_; }
 
     /// What follows a hit.
     struct Scattered {
@@ -83,11 +83,22 @@ class Side {
         double u1,
         std::span<double> weights) const;
 
+    /// Adds to out[b] the light that is sent in a direction `wo`, per steradian, of weights[b] that
+    /// travels along `wi`: by lobes whose peak_brightness() is below `sharp_from`.
+    void add_scattered(
+        const Vec3& n,
+        const Vec3& wi,
+        const Vec3& wo,
+        double sharp_from,
+        std::span<const double> weights,
+        std::span<double> out) const;
+
   private:
     std::vector<Lobe> lobes_;
     LobeTable table_;
     std::vector<double> albedo_, absorptance_;
-    bool has_delta_ = false, has_sharp_ = false;
+    double sharpest_peak_ = 0;
+    bool has_delta_ = false;
 };
 
 }  // namespace quasimc

@@ -137,7 +137,9 @@ class OrganReader {
     /// flux_per_find() of a light path; 0 if there are none.
     [[nodiscard]] double flux_per_light_path(std::size_t band) const {
         const auto& flux = sums_.units.flux_per_light_path;
-        return organ_.area > 0 && !flux.empty() ? flux[band] / samples() : 0;
+        const auto& parts = sums_.units.light_path_part;
+        const double part = parts.empty() ? 1 : parts[organ_.first_region];
+        return organ_.area > 0 && !flux.empty() ? part * flux[band] / samples() : 0;
     }
     /// Samples of a replicate.
     [[nodiscard]] double samples() const { return static_cast<double>(sums_.samples); }

@@ -4,8 +4,9 @@
 // is drawn and tested (next-event estimation). Light that comes by a sharp lobe, or a mirror, is
 // hardly ever found so. From a sky it is found by the paths that the lobe sends there; from a sun
 // or a lamp from its own side, so a light path follows each point's where a scene has such lobes.
-// So does what falls on something next to a lamp (NearLamps). The two sets of paths are disjoint by
-// where and how light meets its first surface, and together complete (PathFilter::left_out).
+// So does what falls on something next to a lamp (NearLamps): from there points take it, unless
+// they are near too (VertexLight). The sets of paths are disjoint by where and how light meets its
+// first surfaces, and together complete (PathFilter::left_out).
 
 #include "solvers/from_organs.h"
 
@@ -20,9 +21,11 @@
 #include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
-#include "solvers/organ_units.h"
+#include "solvers/from_organs_units.h"
+#include "solvers/organ_shares.h"
 #include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
+#include "transport/light_vertices.h"
 #include "transport/near_lamps.h"
 #include "transport/next_event.h"
 #include "transport/organ_points.h"
@@ -49,7 +52,11 @@ class FromOrgans final : public Solver {
           measured_(measured_area(input.prepared.scene())),
           organ_points_(input.prepared),
           near_(input.prepared),
-          next_event_(input.prepared, input.sampler, near_, kOrganGain * measured_.area),
+          followed_peak_(followed_peak(input.prepared.scene())),
+          next_event_(
+              input.prepared, input.sampler, near_, kFinerSteps * measured_.area, followed_peak_),
+          vertex_light_(input.prepared, kFinerSteps * measured_.area, followed_peak_),
+          needs_companion_(needs_light_paths(input.prepared, near_)),
           runner_(input) {
         const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
         points_per_organ_ = std::bit_floor(share);
@@ -60,7 +67,7 @@ class FromOrgans final : public Solver {
         }
         const Scene& scene = prepared_.scene();
         part_of_unit_.assign(scene.regions().size(), 1);
-        if (needs_companion()) {
+        if (needs_companion_) {
             for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured_)) {
                 part_of_unit_[i++] = 1 / coarser;
             }
@@ -69,10 +76,14 @@ class FromOrgans final : public Solver {
             const double own = scene.organs()[scene.regions()[i].organ.value].area;
             companion_scale_.push_back(part_of_unit_[i] * units_of_light_path(measured_, own));
         }
+        connected_ = near_.any() ? connected_regions(
+                                       prepared_, parts_by_vertices(prepared_, measured_, near_))
+                                 : std::vector<char>{};
+        has_others_ = std::find(connected_.begin(), connected_.end(), 0) != connected_.end();
     }
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
-        const std::uint64_t count = blocks(round) * (needs_companion() ? 2 : 1);
+        const std::uint64_t count = blocks(round);
         executor.announce(count * sums.replicates.size());
         runner_.run(
             count, executor, sums,
@@ -88,18 +99,19 @@ class FromOrgans final : public Solver {
 
   private:
     struct Scratch {
-        explicit Scratch(std::size_t bands) : path(bands), companion(bands), fixed(bands) {}
+        explicit Scratch(std::size_t bands)
+            : path(bands), companion(bands), fixed(bands), irradiance(bands) {}
         GatherScratch path;
         ParticleScratch companion;
         std::vector<std::int64_t> fixed;  // per band
+        std::vector<double> irradiance;   // per band: from a light vertex
     };
 
-    /// Blocks of points; companions take as many again.
+    /// Blocks of points and their companions.
     [[nodiscard]] std::uint64_t blocks(const Round& round) const {
         const std::uint64_t each = points(round.count);
-        return each >= kOrganPointsPerBlock
-                   ? organs() * (each / kOrganPointsPerBlock)
-                   : (organs() * each + kOrganPointsPerBlock - 1) / kOrganPointsPerBlock;
+        return each >= kPointsPerBlock ? organs() * (each / kPointsPerBlock)
+                                       : (organs() * each + kPointsPerBlock - 1) / kPointsPerBlock;
     }
 
     void trace(
@@ -109,21 +121,21 @@ class FromOrgans final : public Solver {
         Scratch& scratch,
         Tally& tally) const {
         const std::uint64_t each = points(round.count);
-        const std::uint64_t own = blocks(round);
-        const bool is_companion = block >= own;
-        const std::uint64_t piece = is_companion ? block - own : block;
+        const std::uint64_t own_streams = prepared_.scene().organs().size();
         std::uint64_t rays = 0;
-        const std::uint64_t begin = piece * kOrganPointsPerBlock;
-        const std::uint64_t end = std::min(begin + kOrganPointsPerBlock, organs() * each);
+        const std::uint64_t begin = block * kPointsPerBlock;
+        const std::uint64_t end = std::min(begin + kPointsPerBlock, organs() * each);
         const std::uint64_t first = points(round.first);
         for (std::uint64_t i = begin; i < end; ++i) {
             throw_if_stopped(stop_);
             const std::uint64_t organ = measured_.organs[i / each];
-            const Stream stream{
-                spec_.seed, (is_companion ? prepared_.scene().organs().size() : 0) + organ + 1,
-                replicate, first, each};
-            rays += is_companion ? trace_companion(stream, first + i % each, scratch, tally)
-                                 : trace_point(stream, organ, first + i % each, scratch, tally);
+            const std::uint64_t index = first + i % each;
+            if (needs_companion_) {
+                const Stream stream{spec_.seed, own_streams + organ + 1, replicate, first, each};
+                rays += trace_companion(stream, index, scratch, tally);
+            }
+            const Stream stream{spec_.seed, organ + 1, replicate, first, each};
+            rays += trace_point(stream, organ, index, scratch, tally);
         }
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
     }
@@ -133,7 +145,6 @@ class FromOrgans final : public Solver {
     [[nodiscard]] std::uint64_t points(std::uint64_t paths) const {
         return paths / spec_.paths * points_per_organ_;
     }
-    [[nodiscard]] bool needs_companion() const { return needs_light_paths(prepared_, near_); }
 
     [[nodiscard]] double coordinate(
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const {
@@ -156,7 +167,74 @@ class FromOrgans final : public Solver {
             return 0;
         }
         const Point point{*place, index};
-        return score_direct(stream, point, tally) + score_scattered(stream, point, scratch, tally);
+        if (connected_.empty() || connected_[point.region] == 0) {
+            scratch.companion.vertices.clear();
+        }
+        return score_direct(stream, point, tally) + score_vertices(point, scratch, tally) +
+               score_scattered(stream, point, scratch, tally);
+    }
+
+    /// Light that comes to the point straight from the vertices of its light path.
+    std::uint64_t score_vertices(const Point& point, Scratch& scratch, Tally& tally) const {
+        std::uint64_t rays = 0;
+        const LightVertices& vertices = scratch.companion.vertices;
+        for (std::size_t i = 0; i < vertices.all().size(); ++i) {
+            const LightVertex& vertex = vertices.all()[i];
+            const auto [wi, is_asked_for, arrives] = vertex_light_.find(
+                vertex, vertices.weights(i), point.place, point.triangle, near_.leg(*vertex.light),
+                scratch.irradiance);
+            rays += is_asked_for ? 1 : 0;
+            const double cosine = dot(wi, point.up);
+            if (!arrives || !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
+                continue;
+            }
+            const SurfaceSide side = side_facing(cosine);
+            const double factor = part_of_unit_[point.region] * std::abs(cosine);
+            for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
+                scratch.fixed[b] = to_fixed(factor * scratch.irradiance[b]);
+            }
+            tally.add(tally.layout().scattered(point.region, side), scratch.fixed);
+            score_absorbed(
+                prepared_,
+                {point.region, side, std::abs(cosine), LightPart::scattered, factor,
+                 scratch.irradiance},
+                tally);
+        }
+        return rays;
+    }
+
+    /// Adds to scratch.path.gathered what a surface sends along `out` of the light that comes to it
+    /// from the vertices of the light path. Returns the rays cast.
+    /// @param depth  hits of the path that runs backwards, this one with them
+    std::uint64_t add_vertices(
+        const Surface& surface,
+        const Vec3& place,
+        const Vec3& out,
+        std::uint32_t depth,
+        Scratch& scratch) const {
+        std::uint64_t rays = 0;
+        const LightVertices& vertices = scratch.companion.vertices;
+        GatherScratch& path = scratch.path;
+        for (std::size_t i = 0; i < vertices.all().size(); ++i) {
+            const LightVertex& vertex = vertices.all()[i];
+            if (spec_.max_depth > 0 && vertex.depth + depth >= spec_.max_depth) {
+                continue;
+            }
+            const auto [wi, is_asked_for, arrives] = vertex_light_.find(
+                vertex, vertices.weights(i), place, surface.triangle, near_.leg(*vertex.light),
+                scratch.irradiance);
+            rays += is_asked_for ? 1 : 0;
+            for (std::size_t b = 0; b < path.products.size(); ++b) {
+                path.products[b] = path.weights[b] * scratch.irradiance[b];
+            }
+            if (arrives) {
+                prepared_.material(surface.region)
+                    .add_reflected(
+                        surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
+                        followed_peak_);
+            }
+        }
+        return rays;
     }
 
     std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
@@ -186,7 +264,7 @@ class FromOrgans final : public Solver {
             prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
-                to_fixed(part * kOrganGain * sight.light->sun_share / sight.probability));
+                to_fixed(part * kFinerSteps * sight.light->sun_share / sight.probability));
         }
         return 1;
     }
@@ -260,6 +338,7 @@ class FromOrgans final : public Solver {
             }
             const Sight sight = next_event_.look(stream, point.index, dimension, place);
             rays += next_event_.add_light(sight, surface, place, -away, scratch.path);
+            rays += add_vertices(surface, place, -away, depth, scratch);
             dimension += next_event_.dimensions();
             const auto from = material.gather(
                 surface.normal, surface.side, -away,
@@ -280,6 +359,7 @@ class FromOrgans final : public Solver {
     /// scattering is by a sharp lobe, or that falls on something near the lamp.
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Scratch& scratch, Tally& tally) const {
+        scratch.companion.vertices.clear();
         const double u0 = coordinate(stream, index, 0);
         const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
         if (light.is_extended()) {
@@ -301,7 +381,10 @@ class FromOrgans final : public Solver {
             .filter = PathFilter::left_out,
             .scales = companion_scale_,
             .stop = &stop_,
-            .near = &near_};
+            .near = &near_,
+            .sharp_from = followed_peak_,
+            .connected = connected_,
+            .has_others = has_others_};
         const CastHit at =
             light.source->is_lamp()
                 ? prepared_.caster().cast_from_lamp(emission.origin, emission.direction)
@@ -320,7 +403,12 @@ class FromOrgans final : public Solver {
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
     NearLamps near_;
+    double followed_peak_;
     NextEvent next_event_;
+    VertexLight vertex_light_;
+    bool needs_companion_;
+    std::vector<char> connected_;  // by region; empty: none is
+    bool has_others_ = true;       // some measured region is not
     BlockRunner<Scratch> runner_;
     std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
     std::vector<double> part_of_unit_;     // by region: of those of coarseness_of() 1 over it
@@ -331,6 +419,10 @@ class FromOrgans final : public Solver {
 
 std::unique_ptr<Solver> make_from_organs(const SolverInput& input) {
     return std::make_unique<FromOrgans>(input);
+}
+
+bool do_from_organs_rounds_add_up(const Scene& scene, std::uint64_t first_paths) {
+    return first_paths >= measured_area(scene).organs.size();
 }
 
 }  // namespace quasimc

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "detectors/catalogue.h"
+#include "solvers/organ_shares.h"
 
 namespace quasimc {
 namespace {
@@ -36,6 +37,10 @@ constexpr double kBright = 0.5;
 /// are never traced from the organs: what is left to noise is the light of these lobes, and it has
 /// paths from the sun.
 constexpr double kMuchSharpLight = 0.3;
+/// Paths from the source that meet a typical organ, fewer than which tell nothing of the light that
+/// is followed through lobes: what they may bring is then the error of every method, and those that
+/// start from the sources alone are faster.
+constexpr double kFewPaths = 5;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
 /// has paths of its own.
 constexpr double kMostLostToGloss = 12;
@@ -88,11 +93,12 @@ double mean(const std::vector<double>& values) {
 struct Scattering {
     double mean_albedo = 0;     ///< of the bands
     double brightest_band = 0;  ///< the largest of their albedos
-    double sharp_part = 0;      ///< of the scattered light: that of sharp lobes
+    double sharp_part = 0;      ///< of the scattered light: that of lobes that are followed
     [[nodiscard]] bool is_bright() const { return mean_albedo >= kBright; }
 };
 
 Scattering scattering_of(const Scene& scene) {
+    const double sharp_from = followed_peak(scene);
     double area = 0, sharp = 0;
     std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
@@ -106,7 +112,8 @@ Scattering scattering_of(const Scene& scene) {
                 scattered[b] += region.area * material.side(side).albedo()[b];
             }
             for (const Lobe& lobe : material.side(side).lobes()) {
-                sharp += is_sharp(*lobe.shape) ? region.area * mean(lobe.albedo) : 0;
+                const bool is_followed = peak_brightness(*lobe.shape) >= sharp_from;
+                sharp += is_followed ? region.area * mean(lobe.albedo) : 0;
             }
         }
     }
@@ -119,12 +126,13 @@ Scattering scattering_of(const Scene& scene) {
         all > 0 ? sharp / all : 0};
 }
 
-double brightest_peak(const Side& side) {
+double brightest_peak(const Side& side, double sharp_from) {
     double brightest = 0;
     for (const Lobe& lobe : side.lobes()) {
-        const double peak = is_sharp(*lobe.shape) ? std::numeric_limits<double>::infinity()
-                                                  : peak_brightness(*lobe.shape);
-        brightest = std::max(brightest, peak * mean(lobe.albedo));
+        const double peak = peak_brightness(*lobe.shape);
+        brightest = std::max(
+            brightest,
+            peak < sharp_from ? peak * mean(lobe.albedo) : std::numeric_limits<double>::infinity());
     }
     return brightest;
 }
@@ -136,25 +144,6 @@ std::string_view name_of(const Lighting& lighting) {
     return lighting.sun ? "the sun" : "the sky";
 }
 
-/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
-/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
-/// @param has_paths_to_spare  whether each organ has many
-double gain_asked(const Scene& scene, const Lighting& lighting, bool has_paths_to_spare) {
-    const Scattering scattering = scattering_of(scene);
-    if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
-    const bool is_small = lighting.sun || lighting.lamp;
-    const bool has_far_lamps_alone = !lighting.sun && !lighting.sky && !lighting.near_lamp;
-    double gain = scattering.is_bright() ? table.bright : table.dark;
-    if (has_far_lamps_alone && has_paths_to_spare && scattering.brightest_band < kBright) {
-        gain = kDarkBelowFarLamps;
-    }
-    return is_small ? gain * std::clamp(std::sqrt(brightest_peak(scene)), 1.0, kMostLostToGloss)
-                    : gain;
-}
-
 bool has_paths_to_spare(const Scene& scene, const RunSpec& spec) {
     const auto measured = std::count_if(
         scene.organs().begin(), scene.organs().end(),
@@ -162,27 +151,38 @@ bool has_paths_to_spare(const Scene& scene, const RunSpec& spec) {
     return static_cast<double>(spec.paths) >= kPathsToSpare * static_cast<double>(measured);
 }
 
-/// The middle one of the areas of the organs that are measured; 0 if none is.
-double median_area(const Scene& scene) {
-    std::vector<double> measured;
-    for (const Organ& organ : scene.organs()) {
-        if (organ.measured && organ.area > 0) {
-            measured.push_back(organ.area);
-        }
+/// About how many of as many paths from far away meet a typical organ.
+double paths_per_organ(const Scene& scene, const RunSpec& spec) {
+    return static_cast<double>(spec.paths) * median_measured_area(scene) / seen_area(scene);
+}
+
+/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
+/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
+double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& spec) {
+    const Scattering scattering = scattering_of(scene);
+    const double peak = brightest_peak(scene);
+    const bool is_small = lighting.sun || lighting.lamp;
+    if (is_small && std::isinf(peak) && paths_per_organ(scene, spec) < kFewPaths) {
+        return std::numeric_limits<double>::infinity();
     }
-    if (measured.empty()) {
-        return 0;
+    if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
+        return std::numeric_limits<double>::infinity();
     }
-    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
-    std::nth_element(measured.begin(), middle, measured.end());
-    return *middle;
+    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
+    const bool has_far_lamps_alone = !lighting.sun && !lighting.sky && !lighting.near_lamp;
+    double gain = scattering.is_bright() ? table.bright : table.dark;
+    if (has_far_lamps_alone && has_paths_to_spare(scene, spec) &&
+        scattering.brightest_band < kBright) {
+        gain = kDarkBelowFarLamps;
+    }
+    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMostLostToGloss) : gain;
 }
 
 /// About how many of the scan lines across the scene meet a typical organ.
 double lines_per_organ(const Scene& scene, std::uint64_t paths) {
     constexpr double kPathsPerLine = 80, kFewestLines = 128;
     const double lines = std::max(kFewestLines, static_cast<double>(paths) / kPathsPerLine);
-    return lines * std::sqrt(median_area(scene)) / length(scene.bounds().size());
+    return lines * std::sqrt(median_measured_area(scene)) / length(scene.bounds().size());
 }
 
 /// How many times as large as its organs the scene looks from the mean direction (Cauchy: a quarter
@@ -200,10 +200,7 @@ double emptiness(const Scene& scene, std::uint64_t paths) {
         lines_per_organ(scene, paths) >= kFewLines) {
         return 1;
     }
-    const Vec3 size = scene.bounds().size();
-    const double surface = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
-    const double seen = cell.periodic() ? cell.size_x * cell.size_y : surface / 4;
-    return std::max(1.0, seen / organs);
+    return std::max(1.0, seen_area(scene) / organs);
 }
 
 }  // namespace
@@ -215,19 +212,20 @@ double gain_of_equal_shares(const Scene& scene) {
         all += organ.area;
         measured += organ.measured && organ.area > 0 ? 1 : 0;
     }
-    return measured > 0 ? all / (measured * median_area(scene))
+    return measured > 0 ? all / (measured * median_measured_area(scene))
                         : std::numeric_limits<double>::infinity();
 }
 
 double brightest_peak(const Scene& scene) {
     double brightest = 0;
+    const double sharp_from = followed_peak(scene);
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = scene.materials()[m];
         if (is_used[m] && !material.is_transparent()) {
             brightest = std::max(
-                {brightest, brightest_peak(material.side(SurfaceSide::upper)),
-                 brightest_peak(material.side(SurfaceSide::lower))});
+                {brightest, brightest_peak(material.side(SurfaceSide::upper), sharp_from),
+                 brightest_peak(material.side(SurfaceSide::lower), sharp_from)});
         }
     }
     return brightest;
@@ -248,8 +246,7 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     const bool can_start_from_organs = std::isfinite(gain) &&
                                        !(lighting.lamp && scene.cell().periodic()) &&
                                        !need_escaped_light(scene.detectors());
-    if (can_start_from_organs &&
-        gain >= gain_asked(scene, lighting, has_paths_to_spare(scene, spec))) {
+    if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec)) {
         if (gain < kLamps.dark) {
             return {
                 Method::from_organs,

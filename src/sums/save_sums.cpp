@@ -137,7 +137,7 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     visit(layout.counted_kinds), visit(layout.patch_levels);
     auto& units = sums.units;
     visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
-    visit(units.flux_per_light_path);
+    visit(units.flux_per_light_path), visit(units.light_path_part);
     visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
     visit(units.find_scale), visit(units.kinds);
     visit(sums.spectra), visit(sums.emitted_flux);

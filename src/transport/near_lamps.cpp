@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "transport/surface.h"
 
@@ -31,6 +32,18 @@ bool is_within(const Vec3& place, const Vec3& center, double radius) {
     return dot(offset, offset) < radius * radius;
 }
 
+/// The point of a line lamp that is next to a place, or a lamp's centre.
+Vec3 nearest_of(const Vec3& center, const Vec3& half_line, const Vec3& place) {
+    const double square = dot(half_line, half_line);
+    if (square == 0) {
+        return center;
+    }
+    return center + std::clamp(dot(place - center, half_line) / square, -1.0, 1.0) * half_line;
+}
+
+/// What of the light that is scattered near a lamp is followed: see NearLamps::leg().
+constexpr double kLegPart = 0.25;
+
 }  // namespace
 
 NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
@@ -49,8 +62,9 @@ NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
             continue;
         }
         lamp.body = place->body;
-        const std::vector<Trial> trials = trials_of(light, place->body.center);
+        const std::vector<Trial> trials = trials_of(light, *place);
         lamp.scatter_radius = radius_about(trials, *place, light.usual_irradiance);
+        lamp.leg = kLegPart * lamp.scatter_radius;
         lamp.half_line = place->half_line;
         const bool is_line = dot(lamp.half_line, lamp.half_line) > 0;
         lamp.is_bounded = place->has_bounded_irradiance && !is_line;
@@ -70,7 +84,7 @@ NearLamps::NearLamps(const PreparedScene& prepared) : prepared_(prepared) {
 
 /// What trial paths of a lamp met, the nearest first.
 std::vector<NearLamps::Trial> NearLamps::trials_of(
-    const BoundSource& light, const Vec3& center) const {
+    const BoundSource& light, const LampPlace& lamp) const {
     std::vector<Trial> trials;
     const std::size_t count =
         std::clamp(kAllTrials / prepared_.lights().size(), kLeastTrials, kMostTrials);
@@ -80,8 +94,8 @@ std::vector<NearLamps::Trial> NearLamps::trials_of(
         if (at.end == RayEnd::hit) {
             const Vec3 place = place_of(prepared_, at.hit);
             trials.push_back(
-                {length(place - center), place, prepared_.region(at.hit.triangle),
-                 irradiance_at(light, at)});
+                {length(place - nearest_of(lamp.body.center, lamp.half_line, place)), place,
+                 prepared_.region(at.hit.triangle), irradiance_at(light, at)});
         }
     }
     std::sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
@@ -126,7 +140,7 @@ double NearLamps::radius_about(
     }
     if (place.has_bounded_irradiance && irradiance < kPeak * usual) {
         radius = radius > place.body.radius ? radius : 0;
-    } else {
+    } else if (dot(place.half_line, place.half_line) == 0) {
         radius += 1.5 * place.body.radius;
     }
     return trials.front().distance < radius ? radius : 0;
@@ -134,7 +148,25 @@ double NearLamps::radius_about(
 
 bool NearLamps::scatters_near(const BoundSource& light, const Vec3& place) const {
     const Lamp& lamp = lamp_of(light);
-    return lamp.scatter_radius > 0 && is_within(place, lamp.body.center, lamp.scatter_radius);
+    return lamp.scatter_radius > 0 &&
+           is_within(
+               place, nearest_of(lamp.body.center, lamp.half_line, place), lamp.scatter_radius);
+}
+
+double NearLamps::gap_to(const BoundSource& light, const Bounds& box) const {
+    const Lamp& lamp = lamp_of(light);
+    if (lamp.scatter_radius == 0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const auto between = [](double low, double high, double center, double half) {
+        return std::max({0.0, low - center - std::abs(half), center - std::abs(half) - high});
+    };
+    const Vec3& c = lamp.body.center;
+    const Vec3& half = lamp.half_line;
+    const Vec3 gap{
+        between(box.low.x, box.high.x, c.x, half.x), between(box.low.y, box.high.y, c.y, half.y),
+        between(box.low.z, box.high.z, c.z, half.z)};
+    return std::max(0.0, length(gap) - lamp.scatter_radius);
 }
 
 bool NearLamps::lights_near(
@@ -148,13 +180,10 @@ bool NearLamps::lights_near(
     if (lamp.is_bounded && reach < lamp.body.radius) {
         return false;
     }
-    const double square = dot(lamp.half_line, lamp.half_line);
-    if (square == 0) {
-        return is_within(place, lamp.body.center, 1.5 * lamp.body.radius + reach);
-    }
-    const double along = dot(place - lamp.body.center, lamp.half_line) / square;
-    const Vec3 nearest = lamp.body.center + std::clamp(along, -1.0, 1.0) * lamp.half_line;
-    return is_within(place, nearest, reach);
+    const bool is_line = dot(lamp.half_line, lamp.half_line) > 0;
+    return is_within(
+        place, nearest_of(lamp.body.center, lamp.half_line, place),
+        reach + (is_line ? 0 : 1.5 * lamp.body.radius));
 }
 
 }  // namespace quasimc

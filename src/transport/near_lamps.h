@@ -24,6 +24,19 @@ class NearLamps {
     [[nodiscard]] bool lights_near(
         const BoundSource& light, std::uint32_t region, const Vec3& place) const;
 
+    /// From places near a lamp its light goes on. What goes further than so to the next surface may
+    /// be looked for from there, what goes less is followed: it grows as 1 / distance^2 too. Local
+    /// units.
+    [[nodiscard]] double leg(const BoundSource& light) const { return lamp_of(light).leg; }
+
+    /// How far at least what lies in a box is from all places where light of a lamp is near, local
+    /// units; infinite if there are none.
+    [[nodiscard]] double gap_to(const BoundSource& light, const Bounds& box) const;
+    /// The radius within which light of a lamp is scattered near it; 0: none is.
+    [[nodiscard]] double scatter_radius(const BoundSource& light) const {
+        return lamp_of(light).scatter_radius;
+    }
+
     /// Of what a lamp lights, and paths from organs look for: the irradiance, mean over its light,
     /// for a spectrum of 1. Other lights: 0.
     [[nodiscard]] double irradiance(const BoundSource& light) const {
@@ -34,6 +47,7 @@ class NearLamps {
     struct Lamp {
         Ball body;
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
+        double leg = 0;             ///< see leg()
         double organ_part = 0;      ///< of the size of an organ, within which light on it is
                                     ///< near; 0: none is
         bool is_bounded = false;    ///< its irradiance, and it is no line
@@ -45,13 +59,14 @@ class NearLamps {
     }
     /// What a path from a lamp met.
     struct Trial {
-        double distance = 0;  ///< from the lamp's centre
+        double distance = 0;  ///< from the lamp's centre, of a line from the nearest of its points
         Vec3 place;
         std::uint32_t region = 0;
         double irradiance = 0;  ///< there, for a spectrum of 1
     };
     [[nodiscard]] double irradiance_at(const BoundSource& light, const CastHit& at) const;
-    [[nodiscard]] std::vector<Trial> trials_of(const BoundSource& light, const Vec3& center) const;
+    [[nodiscard]] std::vector<Trial> trials_of(
+        const BoundSource& light, const LampPlace& lamp) const;
     /// @param usual  BoundSource::usual_irradiance
     [[nodiscard]] double radius_about(
         const std::vector<Trial>& trials, const LampPlace& place, double usual) const;

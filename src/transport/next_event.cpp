@@ -10,8 +10,12 @@
 namespace quasimc {
 
 NextEvent::NextEvent(
-    const PreparedScene& prepared, const Sampler& sampler, const NearLamps& near, double scale)
-    : prepared_(prepared), sampler_(sampler), near_(near), scale_(scale) {
+    const PreparedScene& prepared,
+    const Sampler& sampler,
+    const NearLamps& near,
+    double scale,
+    double sharp_from)
+    : prepared_(prepared), sampler_(sampler), near_(near), scale_(scale), sharp_from_(sharp_from) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
     constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
@@ -136,7 +140,7 @@ std::uint64_t NextEvent::add_light(
     }
     material.add_reflected(
         surface.normal, surface.side, out, -sight.to_light, sight.factor, path.products,
-        path.gathered);
+        path.gathered, sight.light->is_extended() ? kSharpPeak : sharp_from_);
     return 1;
 }
 

@@ -45,8 +45,14 @@ class NextEvent {
     /// @param scale  irradiance counts in units of the flux of all lights over this area (square
     /// scene units)
     /// @param near  which light is not looked for
+    /// @param sharp_from  peak_brightness() of lobes through which suns and lamps are not looked
+    /// for
     NextEvent(
-        const PreparedScene& prepared, const Sampler& sampler, const NearLamps& near, double scale);
+        const PreparedScene& prepared,
+        const Sampler& sampler,
+        const NearLamps& near,
+        double scale,
+        double sharp_from);
 
     /// Numbers that look() draws: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
@@ -95,7 +101,7 @@ class NextEvent {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const NearLamps& near_;
-    double scale_;
+    double scale_, sharp_from_;
     std::uint32_t dimensions_;
     std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
 };

@@ -42,6 +42,7 @@ class ParticleTracer {
           direction_(path.direction),
           weights_(scratch.weights),
           fixed_(scratch.fixed),
+          vertices_(scratch.vertices),
           tally_(tally) {}
 
     std::uint64_t trace_all(const CastHit& first_hit, FirstHit first) {
@@ -96,6 +97,9 @@ class ParticleTracer {
             let_pass(surface, 1 - share);
         }
         if (!direct_) {
+            if (is_looked_for(surface.region, place)) {
+                return;
+            }
             const std::size_t bins = layout.scattered(surface.region, surface.side);
             const double scale = share * scale_of(surface.region);
             scale == 1 ? tally_.add(bins, fixed_) : add_weights(bins, scale);
@@ -158,25 +162,48 @@ class ParticleTracer {
             return false;
         }
         const std::uint32_t dimension = rules_.scatter_dimension + 2 * (depth - 1);
-        const bool only_sharp = direct_ && rules_.filter == PathFilter::left_out &&
-                                !rules_.near->scatters_near(*path_.light, place);
-        if (only_sharp && !side.has_sharp()) {
+        const bool is_parted =
+            rules_.filter == PathFilter::left_out && (direct_ || is_from_vertex_);
+        const bool is_near = is_parted && scatters_near(place);
+        const bool only_sharp = is_parted && !is_near && (direct_ || !rules_.has_others);
+        if (only_sharp && side.sharpest_peak() < rules_.sharp_from) {
             return false;
+        }
+        const bool is_vertex = is_near && !rules_.connected.empty();
+        if (is_vertex) {
+            vertices_.add({path_.light, place, surface, direction_, depth}, weights_);
         }
         const Draw draw{
             rules_.sampler->coordinate(rules_.stream, path_.point, dimension), 0,
             rules_.roulette_threshold};
         const LobeTable::Choice choice = side.choose(surface.normal, direction_, draw, weights_);
-        if (choice.row == nullptr || (only_sharp && !choice.row->sharp)) {
+        const bool is_sharp = choice.row != nullptr && choice.row->peak >= rules_.sharp_from;
+        if (choice.row == nullptr || (only_sharp && !is_sharp)) {
             return false;
         }
+        const bool is_alone = only_sharp || is_vertex || is_from_vertex_;
+        is_connected_ = is_connected_ || (is_from_vertex_ && !is_near && !is_sharp);
+        is_from_vertex_ = is_vertex && !is_sharp;
+        vertex_ = place;
         const double u1 = rules_.sampler->coordinate(rules_.stream, path_.point, dimension + 1);
         direction_ =
-            (only_sharp ? side.scatter_by_alone(choice, surface.normal, direction_, u1, weights_)
-                        : side.scatter_by(choice, surface.normal, direction_, u1, weights_))
+            (is_alone ? side.scatter_by_alone(choice, surface.normal, direction_, u1, weights_)
+                      : side.scatter_by(choice, surface.normal, direction_, u1, weights_))
                 .wo;
         score_scattered();
         return true;
+    }
+
+    /// Whether light that comes straight from its lamp, or the last vertex, falls near that.
+    [[nodiscard]] bool scatters_near(const Vec3& place) const {
+        return direct_ ? rules_.near->scatters_near(*path_.light, place)
+                       : length(place - vertex_) < rules_.near->leg(*path_.light);
+    }
+
+    /// Whether points of a region find scattered light that comes to a place of it like this.
+    [[nodiscard]] bool is_looked_for(std::uint32_t region, const Vec3& place) const {
+        return (is_connected_ || (is_from_vertex_ && !scatters_near(place))) &&
+               rules_.connected[region] != 0;
     }
 
     /// Scattered light leaves a surface.
@@ -242,8 +269,12 @@ class ParticleTracer {
     Vec3 direction_;
     std::span<double> weights_;
     std::span<std::int64_t> fixed_;
+    LightVertices& vertices_;
     Tally& tally_;
     bool direct_ = true;
+    bool is_from_vertex_ = false;  // from the last place of scattering, by no sharp lobe
+    bool is_connected_ = false;    // has gone a way that is looked for, and on by no sharp lobe
+    Vec3 vertex_;                  // the last place of scattering
 };
 
 }  // namespace

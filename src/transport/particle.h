@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "samplers/sampler.h"
 #include "sums/tally.h"
+#include "transport/light_vertices.h"
 #include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
@@ -21,7 +22,8 @@ enum class PathFilter {
     all,
     /// Only those that tracing from the organs does not look for: whose first scattering is by a
     /// sharp lobe, or near a lamp (PathRules::near). Light straight from the source is scored only
-    /// near a lamp.
+    /// near a lamp. What leaves a place near a lamp by other lobes is kept as a light vertex:
+    /// regions that look for it (PathRules::connected) get from the path what that leaves out.
     left_out,
 };
 
@@ -38,6 +40,10 @@ struct PathRules {
     /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
     const std::stop_token* stop = nullptr;
     const NearLamps* near = nullptr;  ///< with PathFilter::left_out
+    double sharp_from = kSharpPeak;   ///< the same: peak_brightness() of lobes that count as sharp
+    /// The same: regions that take light from vertices (VertexLight), not 0; empty: none does.
+    std::span<const char> connected = {};
+    bool has_others = true;  ///< whether light counts on regions that do not
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
@@ -64,6 +70,7 @@ struct ParticleScratch {
     }
     std::vector<double> weights;      // per band
     std::vector<std::int64_t> fixed;  // the same in fixed point
+    LightVertices vertices;           // of the last path, with PathFilter::left_out
 };
 
 /// Whether a path's first hit has been scored.

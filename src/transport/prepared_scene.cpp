@@ -100,8 +100,10 @@ void PreparedScene::set_regions() {
         has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
         // Light passes a sensor as if it were not there.
         const bool scatters = is_used[i] && !material.is_transparent();
-        has_sharp_ = has_sharp_ || (scatters && (material.side(SurfaceSide::upper).has_sharp() ||
-                                                 material.side(SurfaceSide::lower).has_sharp()));
+        for (const SurfaceSide side : kSurfaceSides) {
+            const double peak = scatters ? material.side(side).sharpest_peak() : 0;
+            sharpest_peak_ = std::max(sharpest_peak_, peak);
+        }
         has_constant_albedos_ =
             has_constant_albedos_ && (!is_used[i] || material.has_constant_albedo());
     }
@@ -205,16 +207,34 @@ bool PreparedScene::is_open(
     if (!has_transparent_) {
         return !caster_->occluded(place, direction, self, distance);
     }
-    CastHit at = caster_->cast(place, direction, self);
-    double left = distance;
-    while (at.end == RayEnd::hit && at.hit.t < left &&
+    const auto [at, left] = cast_past_sensors(place, direction, distance, self);
+    return at.end != RayEnd::hit || at.hit.t >= left;
+}
+
+PreparedScene::SolidHit PreparedScene::cast_past_sensors(
+    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
+    SolidHit first{caster_->cast(place, direction, self), distance};
+    CastHit& at = first.at;
+    while (at.end == RayEnd::hit && at.hit.t < first.left &&
            material(region(at.hit.triangle)).is_transparent()) {
-        const Hit& hit = at.hit;
-        left -= hit.t;
+        const Hit hit = at.hit;
+        first.left -= hit.t;
         at = caster_->cast(
             caster_->mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
     }
-    return at.end != RayEnd::hit || at.hit.t >= left;
+    return first;
+}
+
+bool PreparedScene::connects(
+    const Vec3& place,
+    const Vec3& direction,
+    double distance,
+    std::uint32_t self,
+    std::uint32_t other) const {
+    const auto [at, left] = cast_past_sensors(place, direction, distance, self);
+    // What the place at the end lies on, to rounding.
+    return at.end != RayEnd::hit || at.hit.triangle == other ||
+           at.hit.t >= left - static_cast<double>(kTouch);
 }
 
 std::size_t PreparedScene::pick_light(double u) const {

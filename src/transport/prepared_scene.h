@@ -130,6 +130,14 @@ class PreparedScene {
     /// `distance` (local units; infinite: the sky). Sensors let it pass.
     [[nodiscard]] bool reaches(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
+    /// Whether light passes between `place` on triangle `self` of the mesh and a place at
+    /// `distance` (local units) on triangle `other`. Sensors let it pass. Not in periodic scenes.
+    [[nodiscard]] bool connects(
+        const Vec3& place,
+        const Vec3& direction,
+        double distance,
+        std::uint32_t self,
+        std::uint32_t other) const;
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
     /// Regions of the ground, which stand last.
     [[nodiscard]] std::size_t ground_regions() const { return ground_regions_; }
@@ -137,8 +145,8 @@ class PreparedScene {
     [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
         return detectors_;
     }
-    /// Whether some material scatters in one direction, or nearly: see is_sharp(). Sensors don't.
-    [[nodiscard]] bool has_sharp() const { return has_sharp_; }
+    /// peak_brightness() of the sharpest lobe of a material in use, sensors left out.
+    [[nodiscard]] double sharpest_peak() const { return sharpest_peak_; }
     /// Whether no albedo depends on the angle of the light.
     [[nodiscard]] bool has_constant_albedos() const { return has_constant_albedos_; }
     /// Whether some material is a sensor that light passes.
@@ -148,6 +156,13 @@ class PreparedScene {
     [[nodiscard]] double grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const;
     [[nodiscard]] bool lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const;
     [[nodiscard]] bool is_open(
+        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
+    // The first hit before `distance` that is no sensor; `left` is what is left of it from there.
+    struct SolidHit {
+        CastHit at;
+        double left = 0;
+    };
+    [[nodiscard]] SolidHit cast_past_sensors(
         const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     void set_regions();
     void set_fields_of_view();
@@ -169,7 +184,8 @@ class PreparedScene {
     double sun_area_ = 0;
     std::size_t ground_regions_ = 0;
     std::vector<double> least_cosine_;  // by region; empty if no sensor is narrow
-    bool has_sharp_ = false, has_transparent_ = false, has_narrow_ = false;
+    double sharpest_peak_ = 0;
+    bool has_transparent_ = false, has_narrow_ = false;
     bool has_constant_albedos_ = true;
 };
 

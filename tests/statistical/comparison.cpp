@@ -76,6 +76,11 @@ double limit_of(unsigned family) {
            << pair.difference() / pair.standard_error() << " standard errors, at most " << limit;
 }
 
+/// What one find is of a total of which a run has found nothing: its upper end is that of three.
+double find_of_total(const Estimate& total) {
+    return std::isnan(total.standard_error) && total.mean == 0 ? total.high / 3 : 0;
+}
+
 /// The value that nine in ten of `values` stay below.
 double nine_in_ten(std::vector<double> values) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
@@ -86,12 +91,19 @@ double nine_in_ten(std::vector<double> values) {
 }  // namespace
 
 ::testing::AssertionResult Comparison::totals_agree(const Result& a, const Result& b) {
-    const double limit = limit_of(pairs_ * 2 * static_cast<unsigned>(a.bands));
+    const unsigned family = pairs_ * 2 * static_cast<unsigned>(a.bands);
+    const double limit = limit_of(family);
+    const double finds = -std::log(sidak_level(kLevel, family));
     auto verdict = ::testing::AssertionSuccess();
     for (std::size_t band = 0; band < a.bands; ++band) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
-            const Pair pair{a.budget[band].*part, b.budget[band].*part};
-            total_widths_.push_back(limit * pair.standard_error() / a.budget[band].emitted.mean);
+            Pair pair{a.budget[band].*part, b.budget[band].*part};
+            if (unseen_ == Unseen::few_finds) {
+                pair.missed = finds * (find_of_total(pair.a) + find_of_total(pair.b));
+                pair = {seen(pair.a), seen(pair.b), pair.missed};
+            }
+            total_widths_.push_back(
+                (limit * pair.standard_error() + pair.missed) / a.budget[band].emitted.mean);
             const auto result = describe(pair, band, limit);
             if (!result) {
                 verdict = result;

@@ -18,7 +18,8 @@ class Comparison {
     explicit Comparison(unsigned pairs, Unseen unseen = Unseen::dark)
         : pairs_(pairs), unseen_(unseen) {}
 
-    /// Whether two runs agree on what all organs and what the ground absorb, in each band.
+    /// Whether two runs agree on what all organs and what the ground absorb, in each band. With
+    /// Unseen::few_finds a run that has found nothing may have missed what its interval says.
     [[nodiscard]] ::testing::AssertionResult totals_agree(const Result& a, const Result& b);
 
     /// Whether they agree on what falls on each side of each organ, in each band. With

@@ -47,12 +47,14 @@ unsigned pairs_of_all_crops() {
     return kPairsOfMethods * static_cast<unsigned>(lights);
 }
 
-/// From organs the light of a sun this low above an endless stand is found so seldom that errors of
-/// totals don't tell (docs/theory/light-tracing.md).
-bool is_beyond_organs(Method method, const Scene& scene, const CropLight& light) {
-    const bool grazes =
-        light.name == "sun at 1" || light.name == "sun at .1" || light.name == "sun at .02";
-    return method == Method::from_organs && scene.cell().periodic() && grazes;
+bool grazes(const CropLight& light) {
+    return light.name == "sun at 1" || light.name == "sun at .1" || light.name == "sun at .02";
+}
+
+/// From organs the light of a sun this low above an endless stand is found so seldom that errors
+/// are several times the light (docs/theory/light-tracing.md).
+bool is_wide(Method method, const Scene& scene, const CropLight& light) {
+    return method == Method::from_organs && scene.cell().periodic() && grazes(light);
 }
 
 struct MethodResult {
@@ -67,9 +69,7 @@ std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, co
         const bool from_organs = method == Method::from_organs;
         RunSpec spec = spec_of(method, one.paths * (from_organs ? one.times_from_organs : 1));
         spec.seed = 100 + results.size();
-        if (!is_beyond_organs(method, scene, light)) {
-            results.push_back({method, run(scene, light.sources, spec)});
-        }
+        results.push_back({method, run(scene, light.sources, spec)});
     }
     return results;
 }
@@ -78,6 +78,7 @@ TEST_P(Crops, GetTheSameLightByEveryMethod) {
     const CropCase& one = GetParam();
     const Scene scene = bench::make_crop(one.crop, one.triangles);
     Comparison comparison(pairs_of_all_crops(), Unseen::few_finds);
+    Comparison wide = comparison;
     for (const CropLight& light : bench::lights_of(one.crop)) {
         const std::vector<MethodResult> results = run_all(scene, light, one);
         for (std::size_t i = 0; i < results.size(); ++i) {
@@ -85,8 +86,12 @@ TEST_P(Crops, GetTheSameLightByEveryMethod) {
                 SCOPED_TRACE(fmt::format(
                     "{}, {} and {}", light.name, name_of({results[i].method, 0}),
                     name_of({results[j].method, 0})));
-                EXPECT_TRUE(comparison.totals_agree(results[i].result, results[j].result));
-                EXPECT_TRUE(comparison.organs_agree(results[i].result, results[j].result));
+                Comparison& pairs = is_wide(results[i].method, scene, light) ||
+                                            is_wide(results[j].method, scene, light)
+                                        ? wide
+                                        : comparison;
+                EXPECT_TRUE(pairs.totals_agree(results[i].result, results[j].result));
+                EXPECT_TRUE(pairs.organs_agree(results[i].result, results[j].result));
             }
         }
     }
@@ -122,6 +127,33 @@ INSTANTIATE_TEST_SUITE_P(
         CropCase{Crop::solid_tree, bench::full_size(Crop::solid_tree), 1 << 14, .1, 1},
         CropCase{Crop::bad_faces, bench::full_size(Crop::bad_faces), 1 << 14, .1, 1}),
     name_of_case);
+
+/// What all leaves absorb of a sun that grazes an endless stand rests, from the organs, on few
+/// finds or none. Its intervals are wide, and have to hold the truth.
+TEST(GrazingSuns, AreWithinTheIntervalsOfTotalsFromTheOrgans) {
+    constexpr int kSeeds = 40;
+    const Scene scene = bench::make_crop(Crop::row_crop, 120);
+    double tries = 0, right = 0;
+    for (const CropLight& light : bench::lights_of(Crop::row_crop)) {
+        if (!grazes(light)) {
+            continue;
+        }
+        RunSpec spec = spec_of(Method::light_tracing, 1 << 13);
+        const Result truth = run(scene, light.sources, spec);
+        spec = spec_of(Method::from_organs, 1 << 10);
+        spec.replicates = RunSpec{}.replicates;
+        for (int seed = 1; seed <= kSeeds; ++seed, ++tries) {
+            spec.seed = static_cast<std::uint64_t>(seed);
+            const Result result = run(scene, light.sources, spec);
+            const Estimate& all = result.budget[0].absorbed_by_organs;
+            const double mean = truth.budget[0].absorbed_by_organs.mean;
+            EXPECT_LE(all.high, result.budget[0].emitted.mean * (1 + 1e-9));
+            right += all.low <= mean && mean <= all.high ? 1 : 0;
+        }
+    }
+    EXPECT_GE(right / tries, .93);
+    RecordProperty("coverage", std::to_string(right / tries));
+}
 
 /// A control: one flower instead of two.
 TEST(CropsControl, FewerFlowersAreNoticed) {

@@ -193,12 +193,14 @@ PlainSums trace_plainly(const PlainScene& scene, std::uint64_t paths, std::uint6
     sums.direct.resize(sides);
     sums.scattered.resize(sides);
     sums.absorbed.resize(sides / 2);
+    sums.brightest_path.resize(scene.bands);
     for (const Emitter& emitter : scene.emitters) {
         for (std::uint64_t i = 0; i < paths; ++i) {
             const StartedRay start = start_ray(emitter, scene, random);
             std::vector<double> weights = emitter.amount;
-            for (double& w : weights) {
-                w *= start.weight / static_cast<double>(paths);
+            for (std::size_t b = 0; b < scene.bands; ++b) {
+                weights[b] *= start.weight / static_cast<double>(paths);
+                sums.brightest_path[b] = std::max(sums.brightest_path[b], weights[b]);
             }
             Follower(scene, sums, random)
                 .follow(

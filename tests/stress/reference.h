@@ -81,7 +81,8 @@ struct StartedRay {
 /// What one replicate found, flux: [(organ * 2 + side) * bands + band].
 struct PlainSums {
     std::vector<double> direct, scattered;
-    std::vector<double> absorbed;  ///< [organ * bands + band]
+    std::vector<double> absorbed;        ///< [organ * bands + band]
+    std::vector<double> brightest_path;  ///< per band: the most that one brought
 };
 
 /// Follows `paths` paths from every source.

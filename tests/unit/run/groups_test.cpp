@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "quasimc/series.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
