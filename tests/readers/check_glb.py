@@ -2,10 +2,11 @@
 """Lets assimp read the GLB files that quasimc writes: check_glb.py QUASIMC"""
 
 import re
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+from program import run_in
 
 RUN = """
 bands = ["PAR"]
@@ -46,9 +47,7 @@ def main():
         folder = Path(name)
 
         def run(*command):
-            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-            assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
-            return done.stdout
+            return run_in(folder, *command)
 
         def info(path):
             return run(program, "info", path)

@@ -2,13 +2,13 @@
 """Compares the NetCDF that quasimc writes with its JSON: check_netcdf.py QUASIMC"""
 
 import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
 import xarray
+from program import run_in
 
 HEAD = """
 title = "Two leaves"
@@ -102,19 +102,10 @@ def compare(variables, where, organs, bands, suffixed, extra=""):
 class Case:
     def __init__(self, program, folder, text):
         (folder / "run.toml").write_text(text)
-        done = subprocess.run(
-            [program, "run", "run.toml", "--quiet", "--nc", "out.nc", "--json", "out.json"],
-            cwd=folder,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
+        run_in(folder, program, "run", "run.toml", "--quiet", "--nc", "out.nc", "--json", "out.json")
         self.json = json.loads((folder / "out.json").read_text())
         self.data = xarray.load_dataset(folder / "out.nc")
-        self.dump = subprocess.run(
-            ["ncdump", "-h", "out.nc"], cwd=folder, capture_output=True, text=True, check=True
-        ).stdout
+        self.dump = run_in(folder, "ncdump", "-h", "out.nc")
 
 
 def check_organs(case):

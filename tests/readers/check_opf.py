@@ -2,11 +2,12 @@
 """Compares the OPF that quasimc writes with its JSON, by Python's XML: check_opf.py QUASIMC"""
 
 import json
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
+
+from program import run_in
 
 OPF = """<?xml version="1.0" encoding="UTF-8"?>
 <opf version="2.0"><!-- <branch id="3"> is no node here -->
@@ -55,11 +56,7 @@ def nodes(root):
 
 def check(program, folder, table):
     def run(*command, status=0):
-        done = subprocess.run(
-            [program, *command], cwd=folder, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == status, done.stderr
-        return done.stderr
+        return run_in(folder, program, *command, status=status)
 
     (folder / "plant.opf").write_text(OPF.format(table=table))
     (folder / "run.toml").write_text(RUN.format(more=""))

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Whether a run writes for other programs what convert makes of its JSON: check_outputs.py QUASIMC"""
 
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+from program import run_in
 
 RUN = """
 bands = ["PAR", "NIR"]
@@ -56,14 +57,7 @@ def main():
             folder = Path(name)
 
             def run(*command):
-                done = subprocess.run(
-                    [sys.argv[1], *command],
-                    cwd=folder,
-                    capture_output=True,
-                    text=True,
-                    check=False,
-                )
-                assert done.returncode == 0, done.stderr
+                run_in(folder, sys.argv[1], *command)
 
             (folder / "run.toml").write_text(RUN.format(more=more))
             run("run", "run.toml", "--quiet")

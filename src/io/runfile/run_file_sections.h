@@ -125,6 +125,11 @@ struct SpectralOptics {
 [[nodiscard]] std::optional<SpectralOptics> read_usual_optics(
     TableReader& table, const RunFileContext& context);
 
+// run_file_prospect.cpp
+/// `optics` that is a table with a model of leaves. Nothing after a fault. @param node  the table
+[[nodiscard]] std::optional<SpectralOptics> read_leaf_model(
+    TableReader& material, const Node& node, const RunFileContext& context);
+
 // run_file_time.cpp
 /// [time]: the moments of the run, each with the sources of the file that are on and its own
 /// daylight. Nothing if there is none, or after a fault.

@@ -1,3 +1,5 @@
+#include "io/runfile/run_file_spectrum.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,13 +17,8 @@
 namespace quasimc {
 namespace {
 
-/// The columns of a spectrum of a surface.
-struct OpticsColumns {
-    std::vector<double> nm, reflectance, transmittance;
-};
-
 void read_optics_row(
-    std::string_view line, std::uint32_t number, OpticsColumns& columns, Reporter& reporter) {
+    std::string_view line, std::uint32_t number, SurfaceSpectrum& columns, Reporter& reporter) {
     std::vector<double> values;
     for (const std::string& field : split_fields(line, ',')) {
         values.push_back(parse_real(trimmed(field)).value_or(NAN));
@@ -47,8 +44,8 @@ void read_optics_row(
 }
 
 /// A line of names, then rows; '#' begins a comment.
-OpticsColumns read_optics_columns(std::string_view bytes, Reporter& reporter) {
-    OpticsColumns columns;
+SurfaceSpectrum read_optics_columns(std::string_view bytes, Reporter& reporter) {
+    SurfaceSpectrum columns;
     LineScanner scanner(bytes);
     bool has_names = false;
     while (scanner.next() && !reporter.is_full()) {
@@ -83,6 +80,36 @@ const Spectrum& light_of(const std::optional<std::string>& name, const Spectrum&
 
 }  // namespace
 
+std::optional<SpectralOptics> optics_of_bands(
+    TableReader& table,
+    const RunFileContext& context,
+    const SurfaceSpectrum& columns,
+    const SpectrumUse& use) {
+    const std::vector<SpectralSpan> spans = band_spans(table, context.bands);
+    if (table.failed()) {
+        return std::nullopt;
+    }
+    const Spectrum flat({columns.nm.front(), columns.nm.back()}, {1, 1});
+    const Spectrum& light = light_of(use.light, flat);
+    const Spectrum reflectance(columns.nm, columns.reflectance);
+    const Spectrum transmittance(columns.nm, columns.transmittance);
+    SpectralOptics optics;
+    for (std::size_t b = 0; b < spans.size(); ++b) {
+        if (spans[b].from_nm < columns.nm.front() || spans[b].to_nm > columns.nm.back()) {
+            table.fault_at(
+                use.key,
+                fmt::format(
+                    "'{}' has {} to {} nm, band '{}' {} to {} nm", use.source, columns.nm.front(),
+                    columns.nm.back(), context.bands[b].name, spans[b].from_nm, spans[b].to_nm),
+                "what is not measured is not made up");
+            return std::nullopt;
+        }
+        optics.reflectance.push_back(band_mean(reflectance, light, spans[b]));
+        optics.transmittance.push_back(band_mean(transmittance, light, spans[b]));
+    }
+    return optics;
+}
+
 std::optional<SpectralOptics> read_spectral_optics(
     TableReader& table, const RunFileContext& context) {
     constexpr std::array<std::string_view, 3> kLights{"global", "direct", "flat"};
@@ -92,7 +119,7 @@ std::optional<SpectralOptics> read_spectral_optics(
         return std::nullopt;
     }
     Reporter own{*file, {}, {}};
-    OpticsColumns columns;
+    SurfaceSpectrum columns;
     try {
         columns = read_optics_columns(context.files->read(*file), own);
     } catch (const InputError& error) {
@@ -101,29 +128,7 @@ std::optional<SpectralOptics> read_spectral_optics(
         return std::nullopt;
     }
     table.reporter().add(own);
-    const std::vector<SpectralSpan> spans = band_spans(table, context.bands);
-    if (table.failed()) {
-        return std::nullopt;
-    }
-    const Spectrum flat({columns.nm.front(), columns.nm.back()}, {1, 1});
-    const Spectrum& light = light_of(light_name, flat);
-    const Spectrum reflectance(columns.nm, columns.reflectance);
-    const Spectrum transmittance(columns.nm, columns.transmittance);
-    SpectralOptics optics;
-    for (std::size_t b = 0; b < spans.size(); ++b) {
-        if (spans[b].from_nm < columns.nm.front() || spans[b].to_nm > columns.nm.back()) {
-            table.fault_at(
-                "spectrum",
-                fmt::format(
-                    "'{}' has {} to {} nm, band '{}' {} to {} nm", *file, columns.nm.front(),
-                    columns.nm.back(), context.bands[b].name, spans[b].from_nm, spans[b].to_nm),
-                "what is not measured is not made up");
-            return std::nullopt;
-        }
-        optics.reflectance.push_back(band_mean(reflectance, light, spans[b]));
-        optics.transmittance.push_back(band_mean(transmittance, light, spans[b]));
-    }
-    return optics;
+    return optics_of_bands(table, context, columns, {"spectrum", *file, light_name});
 }
 
 }  // namespace quasimc

@@ -54,6 +54,10 @@ std::optional<SpectralOptics> read_soil(TableReader& table, const RunFileContext
 }  // namespace
 
 std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFileContext& context) {
+    const Node* node = table.any("optics");
+    if (node != nullptr && node->as<Node::Table>() != nullptr) {
+        return read_leaf_model(table, *node, context);
+    }
     const std::optional<std::string> name = table.text("optics");
     if (!name) {
         return std::nullopt;

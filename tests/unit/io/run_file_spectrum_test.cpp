@@ -1,8 +1,10 @@
 // Materials from spectra.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "io_testing.h"
+#include "optics/prospect.h"
 #include "optics/side.h"
 #include "scene/scene.h"
 #include "sources/band_mean.h"
@@ -86,6 +88,62 @@ TEST(RunFileSpectrum, TellsFaults) {
     RunText text = spectrum_text();
     text.top = "bands = ['odd']\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), kLeaf), "the wavelengths of band 'odd'"));
+}
+
+constexpr const char* kLeafModel =
+    "optics = {model = 'prospect_d', structure = 1.5, chlorophyll_ug_cm2 = 40, "
+    "carotenoids_ug_cm2 = 10, water_cm = 0.015, dry_matter_g_cm2 = 0.01}\n";
+
+RunText leaf_model_text(const std::string& keys = kLeafModel) {
+    RunText text;
+    text.top = kTop;
+    text.materials = "[[material]]\nname = 'leaf'\n" + keys;
+    return text;
+}
+
+/// What a file of the model's spectrum would give, for each kind of light.
+TEST(RunFileLeafModel, IsTheMeanOfItsSpectrum) {
+    std::string file = "wavelength_nm,reflectance,transmittance\n";
+    const LeafConstituents leaf{
+        .structure = 1.5, .chlorophyll = 40, .carotenoids = 10, .water = 0.015, .dry_matter = 0.01};
+    for (const LeafConstants& row : leaf_constants()) {
+        const LeafOptics optics = prospect(row, leaf);
+        file += fmt::format("{},{},{}\n", row.nm, optics.reflectance, optics.transmittance);
+    }
+    for (const std::string light :
+         {"", "spectrum_light = 'flat'\n", "spectrum_light = 'direct'\n"}) {
+        const RunFile model = read_text(leaf_model_text(kLeafModel + light).text());
+        const RunFile spectrum = read_text(spectrum_text(light).text(), {{"leaf.csv", file}});
+        for (const std::size_t band : {0U, 1U}) {
+            EXPECT_EQ(optics_of_band(model, band), optics_of_band(spectrum, band)) << light;
+        }
+    }
+    RunText dead = leaf_model_text(kLeafModel);
+    dead.materials +=
+        "[material.lower]\noptics = {model = 'prospect_d', structure = 2, "
+        "chlorophyll_ug_cm2 = 0, carotenoids_ug_cm2 = 1, brown_pigments = 1, "
+        "anthocyanins_ug_cm2 = 1, water_cm = 0, dry_matter_g_cm2 = 0.01}\n";
+    const RunFile sides = read_text(dead.text());
+    EXPECT_EQ(optics_of_band(sides, 0), optics_of_band(read_text(leaf_model_text().text()), 0));
+}
+
+TEST(RunFileLeafModel, TellsFaults) {
+    const auto expect = [](const std::string& keys, const char* part) {
+        EXPECT_TRUE(mentions(faults_of(leaf_model_text(keys).text()), part)) << part;
+    };
+    const std::string rest = "structure = 1.5, chlorophyll_ug_cm2 = 40, carotenoids_ug_cm2 = 10, ";
+    expect(
+        "optics = {model = 'prospect', " + rest + "water_cm = 0, dry_matter_g_cm2 = 0}\n",
+        "did you mean 'prospect_d'");
+    expect("optics = {model = 'prospect_d', " + rest + "dry_matter_g_cm2 = 0}\n", "water_cm");
+    expect("optics = {model = 'prospect_d', structure = 0.5}\n", "structure is 0.5");
+    expect("optics = {model = 'prospect_d', chlorophyl = 1}\n", "chlorophyl");
+    expect(kLeafModel + std::string("reflectance = 0.1\n"), "its optics are stated twice");
+    expect(kLeafModel + std::string("spectrum_light = 'moon'\n"), "spectrum_light is 'moon'");
+    RunText text = leaf_model_text();
+    text.top = "[[band]]\nname = 'UV'\nfrom_nm = 300\nto_nm = 400\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()), "'prospect_d' has 400 to 2500 nm, band 'UV' 300 to 400 nm"));
 }
 
 RunText usual_text(const std::string& keys) {
