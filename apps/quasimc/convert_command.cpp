@@ -88,7 +88,7 @@ void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) 
     const quasimc::FieldScene fields = field_scene(
         shown.run.scene, read_all_shown_values(shown, arguments.input, arguments.choice), nullptr);
     quasimc::OpfMatches matches;
-    write_scene(arguments, shown.run.inputs, [&](const quasimc::TextSink& sink) {
+    write_scene(arguments, shown.inputs, [&](const quasimc::TextSink& sink) {
         matches = quasimc::write_opf(bytes, fields, sink);
     });
     if (matches.missing > 0) {
@@ -125,9 +125,8 @@ Exit convert_result(const ConvertArguments& arguments) {
         read_all_shown_values(shown, arguments.input, arguments.choice);
     const quasimc::FieldScene fields =
         field_scene(shown.run.scene, all, &chosen_values(shown.run.scene, all, arguments.choice));
-    write_scene(arguments, shown.run.inputs, [&](const quasimc::TextSink& sink) {
-        to->write(fields, sink);
-    });
+    write_scene(
+        arguments, shown.inputs, [&](const quasimc::TextSink& sink) { to->write(fields, sink); });
     return Exit::done;
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -197,7 +198,11 @@ Exit show(const ShowArguments& arguments) {
     }
     const auto range = range_of(arguments, faults);
     faults.throw_if_any();
-    quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.run.inputs);
+    std::vector<quasimc::InputFile> inputs = shown.inputs;
+    if (!arguments.with.empty()) {
+        inputs.push_back({arguments.with, arguments.with, "", 0, false});
+    }
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, inputs);
     const auto canvas = make_canvas(arguments.output, picture.width, picture.height);
     if (arguments.chart.empty()) {
         set_colors(arguments, shown, range, picture);

@@ -156,7 +156,11 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
     if (point > runs.size()) {
         throw quasimc::InputError({{"--point", fmt::format("there are {}", runs.size()), "", ""}});
     }
-    return {runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string()};
+    ShownRun shown{
+        runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string(), {}};
+    shown.inputs = shown.run.inputs;
+    shown.inputs.push_back({path, path, "", 0, false});
+    return shown;
 }
 
 std::vector<ShownValues> read_all_shown_values(

@@ -28,7 +28,8 @@ struct ValueChoice {
 /// The run that a file states or a result was made by, and the text of that result.
 struct ShownRun {
     quasimc::RunFile run;
-    std::string result_text;  ///< empty: the file is a run file
+    std::string result_text;                 ///< empty: the file is a run file
+    std::vector<quasimc::InputFile> inputs;  ///< the run's, and the file itself
 };
 [[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
 

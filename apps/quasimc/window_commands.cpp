@@ -37,7 +37,7 @@ WindowRun read_window_run(const WindowArguments& arguments) {
     }
     quasimc::WindowData data =
         quasimc::make_window_data(shown.run, shown.result_text, arguments.file);
-    return {std::move(shown.run.inputs), std::move(data)};
+    return {std::move(shown.inputs), std::move(data)};
 }
 
 Exit report(const WindowArguments& arguments) {

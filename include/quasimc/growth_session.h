@@ -45,11 +45,13 @@ class GrowthSession {
     /// Adds organs behind the others, all or, if one is refused, none. Without an id an organ gets
     /// one more than the largest that the session and its frame ever had.
     /// @returns their ids. @throws InputError  if the session or its frame has an organ of such an
-    ///          id, or two of these have the same; with all faults at once
+    ///          id, or two of these have the same, or SceneBuilder::check_organs() refuses one;
+    ///          with all faults at once
     std::vector<std::int64_t> add(std::vector<OrganSpec> organs);
     std::int64_t add(OrganSpec organ);
     /// Puts organs in the places of those of the same ids, all or none. @throws InputError  if the
-    /// session has not all of them, or one is stated twice
+    /// session has not all of them, one is stated twice, or SceneBuilder::check_organs() refuses
+    /// one
     void change(std::vector<OrganSpec> organs);
     void change(OrganSpec organ);
     /// Removes organs, all or none. @throws InputError  if the session has not all of them, or one

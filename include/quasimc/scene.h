@@ -221,6 +221,9 @@ class SceneBuilder {
     void set_cell(const Cell& cell);
     /// The ids that the organs added so far will have, in their order.
     [[nodiscard]] std::vector<std::int64_t> organ_ids() const;
+    /// Throws an InputError with every fault that organs would bring with them, whatever else is in
+    /// the scene: unknown materials, no triangles, coordinates that are not finite or too large.
+    void check_organs(const std::vector<OrganSpec>& organs) const;
 
     /// The scene, or an InputError with every fault: neither organ nor ground; bands, materials or
     /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates

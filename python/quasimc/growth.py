@@ -61,7 +61,8 @@ class GrowthSession:
         Raises
         ------
         InputError
-            If the session or its scene has an organ of such an id; no organ is added then.
+            If the session or its scene has an organ of such an id, or one of these is faulty; no
+            organ is added then.
         """
         mesh = mesh_arrays(
             "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
@@ -86,7 +87,7 @@ class GrowthSession:
         Raises
         ------
         InputError
-            If the session has no such organ; none is changed then.
+            If the session has no such organ, or one of these is faulty; none is changed then.
         """
         mesh = mesh_arrays(
             "change", vertices, faces, organ, material, name, labels, measured, field_of_view_deg

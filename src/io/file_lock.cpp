@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -16,6 +17,8 @@
 namespace quasimc {
 namespace {
 
+constexpr std::string_view kOwnerBegin = "process ";
+
 /// The process that has the lock, as it named itself; "" if it did not yet.
 std::string read_owner(int file) {
     std::array<char, 512> text{};
@@ -26,7 +29,8 @@ std::string read_owner(int file) {
 std::string own_name() {
     std::array<char, 256> host{};
     const bool is_known = ::gethostname(host.data(), host.size() - 1) == 0;
-    return fmt::format("process {} on {}", ::getpid(), is_known ? host.data() : "this machine");
+    return fmt::format(
+        "{}{} on {}", kOwnerBegin, ::getpid(), is_known ? host.data() : "this machine");
 }
 
 /// Whether the name still is that of the file that was locked: its last owner may have removed it
@@ -65,6 +69,12 @@ FileLock::FileLock(const std::string& path) : name_(path + ".lock") {
         if (is_still(file_->number(), name_)) {
             break;
         }
+    }
+    const std::string before = read_owner(file_->number());
+    if (!before.empty() && !before.starts_with(kOwnerBegin)) {
+        throw InputError(
+            {{name_, "is there already, and is no lock", "it would be overwritten, and removed",
+              "remove it, or name another file than " + path}});
     }
     const std::string owner = own_name();
     const bool is_named = ::ftruncate(file_->number(), 0) == 0 &&

@@ -121,9 +121,12 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
         }
     }
     faults.throw_if_any();
-    largest_id_ = largest;
     for (std::size_t i = 0; i < organs.size(); ++i) {
         organs[i].id = ids[i];
+    }
+    frame_.check_organs(organs);
+    largest_id_ = largest;
+    for (std::size_t i = 0; i < organs.size(); ++i) {
         places_.emplace(ids[i], next_);
         organs_.emplace(next_++, std::move(organs[i]));
     }
@@ -148,6 +151,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
     }
     check_known(
         ids, [this](std::int64_t id) { return has(id); }, frame_ids_);
+    frame_.check_organs(organs);
     for (std::size_t i = 0; i < organs.size(); ++i) {
         organs_.at(places_.at(ids[i])) = std::move(organs[i]);
     }

@@ -50,6 +50,37 @@ void check_other_paths(const RunPosition& position, const Scene& scene, const Ru
     }
 }
 
+/// Why a run with these options might have ended before the rounds that are kept; "" if it can't.
+std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
+    if (position.rounds.done <= spec.paths) {
+        return "";
+    }
+    if (spec.max_paths > 0 && spec.max_paths < position.rounds.done) {
+        return fmt::format("max_paths is {}", spec.max_paths);
+    }
+    const bool has_target = spec.target_error > 0;
+    if (!has_target && spec.max_paths == 0) {
+        return fmt::format(
+            "paths is {}, and neither max_paths nor a target asks for more", spec.paths);
+    }
+    const bool is_no_weaker = position.target_error > 0 &&
+                              spec.target_error <= position.target_error &&
+                              spec.target_fraction >= position.target_fraction;
+    return !has_target || is_no_weaker ? "" : "the target may have been reached with fewer";
+}
+
+/// @throws InputError  if the run asked for might have ended before
+void check_ends(const RunPosition& position, const RunSpec& spec) {
+    const std::string why = refusal_of_ends(position, spec);
+    if (!why.empty()) {
+        throw InputError(
+            {{"checkpoint",
+              fmt::format(
+                  "has {} paths already, more than the run asked for has", position.rounds.done),
+              why, "ask for as much as before, or more, or begin anew"}});
+    }
+}
+
 }  // namespace
 
 StateKeeper::StateKeeper(
@@ -60,6 +91,8 @@ StateKeeper::StateKeeper(
     }
     position_.digest = digest_of(prepared, spec);
     position_.asked_paths = spec.paths;
+    position_.target_error = spec.target_error;
+    position_.target_fraction = spec.target_fraction;
     stored_ = checkpoint_->state_of(moment_);
     const auto fits = [&](const std::optional<Sums>& sums) {
         return !sums || sums->replicates.size() == spec.replicates;
@@ -73,6 +106,9 @@ StateKeeper::StateKeeper(
     const bool is_begun = stored_ && stored_->done && !stored_->position.rounds.is_trial;
     if (is_begun && stored_->position.asked_paths != spec.paths) {
         check_other_paths(stored_->position, prepared.scene(), spec);
+    }
+    if (is_begun) {
+        check_ends(stored_->position, spec);
     }
 }
 

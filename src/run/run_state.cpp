@@ -47,8 +47,9 @@ void visit_numbers(const Visit& visit, PositionOrConst& position) {
     visit(rounds.done), visit(rounds.trials), visit(rounds.is_trial);
     visit(rounds.pace.last.paths), visit(rounds.pace.last.seconds);
     visit(rounds.pace.before.paths), visit(rounds.pace.before.seconds);
-    visit(position.first_paths), visit(position.asked_paths), visit(position.round.first),
-        visit(position.round.count);
+    visit(position.first_paths), visit(position.asked_paths);
+    visit(position.target_error), visit(position.target_fraction);
+    visit(position.round.first), visit(position.round.count);
     visit(position.tasks.calls), visit(position.tasks.task), visit(position.digest);
 }
 

@@ -17,12 +17,13 @@ namespace quasimc {
 
 /// How far a run is, but for its sums.
 struct RunPosition {
-    RoundsState rounds;             ///< after the rounds that are complete
-    std::uint64_t first_paths = 0;  ///< of the first of them
-    std::uint64_t asked_paths = 0;  ///< RunSpec::paths
-    Round round;                    ///< that is being traced; of no paths: none
-    TaskPosition tasks;             ///< of its tasks, those that are done
-    std::uint64_t digest = 0;       ///< of the run: digest_of()
+    RoundsState rounds;                            ///< after the rounds that are complete
+    std::uint64_t first_paths = 0;                 ///< of the first of them
+    std::uint64_t asked_paths = 0;                 ///< RunSpec::paths
+    double target_error = 0, target_fraction = 0;  ///< of RunSpec: what the rounds were to reach
+    Round round;                                   ///< that is being traced; of no paths: none
+    TaskPosition tasks;                            ///< of its tasks, those that are done
+    std::uint64_t digest = 0;                      ///< of the run: digest_of()
 };
 
 /// A state to go on from.

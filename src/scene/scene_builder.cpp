@@ -85,6 +85,22 @@ std::vector<std::int64_t> SceneBuilder::organ_ids() const {
     return quasimc::organ_ids(*draft_);
 }
 
+void SceneBuilder::check_organs(const std::vector<OrganSpec>& organs) const {
+    SceneDraft draft;
+    for (const OrganSpec& organ : organs) {
+        draft.add(organ);
+    }
+    Faults faults;
+    OrganFaults organ_faults(faults);
+    static_cast<void>(number_organs(draft, organ_faults));
+    turn_inward(draft, orientation_);
+    static_cast<void>(check_triangles(draft, 0, orientation_, organ_faults));
+    check_fields_of_view(draft, materials_, organ_faults);
+    organ_faults.finish();
+    static_cast<void>(resolve_materials(materials_, draft, bands_.size(), faults));
+    faults.throw_if_any();
+}
+
 Scene SceneBuilder::build() && {
     return std::move(*this).build_after(nullptr);
 }

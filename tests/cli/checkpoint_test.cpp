@@ -199,6 +199,55 @@ TEST_F(CheckpointTest, IsOfOneRunAtATime) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.lock"));
 }
 
+TEST_F(CheckpointTest, TakesNoFilesOfOthers) {
+    for (const std::string name : {"c.done", "c.lock"}) {
+        folder_.write(name, good_leaves());
+        folder_.write("stranger.toml", replaced(good_run_file(), "leaves.tri", name));
+        for (const char* resume : {"", " --resume"}) {
+            const Outcome outcome = shell(
+                std::string("\"$quasimc\" run stranger.toml --quiet --checkpoint c") + resume);
+            EXPECT_EQ(outcome.status, 1) << name;
+            EXPECT_TRUE(outcome.err.starts_with(name + ": is there already")) << outcome.err;
+            EXPECT_EQ(folder_.read(name), good_leaves());
+            EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c"));
+        }
+        std::filesystem::remove(folder_.path() / name);
+    }
+}
+
+/// A run that had been begun with a weaker end would have had fewer rounds than are there.
+TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
+    const std::string command = "\"$quasimc\" run run.toml --quiet --checkpoint c --resume ";
+    const auto refusal = [&](const std::string& ends) {
+        const Outcome outcome = shell(command + ends);
+        EXPECT_EQ(outcome.status, 1) << ends;
+        return outcome.err;
+    };
+    ASSERT_EQ(shell(command + "--max-paths 1024").status, 0);
+    EXPECT_EQ(
+        refusal("--max-paths 512"),
+        "checkpoint: has 1024 paths already, more than the run asked for has (max_paths is 512); "
+        "ask for as much as before, or more, or begin anew\n");
+    EXPECT_NE(refusal("").find("neither max_paths nor a target asks for more"), std::string::npos);
+    EXPECT_NE(
+        refusal("--max-paths 4096 --target-error 0.5").find("may have been reached with fewer"),
+        std::string::npos);
+    std::filesystem::remove(folder_.path() / "c");
+    ASSERT_EQ(shell(command + "--target-error 0.001 --max-paths 1024").status % 4, 0);
+    EXPECT_NE(
+        refusal("--target-error 0.002 --max-paths 1024").find("may have been reached"),
+        std::string::npos);
+    const Outcome more = shell(command + "--target-error 0.0005 --max-paths 4096 --csv b.csv");
+    EXPECT_EQ(more.status % 4, 0) << more.err;
+    ASSERT_EQ(
+        shell(
+            "\"$quasimc\" run run.toml --quiet --target-error 0.0005 --max-paths 4096 --csv w.csv")
+                .status %
+            4,
+        0);
+    EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
+}
+
 TEST_F(CheckpointTest, HasNoPlaceForParts) {
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--part", "1/2"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--resume"}).status, 2);

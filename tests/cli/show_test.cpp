@@ -54,6 +54,9 @@ TEST_F(ShowCommand, DrawsResultsAndScenes) {
     EXPECT_NE(error.find("standard error of incident upper, PAR (%)"), std::string::npos);
     EXPECT_NE(svg({"run.toml", "--view", "top"}).find("3 organs, "), std::string::npos);
     EXPECT_EQ(svg({"out.json", "--bare"}).find("<text"), std::string::npos);
+    folder_.write("named.png", folder_.read("out.json"));
+    expect_fault({"show", "named.png", "-o", "./named.png"}, "is an input of the run");
+    EXPECT_EQ(folder_.read("named.png"), folder_.read("out.json"));
     const Outcome outcome = run({"show", "run.toml", "-o", "-", "--bare", "--size", "64x64"});
     EXPECT_TRUE(outcome.out.starts_with("\x89PNG"));
 }

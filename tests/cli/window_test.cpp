@@ -45,6 +45,9 @@ TEST_F(WindowCommand, WritesReports) {
     EXPECT_TRUE(html.ends_with("</html>\n"));
     EXPECT_EQ(html, run({"report", "out.json", "-o", "-"}).out) << "the same each time";
     expect_fault({"report", "out.json", "-o", "leaves.tri"}, "leaves.tri");
+    const std::string result = folder_.read("out.json");
+    expect_fault({"report", "out.json", "-o", "./out.json"}, "is an input of the run");
+    EXPECT_EQ(folder_.read("out.json"), result);
     expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
     expect_fault({"report", "out.json", "-o", "q.html", "--point", "2"}, "--point: there are 1");
     folder_.write("cut.json", folder_.read("out.json").substr(0, 500));

@@ -45,6 +45,24 @@ def test_steps_give_the_bits_of_single_runs():
     assert len(session) == len(alive) and 1 in session and 2 not in session
 
 
+def test_faulty_organs_are_not_taken():
+    session = quasimc.GrowthSession(soil())
+    session.add(*leaf(1, 0), material="leaf", organ=1)
+    vertices, faces = leaf(1, 5)
+    for change in (
+        lambda: session.change(vertices * np.nan, faces, material="leaf", organ=1),
+        lambda: session.change(vertices, faces, material="nope", organ=1),
+        lambda: session.add(vertices, faces, material="nope", organ=2),
+    ):
+        with pytest.raises(quasimc.InputError):
+            change()
+    assert 2 not in session and len(session) == 1
+    alone = soil()
+    alone.add_mesh(*leaf(1, 0), material="leaf", organ=1)
+    values = session.run(SKY, **FEW)._core.values
+    assert np.array_equal(values, alone.run(SKY, **FEW)._core.values, equal_nan=True)
+
+
 def test_results_come_in_the_order_asked():
     session = quasimc.GrowthSession(soil())
     for organ in (4, 2, 9):

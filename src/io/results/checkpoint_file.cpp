@@ -22,7 +22,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 2\n";
+constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 3\n";
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
 constexpr std::array<std::string_view, 5> kEnds{
@@ -80,6 +80,11 @@ CheckpointFile::CheckpointFile(
         throw InputError(
             {{path_, "is there already", "a run that begins would overwrite it",
               "state --resume to go on from it, or remove it"}});
+    }
+    if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
+        throw InputError(
+            {{done_path(path_), "is there already, without " + path_, "it would be overwritten",
+              "remove it, or name another checkpoint"}});
     }
     if (was_there_) {
         read();

@@ -47,6 +47,19 @@ TEST(FileLock, IsNotHinderedByWhatADeadOwnerLeft) {
     EXPECT_EQ(folder.read("c.lock").find("switched off"), std::string::npos);
 }
 
+TEST(FileLock, IsNoStrangersFile) {
+    const TemporaryFolder folder;
+    const std::string path = (folder.path() / "c").string();
+    folder.write("c.lock", "notes on locks");
+    EXPECT_EQ(
+        refusal_of_lock(path),
+        path +
+            ".lock: is there already, and is no lock (it would be overwritten, and removed); "
+            "remove it, or name another file than " +
+            path);
+    EXPECT_EQ(folder.read("c.lock"), "notes on locks");
+}
+
 TEST(FileLock, SaysWhereItCantBeWritten) {
     EXPECT_EQ(
         refusal_of_lock("/no/such/c"),

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -126,13 +127,20 @@ TEST_F(GrowthSessionTest, GivesNoIdASecondTime) {
     EXPECT_THROW(session_.change(leaf), InputError);
 }
 
-TEST_F(GrowthSessionTest, GoesOnAfterAFaultyStep) {
+TEST_F(GrowthSessionTest, TakesNoFaultyOrgan) {
     session_.add(growing_leaf(1, 0));
-    OrganSpec faulty = growing_leaf(2, 0);
-    faulty.parts[0].material = "glass";
-    session_.add(faulty);
-    EXPECT_THROW(static_cast<void>(run()), InputError);
-    session_.change(growing_leaf(2, 0));
+    OrganSpec of_glass = growing_leaf(2, 0);
+    of_glass.parts[0].material = "glass";
+    OrganSpec nowhere = growing_leaf(2, 0);
+    nowhere.parts[0].triangles.vertices[1].x = std::numeric_limits<double>::quiet_NaN();
+    for (const OrganSpec& faulty : {of_glass, nowhere}) {
+        EXPECT_THROW(session_.add({growing_leaf(3, 0), faulty}), InputError);
+        EXPECT_EQ(session_.size(), 1U);
+    }
+    session_.add(growing_leaf(2, 0));
+    for (const OrganSpec& faulty : {of_glass, nowhere}) {
+        EXPECT_THROW(session_.change({growing_leaf(1, 50), faulty}), InputError);
+    }
     EXPECT_TRUE(have_same_bits(run(), run_alone({growing_leaf(1, 0), growing_leaf(2, 0)})));
 }
 
