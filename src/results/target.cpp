@@ -90,17 +90,20 @@ bool is_at_target(
     return true;
 }
 
-/// Median and worst of the errors that are finite; NaN if there are none.
-void set_spread(std::vector<double> errors, RoundErrors& known) {
+struct ErrorSpread {
+    double median = std::numeric_limits<double>::quiet_NaN();
+    double worst = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Of the errors that are finite; NaN if there are none.
+ErrorSpread spread_of(std::vector<double> errors) {
     std::erase_if(errors, [](double error) { return !std::isfinite(error); });
     if (errors.empty()) {
-        known.median = known.worst = std::numeric_limits<double>::quiet_NaN();
-        return;
+        return {};
     }
     const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
     std::nth_element(errors.begin(), middle, errors.end());
-    known.median = *middle;
-    known.worst = *std::max_element(middle, errors.end());
+    return {*middle, *std::max_element(middle, errors.end())};
 }
 
 }  // namespace
@@ -135,13 +138,13 @@ RoundErrors errors_so_far(
             reached += is_covered || (target > 0 && is_at_target(absorbed, target, usual)) ? 1 : 0;
         }
     });
-    RoundErrors known{.paths = sums.paths};
-    set_spread(std::move(errors), known);
-    if (target > 0) {
-        known.fraction_at_target =
-            static_cast<double>(reached) / static_cast<double>(scene.organs().size());
-    }
-    return known;
+    const auto organs = static_cast<double>(scene.organs().size());
+    const ErrorSpread spread = spread_of(std::move(errors));
+    return {
+        .paths = sums.paths,
+        .median = spread.median,
+        .worst = spread.worst,
+        .fraction_at_target = target > 0 ? static_cast<double>(reached) / organs : 0};
 }
 
 }  // namespace quasimc

@@ -181,7 +181,7 @@ TEST_F(CheckpointTest, OfAnAuditedRunLetsItBeAuditedAnew) {
 TEST_F(CheckpointTest, IsOfOneRunAtATime) {
     const std::string command =
         "\"$quasimc\" run run.toml --method light_tracing --paths 1073741824 --quiet "
-        "--checkpoint c --every 0";
+        "--threads 1 --checkpoint c --every 0";
     // The first is killed, so that its lock is left behind.
     const Outcome second = shell(
         command +
