@@ -30,8 +30,7 @@ class DaeLibrary {
   public:
     DaeLibrary(const XmlTree& tree, Reporter& reporter);
 
-    /// The element that "#id" names, if it is there and is called so; else a fault, except that of
-    /// a name already told.
+    /// The element that "#id" names; nothing, and a fault, if there is none that is called so.
     std::optional<std::size_t> target(
         std::size_t of, std::string_view reference, std::string_view name);
     /// The geometry of an element <geometry>, read when it is first asked for.
