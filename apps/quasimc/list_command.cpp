@@ -47,6 +47,9 @@ std::string list_optics() {
                              "{}: reflectance {}, transmittance {}", optics.summary,
                              words(optics.reflectance), words(optics.transmittance)));
     }
+    text += list_row(
+        "prospect_d",
+        "leaves by chlorophyll, water, dry matter: optics = {model = \"prospect_d\", ...}");
     return text +
            list_row(
                "soil", fmt::format(

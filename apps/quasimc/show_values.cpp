@@ -121,28 +121,40 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
           "the run did not write it, or there is none", "look at [output] in the run file"}});
 }
 
-/// The numbers that are chosen, if the result has them. @param sought  told what they are called
-std::optional<ShownValues> find_shown_values(
-    const ShownRun& shown,
-    const std::string& path,
-    const ValueChoice& choice,
-    ShownValues& sought) {
+/// The numbers of those choices that the result has, read in one pass.
+/// @param choices  of one time
+std::vector<ShownValues> find_shown_values(
+    const ShownRun& shown, const std::string& path, const std::vector<ValueChoice>& choices) {
     const RunFile& run = shown.run;
-    ShownValues values;
-    quasimc::EstimateQuery query = query_of(run, choice, values);
+    std::vector<ShownValues> wanted(choices.size());
+    std::vector<quasimc::EstimateNames> columns;
+    quasimc::EstimateQuery query;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        query = query_of(run, choices[i], wanted[i]);
+        columns.push_back(query.names);
+    }
     if (run.sweep) {
         query.point = run.point;
     }
-    std::vector<quasimc::TimedEstimates> times =
-        quasimc::read_estimates(shown.result_text, path, query);
-    sought = values;
-    if (times.empty()) {
-        return std::nullopt;
+    auto read = quasimc::read_estimate_columns(shown.result_text, path, query, columns);
+    std::vector<ShownValues> found;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (read[i].empty()) {
+            continue;
+        }
+        wanted[i].estimates = std::move(read[i].front().values);
+        wanted[i].estimates.resize(run.scene.organs().size(), kNoEstimate);
+        wanted[i].when = query.part == "total" ? "sum of all times" : read[i].front().label;
+        found.push_back(std::move(wanted[i]));
     }
-    values.estimates = std::move(times.front().values);
-    values.estimates.resize(run.scene.organs().size(), kNoEstimate);
-    values.when = query.part == "total" ? "sum of all times" : times.front().label;
-    return values;
+    return found;
+}
+
+[[noreturn]] void refuse_choice(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    ShownValues sought;
+    static_cast<void>(query_of(shown.run, choice, sought));
+    refuse_missing(path, choice, sought);
 }
 
 }  // namespace
@@ -166,24 +178,21 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
 std::vector<ShownValues> read_all_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     check_times(shown.run, choice);
-    std::vector<ShownValues> all;
-    ShownValues last;
+    std::vector<ValueChoice> choices;
     for (const std::string& name : quantity_names(shown.run)) {
         const bool has_bands = find_quantity(name) != nullptr;
         for (const quasimc::Band& band : shown.run.scene.bands()) {
-            ValueChoice one = choice;
-            one.quantity = name;
-            one.band = band.name;
-            if (auto values = find_shown_values(shown, path, one, last)) {
-                all.push_back(std::move(*values));
-            }
+            choices.push_back(choice);
+            choices.back().quantity = name;
+            choices.back().band = band.name;
             if (!has_bands) {
                 break;
             }
         }
     }
+    std::vector<ShownValues> all = find_shown_values(shown, path, choices);
     if (all.empty()) {
-        refuse_missing(path, choice, last);
+        refuse_choice(shown, path, choices.back());
     }
     return all;
 }
@@ -191,12 +200,11 @@ std::vector<ShownValues> read_all_shown_values(
 ShownValues read_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     check_times(shown.run, choice);
-    ShownValues sought;
-    auto values = find_shown_values(shown, path, choice, sought);
-    if (!values) {
-        refuse_missing(path, choice, sought);
+    std::vector<ShownValues> found = find_shown_values(shown, path, {choice});
+    if (found.empty()) {
+        refuse_choice(shown, path, choice);
     }
-    return std::move(*values);
+    return std::move(found.front());
 }
 
 ShownCourse read_shown_course(

@@ -25,6 +25,11 @@ class XmlScanner {
     [[nodiscard]] std::string_view name() const { return name_; }
     /// An attribute of an opening tag, if it has that one.
     [[nodiscard]] std::optional<std::string_view> attribute(std::string_view key) const;
+    /// All attributes of an opening tag.
+    [[nodiscard]] const std::vector<std::pair<std::string_view, std::string_view>>& attributes()
+        const {
+        return attributes_;
+    }
     /// What stands before the tag, after the tag before.
     [[nodiscard]] std::string_view text() const { return text_; }
     /// The line of the tag, from 1.

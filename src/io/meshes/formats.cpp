@@ -112,6 +112,21 @@ std::span<const FormatEntry> format_table() {
             .keeps = "ids, names, materials, labels",
             .read = read_gltf,
             .has_units = true},
+        FormatEntry{
+            .name = "dae",
+            .extensions = ".dae",
+            .summary = "COLLADA; nodes with a geometry are organs",
+            .organs = "groups",
+            .keeps = "names, materials, labels",
+            .read = read_dae,
+            .has_units = true},
+        FormatEntry{
+            .name = "geom",
+            .extensions = ".geom",
+            .summary = "PlantGL's scenes as text; shapes are organs",
+            .organs = "groups",
+            .keeps = "ids, names, materials, labels",
+            .read = read_geom},
         // (tools/new.py enters a format above this line)
     };
     return kTable;

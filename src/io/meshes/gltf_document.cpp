@@ -55,12 +55,12 @@ void read_extras(const Node& json, GltfNode& node) {
     }
 }
 
-GltfMode mode_of(std::uint64_t number) {
+CornerOrder mode_of(std::uint64_t number) {
     constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;
-    return number == kTriangles ? GltfMode::triangles
-           : number == kStrip   ? GltfMode::strip
-           : number == kFan     ? GltfMode::fan
-                                : GltfMode::none;
+    return number == kTriangles ? CornerOrder::triangles
+           : number == kStrip   ? CornerOrder::strip
+           : number == kFan     ? CornerOrder::fan
+                                : CornerOrder::none;
 }
 
 class GltfDocumentReader {

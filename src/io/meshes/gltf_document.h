@@ -7,18 +7,16 @@
 #include <vector>
 
 #include "io/meshes/formats.h"
+#include "io/meshes/placed_triangles.h"
 #include "io/runfile/document.h"
 #include "quasimc/scene.h"
 #include "quasimc/vec3.h"
 
 namespace quasimc {
 
-/// How the corners of a primitive's triangles follow each other; the rest has none.
-enum class GltfMode { none, triangles, strip, fan };
-
 /// A part of a mesh that is of one material.
 struct GltfPrimitive {
-    GltfMode mode = GltfMode::triangles;
+    CornerOrder mode = CornerOrder::triangles;
     std::optional<std::size_t> positions, indices, material;  ///< accessors; of the materials
 };
 

@@ -8,29 +8,6 @@
 namespace quasimc {
 namespace {
 
-/// The numbers of a primitive's vertices, corner after corner, as triangles.
-std::vector<Face> gltf_faces(GltfMode mode, const std::vector<std::uint32_t>& corners) {
-    std::vector<Face> faces;
-    if (mode == GltfMode::triangles) {
-        faces.reserve(corners.size() / 3);
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-            faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
-        }
-        return faces;
-    }
-    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-        const std::size_t odd = i % 2;
-        const Face face = mode == GltfMode::fan
-                              ? Face{corners[0], corners[i + 1], corners[i + 2]}
-                              : Face{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]};
-        // Strips go on over triangles that are lines.
-        if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
-            faces.push_back(face);
-        }
-    }
-    return faces;
-}
-
 std::vector<std::uint32_t> numbers_below(std::size_t count) {
     std::vector<std::uint32_t> indices(count);
     std::iota(indices.begin(), indices.end(), 0U);
@@ -39,7 +16,7 @@ std::vector<std::uint32_t> numbers_below(std::size_t count) {
 
 }  // namespace
 
-std::optional<GltfTriangles> GltfShapes::triangles(const GltfPrimitive& primitive) {
+std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primitive) {
     auto points = read_points(*primitive.positions);
     if (!points) {
         return std::nullopt;
@@ -49,12 +26,12 @@ std::optional<GltfTriangles> GltfShapes::triangles(const GltfPrimitive& primitiv
     if (!corners) {
         return std::nullopt;
     }
-    if (primitive.mode == GltfMode::triangles && corners->size() % 3 != 0) {
+    if (primitive.mode == CornerOrder::triangles && corners->size() % 3 != 0) {
         values_.fault(
             fmt::format("a part with {} corners", corners->size()), "triangles have three each");
         return std::nullopt;
     }
-    return GltfTriangles{std::move(*points), gltf_faces(primitive.mode, *corners)};
+    return LocalTriangles{std::move(*points), faces_of(primitive.mode, *corners)};
 }
 
 std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {

@@ -6,15 +6,10 @@
 
 #include "io/meshes/gltf_buffers.h"
 #include "io/meshes/gltf_document.h"
+#include "io/meshes/placed_triangles.h"
 #include "quasimc/mesh.h"
 
 namespace quasimc {
-
-/// The triangles of a primitive, in the axes of its mesh.
-struct GltfTriangles {
-    std::vector<Vec3> points;
-    std::vector<Face> faces;
-};
 
 /// Makes triangles of the accessors of primitives.
 class GltfShapes {
@@ -22,7 +17,7 @@ class GltfShapes {
     GltfShapes(GltfBuffers& buffers, Reporter& reporter) : buffers_(buffers), values_(reporter) {}
 
     /// Nothing after a fault. @param primitive  with triangles
-    std::optional<GltfTriangles> triangles(const GltfPrimitive& primitive);
+    std::optional<LocalTriangles> triangles(const GltfPrimitive& primitive);
 
   private:
     std::optional<std::vector<Vec3>> read_points(std::size_t accessor);

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "io/meshes/gltf_container.h"
 #include "io/meshes/gltf_document.h"
 #include "io/meshes/gltf_shapes.h"
+#include "io/meshes/placed_triangles.h"
 
 namespace quasimc {
 namespace {
@@ -19,7 +18,10 @@ namespace {
 class GltfSceneReader {
   public:
     GltfSceneReader(const GltfDocument& document, GltfBuffers& buffers, FormatContext& context)
-        : document_(document), context_(context), shapes_(buffers, context.reporter) {
+        : document_(document),
+          context_(context),
+          shapes_(buffers, context.reporter),
+          placed_(file_, context.reporter) {
         meshes_.resize(document.meshes.size());
     }
 
@@ -61,10 +63,10 @@ class GltfSceneReader {
         MeshGroup group{
             name.empty() ? fmt::format("node {}", place.node) : name, node.organ_id, {}};
         const auto line = static_cast<std::uint32_t>(place.node);
-        const std::vector<GltfTriangles>& shapes = shapes_of(*node.mesh);
+        const std::vector<LocalTriangles>& shapes = shapes_of(*node.mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             const auto material = mesh.primitives[i].material;
-            add_part(
+            placed_.add(
                 shapes[i], transform, material ? document_.materials[*material].name : "", line,
                 group);
         }
@@ -74,71 +76,27 @@ class GltfSceneReader {
         group.labels = node.labels;
         add_label("parent", place.parent, group);
         add_label("mesh", mesh.name, group);
-        if (group.id && !ids_.insert(*group.id).second) {
-            ++repeated_ids_;
-        }
         file_.groups.push_back(std::move(group));
     }
 
-    static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
-        const bool is_stated = std::any_of(
-            group.labels.begin(), group.labels.end(),
-            [key](const auto& label) { return label.first == key; });
-        if (!is_stated && !value.empty() && value != group.name) {
-            group.labels.emplace_back(key, value);
-        }
-    }
-
-    void add_part(
-        const GltfTriangles& shape,
-        const Affine& transform,
-        const std::string& material,
-        std::uint32_t line,
-        MeshGroup& group) {
-        constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-        if (shape.faces.empty()) {
-            return;
-        }
-        if (file_.vertices.size() + shape.points.size() >= kMost) {
-            if (!std::exchange(is_too_large_, true)) {
-                context_.reporter.fault(0, "it has more than 4294967294 vertices", "");
-            }
-            return;
-        }
-        const auto first = static_cast<std::uint32_t>(file_.vertices.size());
-        for (const Vec3& point : shape.points) {
-            file_.vertices.push_back(transform.point(point));
-        }
-        // A mirror image keeps the side that is its front.
-        const bool is_mirrored = determinant(transform) < 0;
-        MeshPart part{material, {}, std::vector<std::uint32_t>(shape.faces.size(), line)};
-        part.faces.reserve(shape.faces.size());
-        for (const auto& [a, b, c] : shape.faces) {
-            part.faces.push_back(
-                is_mirrored ? Face{first + a, first + c, first + b}
-                            : Face{first + a, first + b, first + c});
-        }
-        group.parts.push_back(std::move(part));
-    }
-
     /// The triangles of a mesh, read when it is first placed.
-    const std::vector<GltfTriangles>& shapes_of(std::size_t number) {
-        std::optional<std::vector<GltfTriangles>>& shapes = meshes_[number];
+    const std::vector<LocalTriangles>& shapes_of(std::size_t number) {
+        std::optional<std::vector<LocalTriangles>>& shapes = meshes_[number];
         if (!shapes) {
             shapes.emplace();
             for (const GltfPrimitive& primitive : document_.meshes[number].primitives) {
-                const bool has_triangles = primitive.mode != GltfMode::none;
+                const bool has_triangles = primitive.mode != CornerOrder::none;
                 without_triangles_ += has_triangles ? 0 : 1;
                 shapes->push_back(
-                    has_triangles ? shapes_.triangles(primitive).value_or(GltfTriangles())
-                                  : GltfTriangles());
+                    has_triangles ? shapes_.triangles(primitive).value_or(LocalTriangles())
+                                  : LocalTriangles());
                 note_material(primitive, shapes->back());
             }
         }
         return *shapes;
     }
 
-    void note_material(const GltfPrimitive& primitive, const GltfTriangles& triangles) {
+    void note_material(const GltfPrimitive& primitive, const LocalTriangles& triangles) {
         if (primitive.material && !triangles.faces.empty() &&
             document_.materials[*primitive.material].is_cut_out) {
             cut_out_.insert(document_.materials[*primitive.material].name);
@@ -163,25 +121,17 @@ class GltfSceneReader {
                 "material '{}' is transparent in part (alphaMode): its triangles are taken whole",
                 name));
         }
-        if (repeated_ids_ > 0) {
-            warn(fmt::format(
-                "{} nodes have an id that another node has: organs are counted instead",
-                repeated_ids_));
-            for (MeshGroup& group : file_.groups) {
-                group.id.reset();
-            }
-        }
+        drop_repeated_ids(file_, "node", context_.reporter);
     }
 
     const GltfDocument& document_;
     FormatContext& context_;
     GltfShapes shapes_;
     MeshFile file_{{}, {}, "node", {}};
-    std::vector<std::optional<std::vector<GltfTriangles>>> meshes_;  // those read so far
-    std::set<std::int64_t> ids_;
+    PlacedTriangles placed_;
+    std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;  // those read so far
     std::set<std::string> cut_out_;
-    std::size_t repeated_ids_ = 0, without_triangles_ = 0;
-    bool is_too_large_ = false;
+    std::size_t without_triangles_ = 0;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ class PlyValues {
             return std::nullopt;
         }
         std::array<char, sizeof(T)> bytes{};
-        std::copy_n(rest_.begin(), sizeof(T), bytes.begin());
+        std::memcpy(bytes.data(), rest_.data(), sizeof(T));
         rest_.remove_prefix(sizeof(T));
         const bool is_little = encoding_ == PlyEncoding::little_endian;
         if (is_little != (std::endian::native == std::endian::little)) {
@@ -163,8 +163,7 @@ class PlyReader {
     void read_face(const PlyElement& element) {
         corners_.clear();
         numbers_.clear();
-        std::optional<std::int64_t> organ;
-        std::string material;
+        PartKey key;
         for (const PlyProperty& property : element.properties) {
             const double x = scalar_or_list(element, property);
             switch (property.role) {
@@ -172,10 +171,10 @@ class PlyReader {
                     take_corners();
                     break;
                 case PlyRole::organ:
-                    organ = whole(property, x);
+                    key.organ = whole(property, x);
                     break;
                 case PlyRole::material:
-                    material = std::to_string(whole(property, x));
+                    key.material = whole(property, x);
                     break;
                 default:
                     break;
@@ -188,7 +187,7 @@ class PlyReader {
         }
         constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
         const auto line = static_cast<std::uint32_t>(std::min(number_, kMost));
-        if (part_of(organ, material).add_face(corners_, numbers_, line)) {
+        if (part_of(key).add_face(corners_, numbers_, line)) {
             crossed_.add("face", number_);
         }
     }
@@ -222,11 +221,27 @@ class PlyReader {
         }
     }
 
-    MeshPart& part_of(std::optional<std::int64_t> organ, const std::string& material) {
-        const auto [group, is_new_group] = groups_.try_emplace(organ, mesh_.groups.size());
-        if (is_new_group) {
-            mesh_.groups.push_back({"", organ, {}});
+    /// Which part a face belongs to.
+    struct PartKey {
+        std::optional<std::int64_t> organ = {}, material = {};
+        friend bool operator==(const PartKey&, const PartKey&) = default;
+    };
+
+    /// The part of a face; mostly that of the face before.
+    MeshPart& part_of(const PartKey& key) {
+        if (last_part_ == nullptr || !(key == last_key_)) {
+            last_part_ = &find_part(key);
+            last_key_ = key;
         }
+        return *last_part_;
+    }
+
+    MeshPart& find_part(const PartKey& key) {
+        const auto [group, is_new_group] = groups_.try_emplace(key.organ, mesh_.groups.size());
+        if (is_new_group) {
+            mesh_.groups.push_back({"", key.organ, {}});
+        }
+        const std::string material = key.material ? std::to_string(*key.material) : "";
         std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
         const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
             return part.material == material;
@@ -242,7 +257,7 @@ class PlyReader {
             });
         if (is_one && element.count > 0) {
             constexpr std::uint64_t kFewestBytes = 4;
-            MeshPart& part = part_of({}, "");
+            MeshPart& part = part_of({});
             part.faces.reserve(
                 std::min<std::uint64_t>(element.count, values_.bytes_left() / kFewestBytes));
             part.lines.reserve(part.faces.capacity());
@@ -258,6 +273,8 @@ class PlyReader {
     std::vector<double> items_;
     CrossedFaces crossed_;
     std::map<std::optional<std::int64_t>, std::size_t> groups_;
+    PartKey last_key_;
+    MeshPart* last_part_ = nullptr;
     std::uint64_t number_ = 0;
 };
 

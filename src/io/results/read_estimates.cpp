@@ -18,11 +18,16 @@ using SaxJson = nlohmann::json;
 /// number of what is being read in it.
 class EstimateReader final : public nlohmann::json_sax<SaxJson> {
   public:
-    EstimateReader(const EstimateQuery& query, const std::string& path)
-        : query_(query), path_(path) {}
+    EstimateReader(
+        const EstimateQuery& query,
+        const std::vector<EstimateNames>& columns,
+        const std::string& path)
+        : query_(query), columns_(columns), path_(path), times_(columns.size()) {}
 
-    std::vector<TimedEstimates> take() {
-        std::erase_if(times_, [](const TimedEstimates& time) { return time.values.empty(); });
+    std::vector<std::vector<TimedEstimates>> take() {
+        for (std::vector<TimedEstimates>& times : times_) {
+            std::erase_if(times, [](const TimedEstimates& time) { return time.values.empty(); });
+        }
         return std::move(times_);
     }
 
@@ -50,8 +55,8 @@ class EstimateReader final : public nlohmann::json_sax<SaxJson> {
         levels_.back().key = name;
         if (levels_.size() == list_depth()) {
             in_list_ = name == query_.list && is_part() && label_.starts_with(query_.label);
-            if (in_list_) {
-                times_.push_back({label_, {}});
+            for (std::size_t i = 0; in_list_ && i < times_.size(); ++i) {
+                times_[i].push_back({label_, {}});
             }
         }
         return true;
@@ -99,26 +104,26 @@ class EstimateReader final : public nlohmann::json_sax<SaxJson> {
     }
 
     bool real(double value) {
-        if (in_list_) {
-            take_number(value);
+        for (std::size_t i = 0; in_list_ && i < columns_.size(); ++i) {
+            take_number(value, columns_[i], times_[i]);
         }
         return next();
     }
 
-    void take_number(double value) {
+    /// @param names  what leads to the numbers that are wanted
+    void take_number(double value, const EstimateNames& names, std::vector<TimedEstimates>& times) {
         const std::size_t first = list_depth() + 1;  // below it: the names, and mean, low, ...
-        const bool is_null = levels_.size() == first + query_.names.size();
-        if (levels_.size() < first + query_.names.size() ||
-            levels_.size() > first + query_.names.size() + 1) {
+        const bool is_null = levels_.size() == first + names.size();
+        if (levels_.size() < first + names.size() || levels_.size() > first + names.size() + 1) {
             return;
         }
-        for (std::size_t i = 0; i < query_.names.size(); ++i) {
-            if (levels_[first + i].key != query_.names[i]) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (levels_[first + i].key != names[i]) {
                 return;
             }
         }
         const double unknown = std::numeric_limits<double>::quiet_NaN();
-        std::vector<Estimate>& values = times_.back().values;
+        std::vector<Estimate>& values = times.back().values;
         const std::size_t index = levels_[list_depth()].index;
         while (values.size() <= index) {
             values.push_back({unknown, unknown, unknown, unknown});
@@ -160,20 +165,29 @@ class EstimateReader final : public nlohmann::json_sax<SaxJson> {
     }
 
     const EstimateQuery& query_;
+    const std::vector<EstimateNames>& columns_;
     const std::string& path_;
     std::vector<Level> levels_;
     std::string label_;
     bool in_list_ = false;
-    std::vector<TimedEstimates> times_;
+    std::vector<std::vector<TimedEstimates>> times_;  // of each column
 };
 
 }  // namespace
 
-std::vector<TimedEstimates> read_estimates(
-    const std::string& text, const std::string& path, const EstimateQuery& query) {
-    EstimateReader reader(query, path);
+std::vector<std::vector<TimedEstimates>> read_estimate_columns(
+    const std::string& text,
+    const std::string& path,
+    const EstimateQuery& query,
+    const std::vector<EstimateNames>& columns) {
+    EstimateReader reader(query, columns, path);
     SaxJson::sax_parse(text, &reader);
     return reader.take();
+}
+
+std::vector<TimedEstimates> read_estimates(
+    const std::string& text, const std::string& path, const EstimateQuery& query) {
+    return read_estimate_columns(text, path, query, {query.names}).front();
 }
 
 }  // namespace quasimc

@@ -26,6 +26,19 @@ struct TimedEstimates {
     std::vector<Estimate> values;
 };
 
+/// What leads to an estimate, as EstimateQuery::names.
+using EstimateNames = std::vector<std::string>;
+
+/// Reads several kinds of estimates in one pass over the text of a JSON result.
+/// @param query    where they stand; its names are not looked at
+/// @param columns  what leads to each kind
+/// @returns  of each kind what read_estimates() returns
+[[nodiscard]] std::vector<std::vector<TimedEstimates>> read_estimate_columns(
+    const std::string& text,
+    const std::string& path,
+    const EstimateQuery& query,
+    const std::vector<EstimateNames>& columns);
+
 /// Reads estimates from the text of a JSON result, without keeping more of it in memory.
 /// @returns  in the order of the file; those times that have none of that name are left out
 /// @throws InputError  if it is not JSON. @param path  for messages

@@ -76,6 +76,30 @@ TEST(ReadEstimates, FindsThePointOfASweep) {
     EXPECT_TRUE(read_estimates(kPoints, "", {.names = names, .point = 2}).empty());
 }
 
+/// Several kinds in one pass are what each is by itself.
+TEST(ReadEstimates, TakesSeveralKindsAtOnce) {
+    const std::vector<EstimateNames> columns{
+        {"flux", "PAR"}, {"ratios", "R/FR"}, {"flux", "UV"}, {"sunlit_fraction"}};
+    for (const EstimateQuery& query :
+         {EstimateQuery{.part = "moments"}, EstimateQuery{.part = "total"}}) {
+        const auto together = read_estimate_columns(kTimes, "", query, columns);
+        ASSERT_EQ(together.size(), columns.size());
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            EstimateQuery one = query;
+            one.names = columns[i];
+            const auto alone = read_estimates(kTimes, "", one);
+            ASSERT_EQ(together[i].size(), alone.size()) << i;
+            for (std::size_t time = 0; time < alone.size(); ++time) {
+                EXPECT_EQ(together[i][time].label, alone[time].label);
+                ASSERT_EQ(together[i][time].values.size(), alone[time].values.size());
+                EXPECT_EQ(together[i][time].values[0].mean, alone[time].values[0].mean);
+            }
+        }
+        EXPECT_TRUE(together[2].empty());
+        EXPECT_FALSE(together[0].empty());
+    }
+}
+
 TEST(ReadEstimates, HasNothingForWhatIsNotThere) {
     EXPECT_TRUE(read_estimates(kOne, "", {.names = {"flux", "UV"}}).empty());
     EXPECT_TRUE(read_estimates(kOne, "", {.names = {"flux", "PAR"}, .part = "days"}).empty());

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace quasimc::bench {
+
+/// Leaves of 1,000 triangles each, 21 x 26 points that their triangles share.
+[[nodiscard]] Scene leaves(std::size_t count);
+
+/// The triangles of a scene in a format, also in one that is only read.
+[[nodiscard]] std::string text_of(std::string_view format, const Scene& scene);
+
+}  // namespace quasimc::bench

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/meshes/formats.h"
+#include "io/meshes/placed_triangles.h"
+#include "io/xml_tree.h"
+
+namespace quasimc {
+
+/// A part of a geometry of COLLADA.
+struct DaePart {
+    std::string_view symbol;  ///< stands for a material, which each instance binds
+    LocalTriangles triangles;
+};
+
+struct DaeGeometry {
+    std::string name;
+    std::vector<DaePart> parts;
+};
+
+/// A COLLADA file as a tree whose elements are found by their ids, and the geometries in it.
+class DaeLibrary {
+  public:
+    DaeLibrary(const XmlTree& tree, Reporter& reporter);
+
+    /// The element that "#id" names; nothing, and a fault, if there is none that is called so.
+    std::optional<std::size_t> target(
+        std::size_t of, std::string_view reference, std::string_view name);
+    /// The geometry of an element <geometry>, read when it is first asked for.
+    const DaeGeometry& geometry(std::size_t element);
+    /// What an element is called: its name, or its id.
+    [[nodiscard]] std::string name_of(std::size_t element) const;
+    /// The mean of the diffuse colour of a <material>, if it has one.
+    std::optional<double> reflectance(std::size_t material);
+    /// The numbers in an element; nothing after a fault.
+    /// @param count  how many there must be; nothing: any number
+    std::optional<std::vector<double>> numbers(
+        std::size_t element, std::optional<std::size_t> count = {});
+    void fault(
+        std::size_t element, std::string problem, std::string why = {}, std::string what = {});
+    /// Warns of what was left out and of faces whose sides cross.
+    void finish();
+
+  private:
+    /// What a primitive takes from its list of numbers for each corner.
+    struct Corners {
+        std::size_t stride = 1, offset = 0;         ///< of the numbers of vertices
+        std::optional<std::size_t> positions = {};  ///< the <source>
+    };
+
+    void read_mesh(std::size_t mesh, DaeGeometry& geometry);
+    void read_primitive(std::size_t primitive, DaeGeometry& geometry);
+    std::optional<Corners> read_inputs(std::size_t primitive);
+    std::optional<std::size_t> positions_of(std::size_t vertices);
+    std::optional<std::vector<Vec3>> read_points(std::size_t source);
+    std::optional<std::vector<std::uint32_t>> read_corners(
+        std::size_t list, const Corners& corners, std::size_t points);
+    void add_faces(
+        std::size_t primitive,
+        std::size_t list,
+        const std::vector<std::uint32_t>& corners,
+        DaePart& part);
+    void add_face(
+        std::size_t list, std::span<const std::uint32_t> corners, LocalTriangles& triangles);
+
+    const XmlTree& tree_;
+    Reporter& reporter_;
+    std::map<std::string_view, std::size_t> ids_;
+    std::map<std::size_t, DaeGeometry> geometries_;
+    CrossedFaces crossed_;
+    std::size_t left_out_ = 0;  // lines
+};
+
+}  // namespace quasimc
