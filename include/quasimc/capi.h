@@ -265,6 +265,13 @@ int quasimc_result_get_groups(
 /** A number of the run: "paths" (per replicate), "replicates", "rays", "fraction_at_target",
  *  "build_seconds", "trace_seconds", "trace_cpu_seconds". */
 int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value);
+/** How many rounds a run with a target error or a limit of paths took; 0: it was one round. */
+int64_t quasimc_result_round_count(const quasimc_result* result);
+/** What was known after a round. @param key  "paths" (per replicate, of all rounds up to it),
+ *  "seconds" (since the run began), "median_error", "worst_error" (relative standard errors over
+ *  organs and bands; NaN: no light was found), "fraction_at_target" */
+int quasimc_result_get_round(
+    const quasimc_result* result, int64_t round, const char* key, double* value);
 /** A text of the run: "method", "reason", "stop". NULL and an error if there is no such text. */
 const char* quasimc_result_text(const quasimc_result* result, const char* key);
 /** What is allowed but probably not meant. */

@@ -79,6 +79,21 @@ py::object audit_of(const Result& result) {
     return audit;
 }
 
+/// What was known after each round, named as in the JSON file.
+py::list rounds_of(const Result& result) {
+    py::list rounds;
+    for (const RoundErrors& known : result.rounds) {
+        py::dict round;
+        round["paths"] = known.paths;
+        round["seconds"] = known.seconds;
+        round["median_error"] = known.median;
+        round["worst_error"] = known.worst;
+        round["fraction_at_target"] = known.fraction_at_target;
+        rounds.append(round);
+    }
+    return rounds;
+}
+
 py::dict facts_of(const Result& result) {
     py::dict facts;
     facts["method"] = method_name(result.chosen.method);
@@ -92,6 +107,7 @@ py::dict facts_of(const Result& result) {
     facts["trace_seconds"] = result.trace_seconds;
     facts["trace_cpu_seconds"] = result.trace_cpu_seconds;
     facts["escaped_is_remainder"] = result.escaped_is_remainder;
+    facts["rounds"] = rounds_of(result);
     return facts;
 }
 

@@ -204,6 +204,7 @@ class Result(_Light):
     trace_seconds: float
     trace_cpu_seconds: float
     escaped_is_remainder: bool
+    rounds: list[dict[str, float]]
     def __init__(
         self,
         core: Any,

@@ -157,6 +157,11 @@ class Result(_Light):
     fraction_at_target : float
         Of the organs, where there was a target error.
     build_seconds, trace_seconds, trace_cpu_seconds : float
+    rounds : list of dict
+        Of a run with a target error or `max_paths`, what each round has brought: paths (per
+        replicate, of all rounds up to it), seconds (since the run began), median_error and
+        worst_error (relative standard errors over organs and bands), fraction_at_target. Empty if
+        it was one round.
     warnings : list of str
     sources : list of str
         In words.

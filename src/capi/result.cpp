@@ -142,6 +142,20 @@ const Estimate& budget_item(const BandBudget& budget, std::string_view item) {
     throw Misuse(fmt::format("the budget has no item '{}'", item));
 }
 
+/// The number of a name. @param what  has them, for messages
+template <std::size_t Count>
+double number_named(
+    const std::array<std::pair<std::string_view, double>, Count>& numbers,
+    std::string_view key,
+    std::string_view what) {
+    for (const auto& [name, number] : numbers) {
+        if (name == key) {
+            return number;
+        }
+    }
+    throw Misuse(fmt::format("a {} has no number '{}'", what, key));
+}
+
 double number_of(const Result& result, std::string_view key) {
     const std::array<std::pair<std::string_view, double>, 7> numbers{
         {{"paths", static_cast<double>(result.paths)},
@@ -151,12 +165,17 @@ double number_of(const Result& result, std::string_view key) {
          {"build_seconds", result.build_seconds},
          {"trace_seconds", result.trace_seconds},
          {"trace_cpu_seconds", result.trace_cpu_seconds}}};
-    for (const auto& [name, number] : numbers) {
-        if (name == key) {
-            return number;
-        }
-    }
-    throw Misuse(fmt::format("a result has no number '{}'", key));
+    return number_named(numbers, key, "result");
+}
+
+double number_of(const RoundErrors& round, std::string_view key) {
+    const std::array<std::pair<std::string_view, double>, 5> numbers{
+        {{"paths", static_cast<double>(round.paths)},
+         {"seconds", round.seconds},
+         {"median_error", round.median},
+         {"worst_error", round.worst},
+         {"fraction_at_target", round.fraction_at_target}}};
+    return number_named(numbers, key, "round");
 }
 
 const char* text_by_key(const quasimc_result& result, std::string_view key) {
@@ -316,6 +335,19 @@ int quasimc_result_get_groups(
 int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value) {
     return guarded([&] {
         deref(value, "value") = number_of(deref(result, "result").result, text_of(key, "key"));
+    });
+}
+
+int64_t quasimc_result_round_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(deref(result, "result").result.rounds.size()); });
+}
+
+int quasimc_result_get_round(
+    const quasimc_result* result, int64_t round, const char* key, double* value) {
+    return guarded([&] {
+        const auto& rounds = deref(result, "result").result.rounds;
+        deref(value, "value") = number_of(item_at(rounds, round, "round"), text_of(key, "key"));
     });
 }
 

@@ -57,6 +57,23 @@ def test_energy_closes(result):
         assert total == pytest.approx(budget["emitted"].mean + budget["roulette"].mean, rel=1e-9)
 
 
+def test_rounds_tell_how_errors_fell():
+    scene = canopy()
+    assert scene.run(**FEW).rounds == []
+    result = scene.run(paths=1024, replicates=4, max_paths=4096)
+    rounds = result.rounds
+    assert len(rounds) >= 2
+    paths = [known["paths"] for known in rounds]
+    assert paths[0] == 1024 and paths == sorted(paths) and paths[-1] == result.paths
+    light = result["absorbed_flux"]
+    organs = slice(0, -1)  # without the ground
+    errors = light.standard_error[organs] / light.mean[organs]
+    assert rounds[-1]["worst_error"] == pytest.approx(errors.max(), rel=1e-12)
+    middle = np.sort(errors, axis=None)[errors.size // 2]
+    assert rounds[-1]["median_error"] == pytest.approx(middle, rel=1e-12)
+    assert rounds[-1]["fraction_at_target"] == 0
+
+
 def test_groups_sum_their_organs(result):
     everything = result.groups.groups[0]
     assert everything["by"] == "all" and len(everything["organs"]) == 20

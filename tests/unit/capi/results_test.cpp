@@ -103,5 +103,33 @@ TEST(CResults, WarningsAreTold) {
         << quasimc_result_warning(result.get(), 0);
 }
 
+TEST(CResults, RoundsTellHowErrorsFell) {
+    const SceneHandle scene = small_canopy(2);
+    EXPECT_EQ(quasimc_result_round_count(run(*scene).get()), 0);
+    ASSERT_EQ(quasimc_scene_set_option(scene.get(), "paths", "256"), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_set_option(scene.get(), "max_paths", "1024"), QUASIMC_DONE);
+    const ResultHandle result = run(*scene);
+    ASSERT_TRUE(result);
+    const auto number = [&](std::int64_t round, const char* key) {
+        double value = -1;
+        EXPECT_EQ(quasimc_result_get_round(result.get(), round, key, &value), QUASIMC_DONE);
+        return value;
+    };
+    const std::int64_t rounds = quasimc_result_round_count(result.get());
+    ASSERT_GE(rounds, 2);
+    double paths = 0;
+    ASSERT_EQ(quasimc_result_get_number(result.get(), "paths", &paths), QUASIMC_DONE);
+    EXPECT_EQ(number(0, "paths"), 256);
+    EXPECT_EQ(number(rounds - 1, "paths"), paths);
+    EXPECT_GT(number(rounds - 1, "median_error"), 0);
+    EXPECT_GE(number(rounds - 1, "worst_error"), number(rounds - 1, "median_error"));
+    EXPECT_GE(number(rounds - 1, "seconds"), number(0, "seconds"));
+    EXPECT_EQ(number(0, "fraction_at_target"), 0);
+    double value = 0;
+    EXPECT_EQ(quasimc_result_get_round(result.get(), rounds, "paths", &value), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_result_get_round(result.get(), 0, "luck", &value), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_result_round_count(nullptr), -1);
+}
+
 }  // namespace
 }  // namespace quasimc::test
