@@ -7,6 +7,7 @@
 
 #include "io/results/json_stream.h"
 #include "io/results/window_scene.h"
+#include "io/results/window_shape.h"
 #include "view/window_names.h"
 
 namespace quasimc {
@@ -202,10 +203,9 @@ std::optional<WindowFile> LiveWindow::file(std::string_view name) {
         const auto found = scene((*numbers)[0]);
         return found ? std::optional(made(kJsonType, scene_json(*found))) : std::nullopt;
     }
-    if (const auto numbers = numbers_behind<1>("positions", name)) {
+    if (const auto numbers = numbers_behind<1>("shape", name)) {
         const auto found = scene((*numbers)[0]);
-        return found ? std::optional(made(kBytesType, window_positions(*found->scene)))
-                     : std::nullopt;
+        return found ? std::optional(made(kBytesType, window_shape(*found->scene))) : std::nullopt;
     }
     if (const auto numbers = numbers_behind<2>("light", name)) {
         const auto found = frame((*numbers)[0]);

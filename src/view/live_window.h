@@ -63,7 +63,7 @@ class LiveWindow {
     /// The bytes that frames take, about.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// What pages ask for: "live", "scene-S", "positions-S", "light-F-V" and "values-F-V-C", of
+    /// What pages ask for: "live", "scene-S", "shape-S", "light-F-V" and "values-F-V-C", of
     /// scene S, frame F and column C. Of a frame that is known better than in its version V, what
     /// is known now: a version tells browsers apart what is new.
     [[nodiscard]] std::optional<WindowFile> file(std::string_view name);

@@ -139,7 +139,7 @@ void write_report(const WindowData& data, const TextSink& sink) {
         }
         sink("</script>\n");
     };
-    binary("positions", data.positions);
+    binary("shape", data.shape);
     for (std::size_t i = 0; i < data.values.size(); ++i) {
         binary(fmt::format("values-{}", i), data.values[i]);
     }

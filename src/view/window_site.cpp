@@ -177,8 +177,8 @@ WindowFiles files_of(WindowData data) {
         if (name == "data") {
             return WindowFile{kJsonType, kept->json};
         }
-        if (name == "positions") {
-            return WindowFile{kBytesType, kept->positions};
+        if (name == "shape") {
+            return WindowFile{kBytesType, kept->shape};
         }
         const auto number = numbers_behind<1>("values", name);
         if (number && number->front() < kept->values.size()) {

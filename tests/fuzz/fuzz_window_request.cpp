@@ -44,7 +44,7 @@ quasimc::WindowFiles files_of_live_run() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using quasimc::WindowKind;
     static const quasimc::WindowSite done =
-        make_site(quasimc::files_of({"{}", "positions", {"values"}}), WindowKind::of_result);
+        make_site(quasimc::files_of({"{}", "shape", {"values"}}), WindowKind::of_result);
     static const quasimc::WindowSite live = make_site(files_of_live_run(), WindowKind::live);
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const bool has_both =

@@ -1,6 +1,6 @@
 // Histogram and height profile, as SVG; both are lists of buttons as well.
 
-import { short, ticks } from "./numbers.js";
+import { endsOf, short, ticks } from "./numbers.js";
 
 const kSvg = "http://www.w3.org/2000/svg";
 const kWidth = 480;
@@ -37,105 +37,149 @@ function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, 
   return { svg, x, y };
 }
 
-/** A bar that can be pressed, by mouse or key. */
-function button(svg, attributes, label, onPress) {
-  const bar = add(svg, "rect", { class: "bar", tabindex: 0, role: "button", "aria-label": label, ...attributes });
-  add(bar, "title", {}, label);
-  bar.addEventListener("click", onPress);
-  bar.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" || event.key === " ") {
-      event.preventDefault();
-      onPress();
+/**
+ * Bars that can be pressed and pointed at, by mouse or key.
+ * @param binOf  of each organ the number of its bar, -1 for none
+ * @param bars  {bin, place, label, from, to} of each
+ * @param acts  onRange is called with the ends of a bar that is pressed, onPoint with the organs and
+ *     the label of the one that is pointed at, null when it no longer is
+ * @returns (organ) => the ends of its bar, which is set apart from the others; null for none
+ */
+function addBars(svg, binOf, bars, { onRange, onPoint }) {
+  const made = new Map();
+  for (const { bin, place, label, from, to } of bars) {
+    const bar = add(svg, "rect", { class: "bar", tabindex: 0, role: "button", "aria-label": label, "data-bin": bin, ...place });
+    add(bar, "title", {}, label);
+    const point = () => {
+      const organs = [];
+      binOf.forEach((own, organ) => own === bin && organs.push(organ));
+      onPoint(organs, label);
+    };
+    const listen = (events, act) => events.forEach((event) => bar.addEventListener(event, act));
+    listen(["pointerenter", "focus"], point);
+    listen(["pointerleave", "blur"], () => onPoint(null));
+    listen(["click"], () => onRange(from, to));
+    listen(["keydown"], (event) => {
+      if (event.key === "Enter" || event.key === " ") {
+        event.preventDefault();
+        onRange(from, to);
+      }
+    });
+    made.set(bin, { bar, ends: `${short(from)} to ${short(to)}` });
+  }
+  return (organ) => {
+    const own = organ === null ? undefined : made.get(binOf[organ]);
+    for (const each of made.values()) {
+      each.bar.classList.toggle("holds", each === own);
+      each.bar.setAttribute("aria-current", String(each === own));
     }
-  });
+    return own?.ends ?? null;
+  };
 }
 
-/**
- * How many of the organs shown have which value. @param onRange  called with the ends of a bar
- * that is pressed
- */
-export function drawHistogram(parent, numbers, isShown, title, onRange) {
-  let low = Infinity;
-  let high = -Infinity;
-  numbers.forEach((value) => {
-    if (Number.isFinite(value)) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
+/** Draws anew what a chart shows; the bar that has the focus keeps it. */
+function keepingFocus(parent, draw) {
+  const bin = parent.contains(document.activeElement) ? document.activeElement.dataset.bin : undefined;
+  const result = draw();
+  if (bin !== undefined) {
+    parent.querySelector(`[data-bin="${bin}"]`)?.focus();
+  }
+  return result;
+}
+
+const kNoBars = () => null;
+
+/** Of each number its bin, one of `bins` between the ends; -1 of what is left out. */
+function binsOf(numbers, bins, { low, high }, isIn) {
+  const width = (high - low) / bins;
+  const result = new Int16Array(numbers.length).fill(-1);
+  for (let organ = 0; organ < numbers.length; ++organ) {
+    if (Number.isFinite(numbers[organ]) && isIn(organ)) {
+      result[organ] = width > 0 ? Math.min(bins - 1, Math.floor((numbers[organ] - low) / width)) : 0;
     }
-  });
+  }
+  return result;
+}
+
+/** How many of the organs shown have which value. @param acts, @returns  see addBars */
+export function drawHistogram(parent, { numbers, isShown, title }, acts) {
+  const ends = endsOf(numbers);
+  const { low, high } = ends;
+  if (!(high >= low)) {
+    parent.textContent = "No organ has this number.";
+    return kNoBars;
+  }
   const bins = 24;
   const width = (high - low) / bins;
   const all = new Array(bins).fill(0);
   const shown = new Array(bins).fill(0);
-  numbers.forEach((value, organ) => {
-    if (Number.isFinite(value)) {
-      const bin = width > 0 ? Math.min(bins - 1, Math.floor((value - low) / width)) : 0;
-      ++all[bin];
-      shown[bin] += isShown(organ) ? 1 : 0;
+  const binOf = binsOf(numbers, bins, ends, () => true);
+  for (let organ = 0; organ < binOf.length; ++organ) {
+    if (binOf[organ] >= 0) {
+      ++all[binOf[organ]];
+      shown[binOf[organ]] += isShown[organ];
+      binOf[organ] = isShown[organ] ? binOf[organ] : -1;
     }
+  }
+  return keepingFocus(parent, () => {
+    const { svg, x, y } = start(parent, "Histogram", [low, high > low ? high : low + 1], [0, Math.max(...all)], title,
+      Number.isInteger);
+    const bars = [];
+    for (let bin = 0; bin < bins; ++bin) {
+      const from = low + bin * width;
+      const to = bin === bins - 1 ? high : from + width;
+      const place = (count) => ({
+        x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
+      });
+      if (all[bin] > 0) {
+        add(svg, "rect", { class: "all", ...place(all[bin]) });
+        const label = `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organs`;
+        bars.push({ bin, place: place(shown[bin]), label, from, to });
+      }
+    }
+    return addBars(svg, binOf, bars, acts);
   });
-  if (!(high >= low)) {
-    parent.textContent = "No organ has this number.";
-    return;
-  }
-  const { svg, x, y } = start(parent, "Histogram", [low, high > low ? high : low + 1], [0, Math.max(...all)], title,
-    Number.isInteger);
-  for (let bin = 0; bin < bins; ++bin) {
-    const from = low + bin * width;
-    const to = bin === bins - 1 ? high : from + width;
-    const place = (count) => ({
-      x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
-    });
-    if (all[bin] > 0) {
-      add(svg, "rect", { class: "all", ...place(all[bin]) });
-      button(svg, place(shown[bin]), `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organs`,
-        () => onRange(from, to));
-    }
-  }
 }
 
 /**
- * Means over the organs shown, weighted by area, in layers of height. @param onRange  called with
- * the ends of a layer that is pressed
+ * Means over the organs shown, weighted by area, in layers of height.
+ * @param acts, @returns  see addBars
  */
-export function drawProfile(parent, numbers, heights, areas, isShown, title, onRange) {
-  let low = Infinity;
-  let high = -Infinity;
-  heights.forEach((h, organ) => {
-    if (areas[organ] > 0) {
-      low = Math.min(low, h);
-      high = Math.max(high, h);
-    }
-  });
+export function drawProfile(parent, { numbers, isShown, title, heights, areas }, acts) {
+  const ends = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
+  const { low, high } = ends;
   const layers = high > low ? 12 : 1;
   const thick = (high - low) / layers;
+  const layerOf = binsOf(heights, layers, ends,
+    (organ) => areas[organ] > 0 && isShown[organ] === 1 && Number.isFinite(numbers[organ]));
   const sums = Array.from({ length: layers }, () => ({ area: 0, sum: 0, count: 0 }));
-  numbers.forEach((value, organ) => {
-    if (Number.isFinite(value) && areas[organ] > 0 && isShown(organ)) {
-      const layer = sums[thick > 0 ? Math.min(layers - 1, Math.floor((heights[organ] - low) / thick)) : 0];
-      layer.area += areas[organ];
-      layer.sum += areas[organ] * value;
-      ++layer.count;
+  layerOf.forEach((number, organ) => {
+    if (number >= 0) {
+      sums[number].area += areas[organ];
+      sums[number].sum += areas[organ] * numbers[organ];
+      ++sums[number].count;
     }
   });
   const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
   const known = means.filter(Number.isFinite);
   if (known.length === 0) {
     parent.textContent = "No organ is shown that has this number.";
-    return;
+    return kNoBars;
   }
-  const ends = [Math.min(0, ...known), Math.max(0, ...known) || 1];
-  const { svg, x, y } = start(parent, "Height profile", ends, [low, high > low ? high : low + 1], title);
-  means.forEach((mean, i) => {
-    if (Number.isFinite(mean)) {
-      const from = low + i * thick;
-      const to = i === layers - 1 ? high : from + thick;
+  return keepingFocus(parent, () => {
+    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...known), Math.max(0, ...known) || 1],
+      [low, high > low ? high : low + 1], title);
+    const bars = means.map((mean, bin) => {
+      const from = low + bin * thick;
+      const to = bin === layers - 1 ? high : from + thick;
       const top = y(to || from + 1);
-      button(svg,
-        { x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1) },
-        `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[i].count} organs`,
-        () => onRange(from, to));
-    }
+      const place = {
+        x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
+      };
+      const label = `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[bin].count} organs`;
+      return { bin, place, label, from, to };
+    });
+    return addBars(svg, layerOf, bars.filter(({ bin }) => Number.isFinite(means[bin])), acts);
   });
 }
 

@@ -1,5 +1,7 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
+import { readShape } from "./shape.js";
+
 /** The bytes that a base64 text says. */
 export function fromBase64(text) {
   const letters = atob(text);
@@ -40,15 +42,16 @@ async function readBytes(name) {
 /** Everything of a run; numbers of a time are read when they are first asked for. */
 export class RunData {
   static async load() {
-    const [json, colorMaps] = await Promise.all([readJson("data"), readJson("colors")]);
-    const positions = new Float32Array(await readBytes("positions"));
-    return new RunData(json, colorMaps, positions, (blob) => readBytes(`values-${blob}`));
+    const [json, colorMaps, shape] = await Promise.all([readJson("data"), readJson("colors"), readBytes("shape")]);
+    return new RunData(json, colorMaps, readShape(shape, json.organs.count), (blob) => readBytes(`values-${blob}`));
   }
 
   /** @param readBlob  gives a promise of the bytes of numbers, null if they can't be had */
-  constructor(json, colorMaps, positions, readBlob) {
-    Object.assign(this, { json, colorMaps, positions, readBlob });
-    this.count = json.organs.id.length;
+  constructor(json, colorMaps, shape, readBlob) {
+    Object.assign(this, { json, colorMaps, shape, readBlob });
+    this.count = json.organs.count;
+    this.isGround = new Uint8Array(this.count);
+    json.organs.ground.forEach((organ) => (this.isGround[organ] = 1));
     this.known = new Map();
     this.columns = json.columns
       .map((column, number) => ({ ...column, number }))
@@ -98,8 +101,20 @@ export class RunData {
     return part === "total" ? "sum of all times" : label;
   }
 
+  /** The user's number of an organ, as text: it may be more than a number holds. */
+  idOf(organ) {
+    return this.json.organs.id?.[organ] ?? String(organ + 1);
+  }
+
+  /** -1: there is none. */
+  organOfId(text) {
+    const { id, count } = this.json.organs;
+    const number = Number(text);
+    return id ? id.indexOf(text) : String(number) === text && number >= 1 && number <= count ? number - 1 : -1;
+  }
+
   organName(organ) {
-    return this.json.organs.name[organ] || `organ ${this.json.organs.id[organ]}`;
+    return this.json.organs.name?.[organ] || `organ ${this.idOf(organ)}`;
   }
 
   /** What the result says beside its organs: energy, groups, method at a time. */

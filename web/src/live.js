@@ -1,6 +1,7 @@
 // A run that goes on: its states so far, as the server tells of them.
 
 import { RunData, readJson, request } from "./data.js";
+import { readShape } from "./shape.js";
 
 const kBetween = 400; // milliseconds from one question for news to the next
 const kHidden = 3000; // the same while nobody sees the page
@@ -43,8 +44,8 @@ export class LiveRun {
   #scene(number) {
     if (!this.scenes.has(number)) {
       this.scenes.set(number, Promise.all([
-        readJson(`scene-${number}`), request(`positions-${number}`).then((answer) => answer.arrayBuffer()),
-      ]).then(([json, bytes]) => ({ json, positions: new Float32Array(bytes) })));
+        readJson(`scene-${number}`), request(`shape-${number}`).then((answer) => answer.arrayBuffer()),
+      ]).then(([json, bytes]) => ({ json, triangles: readShape(bytes, json.organs.count) })));
     }
     return this.scenes.get(number);
   }
@@ -60,7 +61,7 @@ export class LiveRun {
           head: { ...shape.json.head, ...light.head },
           times: [{ part: "", index: 0, label, suns, values }],
         };
-        return new RunData(json, this.colorMaps, shape.positions,
+        return new RunData(json, this.colorMaps, shape.triangles,
           (column) => valuesOrNothing(`values-${key}-${column}`));
       }));
     }

@@ -43,48 +43,84 @@ export function ticks(low, high, count) {
   return result;
 }
 
+/** The least and the largest of numbers that are finite; low > high where there is none. */
+export function endsOf(numbers) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < numbers.length; ++i) {
+    if (Number.isFinite(numbers[i])) {
+      low = Math.min(low, numbers[i]);
+      high = Math.max(high, numbers[i]);
+    }
+  }
+  return { low, high };
+}
+
+/** What a part of the area exceeds. Numbers of one bin of many are sorted, not all. */
+function exceededBy(numbers, areas, part, { low, high }) {
+  const bins = 4096;
+  const binOf = (value) => Math.min(bins - 1, Math.floor(((value - low) / (high - low)) * bins));
+  const sums = new Float64Array(bins);
+  let total = 0;
+  for (let i = 0; i < numbers.length; ++i) {
+    if (Number.isFinite(numbers[i])) {
+      sums[binOf(numbers[i])] += areas[i];
+      total += areas[i];
+    }
+  }
+  let bin = bins - 1;
+  let above = 0;
+  while (bin > 0 && above + sums[bin] <= total * part) {
+    above += sums[bin--];
+  }
+  const within = [];
+  numbers.forEach((value, i) => Number.isFinite(value) && binOf(value) === bin && within.push(i));
+  within.sort((a, b) => numbers[b] - numbers[a]);
+  for (const i of within) {
+    above += areas[i];
+    if (above > total * part) {
+      return numbers[i];
+    }
+  }
+  return within.length > 0 ? numbers[within.at(-1)] : low;
+}
+
 /**
  * Ends of a scale of colours: from 0, unless some are negative, to what a two-hundredth of the area
  * exceeds, so that single organs do not darken all others.
  */
 export function scaleOf(numbers, areas) {
-  const known = [];
-  let least = 0;
-  let total = 0;
-  for (let i = 0; i < numbers.length; ++i) {
-    if (Number.isFinite(numbers[i])) {
-      known.push(i);
-      least = Math.min(least, numbers[i]);
-      total += areas[i];
-    }
+  const ends = endsOf(numbers);
+  if (!(ends.high >= ends.low)) {
+    return { low: 0, high: 1 };
   }
-  known.sort((a, b) => numbers[b] - numbers[a]);
-  let above = 0;
-  let high = known.length > 0 ? numbers[known[0]] : 1;
-  for (const i of known) {
-    high = numbers[i];
-    above += areas[i];
-    if (above > total / 200) {
-      break;
-    }
-  }
-  if (known.length > 0 && !(high > least)) {
-    high = numbers[known[0]];
-  }
-  return { low: least, high: high > least ? high : least + 1 };
+  const low = Math.min(0, ends.low);
+  const usual = ends.high > ends.low ? exceededBy(numbers, areas, 1 / 200, ends) : ends.high;
+  const high = usual > low ? usual : ends.high;
+  return { low, high: high > low ? high : low + 1 };
 }
 
-/** The colour [r, g, b] of a number on a scale; grey what is not known. */
-export function colorOf(value, scale, map) {
-  if (!Number.isFinite(value)) {
-    return [200, 200, 200];
+/** `count` colours of a map, red in the lowest of three bytes. */
+function paletteOf(map, count) {
+  return Int32Array.from({ length: count }, (_, i) => {
+    const at = (i / (count - 1)) * (map.length - 1);
+    const below = Math.min(map.length - 2, Math.floor(at));
+    const mix = (k) => Math.round(map[below][k] + (at - below) * (map[below + 1][k] - map[below][k]));
+    return mix(0) | (mix(1) << 8) | (mix(2) << 16);
+  });
+}
+
+/** Colours of numbers on a scale, red in the lowest of three bytes: grey what is not known, -1 what is not shown. */
+export function colorsOf(numbers, isShown, scale, map) {
+  const kGrey = 0xc8c8c8;
+  const last = 1023;
+  const palette = paletteOf(map, last + 1);
+  const factor = last / (scale.high - scale.low);
+  const colors = new Int32Array(numbers.length);
+  for (let i = 0; i < numbers.length; ++i) {
+    const part = Math.round((numbers[i] - scale.low) * factor);
+    const color = Number.isFinite(numbers[i]) ? palette[Math.min(last, Math.max(0, part))] : kGrey;
+    colors[i] = isShown[i] ? color : -1;
   }
-  const part = Math.min(1, Math.max(0, (value - scale.low) / (scale.high - scale.low)));
-  const at = part * (map.length - 1);
-  const below = Math.min(map.length - 2, Math.floor(at));
-  const rest = at - below;
-  const low = map[below];
-  const high = map[below + 1];
-  const mix = (k) => Math.round(low[k] + rest * (high[k] - low[k]));
-  return [mix(0), mix(1), mix(2)];
+  return colors;
 }

@@ -1,136 +1,124 @@
 // The scene in three dimensions, drawn when something has changed.
 
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, DataTexture, DoubleSide, GLSL3, Group, Line,
-  LineBasicMaterial, LineLoop, Mesh, NearestFilter, NoBlending, PerspectiveCamera, RGBAFormat,
-  RawShaderMaterial, Scene, Sprite, SpriteMaterial, UnsignedByteType, Vector3, Vector4,
-  WebGLRenderTarget, WebGLRenderer,
+  DoubleSide, GLSL3, Group, Mesh, NearestFilter, NoBlending, PerspectiveCamera, RawShaderMaterial, Scene,
+  Vector2, Vector3, Vector4, WebGLRenderTarget, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-
-const kTextureWidth = 2048;
+import { disposeDirections, makeDirections } from "./directions.js";
+import { FrameBudget } from "./budget.js";
+import { OrganGeometry } from "./shape.js";
 
 const kVertexShader = `
 precision highp float;
-precision highp sampler2D;
+precision highp int;
 uniform mat4 projectionMatrix, modelViewMatrix;
-uniform sampler2D colors;
+uniform vec4 cut;
 in vec3 position;
-in float organ;
-out vec3 place, seen;
-flat out vec3 color;
-flat out float number;
+in uint tint;
+flat out uint color;
+#ifdef CUT
+out float beyond;
+#endif
 void main() {
-  int i = int(organ + 0.5);
-  vec4 own = texelFetch(colors, ivec2(i % ${kTextureWidth}, i / ${kTextureWidth}), 0);
-  vec4 view = modelViewMatrix * vec4(position, 1.0);
-  color = own.rgb;
-  number = organ;
-  place = position;
-  seen = view.xyz;
-  gl_Position = own.a < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
+  color = tint;
+#ifdef CUT
+  beyond = dot(cut.xyz, position) - cut.w;
+#endif
+  gl_Position = tint == 0u ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
 }`;
 
-// Colours are light, not paint: only a little darker where a surface is seen edge-on.
+// Colours are light, not paint: only a little darker where a surface is seen edge-on. Its normal
+// follows from how depth changes from pixel to pixel: the plane z = slope * xy + c of the
+// projection, taken back through the matrix. So corners carry no more than a colour.
 const kFragmentShader = `
 precision highp float;
-uniform vec4 cut;
-uniform float chosen;
-uniform bool picking;
-in vec3 place, seen;
-flat in vec3 color;
-flat in float number;
+precision highp int;
+uniform mat4 projectionMatrix;
+uniform vec2 size;
+flat in uint color;
+#ifdef CUT
+in float beyond;
+#endif
 out vec4 result;
 void main() {
-  if (dot(cut.xyz, place) > cut.w) { discard; }
-  if (picking) {
-    int i = int(number + 0.5) + 1;
-    result = vec4(float(i & 255), float((i >> 8) & 255), float((i >> 16) & 255), 255.0) / 255.0;
-    return;
-  }
-  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
-  float facing = abs(dot(normal, normalize(seen)));
-  vec3 shown = color * (0.72 + 0.28 * facing);
-  if (abs(number - chosen) < 0.5) { shown = mix(shown, vec3(1.0, 0.1, 0.5), 0.75); }
-  result = vec4(shown, 1.0);
+#ifdef CUT
+  if (beyond > 0.0) { discard; }
+#endif
+  vec4 own = vec4(uvec4(color, color >> 8, color >> 16, color >> 24) & 255u) / 255.0;
+#ifdef PICKING
+  result = vec4(own.rgb, 1.0);
+#else
+  vec2 opening = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
+  vec3 seen = 2.0 * gl_FragCoord.xyz / vec3(size, 1.0) - 1.0;
+  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) * size;
+  vec3 normal = vec3(opening * slope, dot(slope, seen.xy) - seen.z - projectionMatrix[2][2]);
+  float facing = abs(dot(normalize(normal), normalize(vec3(seen.xy / opening, -1.0))));
+  vec3 shown = own.rgb * (0.72 + 0.28 * facing);
+  result = vec4(own.a < 0.75 ? mix(shown, vec3(1.0, 0.1, 0.5), 0.75) : shown, 1.0);
+#endif
 }`;
 
-/** Whether WebGL is done by the processor: then smooth edges cost more than they are worth. */
-function isSoftware() {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+/** Whether the processor does what graphics should. */
+function isSoftware(gl) {
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 /**
- * Corners that neighbours in the list share are kept once: {places, organs, corners}, of which the
- * last are three numbers of places a triangle. Only the last few places of an organ are looked at.
+ * What draws on a canvas, or on one that takes its place. Smooth edges are decided on when graphics
+ * are asked for. To ask takes long where the processor does their work, and smooth edges cost more
+ * than they are worth: so one asks without them first.
  */
-export function weld(positions, triangles) {
-  const kLast = 8;
-  const places = new Float32Array(positions.length);
-  const organs = new Float32Array(positions.length / 3);
-  const corners = new Uint32Array(positions.length / 3);
-  let corner = 0;
-  let count = 0;
-  for (let organ = 0; organ < triangles.length; ++organ) {
-    const first = count;
-    for (const end = corner + 3 * triangles[organ]; corner < end; ++corner) {
-      const x = positions[3 * corner];
-      const y = positions[3 * corner + 1];
-      const z = positions[3 * corner + 2];
-      let at = count - 1;
-      const least = Math.max(first, count - kLast);
-      while (at >= least && (places[3 * at] !== x || places[3 * at + 1] !== y || places[3 * at + 2] !== z)) {
-        --at;
-      }
-      if (at < least) {
-        at = count++;
-        places[3 * at] = x;
-        places[3 * at + 1] = y;
-        places[3 * at + 2] = z;
-        organs[at] = organ;
-      }
-      corners[corner] = at;
-    }
+function makeRenderer(canvas) {
+  const gl = canvas.getContext("webgl2", { alpha: true, antialias: false });
+  if (!gl) {
+    throw new Error("no context");
   }
-  return { places: places.slice(0, 3 * count), organs: organs.slice(0, count), corners };
+  if (isSoftware(gl)) {
+    return new WebGLRenderer({ canvas, context: gl });
+  }
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  const other = canvas.cloneNode();
+  canvas.replaceWith(other);
+  const renderer = new WebGLRenderer({ canvas: other, antialias: true, alpha: true });
+  renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio || 1));
+  return renderer;
 }
 
-function letter(text, color) {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d");
-  pen.font = "bold 44px sans-serif";
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillStyle = color;
-  pen.fillText(text, 32, 34);
-  return new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+function makeMaterial(defines, uniforms) {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3, vertexShader: kVertexShader, fragmentShader: kFragmentShader,
+    defines, uniforms, side: DoubleSide, blending: NoBlending,
+  });
 }
 
 export class SceneWindow {
-  /** Throws where there is no WebGL. */
+  /** @param canvas  another one may take its place  Throws where there is no WebGL. */
   constructor(canvas, run) {
-    this.canvas = canvas;
     this.run = run;
-    const isSlow = isSoftware();
-    this.renderer = new WebGLRenderer({ canvas, antialias: !isSlow, alpha: true });
-    this.renderer.setPixelRatio(isSlow ? 1 : Math.min(2, globalThis.devicePixelRatio || 1));
+    this.renderer = makeRenderer(canvas);
+    this.canvas = this.renderer.domElement;
     this.scene = new Scene();
     this.#measure();
     this.camera = new PerspectiveCamera(35, 1, this.radius / 1000, this.radius * 100);
     this.camera.up.set(0, 0, 1);
+    this.uniforms = { cut: { value: new Vector4(0, 0, 0, 1) }, size: { value: new Vector2() } };
+    this.material = makeMaterial({}, this.uniforms);
+    this.picking = makeMaterial({ PICKING: "" }, this.uniforms);
+    this.budget = new FrameBudget(this.renderer.getContext(), () => this.changed());
     this.#addTriangles();
     this.directions = new Group();
     this.scene.add(this.directions);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.changed());
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("change", () => {
+      this.budget.moved();
+      this.changed();
+    });
     this.picture = new WebGLRenderTarget(1, 1); // which organ is seen at each pixel
     this.picture.texture.minFilter = this.picture.texture.magFilter = NearestFilter;
-    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement);
+    new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
     this.look(200, 25);
     this.#resize();
   }
@@ -151,9 +139,7 @@ export class SceneWindow {
     const showsAll = this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
       Math.abs(from.length() / this.#distance() - 1) < 1e-3;
     this.scene.remove(this.mesh);
-    this.mesh.geometry.dispose();
-    this.material.dispose();
-    this.colors.dispose();
+    this.organs.dispose();
     this.run = run;
     this.#measure();
     this.#addTriangles();
@@ -179,57 +165,38 @@ export class SceneWindow {
   }
 
   #addTriangles() {
-    const { run } = this;
-    const rows = Math.max(1, Math.ceil(run.count / kTextureWidth));
-    this.texels = new Uint8Array(4 * kTextureWidth * rows);
-    this.colors = new DataTexture(this.texels, kTextureWidth, rows, RGBAFormat, UnsignedByteType);
-    const geometry = new BufferGeometry();
-    const { places, organs, corners } = weld(run.positions, run.json.organs.triangles);
-    geometry.setAttribute("position", new BufferAttribute(places, 3));
-    geometry.setAttribute("organ", new BufferAttribute(organs, 1));
-    geometry.setIndex(new BufferAttribute(corners, 1));
-    this.material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: kVertexShader,
-      fragmentShader: kFragmentShader,
-      uniforms: {
-        colors: { value: this.colors },
-        cut: { value: new Vector4(0, 0, 0, 1) },
-        chosen: { value: -1 },
-        picking: { value: false },
-      },
-      side: DoubleSide,
-      blending: NoBlending,
-    });
-    this.mesh = new Mesh(geometry, this.material);
+    this.organs = new OrganGeometry(this.run.shape);
+    this.budget.triangles = this.run.shape.triangles;
+    this.mesh = new Mesh(this.organs.colored, this.material);
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
 
-  /** @param colorOfOrgan  [r, g, b] of an organ, null to hide it */
-  paint(colorOfOrgan) {
-    const { texels } = this;
-    for (let i = 0; i < this.run.count; ++i) {
-      const color = colorOfOrgan(i);
-      texels[4 * i + 3] = color ? 255 : 0;
-      if (color) {
-        texels[4 * i] = color[0];
-        texels[4 * i + 1] = color[1];
-        texels[4 * i + 2] = color[2];
-      }
-    }
-    this.colors.needsUpdate = true;
+  /** @param colors  of each organ, red in the lowest of three bytes; negative hides it */
+  paint(colors) {
+    this.organs.paint(colors);
     this.changed();
   }
 
-  choose(organ) {
-    this.material.uniforms.chosen.value = organ ?? -1;
-    this.changed();
+  /** Sets organs apart from all others. */
+  mark(organs) {
+    this.organs.mark(organs);
+    this.changed(false);
   }
 
   /** Shows dot(normal, p) <= offset, null for all. */
   cut(normal, offset) {
-    this.material.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
+    this.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
+    for (const material of [this.material, this.picking]) {
+      if (normal ? material.defines.CUT === undefined : material.defines.CUT !== undefined) {
+        material.needsUpdate = true;
+        if (normal) {
+          material.defines.CUT = "";
+        } else {
+          delete material.defines.CUT;
+        }
+      }
+    }
     this.changed();
   }
 
@@ -267,47 +234,20 @@ export class SceneWindow {
 
   /** Horizon, north and suns; suns are unit vectors towards them. */
   showDirections(suns, isShown) {
-    this.directions.clear();
-    if (!isShown) {
-      this.changed();
-      return;
-    }
-    const size = 1.15 * this.radius;
-    const base = this.low.z;
-    const middle = this.#middle().setZ(base);
-    const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
-    const line = (points, color, Kind = Line) => {
-      const geometry = new BufferGeometry().setFromPoints(points);
-      this.directions.add(new Kind(geometry, new LineBasicMaterial({ color })));
-    };
-    const ring = [];
-    for (let i = 0; i < 72; ++i) {
-      const angle = (i * Math.PI) / 36;
-      ring.push(at([Math.cos(angle), Math.sin(angle), 0], size));
-    }
-    line(ring, 0x88919a, LineLoop);
-    const north = this.run.json.north;
-    line([at(north, 0.92 * size), at(north, 1.08 * size)], 0x88919a);
-    this.#addLetter("N", "#88919a", at(north, 1.16 * size));
-    for (const sun of suns.slice(0, 24)) {
-      line([at(sun, 0.85 * size), at(sun, 1.25 * size)], 0xe09b00);
-      this.#addLetter("☀", "#e09b00", at(sun, 1.33 * size));
-    }
-    this.changed();
+    this.scene.remove(this.directions);
+    disposeDirections(this.directions);
+    const base = this.#middle().setZ(this.low.z);
+    this.directions = isShown ? makeDirections(base, this.radius, this.run.json.north, suns) : new Group();
+    this.scene.add(this.directions);
+    this.changed(false);
   }
 
-  #addLetter(text, color, place) {
-    const sprite = letter(text, color);
-    sprite.position.copy(place);
-    sprite.scale.setScalar(0.16 * this.radius);
-    this.directions.add(sprite);
-  }
-
-  changed() {
-    this.isPictureOld = true;
+  /** @param moves  whether another organ may be seen at a pixel */
+  changed(moves = true) {
+    this.isPictureOld ||= moves;
     if (!this.isAsked) {
       this.isAsked = true;
-      requestAnimationFrame(() => this.draw());
+      this.budget.whenReady(() => requestAnimationFrame(() => this.draw()));
     }
   }
 
@@ -317,7 +257,12 @@ export class SceneWindow {
     this.camera.near = Math.max(far - 3 * this.radius, far / 500);
     this.camera.far = far + 3 * this.radius;
     this.camera.updateProjectionMatrix();
+    this.renderer.getDrawingBufferSize(this.uniforms.size.value);
+    const geometry = this.mesh.geometry;
+    geometry.setDrawRange(0, 3 * Math.ceil(this.budget.share * this.run.shape.triangles));
     this.renderer.render(this.scene, this.camera);
+    geometry.setDrawRange(0, Infinity);
+    this.budget.drawn();
   }
 
   #resize() {
@@ -337,12 +282,14 @@ export class SceneWindow {
     if (this.isPictureOld) {
       this.picture.setSize(width, height);
       this.directions.visible = false;
-      this.material.uniforms.picking.value = true;
+      this.mesh.geometry = this.organs.numbers();
+      this.mesh.material = this.picking;
       this.renderer.setRenderTarget(this.picture);
       this.renderer.clear();
       this.renderer.render(this.scene, this.camera);
       this.renderer.setRenderTarget(null);
-      this.material.uniforms.picking.value = false;
+      this.mesh.geometry = this.organs.colored;
+      this.mesh.material = this.material;
       this.directions.visible = true;
       this.isPictureOld = false;
     }

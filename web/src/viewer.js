@@ -3,40 +3,15 @@
 import { drawHistogram, drawProfile } from "./charts.js";
 import { RunData } from "./data.js";
 import { Follower, LiveRun, isLive } from "./live.js";
-import { colorOf, scaleOf, short, ticks, withError } from "./numbers.js";
+import { colorsOf, scaleOf, short, ticks, withError } from "./numbers.js";
 import { SceneWindow } from "./scene.js";
 import { drawReport, make, table } from "./tables.js";
+import { worstOrgans } from "./worst.js";
 
 const $ = (id) => document.getElementById(id);
 const kViews = [
   ["Oblique", 200, 25], ["Front", 180, 0], ["Back", 0, 0], ["Right", 90, 0], ["Left", 270, 0], ["Top", 180, 90],
 ];
-
-/** Height of the middle of each organ above the lowest place. */
-function heightsOf(run) {
-  const { positions: p, json } = run;
-  const heights = new Float64Array(run.count);
-  let at = 0;
-  const { triangles } = json.organs;
-  for (let organ = 0; organ < triangles.length; ++organ) {
-    let sum = 0;
-    let total = 0;
-    for (let k = 0; k < triangles[organ]; ++k, at += 9) {
-      const ax = p[at + 3] - p[at];
-      const ay = p[at + 4] - p[at + 1];
-      const az = p[at + 5] - p[at + 2];
-      const bx = p[at + 6] - p[at];
-      const by = p[at + 7] - p[at + 1];
-      const bz = p[at + 8] - p[at + 2];
-      const [nx, ny, nz] = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
-      const area = Math.sqrt(nx * nx + ny * ny + nz * nz);
-      sum += (area * (p[at + 2] + p[at + 5] + p[at + 8])) / 3;
-      total += area;
-    }
-    heights[organ] = (total > 0 ? sum / total : 0) + json.middle[2];
-  }
-  return heights;
-}
 
 function fill(select, entries) {
   select.replaceChildren(...entries.map(([value, text]) => make("option", text, { value })));
@@ -49,14 +24,15 @@ class Page {
     this.onTime = onTime;
     this.time = 0;
     this.column = run.columns.length > 0 ? run.columns[0].number : 0;
-    this.heights = heightsOf(run);
     this.layer = null;
     this.chosen = null;
     this.hovered = null;
+    this.pointed = null; // organs of the bar that is pointed at
+    this.markBars = [];
+    this.bars = []; // that hold the organ chosen, in words
     this.#fillControls();
     this.#describeRun();
     this.#usePart();
-    this.#listen();
     try {
       this.window = new SceneWindow($("canvas"), run);
     } catch (error) {
@@ -64,6 +40,7 @@ class Page {
       this.notice(`The scene can't be shown in three dimensions: this browser has no WebGL 2 (${error.message}). ` +
         "All numbers are below.");
     }
+    this.#listen();
   }
 
   notice(text) {
@@ -108,7 +85,7 @@ class Page {
     document.title = `${json.title} — QuasiMC`;
     $("title").textContent = json.title;
     $("subtitle").textContent =
-      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.positions.length / 9} triangles — ${json.program}`;
+      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.shape.triangles} triangles — ${json.program}`;
     fill($("column"), run.columns.map((column) => [column.number, run.columnName(column.number)]));
     $("column").value = this.column;
     const keys = Object.keys(json.organs.labels);
@@ -116,7 +93,7 @@ class Page {
     $("key-label").hidden = keys.length === 0;
     fill($("key"), [["", "any"], ...keys.map((name) => [name, name])]);
     $("key").value = keys.includes(key) ? key : "";
-    $("ground-label").hidden = !json.organs.ground.includes(1);
+    $("ground-label").hidden = json.organs.ground.length === 0;
     const most = Math.min(run.count, 1000);
     $("organ-names").replaceChildren(
       ...Array.from({ length: most }, (_, i) => make("option", undefined, { value: run.organName(i) })));
@@ -128,19 +105,17 @@ class Page {
    */
   async show(run, at, labels) {
     if (run && run !== this.run) {
-      const id = this.chosen === null ? null : this.run.json.organs.id[this.chosen];
+      const id = this.chosen === null ? null : this.run.idOf(this.chosen);
       const { quantity, band } = this.kind;
-      const isNewScene = run.positions !== this.run.positions;
+      const isNewScene = run.shape !== this.run.shape;
       this.run = run;
       const same = run.columns.find((column) => column.quantity === quantity && column.band === band);
       this.column = (same ?? run.columns[0])?.number ?? 0;
       if (isNewScene) {
-        this.heights = heightsOf(run);
         this.window?.setScene(run);
-        const found = run.json.organs.id.indexOf(id);
+        const found = id === null ? -1 : run.organOfId(id);
         this.chosen = found < 0 ? null : found;
         this.hovered = null;
-        this.window?.choose(this.chosen);
       }
       this.#describeRun();
       await this.update();
@@ -271,8 +246,7 @@ class Page {
 
   #find() {
     const text = $("find").value.trim();
-    const { id } = this.run.json.organs;
-    let found = id.indexOf(text);
+    let found = this.run.organOfId(text);
     for (let i = 0; found < 0 && text && i < this.run.count; ++i) {
       found = this.run.organName(i) === text ? i : found;
     }
@@ -288,7 +262,7 @@ class Page {
     let organ = this.chosen ?? (by > 0 ? -1 : n);
     for (let i = 0; i < n; ++i) {
       organ = (organ + by + n) % n;
-      if (this.isShown(organ)) {
+      if (this.isShown[organ]) {
         this.choose(organ);
         return;
       }
@@ -331,7 +305,7 @@ class Page {
     if (organ !== this.hovered) {
       this.hovered = organ;
       if (this.chosen === null) {
-        this.window.choose(organ);
+        this.#mark();
         this.showOrgan(organ);
       }
     }
@@ -340,14 +314,29 @@ class Page {
   #leave() {
     $("tip").hidden = true;
     this.hovered = null;
-    this.window?.choose(this.chosen);
+    this.#mark();
     this.showOrgan(this.chosen);
   }
 
   choose(organ) {
     this.chosen = organ;
-    this.window?.choose(organ);
+    this.#mark();
     this.showOrgan(organ);
+  }
+
+  /** Sets apart, in the scene, the organs of the bar that is pointed at, or else the one chosen; and its bars. */
+  #mark() {
+    const one = this.chosen ?? this.hovered;
+    this.window?.mark(this.pointed ?? (one === null ? [] : [one]));
+    this.bars = this.markBars.map((markBar) => markBar(one));
+  }
+
+  /** A bar is pointed at, by mouse or key. @param organs  null: it no longer is */
+  #point(organs, label) {
+    this.pointed = organs;
+    const n = organs?.length;
+    $("pointed").textContent = organs ? `${label}: ${n === 1 ? "it is" : `${n} organs are`} marked in the scene` : "";
+    this.#mark();
   }
 
   /** The number of the column that is shown, with its error. */
@@ -368,12 +357,13 @@ class Page {
     if ((this.chosen ?? this.hovered) !== organ || time !== this.time) {
       return; // another one meanwhile
     }
-    const { organs, unit } = run.json;
+    const { unit, organs } = run.json;
     const labels = Object.entries(organs.labels)
       .filter(([, label]) => label.of[organ] >= 0)
       .map(([key, label]) => `${key} = ${label.values[label.of[organ]]}`);
-    const about = [`id ${organs.id[organ]}`, `area ${short(organs.area[organ])} ${unit}²`,
-      `middle at height ${short(this.heights[organ])} ${unit}`, ...labels];
+    const about = [`id ${run.idOf(organ)}`, `area ${short(run.shape.areas[organ])} ${unit}²`,
+      `middle at height ${short(run.shape.heights[organ])} ${unit}`, ...labels,
+      ...this.bars.filter(Boolean).map((bar) => `in the bar ${bar}`)];
     const rows = run.columns.flatMap((column, i) => (all[i] ? [[
       run.columnName(column.number),
       { number: withError(all[i].mean[organ], all[i].error[organ]) },
@@ -384,20 +374,26 @@ class Page {
       table("± standard error, and 95 % interval", ["", "value", "interval", "unit"], rows));
   }
 
-  isShown(organ) {
-    const { organs } = this.run.json;
-    if (organs.ground[organ] && !$("ground").checked) {
-      return false;
+  /** Which organs pass the filters: a number for each, 0 for those that do not. */
+  #filtered() {
+    const { run, numbers, layer } = this;
+    const bound = (id) => ($(id).value === "" || !Number.isFinite(Number($(id).value)) ? null : Number($(id).value));
+    this.range = [bound("from"), bound("to")];
+    const [from, to] = this.range;
+    const hasGround = $("ground").checked;
+    const label = run.json.organs.labels[$("key").value];
+    const wanted = new Set([...$("values").selectedOptions].map((option) => Number(option.value)));
+    const { heights } = run.shape;
+    const passes = (organ) =>
+      (hasGround || !run.isGround[organ]) &&
+      (!label || wanted.size === 0 || wanted.has(label.of[organ])) &&
+      (!layer || (heights[organ] >= layer[0] && heights[organ] <= layer[1])) &&
+      (from === null || numbers[organ] >= from) && (to === null || numbers[organ] <= to);
+    const shown = new Uint8Array(run.count);
+    for (let organ = 0; organ < run.count; ++organ) {
+      shown[organ] = passes(organ) ? 1 : 0;
     }
-    const label = organs.labels[$("key").value];
-    if (label && this.labelNumbers.size > 0 && !this.labelNumbers.has(label.of[organ])) {
-      return false;
-    }
-    if (this.layer && !(this.heights[organ] >= this.layer[0] && this.heights[organ] <= this.layer[1])) {
-      return false;
-    }
-    const value = this.numbers[organ];
-    return !(this.range[0] !== null && !(value >= this.range[0])) && !(this.range[1] !== null && !(value <= this.range[1]));
+    return shown;
   }
 
   /** The numbers that colours tell. */
@@ -423,13 +419,14 @@ class Page {
     this.numbers = this.#numbersOf(this.values);
     const what = `${column} ${$("aspect").value}`;
     if (!$("keep").checked || this.scaleIsOf !== what) {
-      this.scale = scaleOf(this.numbers, run.json.organs.area);
+      this.scale = scaleOf(this.numbers, run.shape.areas);
       this.scaleIsOf = what;
     }
     this.paint();
     this.#showDirections();
     this.#drawLegend();
-    drawReport($("report"), run, time, this.#worstOrgans(), (quantity, band) => {
+    const worst = worstOrgans(run, column, this.values, (organ) => this.describe(organ), (organ) => this.choose(organ));
+    drawReport($("report"), run, time, worst, (quantity, band) => {
       const found = run.json.columns.findIndex((c) => c.quantity === quantity && c.band === band);
       return found < 0 ? "" : run.unit(time, found);
     });
@@ -441,35 +438,40 @@ class Page {
     if (!this.numbers) {
       return;
     }
-    const bound = (id) => ($(id).value === "" || !Number.isFinite(Number($(id).value)) ? null : Number($(id).value));
-    this.range = [bound("from"), bound("to")];
-    this.labelNumbers = new Set([...$("values").selectedOptions].map((option) => Number(option.value)));
+    this.isShown = this.#filtered();
+    const count = this.isShown.reduce((sum, one) => sum + one, 0);
     const map = this.run.colorMaps[$("map").value];
-    let count = 0;
-    for (let i = 0; i < this.run.count; ++i) {
-      count += this.isShown(i) ? 1 : 0;
-    }
-    this.window?.paint((i) => (this.isShown(i) ? colorOf(this.numbers[i], this.scale, map) : null));
+    this.window?.paint(colorsOf(this.numbers, this.isShown, this.scale, map));
     $("shown").textContent = `${count} of ${this.run.count} organs shown` +
       (this.layer ? `, height ${short(this.layer[0])} to ${short(this.layer[1])} ${this.run.json.unit}` : "");
     this.#drawCharts();
   }
 
   #drawCharts() {
-    const isShown = (organ) => this.isShown(organ);
-    const { organs, unit } = this.run.json;
-    drawHistogram($("histogram"), this.numbers, isShown, this.columnTitle(), (from, to) => {
-      const isSame = this.range[0] !== null && this.range[1] !== null;
-      $("from").value = isSame ? "" : String(from);
-      $("to").value = isSame ? "" : String(to);
-      this.paint();
+    const { isShown, numbers } = this;
+    const { areas, heights } = this.run.shape;
+    this.markBars = [];
+    this.#point(null);
+    const onPoint = (organs, label) => this.#point(organs, label);
+    const markInHistogram = drawHistogram($("histogram"), { numbers, isShown, title: this.columnTitle() }, {
+      onPoint,
+      onRange: (from, to) => {
+        const isSame = this.range[0] !== null && this.range[1] !== null;
+        $("from").value = isSame ? "" : String(from);
+        $("to").value = isSame ? "" : String(to);
+        this.paint();
+      },
     });
-    $("profile-title").textContent = `Mean by height (${unit})`;
-    drawProfile($("profile"), this.numbers, this.heights, organs.area, isShown, this.columnTitle(),
-      (from, to) => {
+    $("profile-title").textContent = `Mean by height (${this.run.json.unit})`;
+    const markInProfile = drawProfile($("profile"), { numbers, isShown, title: this.columnTitle(), areas, heights }, {
+      onPoint,
+      onRange: (from, to) => {
         this.layer = this.layer ? null : [from, to];
         this.paint();
-      });
+      },
+    });
+    this.markBars = [markInHistogram, markInProfile];
+    this.#mark();
   }
 
   #drawLegend() {
@@ -485,31 +487,6 @@ class Page {
       tick.style.transform = "none";
       return tick;
     }));
-  }
-
-  /** Organs with the largest errors, as per cent of their values. */
-  #worstOrgans() {
-    const { mean, error } = this.values;
-    const known = [];
-    let dark = 0;
-    for (let i = 0; i < this.run.count; ++i) {
-      if (mean[i] > 0 && Number.isFinite(error[i])) {
-        known.push(i);
-      } else if (mean[i] === 0) {
-        ++dark;
-      }
-    }
-    const part = (i) => error[i] / mean[i];
-    known.sort((a, b) => part(b) - part(a));
-    const rows = known.slice(0, 10).map((i) => {
-      const name = make("button", this.run.organName(i), { type: "button", class: "link" });
-      name.addEventListener("click", () => this.choose(i));
-      return [name, { number: this.describe(i) }, { number: `${short(100 * part(i))} %` }];
-    });
-    const middle = known.length > 0 ? part(known[Math.floor(known.length / 2)]) : NaN;
-    return table(
-      `${this.run.columnName(this.column)}: half of the organs are known to ${short(100 * middle)} % or better; ` +
-      `${dark} had no light found`, ["organ", "value", "standard error"], rows);
   }
 }
 

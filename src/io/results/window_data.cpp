@@ -6,6 +6,7 @@
 #include "io/results/json_stream.h"
 #include "io/results/read_columns.h"
 #include "io/results/window_scene.h"
+#include "io/results/window_shape.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -62,7 +63,7 @@ void json_times(
 }  // namespace
 
 std::size_t WindowData::bytes() const {
-    std::size_t sum = json.size() + positions.size();
+    std::size_t sum = json.size() + shape.size();
     for (const std::string& each : values) {
         sum += each.size();
     }
@@ -83,7 +84,7 @@ WindowData make_window_data(
         result_text, path, names, scene.organs().size(),
         run.sweep ? std::optional(run.point) : std::nullopt);
     WindowData data;
-    data.positions = window_positions(scene);
+    data.shape = window_shape(scene);
     JsonStream json;
     json.begin_object(kWindowLayout);
     json.key("head");

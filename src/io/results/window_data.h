@@ -12,10 +12,8 @@ namespace quasimc {
 /// A run and its result in the form that the page in the browser takes
 /// (docs/develop/decisions/window-server.md).
 struct WindowData {
-    std::string json;  ///< names, units, times, and what the result says beside its organs
-    /// Corners of triangles, those of one organ together: three numbers in single precision each,
-    /// about the middle of the scene, z up.
-    std::string positions;
+    std::string json;   ///< names, units, times, and what the result says beside its organs
+    std::string shape;  ///< window_shape()
     /// Per time and kind of number: means, standard errors, low and high ends of all organs, single
     /// precision.
     std::vector<std::string> values;

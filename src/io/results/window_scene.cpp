@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/results/series_words.h"
+#include "io/results/window_shape.h"
 #include "io/runfile/units.h"
 #include "quasimc/version.h"
 
@@ -81,28 +82,29 @@ void json_labels(JsonStream& json, const std::vector<Organ>& organs) {
     json.end_object();
 }
 
+/// Ids and names stand there only if they tell more than the place in the list does.
 void json_organs(JsonStream& json, const std::vector<Organ>& organs) {
     json.key("organs");
     json.begin_object(kWindowLayout);
-    // A number may be more than one of the page holds.
-    json_list(json, "id", organs, [&](const Organ& o) { json.text(std::to_string(o.id)); });
-    json_list(json, "name", organs, [&](const Organ& o) { json.text(o.name); });
-    json_list(json, "area", organs, [&](const Organ& o) { json.number(o.area); });
-    json_list(json, "triangles", organs, [&](const Organ& o) { json.count(o.triangle_count); });
-    json_list(json, "ground", organs, [&](const Organ& o) { json.count(o.is_ground ? 1 : 0); });
+    json.count("count", organs.size());
+    const auto is_counted = [&organs](const Organ& o) { return o.id == &o - organs.data() + 1; };
+    if (!std::all_of(organs.begin(), organs.end(), is_counted)) {
+        // A number may be more than one of the page holds.
+        json_list(json, "id", organs, [&](const Organ& o) { json.text(std::to_string(o.id)); });
+    }
+    if (std::any_of(organs.begin(), organs.end(), [](const Organ& o) { return !o.name.empty(); })) {
+        json_list(json, "name", organs, [&](const Organ& o) { json.text(o.name); });
+    }
+    json.key("ground");
+    json.begin_list(kWindowLayout);
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        if (organs[i].is_ground) {
+            json.integer(static_cast<std::int64_t>(i));
+        }
+    }
+    json.end_list();
     json_labels(json, organs);
     json.end_object();
-}
-
-Vec3 middle_of(const Scene& scene) {
-    return 0.5 * (scene.bounds().low + scene.bounds().high);
-}
-
-/// In single precision.
-void append_single(std::string& bytes, const Vec3& v) {
-    const std::array<float, 3> numbers{
-        static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-    bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ std::vector<WindowColumn> window_columns(
 void json_window_scene(
     JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns) {
     const Orientation& axes = scene.orientation();
-    const Vec3 middle = middle_of(scene);
+    const Vec3 middle = window_middle(scene);
     json.text("program", std::string("quasimc ") + std::string(version()));
     json.text("unit", scene.length_unit());
     json.key("axes");
@@ -157,21 +159,6 @@ void json_window_scene(
         json.text("sum_unit", column.sum_unit);
         json.end_object();
     });
-}
-
-std::string window_positions(const Scene& scene) {
-    const Vec3 middle = middle_of(scene);
-    std::string bytes;
-    bytes.reserve(9 * sizeof(float) * scene.triangle_count());
-    for (const Organ& organ : scene.organs()) {
-        for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-            const Triangle triangle = scene.triangles()[organ.first_triangle + i];
-            for (const Vec3& corner : triangle) {
-                append_single(bytes, corner - middle);
-            }
-        }
-    }
-    return bytes;
 }
 
 std::vector<Vec3> suns_among(const Sources& sources) {

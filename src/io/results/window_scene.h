@@ -31,10 +31,6 @@ struct WindowColumn {
 void json_window_scene(
     JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns);
 
-/// Corners of triangles, those of one organ together: three numbers in single precision each, about
-/// the middle of the scene, z up.
-[[nodiscard]] std::string window_positions(const Scene& scene);
-
 /// Unit vectors towards the suns among sources, z up.
 [[nodiscard]] std::vector<Vec3> suns_among(const Sources& sources);
 

@@ -101,7 +101,7 @@ TEST(LiveWindow, GivesWhatAFrameHolds) {
     EXPECT_EQ(scene["organs"]["name"][0], "leaf <&>");
     EXPECT_EQ(scene["columns"][0]["quantity"], "absorbed_flux_density");
     EXPECT_EQ(scene["columns"][1]["band"], "NIR");
-    EXPECT_EQ(text_of(window, "positions-1").size(), 9 * sizeof(float));
+    EXPECT_EQ(text_of(window, "shape-1").size(), 12 + 9 * sizeof(float) + 3);
     const Json light = json_of(window, "light-1-1");
     EXPECT_EQ(light["label"], "now");
     EXPECT_EQ(light["suns"], Json::parse("[[0,0,1]]"));
@@ -114,7 +114,7 @@ TEST(LiveWindow, GivesWhatAFrameHolds) {
     }
     for (const char* name :
          {"values-1-1-12", "values-1-1-99", "values-2-1-0", "values-1-1", "values-1-1-0-",
-          "scene-2", "scene-", "positions-01x", "light-1", "live-", "data", ""}) {
+          "scene-2", "scene-", "shape-01x", "light-1", "live-", "data", ""}) {
         EXPECT_FALSE(window.file(name)) << name;
     }
 }
@@ -178,7 +178,7 @@ TEST(LiveWindow, IsServedUnderTheSameRules) {
             .status;
     };
     for (const char* name :
-         {"", "live", "scene-1", "positions-1", "light-1-1", "values-1-1-0", "colors"}) {
+         {"", "live", "scene-1", "shape-1", "light-1-1", "values-1-1-0", "colors"}) {
         EXPECT_EQ(status(name), 200) << name;
         EXPECT_EQ(status(name, "", std::string(32, 'b')), 403) << name;
         EXPECT_EQ(status(name, "Origin: http://evil.example\r\n"), 403) << name;

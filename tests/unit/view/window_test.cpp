@@ -55,7 +55,7 @@ std::string get_request(
 const std::string kRoot = std::string("/") + kToken + "/";
 
 TEST(WindowSite, GivesThePageAndItsData) {
-    for (const char* name : {"", "viewer.js", "viewer.css", "data", "colors", "positions"}) {
+    for (const char* name : {"", "viewer.js", "viewer.css", "data", "colors", "shape"}) {
         EXPECT_EQ(status_of_request(get_request(kRoot + name)), 200) << name;
     }
     const WindowSite site = small_site();
@@ -225,7 +225,7 @@ class WindowServerTest : public testing::Test {
     }
     static WindowData data() {
         WindowData made = small_data();
-        made.positions.assign(std::size_t{20} << 20U, 'p');
+        made.shape.assign(std::size_t{20} << 20U, 'p');
         return made;
     }
     [[nodiscard]] int port() const {
@@ -252,7 +252,7 @@ TEST_F(WindowServerTest, AnswersAndEnds) {
     const std::string answer = ask(request("values-0"));
     EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\n")) << answer;
     EXPECT_TRUE(answer.ends_with("\r\n\r\nfirst")) << answer;
-    const std::string large = ask(request("positions"));
+    const std::string large = ask(request("shape"));
     EXPECT_GT(large.size(), std::size_t{20} << 20U);
     std::string head = request("data");
     head.replace(0, 3, "HEAD");
@@ -289,7 +289,7 @@ TEST_F(WindowServerTest, AnswersWhileAHundredConnectionsKeepSilent) {
     // And while some take nothing of a large answer.
     for (int i = 0; i < 8; ++i) {
         silent.push_back(std::make_unique<Client>(port()));
-        silent.back()->say(request("positions"));
+        silent.back()->say(request("shape"));
     }
     EXPECT_TRUE(ask(request("values-1")).ends_with("second"));
 }
