@@ -11,6 +11,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { countPixels, pixelsOf } from "./pixels.mjs";
 
 const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
 const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
@@ -76,19 +77,15 @@ async function open(context, address, isAllowed) {
 
 /** How many colours the canvas shows. */
 async function colorsOf(page) {
-  const png = (await page.locator("#canvas").screenshot()).toString("base64");
-  return page.evaluate(async (text) => {
-    const picture = new Image();
-    picture.src = `data:image/png;base64,${text}`;
-    await picture.decode();
-    const canvas = document.createElement("canvas");
-    canvas.width = picture.width;
-    canvas.height = picture.height;
-    const pen = canvas.getContext("2d");
-    pen.drawImage(picture, 0, 0);
-    const data = new Uint32Array(pen.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-    return new Set(data).size;
-  }, png);
+  const { data } = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  return new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size;
+}
+
+/** How many pixels of the canvas have the colour of what is marked. */
+async function markedPixels(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  return countPixels(pixels, (red, green, blue) => red > 180 && green < 110 && blue > 80 && blue < 190);
 }
 
 const meanIn = (text) => Number(/: (-?[\d.e+-]+) ±/.exec(text)?.[1]);
@@ -148,6 +145,44 @@ async function checkFilters(page) {
   await page.getByRole("button", { name: "Show all again" }).click();
 }
 
+/** Bars and organs that belong together are set apart together, by mouse and by key. */
+async function checkBars(page, result, name) {
+  await page.getByRole("button", { name: "Top" }).click();
+  await page.mouse.move(2, 2);
+  const plain = await markedPixels(page);
+  assert.ok(plain < 20, "nothing is chosen, yet something is marked");
+  await page.locator("#profile .bar").last().hover(); // the highest layer: the upper leaf alone
+  assert.match(await page.locator("#pointed").textContent(), /^height .* of 1 organs: it is marked in the scene$/);
+  const marked = await markedPixels(page);
+  assert.ok(marked > 300, `${marked} pixels are marked`);
+  await page.mouse.move(2, 2);
+  assert.ok((await markedPixels(page)) < 20, "marks outlive the pointer");
+  assert.equal(await page.locator("#pointed").textContent(), "");
+  await page.locator("#histogram .bar").first().focus();
+  assert.match(await page.locator("#pointed").textContent(), /organs.*marked in the scene$/);
+  assert.ok((await markedPixels(page)) > 300, "a bar that has the focus marks nothing");
+  await page.locator("#canvas").focus();
+  assert.ok((await markedPixels(page)) < 20);
+
+  // The other way round: the organ that is pointed at, or chosen by a key, marks its bars.
+  await hoverMiddle(page);
+  const current = page.locator("#profile .bar[aria-current=true]");
+  assert.equal(await current.count(), 1);
+  assert.equal(await current.getAttribute("data-bin"), await page.locator("#profile .bar").last().getAttribute("data-bin"));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  await page.waitForFunction((own) => document.querySelector("#organ h3")?.textContent === own, name);
+  const bar = await page.locator("#histogram .bar[aria-current=true]").getAttribute("aria-label");
+  const mean = result.total.organs[0].absorbed_flux_density.PAR.mean;
+  const [from, to] = /^(\S+) to (\S+):/.exec(bar).slice(1).map(Number);
+  const shown = meanIn(`: ${await page.locator("#organ td.number").first().textContent()}`);
+  assert.ok(shown >= from * 0.999 && shown <= to * 1.001, `${shown} is not in the bar ${bar} (sum: ${mean})`);
+  assert.ok((await page.locator("#organ p").textContent()).includes(`in the bar ${bar.split(":")[0]}`));
+  await page.mouse.move(2, 2);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".bar[aria-current=true]").count(), 0);
+}
+
 async function checkKeys(page, upper) {
   await page.locator("#canvas").focus();
   await page.keyboard.press("n");
@@ -181,6 +216,7 @@ async function checkAll(page, faults, result, name) {
     await page.screenshot({ path: path.join(pictures, `${name}.png`), fullPage: true });
   }
   await checkFilters(page);
+  await checkBars(page, result, result.total.organs[0].name);
   await checkKeys(page, result.total.organs[0].name);
   await checkReport(page, result);
   assert.deepEqual(faults, []);
