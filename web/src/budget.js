@@ -23,6 +23,10 @@ export class FrameBudget {
   /** The scene is looked at from elsewhere. */
   moved() {
     this.isMoving = true;
+    this.#awaitRest();
+  }
+
+  #awaitRest() {
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.#stop(), kRest);
   }
@@ -55,6 +59,9 @@ export class FrameBudget {
       gl.deleteSync(fence);
       this.fence = null;
       this.#learn(performance.now() - this.started);
+      if (this.isMoving) {
+        this.#awaitRest();
+      }
       const act = this.waiting;
       this.waiting = null;
       act?.();
@@ -67,6 +74,9 @@ export class FrameBudget {
   }
 
   #stop() {
+    if (this.fence) {
+      return; // a frame takes longer than the hand rests
+    }
     const wasLess = this.share < 1;
     this.isMoving = false;
     if (wasLess) {
