@@ -187,7 +187,8 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const NearLamps near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
     const double sharp_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
-    const std::vector<double> parts = parts_by_vertices(prepared, measured, near);
+    const std::vector<double> parts =
+        near.any() ? parts_by_vertices(prepared, measured, near) : std::vector<double>{};
     const bool has_connected =
         std::any_of(parts.begin(), parts.end(), [](double part) { return part < kFewOfPaths; });
     for (std::size_t b = 0; b < prepared.bands(); ++b) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "transport/surface.h"
 
@@ -155,9 +154,6 @@ bool NearLamps::scatters_near(const BoundSource& light, const Vec3& place) const
 
 double NearLamps::gap_to(const BoundSource& light, const Bounds& box) const {
     const Lamp& lamp = lamp_of(light);
-    if (lamp.scatter_radius == 0) {
-        return std::numeric_limits<double>::infinity();
-    }
     const auto between = [](double low, double high, double center, double half) {
         return std::max({0.0, low - center - std::abs(half), center - std::abs(half) - high});
     };
@@ -166,7 +162,8 @@ double NearLamps::gap_to(const BoundSource& light, const Bounds& box) const {
     const Vec3 gap{
         between(box.low.x, box.high.x, c.x, half.x), between(box.low.y, box.high.y, c.y, half.y),
         between(box.low.z, box.high.z, c.z, half.z)};
-    return std::max(0.0, length(gap) - lamp.scatter_radius);
+    const double body = dot(half, half) > 0 ? 0 : 1.5 * lamp.body.radius;
+    return std::max(0.0, length(gap) - std::max(lamp.scatter_radius, body));
 }
 
 bool NearLamps::lights_near(

@@ -29,8 +29,8 @@ class NearLamps {
     /// units.
     [[nodiscard]] double leg(const BoundSource& light) const { return lamp_of(light).leg; }
 
-    /// How far at least what lies in a box is from all places where light of a lamp is near, local
-    /// units; infinite if there are none.
+    /// How far at least what lies in a box is from a lamp and all places where its light is
+    /// scattered near it, local units.
     [[nodiscard]] double gap_to(const BoundSource& light, const Bounds& box) const;
     /// The radius within which light of a lamp is scattered near it; 0: none is.
     [[nodiscard]] double scatter_radius(const BoundSource& light) const {
