@@ -83,6 +83,8 @@ def run_to_error(program, method, sampler, replicates):
             subprocess.run(command, check=True)
             result = json.loads(path.read_text())
             leaves = [organ["absorbed_flux_density"]["PAR"] for organ in result["organs"]]
+            if any(leaf["standard_error"] is None for leaf in leaves):
+                continue  # some leaf was not found
             square = statistics.fmean(leaf["standard_error"] ** 2 for leaf in leaves)
             error = math.sqrt(square) / statistics.fmean(leaf["mean"] for leaf in leaves)
             if error <= TARGET:
