@@ -21,6 +21,7 @@ FENCES = {
     "boost/": ["src/geometry/mesh/crossings.cpp", "src/sums/statistics.cpp", "tests/"],
     "hwy/": [
         "src/geometry/raster/draw_span.cpp",
+        "src/geometry/raster/triangle_block.cpp",
         "src/samplers/vector_loops.cpp",
         "tests/",
     ],

@@ -11,10 +11,12 @@ Draws the figures there as well, each as .png and .svg:
   figure2            the canopy, its leaves shaded by the light that they absorb
   figure3-irradiance light on every leaf, leaves counted from the top, with a fitted curve
   figure3-variance   its variance with Monte Carlo and randomized quasi-Monte Carlo, with fitted curves
+Last it prints how long each way of computing takes until the error of a leaf is 1 % of the mean.
 """
 
 import argparse
 import csv
+import json
 import math
 import pathlib
 import statistics
@@ -34,6 +36,15 @@ EXPERIMENTS = [
     ("Korobov, our start of rays", "korobov", 65536, "silhouette", None),
     ("Sobol', our start of rays", "sobol", 65536, "silhouette", None),
 ]
+
+# name, method, sampler: each until the error of a leaf is TARGET of the mean
+WAYS = [
+    ("Monte Carlo", "light_tracing", "monte_carlo"),
+    ("Korobov", "light_tracing", "korobov"),
+    ("lit surfaces, Sobol'", "first_hits", "sobol"),
+    ("ray bundles", "ray_bundles", "sobol"),
+]
+TARGET = 0.01
 
 
 def leaf_depths(path):
@@ -57,6 +68,28 @@ def run(program, sampler, paths, window, replicates):
         means.append(float(row["absorbed_flux_density_PAR"]))
         variances.append(replicates * float(error) ** 2 if error else 0.0)
     return means, variances
+
+
+def run_to_error(program, method, sampler, replicates):
+    """Paths, error (root mean square over leaves, over their mean) and CPU seconds of the first run, paths doubled from
+    256 on, with an error below TARGET. Light paths start in the scene's silhouette; the error of ray bundles holds
+    that of their patches."""
+    with tempfile.TemporaryDirectory() as folder:
+        for paths in (256 << i for i in range(22)):
+            path = pathlib.Path(folder) / "result.json"
+            command = [program, "run", str(HERE / "paper.toml"), "--method", method, "--sampler", sampler, "--paths",
+                       str(paths), "--window", "silhouette", "--replicates", str(replicates), "--threads", "1",
+                       "--json", str(path), "--csv", str(path.with_suffix(".csv")), "--quiet"]
+            subprocess.run(command, check=True)
+            result = json.loads(path.read_text())
+            leaves = [organ["absorbed_flux_density"]["PAR"] for organ in result["organs"]]
+            if any(leaf["standard_error"] is None for leaf in leaves):
+                continue  # some leaf was not found
+            square = statistics.fmean(leaf["standard_error"] ** 2 for leaf in leaves)
+            error = math.sqrt(square) / statistics.fmean(leaf["mean"] for leaf in leaves)
+            if error <= TARGET:
+                return paths, error, result["seconds"]["trace_cpu"]
+    sys.exit(f"{method}: the error is not reached")
 
 
 def write_result(program, path, sampler, replicates):
@@ -144,6 +177,10 @@ def main():
                  [results["Monte Carlo, 65,536 paths"][1], results["Korobov, 65,536 paths"][1]])
     figures = draw_figures(arguments.program, arguments.out, arguments.replicates)
     print(f"Wrote to {arguments.out}: irradiance.csv, variance.csv, and as .png and .svg {', '.join(figures)}")
+    print(f"CPU time until the error of a leaf is {100 * TARGET:g} % of the mean, {arguments.replicates} replicates together")
+    for name, method, sampler in WAYS:
+        paths, error, seconds = run_to_error(arguments.program, method, sampler, arguments.replicates)
+        print(f"  {name:32} {1000 * seconds:9.1f} ms ({100 * error:.2f} %, {paths:,} paths)")
 
 
 if __name__ == "__main__":

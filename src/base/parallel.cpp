@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -55,6 +56,38 @@ void parallel_blocks(
     if (failure) {
         std::rethrow_exception(failure);
     }
+}
+
+void ordered_blocks(
+    std::uint64_t blocks,
+    unsigned workers,
+    const std::function<void(std::uint64_t block, unsigned worker)>& prepare,
+    const std::function<void(std::uint64_t block, unsigned worker)>& use) {
+    std::mutex mutex;
+    std::condition_variable turned;
+    std::uint64_t turn = 0;  // the block that is used next; kFailed: none any more
+    constexpr std::uint64_t kFailed = ~std::uint64_t{0};
+    const auto set_turn = [&](std::uint64_t to) {
+        const std::lock_guard lock(mutex);
+        turn = turn == kFailed ? kFailed : to;
+        turned.notify_all();
+    };
+    parallel_blocks(blocks, workers, [&](std::uint64_t block, unsigned worker) {
+        try {
+            prepare(block, worker);
+            std::unique_lock lock(mutex);
+            turned.wait(lock, [&] { return turn == block || turn == kFailed; });
+            if (turn == kFailed) {
+                return;
+            }
+            lock.unlock();
+            use(block, worker);
+        } catch (...) {
+            set_turn(kFailed);
+            throw;
+        }
+        set_turn(block + 1);
+    });
 }
 
 unsigned thread_count(unsigned asked) {

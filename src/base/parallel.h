@@ -24,6 +24,16 @@ void parallel_blocks(
     unsigned workers,
     const std::function<void(std::uint64_t block, unsigned worker)>& work);
 
+/// Runs `prepare(block, worker)` for every block in [0, blocks) on `workers` threads, and after it
+/// `use(block, worker)` on the same one, but in the order of the blocks and one at a time: what is
+/// added up there is the same on any number of threads. The first exception thrown stops the rest
+/// and is rethrown here.
+void ordered_blocks(
+    std::uint64_t blocks,
+    unsigned workers,
+    const std::function<void(std::uint64_t block, unsigned worker)>& prepare,
+    const std::function<void(std::uint64_t block, unsigned worker)>& use);
+
 /// Bytes that a core takes from memory at a time.
 inline constexpr std::size_t kCacheLine = 64;
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/checks.h"
+#include "base/parallel.h"
 #include "samplers/hash.h"
 
 namespace quasimc {
@@ -124,32 +125,47 @@ Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i) {
 }
 
 std::uint64_t BundleExchange::exchange(
-    const BundleGroup& group, PatchLight& light, const OnEscape& on_escape) {
+    const BundleGroup& group, unsigned threads, PatchLight& light, const OnEscape& on_escape) {
+    while (columns_.size() < std::max(threads, 1U)) {
+        columns_.push_back(std::make_unique<Columns>());
+    }
     std::uint64_t stretches = 0;
-    for (std::uint32_t i = 0; i < group.directions; ++i) {
-        const Vec3 direction = bundle_direction(group, i);
-        columns_.draw(
+    const auto draw = [&](std::uint64_t block, unsigned thread) {
+        const auto i = static_cast<std::uint32_t>(block);
+        columns_[thread]->draw(
             seen_, patches_.drawn,
-            {.direction = direction,
+            {.direction = bundle_direction(group, i),
              .rotation = number_of(group, i, 0),
              .shift_s = number_of(group, i, 1),
              .shift_t = number_of(group, i, 2),
              .line_area = group.line_area});
+    };
+    const auto exchange = [&](std::uint64_t block, unsigned thread) {
+        const Columns& lines = *columns_[thread];
         // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine law.
-        exchange_along(direction, 2 * columns_.line_area() / group.directions, light, on_escape);
-        stretches += columns_.size();
-    }
+        const double weight = 2 * lines.line_area() / group.directions;
+        exchange_along(
+            lines, bundle_direction(group, static_cast<std::uint32_t>(block)), weight, light,
+            on_escape);
+        stretches += lines.size();
+    };
+    ordered_blocks(group.directions, threads, draw, exchange);
     return stretches;
 }
 
 void BundleExchange::exchange_along(
-    const Vec3& direction, double weight, PatchLight& light, const OnEscape& on_escape) {
+    const Columns& lines,
+    const Vec3& direction,
+    double weight,
+    PatchLight& light,
+    const OnEscape& on_escape) {
+    light.count_lines(lines.counts(), weight);
     forwards_.assign(light.columns(), 0);
     backwards_.assign(light.columns(), 0);
     const bool has_sensors = patches_.prepared.has_transparent();
     const auto exchange = [&]<int kColumns>() {
         exchange_lines(
-            columns_, has_sensors,
+            lines, has_sensors,
             LineExchange<kColumns>(
                 light.columns(), weight, light.exitance(), light.incident(), forwards_,
                 backwards_));
@@ -160,6 +176,15 @@ void BundleExchange::exchange_along(
             break;
         case 4:
             exchange.template operator()<4>();
+            break;
+        case 6:
+            exchange.template operator()<6>();
+            break;
+        case 8:
+            exchange.template operator()<8>();
+            break;
+        case 10:
+            exchange.template operator()<10>();
             break;
         default:
             exchange.template operator()<0>();

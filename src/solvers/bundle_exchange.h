@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct BundleGroup {
 ///
 /// All light that leaves matt patches goes along lines to the next patch, both ways: along a line
 /// that stands for the area a and the solid angle w of its direction, a patch of exitance B sends
-/// the flux B a w / pi. Objects are used by one thread.
+/// the flux B a w / pi. Objects are used by one thread, which may start more.
 class BundleExchange {
   public:
     BundleExchange(const PatchScene& patches, const ProjectedScene& seen)
@@ -38,16 +39,22 @@ class BundleExchange {
 
     /// Lets the exitance go along all lines, and adds it to the light incident on what it meets.
     /// @returns stretches of lines along which light went
-    std::uint64_t exchange(const BundleGroup& group, PatchLight& light, const OnEscape& on_escape);
+    /// @param threads  at most; the same light comes of any number
+    std::uint64_t exchange(
+        const BundleGroup& group, unsigned threads, PatchLight& light, const OnEscape& on_escape);
 
   private:
     void exchange_along(
-        const Vec3& direction, double weight, PatchLight& light, const OnEscape& on_escape);
+        const Columns& lines,
+        const Vec3& direction,
+        double weight,
+        PatchLight& light,
+        const OnEscape& on_escape);
 
     const PatchScene& patches_;
     const ProjectedScene& seen_;
-    Columns columns_;
-    std::vector<double> forwards_, backwards_;  // escaped, by column
+    std::vector<std::unique_ptr<Columns>> columns_;  // of each thread
+    std::vector<double> forwards_, backwards_;       // escaped, by column
 };
 
 }  // namespace quasimc

@@ -6,9 +6,33 @@
 
 #include "base/distribution.h"
 #include "base/stop.h"
+#include "samplers/hash.h"
 #include "transport/surface.h"
 
 namespace quasimc {
+namespace {
+
+/// Which of many lines or directions are laid on patches: one of each four, as many times as
+/// bright. What falls on organs is scored with all; scattered light comes from many patches, the
+/// noise of which hardly counts beside that of bundles, and laying takes longer than looking.
+class LaidLooks {
+  public:
+    /// @param stream  that places them
+    LaidLooks(const Stream& stream, std::uint32_t count)
+        : key_(stream_key(stream, 0, 0)), of_(count >= kMany ? kOfMany : 1) {}
+
+    /// How many times as bright look `i` is laid; 0: not at all.
+    [[nodiscard]] std::uint32_t share(std::uint32_t i) const {
+        return mix64(key_ ^ mix64(i / of_)) % of_ == i % of_ ? of_ : 0;
+    }
+
+  private:
+    static constexpr std::uint32_t kMany = 256, kOfMany = 4;
+    std::uint64_t key_;
+    std::uint32_t of_;
+};
+
+}  // namespace
 
 DirectOnPatches::DirectOnPatches(
     const SolverInput& input, const DirectBeams& beams, const PatchScene& patches)
@@ -43,10 +67,14 @@ void DirectOnPatches::find_by_lines(
     const SurfaceBeam share{
         beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
     const double per_length = beam.paths * lines.area() / beam.area;
+    const LaidLooks laid(beams_.stream_of(work, 0), work.task.count);
+    auto line = static_cast<std::uint32_t>(work.block) * ScanLines::kStrip;
     lines.begin(static_cast<std::uint32_t>(work.block));
-    while (lines.next()) {
+    for (; lines.next(); ++line) {
         throw_if_stopped(stop_);
-        lay_line(beam, per_length, scratch, light);
+        if (laid.share(line) > 0) {
+            lay_line(beam, laid.share(line) * per_length, scratch, light);
+        }
     }
     beams_.score_lines(work, share, per_length, lines, tally);
 }
@@ -78,51 +106,81 @@ void DirectOnPatches::find_by_pixels(
     const Stream placing = beams_.stream_of(work, 0);
     const std::array<double, 3> lattice = beams_.placing_of(placing, 0);
     const SkyDirections& skies = beams_.skies();
+    const LaidLooks laid(placing, work.task.count);
     for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);
         const DrawnDirection from = skies.direction(i, work.task.count, lattice);
         beams_.draw_pixels(work, placing, i, from.direction, scratch.beams.pixels);
         double paths = 0;
+        std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
         for (const BoundSource* sky : skies.skies()) {
             const Beam beam =
                 beams_.beam_of(*sky, from.direction, from.density, work, work.task.count);
             if (beam.paths > 0) {
                 paths += beam.paths;
-                light_pixels(beam, scratch.beams.pixels, light, tally);
+                score_pixels(beam, scratch.beams.pixels, tally);
+                const double of_pixel =
+                    laid.share(i) * beam.paths * scratch.beams.pixels.pixel_area() / beam.area;
+                for (std::size_t b = 0; b < weights.size(); ++b) {
+                    weights[b] += of_pixel * beam.light->start_weights[b];
+                }
             }
+        }
+        if (paths > 0 && laid.share(i) > 0) {
+            lay_pixels(from.direction, scratch.beams.pixels, lit_bands(weights), light);
         }
         beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
     }
 }
 
-void DirectOnPatches::light_pixels(
-    const Beam& beam, const ItemBuffer& pixels, PatchLight& light, Tally& tally) const {
-    const LocalMesh& mesh = prepared_.caster().mesh();
-    const double amount = beam.paths * pixels.pixel_area() / beam.area;
+void DirectOnPatches::score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const {
+    const double of_pixel = beam.paths * pixels.pixel_area() / beam.area;
     DirectLightScore direct(prepared_, beam, tally);
-    std::vector<const ItemBuffer::Item*> by_id(pixels.id_count(), nullptr);
     for (const ItemBuffer::Item& item : pixels.items()) {
-        direct.add(item.triangle, item.cosine, amount * item.pixels);
-        by_id[item.id] = item.id > 0 ? &item : nullptr;
+        direct.add(item.triangle, item.cosine, of_pixel * item.pixels);
     }
     direct.add_escaped();
-    const LitBands bands = lit_bands(beam.light->start_weights);
-    std::vector<ItemBuffer::Places> places(by_id.size());
-    for (std::uint32_t id = 0; id < by_id.size(); ++id) {
-        places[id] = by_id[id] == nullptr ? ItemBuffer::Places{} : pixels.places(id);
+}
+
+/// @param bands  what a pixel brings
+void DirectOnPatches::lay_pixels(
+    const Vec3& direction,
+    const ItemBuffer& pixels,
+    const LitBands& bands,
+    PatchLight& light) const {
+    struct Seen {
+        const ItemBuffer::Item* item = nullptr;
+        ItemBuffer::Places places;
+        double share = 1;
+    };
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    std::vector<Seen> by_id(pixels.id_count());
+    for (const ItemBuffer::Item& item : pixels.items()) {
+        if (item.id > 0) {
+            by_id[item.id] = {
+                &item, pixels.places(item.id), mesh.exact_share(item.triangle, direction)};
+        }
     }
     for (const ItemBuffer::Run& run : pixels.runs()) {
-        if (by_id[run.id] == nullptr) {
+        const Seen& seen = by_id[run.id];
+        if (seen.item == nullptr) {
             continue;
         }
-        const ItemBuffer::Item& item = *by_id[run.id];
-        const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        const double of_pixel = amount * mesh.exact_share(item.triangle, beam.direction);
+        const SurfaceSide side = seen.item->cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+        // Pixels next to each other mostly see the same patch.
+        std::uint32_t patch = 0, count = 0;
         for (std::uint32_t i = 0; i < run.count; ++i) {
-            const Point2 at = places[run.id].of(run.first + i);
-            light.add_direct(patches_.patches.at(item.triangle, at.s, at.t), side, of_pixel, bands);
+            const Point2 at = seen.places.of(run.first + i);
+            const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
+            if (count > 0 && next != patch) {
+                light.add_direct(patch, side, count * seen.share, bands);
+                count = 0;
+            }
+            patch = next;
+            ++count;
         }
+        light.add_direct(patch, side, count * seen.share, bands);
     }
 }
 

@@ -34,8 +34,12 @@ class DirectOnPatches {
     void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
     void lay_line(const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const;
     void find_by_pixels(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
-    void light_pixels(
-        const Beam& beam, const ItemBuffer& pixels, PatchLight& light, Tally& tally) const;
+    void score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const;
+    void lay_pixels(
+        const Vec3& direction,
+        const ItemBuffer& pixels,
+        const LitBands& bands,
+        PatchLight& light) const;
     void trace(const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const;
     std::uint64_t trace_path(
         const BoundSource& source, const Emission& start, PatchLight& light, Tally& tally) const;

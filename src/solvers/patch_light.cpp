@@ -9,6 +9,10 @@
 namespace quasimc {
 namespace {
 
+/// Of a region that is met by fewer lines in the mean, how often it is met tells little: at times
+/// it is not met at all.
+constexpr double kFewestMeetings = 10;
+
 double area_of(const PreparedScene& prepared, std::uint32_t triangle) {
     return length(prepared.caster().mesh().across(triangle)) / 2;
 }
@@ -52,8 +56,8 @@ std::vector<SurfaceCrossing> crossings_of(
     if (all.gave_up) {
         throw InputError({{
             "method",
-            "ray_bundles, where the boxes of very many triangles overlap",
-            "patches are cut where surfaces cross, and looking for that would take too long",
+            "ray_bundles, where very many triangles cross each other, or their boxes overlap",
+            "patches are cut where surfaces cross, which would take too long",
             "use method = \"first_hits\"",
         }});
     }
@@ -160,8 +164,12 @@ PatchLight::PatchLight(const PatchScene& scene)
       incident_(std::size_t{2} * scene.patches.count() * columns_),
       exitance_(incident_.size()),
       sums_(2 * scene.prepared.scene().regions().size() * columns_),
+      found_areas_(scene.surfaces.size()),
+      region_areas_(scene.prepared.scene().regions().size()),
+      corrections_(region_areas_.size(), 1),
       parents_(Patches::kFinest + 1) {
     for (const PatchScene::Surface& surface : scene.surfaces) {
+        region_areas_[surface.region] += surface.is_sensor ? 0 : surface.area;
         const int level = scene.patches.level(surface.triangle);
         std::vector<std::uint32_t>& parents = parents_[static_cast<std::size_t>(level)];
         const std::uint32_t parts = 1U << (2U * static_cast<unsigned>(level));
@@ -172,7 +180,28 @@ PatchLight::PatchLight(const PatchScene& scene)
     }
 }
 
+void PatchLight::count_lines(std::span<const std::uint32_t> lines, double weight) {
+    EXPECT(lines.size() == found_areas_.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        found_areas_[i] += weight * lines[i];
+    }
+}
+
+void PatchLight::correct_areas(double lines_per_area) {
+    std::vector<double> found(corrections_.size());
+    for (std::size_t i = 0; i < found_areas_.size(); ++i) {
+        found[scene_.surfaces[i].region] += found_areas_[i];
+    }
+    std::fill(found_areas_.begin(), found_areas_.end(), 0);
+    for (std::size_t region = 0; region < found.size(); ++region) {
+        const bool is_met = region_areas_[region] * lines_per_area >= kFewestMeetings;
+        corrections_[region] =
+            is_met && found[region] > 0 ? region_areas_[region] / found[region] : 1;
+    }
+}
+
 void PatchLight::clear() {
+    std::fill(found_areas_.begin(), found_areas_.end(), 0);
     std::fill(incident_.begin(), incident_.end(), 0);
     std::fill(exitance_.begin(), exitance_.end(), 0);
     std::fill(sums_.begin(), sums_.end(), 0);
@@ -183,18 +212,21 @@ void PatchLight::add_direct(
     double* to = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_ + bands.first];
     for (std::size_t i = 0; i < bands.weights.size(); ++i) {
         to[i] += amount * bands.weights[i];
-        to[bands_ + i] += amount * bands.weights[i];
     }
 }
 
 PatchLight::Step PatchLight::scatter(bool is_direct) {
     Step step{std::vector<double>(columns_), std::vector<double>(columns_)};
+    if (is_direct) {
+        copy_to_coarse();
+    }
     for (const PatchScene::Surface& surface : scene_.surfaces) {
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
-        const double share = is_direct ? 1 : surface.exact_share;
+        const double correction = is_direct ? 1 : corrections_[surface.region];
+        const double share = is_direct ? 1 : correction * surface.exact_share;
         for (std::uint32_t patch = first; !is_direct && patch < end; ++patch) {
-            sum_patch(surface, patch, step);
+            sum_patch(surface, patch, correction, step);
         }
         if (surface.is_sensor) {
             continue;
@@ -211,14 +243,24 @@ PatchLight::Step PatchLight::scatter(bool is_direct) {
     return step;
 }
 
+/// What came straight from a source is the same on both levels.
+void PatchLight::copy_to_coarse() {
+    for (std::size_t i = 0; i < incident_.size(); i += columns_) {
+        for (std::size_t b = 0; b < bands_; ++b) {
+            incident_[i + bands_ + b] = incident_[i + b];
+        }
+    }
+}
+
 /// Adds what fell on a patch to the sums of its region.
-void PatchLight::sum_patch(const PatchScene::Surface& surface, std::uint32_t patch, Step& step) {
-    const double share = surface.exact_share;
+void PatchLight::sum_patch(
+    const PatchScene::Surface& surface, std::uint32_t patch, double correction, Step& step) {
+    const double share = correction * surface.exact_share;
     double* sums = &sums_[std::size_t{2} * surface.region * columns_];
     const double* from = &incident_[std::size_t{2} * patch * columns_];
     for (std::size_t i = 0; i < 2 * columns_; ++i) {
         sums[i] += share * from[i];
-        step.passed_by[i % columns_] += surface.is_sensor ? 0 : (1 - share) * from[i];
+        step.passed_by[i % columns_] += surface.is_sensor ? 0 : (correction - share) * from[i];
     }
 }
 

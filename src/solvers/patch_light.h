@@ -45,7 +45,7 @@ struct PatchScene {
     Patches patches;
     std::vector<Surface> surfaces;
     std::vector<Optics> optics;  ///< [2 * material + side]
-    std::vector<ColumnTriangle> drawn;
+    ColumnTriangles drawn;
     double area = 0;         ///< of all surfaces
     double mean_albedo = 0;  ///< by area, in the band where it is largest
 
@@ -96,6 +96,14 @@ class PatchLight {
     /// each region, and takes the incident light away.
     /// @param is_direct  it came from the sources, and is not summed
     [[nodiscard]] Step scatter(bool is_direct);
+    /// Counts the lines of a bundle that meet each surface (in the order of PatchScene): times
+    /// `weight`, of which the area of the surface comes in the mean.
+    void count_lines(std::span<const std::uint32_t> lines, double weight);
+    /// Corrects what came along lines for how often they met each region: divides it by the area
+    /// that they found of it, and multiplies by the true one.
+    /// @param lines_per_area  of the bundles, in the mean. Regions that are met seldom are left as
+    ///        they are
+    void correct_areas(double lines_per_area);
 
     /// Of a side of a region, all scattered light that came, [column].
     [[nodiscard]] std::span<const double> sum(std::uint32_t region, SurfaceSide side) const {
@@ -103,13 +111,15 @@ class PatchLight {
     }
 
   private:
-    void sum_patch(const PatchScene::Surface& surface, std::uint32_t patch, Step& step);
+    void sum_patch(
+        const PatchScene::Surface& surface, std::uint32_t patch, double correction, Step& step);
     struct Sent {
         std::uint32_t patch = 0;
         double area = 0;
         double share = 1;  ///< of what came to it
     };
     void scatter_patch(const PatchScene::Surface& surface, const Sent& sent, Step& step);
+    void copy_to_coarse();
     void even_out(const PatchScene::Surface& surface);
     void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut);
     /// Exitance of a patch in the columns of the coarser level; i < 2 * bands: both sides.
@@ -122,6 +132,9 @@ class PatchLight {
     std::vector<double> incident_, exitance_;
     std::vector<double> sums_;  // [2 * region + side][column]
     std::vector<double> means_, areas_;
+    std::vector<double> found_areas_;                  // by surface, in this step
+    std::vector<double> region_areas_;                 // but for sensors
+    std::vector<double> corrections_;                  // by region, of what came in this step
     std::vector<std::vector<std::uint32_t>> parents_;  // by level and part
 };
 

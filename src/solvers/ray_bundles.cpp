@@ -14,7 +14,9 @@
 #include "solvers/ray_bundles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include <fmt/format.h>
@@ -60,10 +62,17 @@ class RayBundles final : public Solver {
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
         executor.announce(sums.replicates.size());
+        std::atomic<std::size_t> left = sums.replicates.size();
+        // Where fewer replicates are left than there are threads, each uses several.
+        const auto threads = [&left, workers = executor.workers()] {
+            const std::size_t busy = std::clamp<std::size_t>(left, 1, workers);
+            return static_cast<unsigned>(workers / busy);
+        };
         runner_.run(
             1, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
-                solve_replicate({round, tasks, sums.units, replicate}, scratch, tally);
+                solve_replicate({round, tasks, sums.units, replicate}, threads, scratch, tally);
+                --left;
             });
         sums.paths += round.count;
         sums.samples += samples_of(round);
@@ -78,7 +87,12 @@ class RayBundles final : public Solver {
         std::unique_ptr<BundleExchange> exchange;
     };
 
-    void solve_replicate(const DirectOnPatches::Task& task, Scratch& scratch, Tally& tally) const {
+    /// @param threads  tells how many may be at work now
+    void solve_replicate(
+        const DirectOnPatches::Task& task,
+        const std::function<unsigned()>& threads,
+        Scratch& scratch,
+        Tally& tally) const {
         if (!scratch.light) {
             scratch.light = make_light();
             scratch.exchange = std::make_unique<BundleExchange>(patches_, beams_.scene());
@@ -95,9 +109,10 @@ class RayBundles final : public Solver {
             throw_if_stopped(stop_);
             const BundleGroup group = budget.group(left, key_of(task, order));
             stretches += scratch.exchange->exchange(
-                group, light, [&](const Vec3& direction, std::span<const double> flux) {
+                group, threads(), light, [&](const Vec3& direction, std::span<const double> flux) {
                     add_escaped(direction, flux, flow, tally);
                 });
+            light.correct_areas(group.directions / (2 * group.line_area));
             const PatchLight::Step step = light.scatter(false);
             for (std::size_t c = 0; c < left.size(); ++c) {
                 flow.escaped[c] += signed_fixed(step.passed_by[c]);

@@ -138,6 +138,10 @@ std::size_t most_compared_for_crossings(std::size_t triangles) {
     return 10'000'000 + 500 * triangles;
 }
 
+std::size_t most_crossings(std::size_t triangles) {
+    return 20'000 + 32 * triangles;
+}
+
 SurfaceCrossings find_crossings(const LocalMesh& mesh, const std::stop_token& stop) {
     std::vector<BoxedTriangle> boxes;
     for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -167,6 +171,9 @@ SurfaceCrossings find_crossings(const LocalMesh& mesh, const std::stop_token& st
             if (crossing) {
                 crossings.found.push_back({i, other, crossing->from, crossing->to});
             }
+        }
+        if (crossings.found.size() > most_crossings(boxes.size())) {
+            return {.found = {}, .gave_up = true};
         }
     }
     return crossings;

@@ -19,11 +19,13 @@ struct SurfaceCrossing {
 /// What crosses in a mesh.
 struct SurfaceCrossings {
     std::vector<SurfaceCrossing> found;  ///< in the order of the triangles
-    bool gave_up = false;  ///< the boxes of too many triangles overlap: nothing is told
+    bool gave_up = false;  ///< too many triangles cross, or their boxes overlap: nothing is told
 };
 
 /// Triangles whose boxes overlap are compared, up to so many pairs.
 [[nodiscard]] std::size_t most_compared_for_crossings(std::size_t triangles);
+/// So many crossings are found at most: what they cut triangles into takes time with each.
+[[nodiscard]] std::size_t most_crossings(std::size_t triangles);
 
 /// Where triangles of a mesh cross each other, or end on each other, within their borders: two that
 /// share a side do not. Those that lie in one plane don't cross. Takes some n log n comparisons

@@ -1,8 +1,8 @@
 #include "geometry/raster/columns.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <tuple>
 
 namespace quasimc {
 namespace {
@@ -12,18 +12,23 @@ constexpr double kMostLines = 1U << 30U;
 /// Where lines are so many for each fragment, they are not counted one by one.
 constexpr std::size_t kSparse = 16;
 
-/// The smallest integer >= x. Without a call of the library.
-std::int64_t ceil_of(double x) {
-    const auto whole = static_cast<std::int64_t>(x);
-    return whole + (static_cast<double>(whole) < x ? 1 : 0);
+/// Whether a direction lies within the field of view of a sensor.
+bool is_in_view(
+    const TriangleBlock& corners, std::size_t lane, double least_cosine, const Vec3& direction) {
+    const auto corner = [&](std::size_t i) {
+        const auto& at = corners.at[i];
+        return Vec3{at[0][lane], at[1][lane], at[2][lane]};
+    };
+    const Vec3 across = cross(corner(1) - corner(0), corner(2) - corner(0));
+    return std::abs(dot(across, direction)) >= least_cosine * length(across);
 }
 
-/// Whether a direction lies within the field of view of a sensor.
-bool is_in_view(const ColumnTriangle& triangle, const Vec3& direction) {
-    const auto& [a, b, c] = triangle.corners;
-    const Vec3 across = cross(b - a, c - a);
-    return std::abs(dot(across, direction)) >=
-           static_cast<double>(triangle.least_cosine) * length(across);
+/// Larger for what is deeper, and then for what is passed later.
+std::uint64_t key_of(float depth, std::uint32_t passed) {
+    constexpr std::uint32_t kSign = 0x80000000U;
+    const auto bits = std::bit_cast<std::uint32_t>(depth);
+    const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
+    return std::uint64_t{ordered} << 32U | passed;
 }
 
 /// i modulo n, 0 <= result < n.
@@ -37,17 +42,20 @@ std::int64_t wrapped(std::int64_t i, std::int64_t n) {
 
 }  // namespace
 
-std::vector<ColumnTriangle> column_triangles(
+ColumnTriangles column_triangles(
     const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines) {
-    std::vector<ColumnTriangle> triangles;
+    ColumnTriangles triangles;
     for (std::uint32_t i = 0; i < patches.triangles(); ++i) {
         if (!patches.has(i)) {
             continue;
         }
-        const LocalMesh& mesh = *scene.mesh;
-        triangles.push_back(
-            {.corners = {mesh.vertex(i, 0), mesh.vertex(i, 1), mesh.vertex(i, 2)},
-             .first_patch = patches.first(i),
+        const std::size_t lane = triangles.each.size() % kBlockLanes;
+        if (lane == 0) {
+            triangles.corners.push_back({});
+        }
+        triangles.corners.back().set(lane, *scene.mesh, i);
+        triangles.each.push_back(
+            {.first_patch = patches.first(i),
              .level = static_cast<std::uint8_t>(patches.level(i)),
              .is_sensor = scene.role(i) == VisibilityRole::sensor,
              .least_cosine = least_cosines.empty() ? 0 : least_cosines[i],
@@ -57,20 +65,19 @@ std::vector<ColumnTriangle> column_triangles(
 }
 
 void Columns::draw(
-    const ProjectedScene& scene, std::span<const ColumnTriangle> triangles, const Spec& spec) {
-    fragments_.clear();
-    sorted_.clear();
-    passed_.clear();
+    const ProjectedScene& scene, const ColumnTriangles& triangles, const Spec& spec) {
+    size_ = 0;
     first_.clear();
+    counts_.assign(triangles.each.size(), 0);
     set_grid(scene, spec);
-    if (columns_ == 0) {
+    if (grid_.columns == 0) {
         return;
     }
     direction_ = spec.direction;
-    is_turned_ = dot(cross(x_.along, y_.along), direction_) < 0;
+    is_turned_ = dot(cross(grid_.x.along, grid_.y.along), direction_) < 0;
     scene.check_stop();
-    for (const ColumnTriangle& triangle : triangles) {
-        draw_triangle(triangle);
+    for (std::size_t block = 0; block < triangles.corners.size(); ++block) {
+        draw_block(triangles, block);
     }
     sort_lines();
 }
@@ -79,16 +86,16 @@ void Columns::draw(
 /// whole number of them.
 void Columns::set_grid(const ProjectedScene& scene, const Spec& spec) {
     const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
-    columns_ = rows_ = 0;
-    row_shift_ = 0;
+    grid_.columns = grid_.rows = 0;
+    grid_.row_shift = 0;
     if (!(plane.size_s > 0 && plane.size_t > 0)) {
         return;  // seen edge-on
     }
-    repeats_x_ = plane.repeats_s;
-    repeats_y_ = plane.repeats_t;
+    grid_.repeats_x = plane.repeats_s;
+    grid_.repeats_y = plane.repeats_t;
     const double area = plane.size_s * plane.size_t * plane.area;
     const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
-    if (repeats_x_ && repeats_y_) {
+    if (grid_.repeats_x && grid_.repeats_y) {
         set_square_rows(plane, spec, lines);
         return;
     }
@@ -98,15 +105,15 @@ void Columns::set_grid(const ProjectedScene& scene, const Spec& spec) {
     const auto steps = [&](double size, bool repeats) {
         return std::max(1.0, repeats ? std::round(size / pitch) : std::ceil(size / pitch));
     };
-    const double across = steps(plane.size_s, repeats_x_);
-    const double up = steps(plane.size_t, repeats_y_);
-    const double pitch_x = repeats_x_ ? plane.size_s / across : pitch;
-    const double pitch_y = repeats_y_ ? plane.size_t / up : pitch;
-    columns_ = static_cast<std::int64_t>(across);
-    rows_ = static_cast<std::int64_t>(up);
-    x_ = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
-    y_ = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
-    z_ = {plane.depth, 0};
+    const double across = steps(plane.size_s, grid_.repeats_x);
+    const double up = steps(plane.size_t, grid_.repeats_y);
+    const double pitch_x = grid_.repeats_x ? plane.size_s / across : pitch;
+    const double pitch_y = grid_.repeats_y ? plane.size_t / up : pitch;
+    grid_.columns = static_cast<std::int64_t>(across);
+    grid_.rows = static_cast<std::int64_t>(up);
+    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+    grid_.z = {plane.depth, 0};
     line_area_ = pitch_x * pitch_y * plane.area;
 }
 
@@ -123,119 +130,93 @@ void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, do
     const double across =
         std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::floor(lines));
     const double up = std::max(1.0, std::round(lines / across));
-    columns_ = static_cast<std::int64_t>(across);
-    rows_ = static_cast<std::int64_t>(up);
+    grid_.columns = static_cast<std::int64_t>(across);
+    grid_.rows = static_cast<std::int64_t>(up);
     const double pitch_x = plane.size_s / across;
     const double pitch_y = plane.size_t / up;
-    x_ = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
-    y_ = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
-    z_ = {plane.depth, 0};
-    row_shift_ = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
+    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+    grid_.z = {plane.depth, 0};
+    grid_.row_shift = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
     line_area_ = pitch_x * pitch_y * plane.area;
 }
 
-void Columns::draw_triangle(const ColumnTriangle& triangle) {
-    ProjectedTriangle c{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        c.x[i] = dot(x_.along, triangle.corners[i]) + x_.offset;
-        c.y[i] = dot(y_.along, triangle.corners[i]) + y_.offset;
-    }
-    std::int64_t row = ceil_of(std::min({c.y[0], c.y[1], c.y[2]}));
-    std::int64_t end_row = ceil_of(std::max({c.y[0], c.y[1], c.y[2]}));
-    if (!repeats_y_) {
-        row = std::max<std::int64_t>(row, 0);
-        end_row = std::min(end_row, rows_);
-    }
-    if (row >= end_row || TrianglePlane(c).is_edge_on()) {
+void Columns::draw_block(const ColumnTriangles& triangles, std::size_t block) {
+    const TriangleBlock& corners = triangles.corners[block];
+    if (!loops_.set(corners, grid_, spans_)) {
         return;
     }
-    bool is_seen = false;
-    const SidesByRow sides(c);
-    for (; row < end_row; ++row) {
-        const std::int64_t in_row = repeats_y_ ? wrapped(row, rows_) : row;
-        const double shift = row_shift_ == 0 ? 0 : shift_of(in_row);
-        const auto [left, right] = sides.at(static_cast<double>(row));
-        std::int64_t first = ceil_of(left - shift);
-        std::int64_t last = ceil_of(right - shift);
-        if (!repeats_x_) {
-            first = std::max<std::int64_t>(first, 0);
-            last = std::min(last, columns_);
-        }
-        if (first >= last) {
-            continue;
-        }
-        if (!is_seen) {
-            if (triangle.least_cosine > 0 && !is_in_view(triangle, direction_)) {
-                return;
+    const ColumnTriangle* each = &triangles.each[block * kBlockLanes];
+    while (loops_.next(grid_, spans_)) {
+        spans_.for_each([&](std::size_t lane, std::size_t span) {
+            const ColumnTriangle& triangle = each[lane];
+            if (!(triangle.least_cosine > 0) ||
+                is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
+                draw_span(triangle, lane, span);
+                counts_[block * kBlockLanes + lane] +=
+                    static_cast<std::uint32_t>(spans_.last[span] - spans_.first[span]);
             }
-            set_gradients(triangle, c);
-            is_seen = true;
-        }
-        draw_stretch({row, in_row, first, last, shift});
+        });
     }
 }
 
-/// How far a row stands beside its columns, 0..1.
-double Columns::shift_of(std::int64_t row) const {
-    const double moved = static_cast<double>(row) * row_shift_;
-    return moved - std::floor(moved);
-}
-
-/// Sets how depth and the place on the triangle change over the grid.
-void Columns::set_gradients(const ColumnTriangle& triangle, const ProjectedTriangle& corners) {
-    const TrianglePlane plane(corners);
-    const auto depth = [&](std::size_t i) { return dot(z_.along, triangle.corners[i]); };
-    const double z = depth(0);
-    const double a = depth(1);
-    const double b = depth(2);
-    std::tie(low_z_, high_z_) = std::minmax({z, a, b});
-    z_of_ = plane.gradient(z, a - z, b - z);
-    u_of_ = plane.gradient(0, 1, 0);
-    v_of_ = plane.gradient(0, 0, 1);
-    level_ = triangle.level;
-    cut_ = triangle.cut;
+void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::size_t span) {
+    const auto gradient = [lane](const BlockGradient& g) {
+        return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
+    };
+    const PlaneGradient of_depth = gradient(spans_.depth);
+    const PlaneGradient of_u = gradient(spans_.u), of_v = gradient(spans_.v);
+    const double y = spans_.y[span], shift = spans_.shift[span];
+    const double z = of_depth.at + of_depth.by_y * y;
+    const double u = of_u.at + of_u.by_y * y;
+    const double v = of_v.at + of_v.by_y * y;
+    const double low = spans_.low_depth[lane], high = spans_.high_depth[lane];
     // Light comes to the lower side if the corners turn to the left, seen along it.
-    const Passed lower = plane.turns_left() != is_turned_ ? 1 : 0;
-    first_passed_ = (triangle.is_sensor ? kSensor : 0) | (2 * triangle.first_patch + lower);
-}
-
-void Columns::draw_stretch(const Stretch& stretch) {
-    const auto y = static_cast<double>(stretch.row);
-    const double z = z_of_.at + z_of_.by_y * y;
-    const double u = u_of_.at + u_of_.by_y * y;
-    const double v = v_of_.at + v_of_.by_y * y;
-    const auto first_line = static_cast<std::uint32_t>(stretch.in_row * columns_);
-    std::int64_t line = repeats_x_ ? wrapped(stretch.first, columns_) : stretch.first;
-    const std::size_t before = fragments_.size();
-    fragments_.resize(before + static_cast<std::size_t>(stretch.last - stretch.first));
-    Fragment* to = fragments_.data() + before;
-    for (std::int64_t column = stretch.first; column < stretch.last; ++column) {
-        const double x = static_cast<double>(column) + stretch.shift;
-        const double depth = std::clamp(z + z_of_.by_x * x, low_z_, high_z_);
+    const Passed lower = (spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
+    const Passed first_passed =
+        (triangle.is_sensor ? kSensor : 0) | (2 * triangle.first_patch + lower);
+    const auto first = static_cast<std::int64_t>(spans_.first[span]);
+    const auto last = static_cast<std::int64_t>(spans_.last[span]);
+    const auto row_begin = static_cast<std::int64_t>(spans_.in_row[span]) * grid_.columns;
+    std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
+    const auto count = static_cast<std::size_t>(last - first);
+    if (fragments_.size() < size_ + count) {
+        fragments_.resize(2 * size_ + count);
+    }
+    Fragment* to = fragments_.data() + size_;
+    size_ += count;
+    for (std::int64_t column = first; column < last; ++column) {
+        const double x = static_cast<double>(column) + shift;
+        const double depth = std::clamp(z + of_depth.by_x * x, low, high);
         std::uint32_t part = 0;
-        if (level_ > 0) {
-            const double at_u = u + u_of_.by_x * x;
-            const double at_v = v + v_of_.by_x * x;
-            part = Patches::part(level_, at_u, at_v);
-            part = cut_ == nullptr ? part : cut_->patch(part, at_u, at_v);
+        if (triangle.level > 0) {
+            const double at_u = u + of_u.by_x * x;
+            const double at_v = v + of_v.by_x * x;
+            part = Patches::part(triangle.level, at_u, at_v);
+            part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
         }
         *to++ = {
-            first_line + static_cast<std::uint32_t>(line), static_cast<float>(depth),
-            first_passed_ + 2 * part};
+            static_cast<std::uint32_t>(row_begin + line), static_cast<float>(depth),
+            first_passed + 2 * part};
         ++line;
-        line = line == columns_ && repeats_x_ ? 0 : line;
+        line = line == grid_.columns && grid_.repeats_x ? 0 : line;
     }
 }
 
 /// By line, and along each by depth.
 void Columns::sort_lines() {
-    const auto lines = static_cast<std::size_t>(columns_ * rows_);
-    if (lines > kSparse * fragments_.size() + kSparse) {
+    const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
+    const std::span<const Fragment> fragments = std::span(fragments_).first(size_);
+    if (passed_.size() < size_) {
+        passed_.resize(fragments_.size());
+        sorted_.resize(fragments_.size());
+    }
+    if (lines > kSparse * size_ + kSparse) {
         sort_sparse_lines();
         return;
     }
     first_.assign(lines + 1, 0);
-    for (const Fragment& f : fragments_) {
+    for (const Fragment& f : fragments) {
         ++first_[f.line];
     }
     std::uint32_t end = 0;
@@ -243,47 +224,48 @@ void Columns::sort_lines() {
         end += first;
         first = end;
     }
-    // From the last to the first, so that what is equally deep keeps its order.
-    sorted_.resize(fragments_.size());
-    for (std::size_t i = fragments_.size(); i-- > 0;) {
-        const Fragment& f = fragments_[i];
-        sorted_[--first_[f.line]] = {f.depth, f.passed};
+    for (const Fragment& f : fragments) {
+        sorted_[--first_[f.line]] = key_of(f.depth, f.passed);
     }
-    passed_.resize(sorted_.size());
-    const auto is_before = [](const InLine& a, const InLine& b) { return a.depth < b.depth; };
-    constexpr std::uint32_t kMany = 32;
     for (std::size_t line = 0; line < lines; ++line) {
-        InLine* const from = sorted_.data() + first_[line];
-        const std::uint32_t count = first_[line + 1] - first_[line];
-        if (count > kMany) {
-            std::stable_sort(from, from + count, is_before);
-            continue;
-        }
-        for (std::uint32_t i = 1; i < count; ++i) {
-            const InLine next = from[i];
+        sort_line(first_[line], first_[line + 1]);
+    }
+}
+
+/// Few lie on a line.
+void Columns::sort_line(std::uint32_t first, std::uint32_t end) {
+    constexpr std::uint32_t kMany = 32;
+    std::uint64_t* const from = sorted_.data();
+    if (end - first > kMany) {
+        std::sort(from + first, from + end);
+    } else {
+        for (std::uint32_t i = first + 1; i < end; ++i) {
+            const std::uint64_t next = from[i];
             std::uint32_t at = i;
-            for (; at > 0 && next.depth < from[at - 1].depth; --at) {
+            for (; at > first && next < from[at - 1]; --at) {
                 from[at] = from[at - 1];
             }
             from[at] = next;
         }
     }
-    std::transform(
-        sorted_.begin(), sorted_.end(), passed_.begin(), [](const InLine& f) { return f.passed; });
+    for (std::uint32_t i = first; i < end; ++i) {
+        passed_[i] = static_cast<Passed>(from[i]);
+    }
 }
 
 void Columns::sort_sparse_lines() {
-    std::stable_sort(
-        fragments_.begin(), fragments_.end(), [](const Fragment& a, const Fragment& b) {
-            return a.line != b.line ? a.line < b.line : a.depth < b.depth;
-        });
-    for (std::size_t i = 0; i < fragments_.size(); ++i) {
+    const auto end = fragments_.begin() + static_cast<std::ptrdiff_t>(size_);
+    std::sort(fragments_.begin(), end, [](const Fragment& a, const Fragment& b) {
+        return a.line != b.line ? a.line < b.line
+                                : key_of(a.depth, a.passed) < key_of(b.depth, b.passed);
+    });
+    for (std::size_t i = 0; i < size_; ++i) {
         if (i == 0 || fragments_[i].line != fragments_[i - 1].line) {
             first_.push_back(static_cast<std::uint32_t>(i));
         }
-        passed_.push_back(fragments_[i].passed);
+        passed_[i] = fragments_[i].passed;
     }
-    first_.push_back(static_cast<std::uint32_t>(fragments_.size()));
+    first_.push_back(static_cast<std::uint32_t>(size_));
 }
 
 }  // namespace quasimc

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,13 +7,13 @@
 
 #include "geometry/raster/patches.h"
 #include "geometry/raster/projected_scene.h"
+#include "geometry/raster/triangle_block.h"
 #include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
 
 /// A triangle as Columns draw it.
 struct ColumnTriangle {
-    std::array<Vec3, 3> corners;  ///< local coordinates
     std::uint32_t first_patch = 0;
     std::uint8_t level = 0;  ///< see Patches
     bool is_sensor = false;
@@ -22,9 +21,15 @@ struct ColumnTriangle {
     const CutTriangle* cut = nullptr;  ///< where others cross it: how it is cut into patches
 };
 
+/// Triangles in blocks, the last one filled up with what nobody sees.
+struct ColumnTriangles {
+    std::vector<TriangleBlock> corners;
+    std::vector<ColumnTriangle> each;
+};
+
 /// The triangles of a scene that have patches, which must outlive them.
 /// @param least_cosines  by triangle; empty: 0
-[[nodiscard]] std::vector<ColumnTriangle> column_triangles(
+[[nodiscard]] ColumnTriangles column_triangles(
     const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines = {});
 
 /// All that parallel lines through a scene pass, in order: a bundle of rays, rasterized.
@@ -52,12 +57,14 @@ class Columns {
 
     /// @param scene  where it lies, and how it repeats
     /// @param triangles  column_triangles() of the scene
-    void draw(
-        const ProjectedScene& scene, std::span<const ColumnTriangle> triangles, const Spec& spec);
+    void draw(const ProjectedScene& scene, const ColumnTriangles& triangles, const Spec& spec);
 
     [[nodiscard]] double line_area() const { return line_area_; }
     /// Of all lines.
-    [[nodiscard]] std::size_t size() const { return passed_.size(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// How many lines pass each of the triangles, in their order.
+    [[nodiscard]] std::span<const std::uint32_t> counts() const { return counts_; }
 
     /// Calls visit(span of Passed) for each line that passes something, in order along the
     /// direction.
@@ -76,45 +83,28 @@ class Columns {
         float depth;
         Passed passed;
     };
-    struct InLine {
-        float depth;
-        Passed passed;
-    };
-    /// Pixels of a row that a triangle covers.
-    struct Stretch {
-        std::int64_t row, in_row;  ///< unwrapped, and on the grid
-        std::int64_t first, last;  ///< columns, unwrapped; the last is not covered
-        double shift;              ///< of the row
-    };
 
     void set_grid(const ProjectedScene& scene, const Spec& spec);
     void set_square_rows(const ProjectionPlane& plane, const Spec& spec, double lines);
-    [[nodiscard]] double shift_of(std::int64_t row) const;
-    void draw_triangle(const ColumnTriangle& triangle);
-    void draw_stretch(const Stretch& stretch);
-    void set_gradients(const ColumnTriangle& triangle, const ProjectedTriangle& corners);
+    void draw_block(const ColumnTriangles& triangles, std::size_t block);
+    void draw_span(const ColumnTriangle& triangle, std::size_t lane, std::size_t span);
     void sort_lines();
+    void sort_line(std::uint32_t first, std::uint32_t end);
     void sort_sparse_lines();
 
-    BeamAxis x_, y_, z_;
+    SpanLoops loops_ = best_span_loops();
+    RasterGrid grid_;
     double line_area_ = 0;
-    std::int64_t columns_ = 0, rows_ = 0;
-    bool repeats_x_ = false, repeats_y_ = false;
-    double row_shift_ = 0;  // from row to row, in columns
     Vec3 direction_;
     bool is_turned_ = false;  // grid and direction are no right-handed frame
 
-    // The triangle at hand.
-    PlaneGradient z_of_, u_of_, v_of_;
-    double low_z_ = 0, high_z_ = 0;
-    Passed first_passed_ = 0;
-    int level_ = 0;
-    const CutTriangle* cut_ = nullptr;
-
-    std::vector<Fragment> fragments_;
-    std::vector<InLine> sorted_;
+    BlockSpans spans_{};               // of the triangles at hand
+    std::vector<Fragment> fragments_;  // the first size_
+    std::size_t size_ = 0;
+    std::vector<std::uint64_t> sorted_;  // depth, and what is passed there
     std::vector<std::uint32_t> first_;
     std::vector<Passed> passed_;
+    std::vector<std::uint32_t> counts_;
 };
 
 }  // namespace quasimc

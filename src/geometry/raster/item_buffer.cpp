@@ -45,12 +45,15 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     if (pixels == 0) {
         return;
     }
+    const bool is_open = !repeats_x_ && !repeats_y_;
     bool has_sensors = false;
     for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
         scene.check_stop();
         const VisibilityRole role = scene.role(i);
         has_sensors = has_sensors || role == VisibilityRole::sensor;
-        if (role == VisibilityRole::opaque) {
+        if (is_open && i % kBlockLanes == 0) {
+            draw_block(i);
+        } else if (!is_open && role == VisibilityRole::opaque) {
             draw_opaque(i);
         }
     }
@@ -170,6 +173,44 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
             images_.push_back(image);
         }
     });
+}
+
+/// Triangles from `first` on, side by side, where nothing repeats itself: the same pixels as
+/// draw_opaque() finds.
+void ItemBuffer::draw_block(std::uint32_t first) {
+    TriangleBlock block;
+    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+        const std::uint32_t i = first + lane;
+        if (i < scene_.mesh->triangle_count() && scene_.role(i) == VisibilityRole::opaque) {
+            block.set(lane, *scene_.mesh, i);
+        }
+    }
+    BlockSpans& found = block_spans_;
+    const RasterGrid grid{.x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_};
+    if (!loops_.set(block, grid, found)) {
+        return;
+    }
+    while (loops_.next(grid, found)) {
+        found.for_each([&](std::size_t lane, std::size_t i) {
+            const double z = found.first_depth[lane] +
+                             (found.first[i] - found.first_x[lane]) * found.depth.by_x[lane] +
+                             (found.y[i] - found.first_y[lane]) * found.depth.by_y[lane];
+            lane_spans_[lane].push_back(
+                {std::size_t{columns_} * static_cast<std::size_t>(found.y[i]) +
+                     static_cast<std::size_t>(found.first[i]),
+                 static_cast<std::int32_t>(found.last[i] - found.first[i]), static_cast<float>(z)});
+        });
+    }
+    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+        if (!lane_spans_[lane].empty()) {
+            draw_spans_(
+                depths_.data(), ids_.data(), lane_spans_[lane],
+                static_cast<float>(found.depth.by_x[lane]),
+                static_cast<std::int32_t>(images_.size()));
+            images_.push_back({first + lane, 0, 0});
+            lane_spans_[lane].clear();
+        }
+    }
 }
 
 /// Without a branch for each pixel.

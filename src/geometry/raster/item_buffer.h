@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "geometry/mesh/point2.h"
 #include "geometry/raster/draw_span.h"
 #include "geometry/raster/projected_scene.h"
+#include "geometry/raster/triangle_block.h"
 #include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
@@ -86,20 +88,24 @@ class ItemBuffer {
     template <typename Span>
     void rasterize(const ProjectedTriangle& corners, const Span& span) const;
     void draw_opaque(std::uint32_t triangle);
+    void draw_block(std::uint32_t first);
     void find_runs();
     void list_items();
     void add_sensor(std::uint32_t triangle);
 
     DrawSpans* draw_spans_ = best_draw_spans();
+    SpanLoops loops_ = best_span_loops();
     ProjectedScene scene_;
     Vec3 direction_;
     BeamAxis x_, y_, z_;  // place on the grid, and depth
     double pixel_area_ = 0;
     std::uint32_t columns_ = 0, rows_ = 0;
     bool repeats_x_ = false, repeats_y_ = false;
-    std::vector<float> depths_;        // by pixel
-    std::vector<std::int32_t> ids_;    // by pixel: in images_
-    std::vector<PixelSpan> spans_;     // scratch, of one triangle
+    std::vector<float> depths_;      // by pixel
+    std::vector<std::int32_t> ids_;  // by pixel: in images_
+    std::vector<PixelSpan> spans_;   // scratch, of one triangle
+    BlockSpans block_spans_{};       // scratch, of a block
+    std::array<std::vector<PixelSpan>, kBlockLanes> lane_spans_;
     std::vector<std::uint32_t> ends_;  // scratch
     std::vector<Run> runs_;
     std::vector<Image> images_;  // the first stands for nothing

@@ -82,6 +82,44 @@ TEST_P(Parallel, DoesNothingWithoutBlocks) {
     parallel_blocks(0, GetParam(), [](std::uint64_t, unsigned) { FAIL(); });
 }
 
+TEST_P(Parallel, UsesBlocksInTheirOrderWhenTheFirstIsLate) {
+    std::atomic<std::uint64_t> prepared{0};
+    std::vector<std::uint64_t> order;  // written by one at a time
+    ordered_blocks(
+        kBlocks, GetParam(),
+        [&](std::uint64_t block, unsigned) {
+            while (block == 0 && GetParam() > 1 && prepared < GetParam() - 1) {
+                std::this_thread::yield();
+            }
+            ++prepared;
+        },
+        [&](std::uint64_t block, unsigned) { order.push_back(block); });
+    std::vector<std::uint64_t> expected(kBlocks);
+    std::iota(expected.begin(), expected.end(), 0);
+    EXPECT_EQ(order, expected);
+}
+
+TEST_P(Parallel, UsesNothingAfterAFailure) {
+    for (const bool fails_in_turn : {false, true}) {
+        std::uint64_t used = 0;
+        const auto fail_at_ten = [](bool fails, std::uint64_t block) {
+            if (fails && block == 10) {
+                throw std::runtime_error("block ten");
+            }
+        };
+        EXPECT_THROW(
+            ordered_blocks(
+                1ULL << 40U, GetParam(),
+                [&](std::uint64_t block, unsigned) { fail_at_ten(!fails_in_turn, block); },
+                [&](std::uint64_t block, unsigned) {
+                    fail_at_ten(fails_in_turn, block);
+                    ++used;
+                }),
+            std::runtime_error);
+        EXPECT_LE(used, 10U);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Workers, Parallel, ::testing::Values(1U, 2U, 7U));
 
 TEST(ParallelBlocks, HandsBlocksOutInOrder) {

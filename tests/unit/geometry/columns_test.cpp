@@ -1,5 +1,6 @@
 #include "geometry/raster/columns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -17,7 +18,7 @@ using test::kDown;
 using test::kLeaf;
 
 /// Each triangle is a patch.
-std::vector<ColumnTriangle> whole(const LocalMesh& mesh) {
+ColumnTriangles whole(const LocalMesh& mesh) {
     const Patches patches(std::vector<std::uint8_t>(mesh.triangle_count(), 0));
     return column_triangles({&mesh, {}}, patches);
 }
@@ -75,6 +76,22 @@ TEST(Columns, PassSurfacesInTheirOrder) {
     EXPECT_EQ(longest, 40U);
 }
 
+/// Each triangle is one patch.
+TEST(Columns, CountTheLinesThatPassEachTriangle) {
+    const LocalMesh mesh = make_local_mesh(test::random_leaves(100, .3, 1, 7));
+    Columns columns;
+    columns.draw({&mesh, {}}, whole(mesh), {normalized(Vec3{.3, .2, -1}), .3, .5, .5, 1e-3});
+    std::vector<std::uint32_t> passed(mesh.triangle_count());
+    columns.for_each_line([&](std::span<const Columns::Passed> line) {
+        for (const Columns::Passed patch : line) {
+            ++passed.at(patch / 2);
+        }
+    });
+    EXPECT_GT(columns.size(), 1000U);
+    EXPECT_TRUE(
+        std::equal(passed.begin(), passed.end(), columns.counts().begin(), columns.counts().end()));
+}
+
 /// Squares that fill a cell are passed once by every line through the endless stand, from
 /// wherever, and however few lines there are.
 TEST(Columns, MeetEachLayerOfAnEndlessStandOnce) {
@@ -86,7 +103,7 @@ TEST(Columns, MeetEachLayerOfAnEndlessStandOnce) {
     const Cell world{
         .along_x = true, .along_y = true, .low_x = -.5, .low_y = -.5, .size_x = 1, .size_y = 1};
     const Cell cell = local_cell(mesh, world);
-    const std::vector<ColumnTriangle> triangles = whole(mesh);
+    const ColumnTriangles triangles = whole(mesh);
     test::Random random(1);
     Columns columns;
     std::size_t lines = 0;

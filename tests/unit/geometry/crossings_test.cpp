@@ -118,5 +118,24 @@ TEST(SurfaceCrossings, AreNotLookedForWhereAllBoxesOverlap) {
     EXPECT_FALSE(find_crossings(make_local_mesh(heap)).gave_up);
 }
 
+/// Each crosses all others: what they would be cut into takes seconds for each hundred.
+TEST(SurfaceCrossings, AreNotTakenOfManyTrianglesThroughOnePoint) {
+    const auto heap = [](std::uint32_t triangles) {
+        std::vector<Triangle> all = test::random_leaves(triangles, 1, 1, 5);
+        for (Triangle& t : all) {
+            const Vec3 center = (t[0] + t[1] + t[2]) / 3;
+            t = {t[0] - center, t[1] - center, t[2] - center};
+        }
+        return find_crossings(make_local_mesh(all));
+    };
+    const SurfaceCrossings few = heap(50);
+    EXPECT_FALSE(few.gave_up);
+    EXPECT_GT(few.found.size(), 50U * 49U / 4U);
+    EXPECT_LE(few.found.size(), most_crossings(50));
+    const SurfaceCrossings many = heap(3000);
+    EXPECT_TRUE(many.gave_up);
+    EXPECT_TRUE(many.found.empty());
+}
+
 }  // namespace
 }  // namespace quasimc

@@ -1,0 +1,215 @@
+// Compiled once for each vector unit: foreach_target.h includes this file again and again.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "geometry/raster/triangle_block.cpp"
+#include "geometry/raster/triangle_block.h"
+
+#include <hwy/foreach_target.h>  // before highway.h
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace quasimc {
+namespace HWY_NAMESPACE {
+namespace {
+
+// Products and sums, not MulAdd, which rounds otherwise on machines that have a fused one.
+namespace hn = hwy::HWY_NAMESPACE;
+using Numbers = hn::CappedTag<double, kBlockLanes>;
+using Vector = hn::Vec<Numbers>;
+constexpr Numbers kNumbers;
+
+/// The coordinate of a corner of some lanes.
+Vector coordinate(
+    const TriangleBlock& corners, std::size_t corner, const BeamAxis& axis, std::size_t lane) {
+    const auto times = [&](std::size_t i, double along) {
+        return hn::Mul(hn::Set(kNumbers, along), hn::Load(kNumbers, &corners.at[corner][i][lane]));
+    };
+    const auto sum =
+        hn::Add(hn::Add(times(0, axis.along.x), times(1, axis.along.y)), times(2, axis.along.z));
+    return hn::Add(sum, hn::Set(kNumbers, axis.offset));
+}
+
+/// A corner on the grid.
+struct Corner {
+    Vector x, y;
+};
+
+/// Puts the lower one first.
+void order(Corner& a, Corner& b) {
+    const auto swap = hn::Lt(b.y, a.y);
+    const Corner lower{hn::IfThenElse(swap, b.x, a.x), hn::IfThenElse(swap, b.y, a.y)};
+    b = {hn::IfThenElse(swap, a.x, b.x), hn::IfThenElse(swap, a.y, b.y)};
+    a = lower;
+}
+
+Vector slope(const Corner& from, const Corner& to) {
+    return hn::Div(hn::Sub(to.x, from.x), hn::Sub(to.y, from.y));
+}
+
+void set_sides(Corner low, Corner middle, Corner high, std::size_t lane, BlockSpans& spans) {
+    order(low, middle);
+    order(middle, high);
+    order(low, middle);
+    hn::Store(low.x, kNumbers, spans.low_x + lane);
+    hn::Store(low.y, kNumbers, spans.low_y + lane);
+    hn::Store(middle.x, kNumbers, spans.middle_x + lane);
+    hn::Store(middle.y, kNumbers, spans.middle_y + lane);
+    hn::Store(slope(low, high), kNumbers, spans.slope_long + lane);
+    hn::Store(slope(low, middle), kNumbers, spans.slope_low + lane);
+    hn::Store(slope(middle, high), kNumbers, spans.slope_high + lane);
+}
+
+/// Two sides of a triangle from its first corner, on the grid: as TrianglePlane.
+struct Plane {
+    Vector ax, ay, bx, by, x, y, per_area;
+
+    void store(Vector first, Vector a, Vector b, std::size_t lane, BlockGradient& to) const {
+        const auto by_x = hn::Mul(hn::Sub(hn::Mul(a, by), hn::Mul(b, ay)), per_area);
+        const auto by_y = hn::Mul(hn::Sub(hn::Mul(b, ax), hn::Mul(a, bx)), per_area);
+        hn::Store(
+            hn::Sub(hn::Sub(first, hn::Mul(by_x, x)), hn::Mul(by_y, y)), kNumbers, to.at + lane);
+        hn::Store(by_x, kNumbers, to.by_x + lane);
+        hn::Store(by_y, kNumbers, to.by_y + lane);
+    }
+};
+
+void set_gradients(
+    const Plane& plane, const Vector (&depths)[3], std::size_t lane, BlockSpans& spans) {
+    const auto zero = hn::Zero(kNumbers);
+    const auto one = hn::Set(kNumbers, 1.0);
+    plane.store(
+        depths[0], hn::Sub(depths[1], depths[0]), hn::Sub(depths[2], depths[0]), lane, spans.depth);
+    plane.store(zero, one, zero, lane, spans.u);
+    plane.store(zero, zero, one, lane, spans.v);
+    hn::Store(plane.x, kNumbers, spans.first_x + lane);
+    hn::Store(plane.y, kNumbers, spans.first_y + lane);
+    hn::Store(depths[0], kNumbers, spans.first_depth + lane);
+    hn::Store(hn::Min(depths[0], hn::Min(depths[1], depths[2])), kNumbers, spans.low_depth + lane);
+    hn::Store(hn::Max(depths[0], hn::Max(depths[1], depths[2])), kNumbers, spans.high_depth + lane);
+}
+
+/// Some lanes of set(). @returns whether any of them touches a row
+bool set_lanes(
+    const TriangleBlock& corners, const RasterGrid& grid, std::size_t lane, BlockSpans& spans) {
+    Corner at[3];
+    Vector depths[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        at[i] = {coordinate(corners, i, grid.x, lane), coordinate(corners, i, grid.y, lane)};
+        depths[i] = coordinate(corners, i, grid.z, lane);
+    }
+    auto row = hn::Ceil(hn::Min(at[0].y, hn::Min(at[1].y, at[2].y)));
+    auto end = hn::Ceil(hn::Max(at[0].y, hn::Max(at[1].y, at[2].y)));
+    if (!grid.repeats_y) {
+        row = hn::Max(row, hn::Zero(kNumbers));
+        end = hn::Min(end, hn::Set(kNumbers, static_cast<double>(grid.rows)));
+    }
+    const auto ax = hn::Sub(at[1].x, at[0].x);
+    const auto ay = hn::Sub(at[1].y, at[0].y);
+    const auto bx = hn::Sub(at[2].x, at[0].x);
+    const auto by = hn::Sub(at[2].y, at[0].y);
+    const auto twice_area = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+    // Corners are told apart in single precision: what is thinner is seen edge-on.
+    const auto squares = hn::Add(
+        hn::Add(hn::Add(hn::Mul(ax, ax), hn::Mul(ay, ay)), hn::Mul(bx, bx)), hn::Mul(by, by));
+    const auto is_wide = hn::Gt(hn::Abs(twice_area), hn::Mul(hn::Set(kNumbers, 0x1p-24), squares));
+    end = hn::IfThenElse(is_wide, end, row);
+    hn::Store(row, kNumbers, spans.row + lane);
+    hn::Store(end, kNumbers, spans.end_row + lane);
+    const auto touches = hn::Lt(row, end);
+    if (hn::AllFalse(kNumbers, touches)) {
+        return false;
+    }
+    hn::Store(twice_area, kNumbers, spans.twice_area + lane);
+    set_sides(at[0], at[1], at[2], lane, spans);
+    set_gradients(
+        {ax, ay, bx, by, at[0].x, at[0].y, hn::Div(hn::Set(kNumbers, 1.0), twice_area)}, depths,
+        lane, spans);
+    return true;
+}
+
+bool set_block(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans) {
+    bool touches = false;
+    for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
+        touches = set_lanes(corners, grid, lane, spans) || touches;
+    }
+    return touches;
+}
+
+/// x modulo n of whole numbers.
+Vector wrapped(Vector x, double n) {
+    const auto size = hn::Set(kNumbers, n);
+    return hn::Sub(x, hn::Mul(hn::Floor(hn::Div(x, size)), size));
+}
+
+/// Sets the spans of the next row of some lanes, as row `i` of those at hand.
+void set_row(const RasterGrid& grid, std::size_t i, std::size_t lane, BlockSpans& spans) {
+    const auto load = [lane](const double* from) { return hn::Load(kNumbers, from + lane); };
+    const auto row = load(spans.row);
+    const auto is_row = hn::Lt(row, load(spans.end_row));
+    if (hn::AllFalse(kNumbers, is_row)) {
+        return;
+    }
+    const auto in_row = grid.repeats_y ? wrapped(row, static_cast<double>(grid.rows)) : row;
+    const auto moved = hn::Mul(in_row, hn::Set(kNumbers, grid.row_shift));
+    const auto shift = hn::Sub(moved, hn::Floor(moved));
+    const auto low_x = load(spans.low_x);
+    const auto middle_y = load(spans.middle_y);
+    const auto up = hn::Sub(row, load(spans.low_y));
+    const auto along = hn::Add(low_x, hn::Mul(up, load(spans.slope_long)));
+    const auto other = hn::IfThenElse(
+        hn::Lt(row, middle_y), hn::Add(low_x, hn::Mul(up, load(spans.slope_low))),
+        hn::Add(load(spans.middle_x), hn::Mul(hn::Sub(row, middle_y), load(spans.slope_high))));
+    auto first = hn::Ceil(hn::Sub(hn::Min(along, other), shift));
+    auto last = hn::Ceil(hn::Sub(hn::Max(along, other), shift));
+    if (!grid.repeats_x) {
+        first = hn::Max(first, hn::Zero(kNumbers));
+        last = hn::Min(last, hn::Set(kNumbers, static_cast<double>(grid.columns)));
+    }
+    const auto is_covered = hn::And(is_row, hn::Lt(first, last));
+    const std::size_t at = i * kBlockLanes + lane;
+    hn::Store(row, kNumbers, spans.y + at);
+    hn::Store(in_row, kNumbers, spans.in_row + at);
+    hn::Store(first, kNumbers, spans.first + at);
+    hn::Store(last, kNumbers, spans.last + at);
+    hn::Store(shift, kNumbers, spans.shift + at);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kNumbers, is_covered, bits);
+    spans.covered[i] |= std::uint32_t{bits[0]} << lane;
+    hn::Store(hn::Add(row, hn::Set(kNumbers, 1.0)), kNumbers, spans.row + lane);
+}
+
+bool next_rows(const RasterGrid& grid, BlockSpans& spans) {
+    double most = 0;
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        const double rows = spans.end_row[lane] - spans.row[lane];
+        most = rows > most ? rows : most;
+    }
+    spans.rows = 0;
+    for (; spans.rows < kBlockRows && static_cast<double>(spans.rows) < most; ++spans.rows) {
+        spans.covered[spans.rows] = 0;
+        for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
+            set_row(grid, spans.rows, lane, spans);
+        }
+    }
+    return most > 0;
+}
+
+SpanLoops span_loops() {
+    return {&set_block, &next_rows};
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace quasimc
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace quasimc {
+
+HWY_EXPORT(span_loops);
+
+SpanLoops best_span_loops() {
+    return HWY_DYNAMIC_DISPATCH(span_loops)();
+}
+
+}  // namespace quasimc
+#endif
