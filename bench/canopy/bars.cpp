@@ -258,6 +258,9 @@ void print_bars(const Effort& effort) {
     print_time(kFirst, "500 leaves, PAR, sun", {}, 20, effort);
     print_time(kFirst, "10,000 leaves, PAR, sun", {.leaves = 10000}, 1000, effort);
     print_bundle_bars(effort);
+    if (is_asked_for("season", effort)) {
+        print_season(effort);
+    }
 }
 
 }  // namespace quasimc::bench

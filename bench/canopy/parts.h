@@ -41,6 +41,8 @@ void print_band_cost(const Effort& effort);
 void print_engine_speed(const Effort& effort);
 /// A day by the hour against one hour, and collapsed into one trace.
 void print_day(const Effort& effort);
+/// A year, its hours together, against one hour at the same error.
+void print_season(const Effort& effort);
 /// One thread against two.
 void print_scaling(const Effort& effort);
 

@@ -203,7 +203,8 @@ SeasonBasis::SeasonBasis(
     for (LeftOut& left : left_out) {
         if (left.sky) {
             solving.add_sky(
-                {[&](const Vec3& d) { return left.sky->radiance(d); }, {}, {}}, left.of_sky);
+                {[sky = left.sky](const Vec3& d) { return sky->radiance(d); }, {}, {}},
+                left.of_sky);
         }
         if (left.sun) {
             solving.add_beam(left.sun->to_light, left.of_sun);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,25 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     EXPECT_NE(sums.find("\n2024-06-20/2024-06-21,14400,1,third,"), std::string::npos) << sums;
     const Outcome again = run({"run", "--from", "r.json", "--threads", "2"});
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
+}
+
+/// Hours that are computed together are written as those one by one are.
+TEST_F(TimesTest, AreComputedTogetherOnDemand) {
+    const std::vector<std::string> together{"run",      "days.toml", "--hours",
+                                            "together", "--method",  "ray_bundles"};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = together;
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    };
+    const Outcome outcome = with({"--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
+    EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
+    EXPECT_NE(folder_.read("r.json").find("\"hours\": \"together\""), std::string::npos);
+    const Outcome kept = with({"--checkpoint", "c.checkpoint"});
+    EXPECT_EQ(kept.status, 1);
+    EXPECT_NE(kept.err.find("\"together\", with a checkpoint"), std::string::npos) << kept.err;
 }
 
 /// A day and a night of whole hours, of two plants.

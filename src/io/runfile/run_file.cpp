@@ -162,6 +162,15 @@ void check_effort(const Sections& sections, Faults& faults) {
     }
 }
 
+void check_hours(const Sections& sections, Faults& faults) {
+    const RunSpec& spec = sections.options.spec;
+    if (sections.series) {
+        check_together(*sections.scene, sections.series->time_steps, spec, faults);
+    } else if (spec.hours == Hours::together) {
+        faults.add({"hours", "it is \"together\"", "the run has no [time]", "leave it out"});
+    }
+}
+
 /// Nights need no source; all else is checked with one in its place.
 void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const std::vector<double> one(scene.bands().size(), 1.0);
@@ -308,6 +317,7 @@ RunFile read_run_document(
         Faults faults;
         check_with_sources(sections, *sections.scene, faults, darkness);
         check_effort(sections, faults);
+        check_hours(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);

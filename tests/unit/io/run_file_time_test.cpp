@@ -391,5 +391,18 @@ TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
     EXPECT_TRUE(faults_of(text.text()).empty());
 }
 
+TEST(RunFileTime, HoursTogetherAreOfASeriesByRayBundles) {
+    RunText text;
+    text.run = "[run]\nhours = 'together'\n";
+    EXPECT_TRUE(
+        mentions(faults_of(text.text()), "hours: it is \"together\" (the run has no [time])"));
+    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    text.sources = "";
+    text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\nduration_minutes = 60\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "method is not ray_bundles"));
+    text.run += "method = 'ray_bundles'\n";
+    EXPECT_TRUE(faults_of(text.text()).empty());
+}
+
 }  // namespace
 }  // namespace quasimc::test

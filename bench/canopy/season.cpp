@@ -1,0 +1,140 @@
+// A year hour by hour, all hours together, over the time of one hour at the same error. So that it
+// ends, the year is a sample of its days, half of them overcast: what all hours have in common is
+// timed once, and an hour by the mean of those of the sample.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "base/process_time.h"
+#include "parts.h"
+#include "quasimc/series.h"
+#include "scenes.h"
+#include "sources/hour_light.h"
+
+namespace quasimc::bench {
+namespace {
+
+constexpr double kTarget = 0.02;
+constexpr double kHoursOfYear = 4400, kMostHours = 40;
+constexpr double kHour = 3600;
+constexpr int kMonths = 12, kDayHours = 24;
+
+std::vector<TimeStep> sample_of_year() {
+    const Place place{.latitude_deg = 51.97, .longitude_deg = 5.67};
+    DaylightSources how;
+    how.bands = {{400, 700}, {700, 1100}};
+    std::vector<TimeStep> hours;
+    for (int month = 1; month <= kMonths; ++month) {
+        for (int hour = 0; hour < kDayHours; ++hour) {
+            const SunPath path = sun_path(place, {2024, month, 15, hour, 0, 0, 1}, kHour, 300);
+            HourLight light = clear_light(path, {});
+            if (month % 2 == 0) {
+                const Reading overcast{
+                    .global = light.daylight.global() / 3, .diffuse = light.daylight.global() / 3};
+                light = measured_light(
+                    path, overcast, LightUnit::full_spectrum, DiffuseModel::erbs, how.spectra);
+            }
+            HourSources sources = make_hour_sources(path, light, how);
+            if (!sources.sources.empty()) {
+                hours.push_back(
+                    {"hour", std::move(sources.sources), std::move(sources.shapes), kHour,
+                     static_cast<std::size_t>(month)});
+            }
+        }
+    }
+    return hours;
+}
+
+TimeStep brightest(const std::vector<TimeStep>& hours) {
+    const auto light = [](const TimeStep& hour) {
+        double sum = 0;
+        for (const auto& source : hour.sources) {
+            sum += source->spectrum()[0] * source->horizontal_irradiance();
+        }
+        return sum;
+    };
+    return *std::max_element(hours.begin(), hours.end(), [&](const auto& a, const auto& b) {
+        return light(a) < light(b);
+    });
+}
+
+/// Rms of the errors of what organs absorb, over their mean, in the band where it is largest.
+double error_of(const Result& result) {
+    double worst = 0;
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        double squares = 0, sum = 0;
+        for (std::size_t i = 0; i < result.organs(); ++i) {
+            const Estimate& e = result.at(i, Quantity::absorbed_flux_density, b);
+            squares += e.standard_error * e.standard_error;
+            sum += e.mean;
+        }
+        const auto organs = static_cast<double>(result.organs());
+        worst = std::max(worst, std::sqrt(squares / organs) / (sum / organs));
+    }
+    return worst;
+}
+
+struct Cost {
+    double seconds = 0, each = 0;  ///< before the first hour, and of an hour
+    double error = 0;              ///< the median of the hours'
+};
+
+Cost cost_of(const Scene& scene, const std::vector<TimeStep>& hours, const RunSpec& spec) {
+    std::vector<double> errors, times;
+    SeriesEvents events;
+    const Stopwatch watch;
+    events.wants_total = false;
+    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        times.push_back(watch.cpu_seconds());
+        errors.push_back(error_of(result));
+    };
+    run_series(scene, hours, spec, events);
+    const double each = times.size() > 1
+                            ? (times.back() - times.front()) / static_cast<double>(times.size() - 1)
+                            : 0;
+    std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+    return {times.front() - each, each, errors[errors.size() / 2]};
+}
+
+/// The first number of paths, doubled and doubled, that brings the error below the target.
+std::pair<std::uint64_t, Cost> cost_at_target(
+    const Scene& scene, const std::vector<TimeStep>& hours, RunSpec spec) {
+    constexpr std::uint64_t kFirst = 1 << 12, kLast = 1 << 18;
+    Cost cost;
+    for (spec.paths = kFirst; spec.paths <= kLast; spec.paths *= 2) {
+        cost = cost_of(scene, hours, spec);
+        if (cost.error <= kTarget) {
+            break;
+        }
+    }
+    return {std::min(spec.paths, kLast), cost};
+}
+
+}  // namespace
+
+void print_season(const Effort& effort) {
+    const bool is_quick = effort.replicates < 8;
+    const std::uint32_t leaves = is_quick ? 1000 : 10000;
+    const Scene scene = make_canopy({.leaves = leaves, .albedos = {0.2, 0.85}, .seed = 7});
+    const std::vector<TimeStep> hours = sample_of_year();
+    RunSpec spec;
+    spec.method = Method::ray_bundles;
+    spec.threads = 1;
+    const std::vector<TimeStep> noon{brightest(hours)};
+    const auto [paths, one] = cost_at_target(scene, noon, spec);
+    spec.hours = Hours::together;
+    const auto [paths_together, all] = cost_at_target(scene, hours, spec);
+    const double year = all.seconds + kHoursOfYear * all.each;
+    std::printf(
+        "  season, %u leaves, PAR and NIR: an hour to %.1f %% in %.2f s (%lu paths); together to "
+        "%.1f %% (%lu paths) %.1f s and %.3f s an hour, a year %.0f times the hour (at most %g: "
+        "%s)\n",
+        leaves, 100 * one.error, one.seconds, paths, 100 * all.error, paths_together, all.seconds,
+        all.each, year / one.seconds, kMostHours,
+        year <= kMostHours * one.seconds ? "met" : "MISSED");
+}
+
+}  // namespace quasimc::bench
