@@ -125,7 +125,7 @@ void print_season(const Effort& effort) {
     spec.threads = 1;
     const std::vector<TimeStep> noon{brightest(hours)};
     const auto [paths, one] = cost_at_target(scene, noon, spec);
-    spec.hours = Hours::together;
+    spec.series = SeriesMode::together;
     const auto [paths_together, all] = cost_at_target(scene, hours, spec);
     const double year = all.seconds + kHoursOfYear * all.each;
     std::printf(

@@ -47,7 +47,7 @@ enum class Effort {
 };
 
 /// How the times of a series are computed.
-enum class Hours {
+enum class SeriesMode {
     one_by_one,  ///< each for itself
     together,    ///< the sun's direct light for itself, all else from the light of one set of
                  ///< directions (docs/theory/time-series.md): ray bundles only
@@ -83,7 +83,7 @@ struct RunSpec {
     /// takes no notice of it.
     Effort effort = Effort::each;
     /// Of a series: whether its times share what they can. A single run takes no notice of it.
-    Hours hours = Hours::one_by_one;
+    SeriesMode series = SeriesMode::one_by_one;
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band

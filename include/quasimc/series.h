@@ -127,8 +127,9 @@ SeriesSummary run_series(
     const SeriesEvents& events = {},
     const std::stop_token& stop = {});
 
-/// Adds the faults of a specification whose times are to be computed together (Hours::together):
-/// of sources, detectors and options that this can't do. None of other specifications.
+/// Adds the faults of a specification whose times are to be computed together
+/// (SeriesMode::together): of sources, detectors and options that this can't do. None of other
+/// specifications.
 void check_together(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,

@@ -235,16 +235,16 @@ void check_together_sources(const std::vector<TimeStep>& time_steps, Faults& fau
             const std::string place = fmt::format("source '{}'", source->name());
             if (source->is_lamp()) {
                 faults.add(
-                    {place, "a lamp, where hours = \"together\"",
+                    {place, "a lamp, where series = \"together\"",
                      "only light from far away is put together from directions",
-                     "use hours = \"one_by_one\""});
+                     "use series = \"one_by_one\""});
                 return;
             }
             if (source->is_sun() && !(beam_of(*source).to_light.z > 0)) {
                 faults.add(
-                    {place, "light from below the horizon, where hours = \"together\"",
+                    {place, "light from below the horizon, where series = \"together\"",
                      "light is put together from directions of the upper hemisphere",
-                     "use hours = \"one_by_one\""});
+                     "use series = \"one_by_one\""});
                 return;
             }
         }
@@ -258,12 +258,12 @@ void check_together(
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
     Faults& faults) {
-    if (spec.hours != Hours::together) {
+    if (spec.series != SeriesMode::together) {
         return;
     }
     const auto refuse = [&](bool is_so, std::string problem, std::string why, std::string what) {
         if (is_so) {
-            faults.add({"hours", std::move(problem), std::move(why), std::move(what)});
+            faults.add({"series", std::move(problem), std::move(why), std::move(what)});
         }
     };
     refuse(
@@ -282,7 +282,7 @@ void check_together(
         "all times have the same paths", "leave effort out");
     refuse(
         !scene.detectors().empty(), "it is \"together\", and the scene has detectors",
-        "light that escapes is not kept by direction", "use hours = \"one_by_one\"");
+        "light that escapes is not kept by direction", "use series = \"one_by_one\"");
     check_together_sources(time_steps, faults);
 }
 
@@ -298,9 +298,9 @@ SeriesSummary run_season(
     const auto refuse = [&](bool is_so, std::string_view what) {
         if (is_so) {
             faults.add(
-                {"hours", fmt::format("it is \"together\", with {}", what),
+                {"series", fmt::format("it is \"together\", with {}", what),
                  "what all times have in common is computed by one process, in one go",
-                 "use hours = \"one_by_one\""});
+                 "use series = \"one_by_one\""});
         }
     };
     refuse(events.checkpoint != nullptr, "a checkpoint");

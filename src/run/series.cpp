@@ -378,7 +378,7 @@ SeriesSummary run_series(
     const SeriesEvents& events,
     const std::stop_token& stop) {
     check_order(time_steps);
-    return spec.hours == Hours::together
+    return spec.series == SeriesMode::together
                ? run_season(simulator, scene, time_steps, spec, events, stop)
                : SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
 }

@@ -194,7 +194,7 @@ TEST_F(CheckpointTest, IsOfOneRunAtATime) {
         << second.err;
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "c.lock"));
     folder_.write("left", "before the third begins");
-    const Outcome third = stopped_once("[ c -nt left ]", command + " --resume --threads 1", "INT");
+    const Outcome third = stopped_once("[ c -nt left ]", command + " --resume", "INT");
     EXPECT_EQ(third.status, 130) << third.err;
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.lock"));
 }
@@ -202,7 +202,9 @@ TEST_F(CheckpointTest, IsOfOneRunAtATime) {
 TEST_F(CheckpointTest, TakesNoFilesOfOthers) {
     for (const std::string name : {"c.done", "c.lock"}) {
         folder_.write(name, good_leaves());
-        folder_.write("stranger.toml", replaced(good_run_file(), "leaves.tri", name));
+        folder_.write(
+            "stranger.toml",
+            replaced(good_run_file(), "leaves.tri\"", name + "\"\nformat = \"tri\""));
         for (const char* resume : {"", " --resume"}) {
             const Outcome outcome = shell(
                 std::string("\"$quasimc\" run stranger.toml --quiet --checkpoint c") + resume);
@@ -226,7 +228,8 @@ TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
     ASSERT_EQ(shell(command + "--max-paths 1024").status, 0);
     EXPECT_EQ(
         refusal("--max-paths 512"),
-        "checkpoint: has 1024 paths already, more than the run asked for has (max_paths is 512); "
+        "run.toml: checkpoint: has 1024 paths already, more than the run asked for has (max_paths "
+        "is 512); "
         "ask for as much as before, or more, or begin anew\n");
     EXPECT_NE(refusal("").find("neither max_paths nor a target asks for more"), std::string::npos);
     EXPECT_NE(

@@ -71,7 +71,7 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
 
 /// Hours that are computed together are written as those one by one are.
 TEST_F(TimesTest, AreComputedTogetherOnDemand) {
-    const std::vector<std::string> together{"run",      "days.toml", "--hours",
+    const std::vector<std::string> together{"run",      "days.toml", "--series",
                                             "together", "--method",  "ray_bundles"};
     const auto with = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = together;
@@ -82,7 +82,7 @@ TEST_F(TimesTest, AreComputedTogetherOnDemand) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
-    EXPECT_NE(folder_.read("r.json").find("\"hours\": \"together\""), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"series\": \"together\""), std::string::npos);
     const Outcome kept = with({"--checkpoint", "c.checkpoint"});
     EXPECT_EQ(kept.status, 1);
     EXPECT_NE(kept.err.find("\"together\", with a checkpoint"), std::string::npos) << kept.err;

@@ -74,7 +74,7 @@ TwoDays compute_days(const Scene& scene, const RunSpec& spec) {
 
 RunSpec spec_together(std::uint64_t paths) {
     RunSpec spec = spec_of(Method::ray_bundles, paths);
-    spec.hours = Hours::together;
+    spec.series = SeriesMode::together;
     return spec;
 }
 

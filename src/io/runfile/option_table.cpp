@@ -170,11 +170,12 @@ std::vector<Option> rows_of_engine() {
              "with [time]: each time has these paths and this target_error, or paths go by the "
              "light of the hours, for the sum of the day"},
             &RunSpec::effort, {{"each", Effort::each}, {"day", Effort::day}}),
-        choice_option<Hours>(
-            {"hours", "",
+        choice_option<SeriesMode>(
+            {"series", "",
              "with [time]: each time is traced for itself, or skies and scattered light of all "
              "times are put together from those of one set of directions (ray_bundles)"},
-            &RunSpec::hours, {{"one_by_one", Hours::one_by_one}, {"together", Hours::together}}),
+            &RunSpec::series,
+            {{"one_by_one", SeriesMode::one_by_one}, {"together", SeriesMode::together}}),
     };
 }
 

@@ -166,8 +166,8 @@ void check_hours(const Sections& sections, Faults& faults) {
     const RunSpec& spec = sections.options.spec;
     if (sections.series) {
         check_together(*sections.scene, sections.series->time_steps, spec, faults);
-    } else if (spec.hours == Hours::together) {
-        faults.add({"hours", "it is \"together\"", "the run has no [time]", "leave it out"});
+    } else if (spec.series == SeriesMode::together) {
+        faults.add({"series", "it is \"together\"", "the run has no [time]", "leave it out"});
     }
 }
 

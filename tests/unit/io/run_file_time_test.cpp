@@ -393,9 +393,9 @@ TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
 
 TEST(RunFileTime, HoursTogetherAreOfASeriesByRayBundles) {
     RunText text;
-    text.run = "[run]\nhours = 'together'\n";
+    text.run = "[run]\nseries = 'together'\n";
     EXPECT_TRUE(
-        mentions(faults_of(text.text()), "hours: it is \"together\" (the run has no [time])"));
+        mentions(faults_of(text.text()), "series: it is \"together\" (the run has no [time])"));
     text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\nduration_minutes = 60\n";

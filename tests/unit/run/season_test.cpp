@@ -39,7 +39,7 @@ std::vector<TimeStep> two_short_days() {
 RunSpec together() {
     RunSpec spec;
     spec.method = Method::ray_bundles;
-    spec.hours = Hours::together;
+    spec.series = SeriesMode::together;
     spec.paths = 1 << 9;
     spec.replicates = 4;
     spec.threads = 1;
@@ -236,7 +236,8 @@ TEST(Season, RefusesByNameWhatItCantDo) {
     for (const char* text : {"method is not ray_bundles", "target_error", "audit", "effort"}) {
         EXPECT_NE(faults.find(text), std::string::npos) << faults;
     }
-    const auto lamp = make_lamp({.name = "lamp", .position = {0, 0, 2}, .flux = {1, 1}});
+    const auto lamp =
+        make_lamp({.name = "lamp", .position = {0, 0, 2}, .opening = {}, .flux = {1, 1}});
     const auto below = make_directional_source("below", {0, 0, 1}, {1, 1});
     EXPECT_NE(
         season_faults(scene, {hour_of({lamp})}, together()).find("source 'lamp'"),
