@@ -14,46 +14,42 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 }
 
 XmlTree::XmlTree(std::string_view text) {
+    using Kind = XmlScanner::Kind;
     XmlScanner scanner(text);
     std::vector<std::size_t> open;
-    while (true) {
-        switch (scanner.next()) {
-            case XmlScanner::Kind::open: {
-                const std::size_t number = elements_.size();
-                if (open.empty() && number > 0) {
-                    fault_ = {scanner.line(), "a second element outside the first one"};
-                    return;
-                }
-                XmlElement& element = elements_.emplace_back();
-                element.name = scanner.name();
-                element.line = scanner.line();
-                element.attributes.assign(scanner.attributes().begin(), scanner.attributes().end());
-                if (!open.empty()) {
-                    element.parent = open.back();
-                    elements_[open.back()].children.push_back(number);
-                }
-                open.push_back(number);
-                break;
-            }
-            case XmlScanner::Kind::close:
-                if (open.empty() || elements_[open.back()].name != scanner.name()) {
-                    fault_ = {scanner.line(), "a tag closes what is not open"};
-                    return;
-                }
-                if (elements_[open.back()].children.empty()) {
-                    elements_[open.back()].text = scanner.text();
-                }
-                open.pop_back();
-                break;
-            case XmlScanner::Kind::broken:
-                fault_ = {scanner.line(), scanner.problem()};
-                return;
-            case XmlScanner::Kind::end:
-                if (!open.empty()) {
-                    fault_ = {elements_[open.back()].line, "a tag is not closed"};
-                }
-                return;
+    for (Kind kind = scanner.next(); kind != Kind::end; kind = scanner.next()) {
+        if (kind == Kind::broken) {
+            fault_ = {scanner.line(), scanner.problem()};
+            return;
         }
+        if (kind == Kind::close) {
+            if (open.empty() || elements_[open.back()].name != scanner.name()) {
+                fault_ = {scanner.line(), "a tag closes what is not open"};
+                return;
+            }
+            if (elements_[open.back()].children.empty()) {
+                elements_[open.back()].text = scanner.text();
+            }
+            open.pop_back();
+            continue;
+        }
+        const std::size_t number = elements_.size();
+        if (open.empty() && number > 0) {
+            fault_ = {scanner.line(), "a second element outside the first one"};
+            return;
+        }
+        XmlElement& element = elements_.emplace_back();
+        element.name = scanner.name();
+        element.line = scanner.line();
+        element.attributes.assign(scanner.attributes().begin(), scanner.attributes().end());
+        if (!open.empty()) {
+            element.parent = open.back();
+            elements_[open.back()].children.push_back(number);
+        }
+        open.push_back(number);
+    }
+    if (!open.empty()) {
+        fault_ = {elements_[open.back()].line, "a tag is not closed"};
     }
 }
 

@@ -90,6 +90,10 @@ bool is_at_target(
     return true;
 }
 
+double relative_error(const Estimate& estimate) {
+    return estimate.standard_error / estimate.mean;
+}
+
 struct ErrorSpread {
     double median = std::numeric_limits<double>::quiet_NaN();
     double worst = std::numeric_limits<double>::quiet_NaN();
@@ -130,9 +134,10 @@ RoundErrors errors_so_far(
             const OrganReader other(coarse, scene, spec, organ);
             for (std::size_t b = 0; b < bands; ++b) {
                 absorbed[b] = absorbed_flux(sums, reader, has_two ? &other : nullptr, b);
-                if (!organ.is_ground) {
-                    errors[i * bands + b] = absorbed[b].standard_error / absorbed[b].mean;
-                }
+            }
+            if (!organ.is_ground) {
+                const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);
+                std::transform(absorbed.begin(), absorbed.end(), at, relative_error);
             }
             const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
             reached += is_covered || (target > 0 && is_at_target(absorbed, target, usual)) ? 1 : 0;

@@ -41,6 +41,7 @@ double light_of_time(const TimeStep& step) {
 /// Some of the times, spread over their light.
 std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::size_t count) {
     std::vector<double> until;
+    until.reserve(steps.size());
     for (const TimeStep& step : steps) {
         until.push_back((until.empty() ? 0 : until.back()) + light_of_time(step));
     }
