@@ -148,6 +148,12 @@ class OpfReader {
                 "a point is x y z");
             return;
         }
+        if (!mesh.faces.empty()) {
+            fault(
+                scanner_.text_line(), "points of a mesh that has faces already",
+                "its Id is that of another one, or its points stand behind its faces");
+            return;
+        }
         mesh.points.clear();
         for (std::size_t i = 0; i < coordinates.size(); i += 3) {
             mesh.points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
