@@ -32,6 +32,13 @@ class LaidLooks {
     std::uint32_t of_;
 };
 
+/// Adds what a light brings, times a factor, to the weights of bands.
+void add_weights(const std::vector<double>& brought, double factor, std::vector<double>& weights) {
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        weights[b] += factor * brought[b];
+    }
+}
+
 }  // namespace
 
 DirectOnPatches::DirectOnPatches(
@@ -122,9 +129,7 @@ void DirectOnPatches::find_by_pixels(
                 score_pixels(beam, scratch.beams.pixels, tally);
                 const double of_pixel =
                     laid.share(i) * beam.paths * scratch.beams.pixels.pixel_area() / beam.area;
-                for (std::size_t b = 0; b < weights.size(); ++b) {
-                    weights[b] += of_pixel * beam.light->start_weights[b];
-                }
+                add_weights(beam.light->start_weights, of_pixel, weights);
             }
         }
         if (paths > 0 && laid.share(i) > 0) {
