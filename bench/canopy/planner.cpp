@@ -19,7 +19,8 @@
 namespace quasimc::bench {
 namespace {
 
-constexpr std::array kWays{Method::light_tracing, Method::from_organs, Method::first_hits};
+constexpr std::array kWays{
+    Method::light_tracing, Method::from_organs, Method::first_hits, Method::ray_bundles};
 
 struct Case {
     std::string name;

@@ -155,9 +155,13 @@ double grace_seconds(const RunSpec& spec, const RunControl& control) {
 }
 
 /// Paths with which a run begins that has a limit of time; a power of two. From organs there are
-/// so many that each organ gets a point.
+/// so many that each organ gets a point; with bundles so many that the time goes by them.
 std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
     constexpr std::uint64_t kFewest = 256;
+    if (spec.method == Method::ray_bundles) {
+        constexpr std::uint64_t kTrianglesPerPath = 8;
+        return std::max(kFewest, std::bit_ceil(scene.triangles().size() / kTrianglesPerPath));
+    }
     if (spec.method != Method::from_organs) {
         return kFewest;
     }
@@ -247,11 +251,15 @@ Result Simulator::State::run(
 
     EarlyStop early(control.stop);
     RunSpec planned = spec;
-    ChosenMethod chosen = plan_method(scene, sources, spec);
-    planned.method = chosen.method;
     planned.max_seconds = seconds_without_audit(spec);
+    if (planned.max_seconds > 0) {
+        early.set_limit(planned.max_seconds + grace_seconds(planned, control));
+    }
     try {
-        Result result = trace(scene, sources, planned, control, early);
+        const Clock::time_point start = Clock::now();
+        ChosenMethod chosen = plan_run(scene, sources, spec, caster_, early.token());
+        planned.method = chosen.method;
+        Result result = trace(scene, sources, planned, control, early, start);
         if (result.stop == StopReason::no_light) {
             chosen.reason = "no light reaches the scene, nothing was traced";
         }
@@ -278,8 +286,9 @@ void Simulator::State::add_audit(
         if (spec.max_seconds > 0) {
             early.set_limit(spec.max_seconds);
         }
-        const Result plain =
-            trace(scene, sources, audit_spec(spec, result.paths), {.stop = control.stop}, early);
+        const Result plain = trace(
+            scene, sources, audit_spec(spec, result.paths), {.stop = control.stop}, early,
+            Clock::now());
         result.audit = compare_results(scene, result, plain);
     } catch (const StopRequested&) {
         result.stop = early.why();
@@ -297,9 +306,9 @@ Sums Simulator::State::sums(
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
     RunSpec planned = spec;
-    planned.method = plan_method(scene, sources, spec).method;
-    check_first_path(sampler_for(spec.sampler), spec, first);
     const Clock::time_point start = Clock::now();
+    planned.method = plan_run(scene, sources, spec, caster_, control.stop).method;
+    check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared = prepare(scene, sources, planned, control.stop);
     Sums sums = empty_sums(prepared, planned);
     sums.digest = digest_of(prepared, planned);
@@ -347,11 +356,8 @@ Result Simulator::State::trace(
     const Sources& sources,
     const RunSpec& spec,
     const RunControl& control,
-    EarlyStop& early) {
-    const Clock::time_point start = Clock::now();
-    if (spec.max_seconds > 0) {
-        early.set_limit(spec.max_seconds + grace_seconds(spec, control));
-    }
+    EarlyStop& early,
+    Clock::time_point start) {
     if (control.team != nullptr) {
         static_cast<void>(control.team->order(
             {.is_prepare = 1,

@@ -95,7 +95,7 @@ TeamOrder TeamHelper::help_moment(
     const RunTeam& team,
     TeamOrder order) {
     RunSpec planned = spec;
-    planned.method = plan_method(scene, sources, spec).method;
+    planned.method = plan_run(scene, sources, spec, caster_, {}).method;
     const PreparedScene prepared(
         scene, sources, planned.window, caster_.caster_for(scene, planned.engine, {}), {});
     const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);

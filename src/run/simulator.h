@@ -48,7 +48,8 @@ class Simulator::State {
         const Sources& sources,
         const RunSpec& spec,
         const RunControl& control,
-        EarlyStop& early);
+        EarlyStop& early,
+        std::chrono::steady_clock::time_point start);
     /// What the rounds of a run have brought.
     struct Traced {
         Sums sums;

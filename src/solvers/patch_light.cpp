@@ -5,6 +5,7 @@
 
 #include "base/checks.h"
 #include "quasimc/error.h"
+#include "solvers/patch_size.h"
 
 namespace quasimc {
 namespace {
@@ -90,7 +91,7 @@ Patches make_patches(
     for (std::uint32_t i = 0; i < triangles; ++i) {
         area += is_image(roles, i) ? 0 : area_of(prepared, i);
     }
-    const double usual = area / std::max(1.0, most);
+    const double usual = area * patch_size(prepared.scene(), most).part;
     std::vector<std::uint8_t> levels;
     levels.reserve(triangles);
     for (std::uint32_t i = 0; i < triangles; ++i) {

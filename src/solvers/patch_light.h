@@ -13,8 +13,9 @@
 namespace quasimc {
 
 /// How finely light that leaves surfaces is told apart: by triangle of the caster's mesh, patches
-/// of about equal areas, at most about `most` and at least four a triangle, and cut where surfaces
+/// of about equal areas (solvers/patch_size.h), at least four a triangle, and cut where surfaces
 /// cross. Images of triangles have none.
+/// @param most  about so many patches, unless that loses the shadows of organs
 /// @throws InputError  if looking for what crosses would take too long
 /// @throws StopRequested  if a stop was requested
 [[nodiscard]] Patches make_patches(

@@ -14,6 +14,7 @@
 
 #include "detectors/catalogue.h"
 #include "solvers/organ_shares.h"
+#include "solvers/suits_bundles.h"
 
 namespace quasimc {
 namespace {
@@ -27,6 +28,9 @@ struct Thresholds {
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
+/// Where bundles would be taken, with paths to spare for each organ.
+constexpr Thresholds kBundles{14, 7};
+constexpr double kPathsForBundles = 8;
 /// Lamps outside the scene's box, as long as organs have so many paths each: few things if any are
 /// near enough to a lamp to be much brighter than the rest.
 constexpr double kDarkBelowFarLamps = 0.5;
@@ -144,11 +148,11 @@ std::string_view name_of(const Lighting& lighting) {
     return lighting.sun ? "the sun" : "the sky";
 }
 
-bool has_paths_to_spare(const Scene& scene, const RunSpec& spec) {
+bool has_paths_to_spare(const Scene& scene, const RunSpec& spec, double for_each) {
     const auto measured = std::count_if(
         scene.organs().begin(), scene.organs().end(),
         [](const Organ& organ) { return organ.measured && organ.area > 0; });
-    return static_cast<double>(spec.paths) >= kPathsToSpare * static_cast<double>(measured);
+    return static_cast<double>(spec.paths) >= for_each * static_cast<double>(measured);
 }
 
 /// About how many of as many paths from far away meet a typical organ.
@@ -158,7 +162,9 @@ double paths_per_organ(const Scene& scene, const RunSpec& spec) {
 
 /// The gain of equal shares from which on organs are better. From organs the light of a sun or a
 /// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
-double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& spec) {
+/// @param bundles  whether bundles would find the light if points on organs don't
+double gain_asked(
+    const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
     const Scattering scattering = scattering_of(scene);
     const double peak = brightest_peak(scene);
     const bool is_small = lighting.sun || lighting.lamp;
@@ -168,10 +174,14 @@ double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& s
     if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
         return std::numeric_limits<double>::infinity();
     }
-    const Thresholds& table = lighting.sun ? kSun : lighting.sky ? kSky : kLamps;
+    const Thresholds& table = bundles && has_paths_to_spare(scene, spec, kPathsForBundles)
+                                  ? kBundles
+                              : lighting.sun ? kSun
+                              : lighting.sky ? kSky
+                                             : kLamps;
     const bool has_far_lamps_alone = !lighting.sun && !lighting.sky && !lighting.near_lamp;
     double gain = scattering.is_bright() ? table.bright : table.dark;
-    if (has_far_lamps_alone && has_paths_to_spare(scene, spec) &&
+    if (has_far_lamps_alone && has_paths_to_spare(scene, spec, kPathsToSpare) &&
         scattering.brightest_band < kBright) {
         gain = kDarkBelowFarLamps;
     }
@@ -235,6 +245,14 @@ double brightest_peak(const Scene& scene) {
 constexpr std::size_t kMostForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    return plan_method(scene, sources, spec, [] { return false; });
+}
+
+ChosenMethod plan_method(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<bool()>& refuse_bundles) {
     if (spec.method != Method::automatic) {
         return {spec.method, "asked for"};
     }
@@ -246,7 +264,9 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
     const bool can_start_from_organs = std::isfinite(gain) &&
                                        !(lighting.lamp && scene.cell().periodic()) &&
                                        !need_escaped_light(scene.detectors());
-    if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec)) {
+    const bool takes_bundles = is_far && !lighting.lamp && gain < kBundles.dark &&
+                               suits_bundles(scene, spec, gain) && !refuse_bundles();
+    if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec, takes_bundles)) {
         if (gain < kLamps.dark) {
             return {
                 Method::from_organs,
@@ -266,6 +286,11 @@ ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSp
         return {
             Method::light_tracing,
             fmt::format("pictures of {} triangles would take too long", scene.triangles().size())};
+    }
+    if (takes_bundles) {
+        return {
+            Method::ray_bundles,
+            "surfaces are matt: what they scatter goes along bundles of lines, all at once"};
     }
     return {
         Method::first_hits,

@@ -1,10 +1,20 @@
 #pragma once
 
+#include <functional>
+
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
 #include "sources/source.h"
 
 namespace quasimc {
+
+/// plan_method() where it can be told whether so many surfaces cross each other that ray bundles
+/// refuse the scene: it is asked only if bundles would be chosen.
+[[nodiscard]] ChosenMethod plan_method(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<bool()>& refuse_bundles);
 
 /// How much the errors of the measured organs would gain if every one of them got as many paths,
 /// instead of each as many as light finds it by: area of all organs over (number of measured organs

@@ -28,6 +28,7 @@
 #include "solvers/bundle_budget.h"
 #include "solvers/bundle_exchange.h"
 #include "solvers/direct_on_patches.h"
+#include "solvers/suits_bundles.h"
 
 namespace quasimc {
 namespace {
@@ -47,19 +48,15 @@ struct Flow {
 class RayBundles final : public Solver {
   public:
     explicit RayBundles(const SolverInput& input)
-        : prepared_(input.prepared),
+        : input_(input),
+          prepared_(input.prepared),
           spec_(input.spec),
           stop_(input.stop),
           beams_(input, ScatteredBy::bundles),
-          patches_(
-              input.prepared,
-              beams_.scene(),
-              make_patches(
-                  input.prepared, beams_.scene().roles, patches_for(input.spec.paths), input.stop)),
-          direct_(input, beams_, patches_),
           runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
+        cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
         executor.announce(sums.replicates.size());
         std::atomic<std::size_t> left = sums.replicates.size();
@@ -79,13 +76,38 @@ class RayBundles final : public Solver {
     }
 
   private:
+    /// All surfaces cut into patches.
+    struct Cut {
+        Cut(const SolverInput& input, const DirectBeams& beams, double patches)
+            : most(patches),
+              scene(
+                  input.prepared,
+                  beams.scene(),
+                  make_patches(input.prepared, beams.scene().roles, patches, input.stop)),
+              direct(input, beams, scene) {}
+        double most;
+        PatchScene scene;
+        DirectOnPatches direct;
+    };
+
     /// What a worker keeps between replicates.
     struct Scratch {
         explicit Scratch(std::size_t) {}
         DirectOnPatches::Scratch direct;
+        std::uint64_t cut = 0;  // which one the rest is made for
         std::unique_ptr<PatchLight> light;
         std::unique_ptr<BundleExchange> exchange;
     };
+
+    /// Patches become finer with the paths of all rounds: their error falls as that of lines does.
+    void cut_for(const Round& round) {
+        const double most = patches_for(round.first + round.count);
+        if (!cut_ || cut_->most != most) {
+            cut_.reset();  // two at once would take twice the memory
+            ++cuts_;
+            cut_ = std::make_unique<Cut>(input_, beams_, most);
+        }
+    }
 
     /// @param threads  tells how many may be at work now
     void solve_replicate(
@@ -93,16 +115,17 @@ class RayBundles final : public Solver {
         const std::function<unsigned()>& threads,
         Scratch& scratch,
         Tally& tally) const {
-        if (!scratch.light) {
+        if (scratch.cut != cuts_) {
             scratch.light = make_light();
-            scratch.exchange = std::make_unique<BundleExchange>(patches_, beams_.scene());
+            scratch.exchange = std::make_unique<BundleExchange>(cut_->scene, beams_.scene());
+            scratch.cut = cuts_;
         }
         PatchLight& light = *scratch.light;
         light.clear();
-        direct_.find(task, scratch.direct, light, tally);
+        cut_->direct.find(task, scratch.direct, light, tally);
         Flow flow(light.columns());
         const PatchLight::Step first = light.scatter(true);
-        const BundleBudget budget(patches_, task.round.count, first.scattered);
+        const BundleBudget budget(cut_->scene, task.round.count, first.scattered);
         std::vector<double> left = first.scattered;
         std::uint64_t stretches = 0;
         for (std::uint64_t order = 1; !is_last(order, left, first.scattered); ++order) {
@@ -127,12 +150,12 @@ class RayBundles final : public Solver {
     }
 
     [[nodiscard]] std::unique_ptr<PatchLight> make_light() const {
-        const std::size_t patches = patches_.patches.count();
+        const std::size_t patches = cut_->scene.patches.count();
         constexpr double kBytesEach = 64;
         return make_big(
             fmt::format("the light of {} patches in {} bands", patches, prepared_.bands()),
             kBytesEach * static_cast<double>(patches * prepared_.bands()),
-            [&] { return std::make_unique<PatchLight>(patches_); });
+            [&] { return std::make_unique<PatchLight>(cut_->scene); });
     }
 
     /// Whether light is not sent on any more that was scattered `order` times.
@@ -214,21 +237,15 @@ class RayBundles final : public Solver {
         tally.add(bin + 2 * bands, flow.cut_off[column]);
     }
 
+    SolverInput input_;
     const PreparedScene& prepared_;
     const RunSpec& spec_;
     std::stop_token stop_;
     DirectBeams beams_;
-    PatchScene patches_;
-    DirectOnPatches direct_;
     BlockRunner<Scratch> runner_;
+    std::unique_ptr<Cut> cut_;
+    std::uint64_t cuts_ = 0;  // made until now
 };
-
-/// Whether bundles can send on what a side scatters.
-bool is_matt(const Side& side) {
-    return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
-        return lobe.shape->is_lambertian();
-    });
-}
 
 }  // namespace
 
@@ -236,10 +253,7 @@ void check_matt(const Scene& scene, Faults& faults) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = scene.materials()[m];
-        const bool is_good =
-            material.is_transparent() || (is_matt(material.side(SurfaceSide::upper)) &&
-                                          is_matt(material.side(SurfaceSide::lower)));
-        if (is_used[m] && !is_good) {
+        if (is_used[m] && !is_matt(material)) {
             faults.add(
                 {"method",
                  fmt::format(

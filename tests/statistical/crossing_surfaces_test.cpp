@@ -166,6 +166,10 @@ TEST_P(CrossingCoverage, NinetyFivePercentIntervalsHoldTheTruthAtLeastThatOften)
     expect_intervals_hold(GetParam().make(), 4096);
 }
 
+TEST_P(CrossingCoverage, NinetyFivePercentIntervalsHoldTheTruthWithFewPathsToo) {
+    expect_intervals_hold(GetParam().make(), 1024);
+}
+
 std::string name_of_case(const ::testing::TestParamInfo<CrossingCase>& info) {
     return info.param.name;
 }

@@ -1,5 +1,7 @@
 #include "solvers/planner.h"
 
+#include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -67,11 +69,73 @@ TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
     }
 }
 
+TEST(Planner, SendsWhatMattSurfacesScatterAlongBundles) {
+    EXPECT_EQ(plan({}, {sun(0, {1})}).method, Method::ray_bundles);
+    EXPECT_EQ(plan({}, {sky({1})}).method, Method::ray_bundles);
+    EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).method, Method::ray_bundles);
+}
+
 TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
-    EXPECT_EQ(plan({}, {sun(0, {1})}).method, Method::first_hits);
-    EXPECT_EQ(plan({}, {sky({1})}).method, Method::first_hits);
-    EXPECT_EQ(plan({}, {lamp(), sky({1})}).method, Method::first_hits);
-    EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).method, Method::first_hits);
+    const StandSpec shiny{.leaf = glossy("phong", 10)};
+    EXPECT_EQ(plan(shiny, {sun(0, {1})}).method, Method::first_hits);
+    EXPECT_EQ(plan(shiny, {sky({1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({}, {lamp(), sky({1})}).method, Method::first_hits) << "lamps are traced";
+}
+
+/// Each patch is met a few times in every step, however few paths there are; with very many paths
+/// for each organ first hits leave less of an error than patches do.
+TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
+    const auto planned = [](std::size_t leaves, std::uint64_t paths) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        for (const Triangle& triangle : random_leaves(leaves, .1, 1, 5)) {
+            builder.add_organ(organ("", "leaf", {triangle}));
+        }
+        return plan_method(
+                   std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, paths))
+            .method;
+    };
+    EXPECT_EQ(planned(10'000, 1024), Method::first_hits);
+    EXPECT_EQ(planned(10'000, 4096), Method::ray_bundles);
+    EXPECT_EQ(planned(20, 16'384), Method::ray_bundles);
+    EXPECT_EQ(planned(20, 65'536), Method::first_hits);
+    EXPECT_EQ(planned(5, 4096), Method::first_hits);
+}
+
+/// A ground so wide that no shadow of a leaf would show in its patches.
+TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
+    const auto planned = [](double half_width) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        for (const Triangle& triangle : random_leaves(100, .1, 1, 5)) {
+            builder.add_organ(organ("", "leaf", {triangle}));
+        }
+        GroundSpec soil = ground("leaf");
+        soil.extent = std::array<double, 4>{-half_width, -half_width, half_width, half_width};
+        builder.set_ground(soil);
+        return plan_method(std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, 4096))
+            .method;
+    };
+    EXPECT_EQ(planned(.4), Method::ray_bundles);
+    EXPECT_EQ(planned(.75), Method::first_hits);
+}
+
+/// A heap of leaves through one point, each of which crosses all others.
+TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .1, .1));
+    constexpr int kLeaves = 1500;
+    for (int i = 0; i < kLeaves; ++i) {
+        const double angle = M_PI * i / kLeaves;
+        const Vec3 along{std::cos(angle), std::sin(angle), .5 * std::sin(7 * angle)};
+        const Vec3 up{.3 * std::sin(11 * angle), .2 * std::cos(5 * angle), 1};
+        builder.add_organ(
+            organ("", "leaf", make_parallelogram(-1 * along - .5 * up, 2 * along, up)));
+    }
+    const Scene scene = std::move(builder).build();
+    const RunSpec spec = spec_of(Method::automatic, 1024);
+    ASSERT_EQ(plan_method(scene, {sun(0, {1})}, spec).method, Method::ray_bundles);
+    EXPECT_EQ(run(scene, {sun(0, {1})}, spec).chosen.method, Method::first_hits);
 }
 
 TEST(Planner, TracesLampsFromThemselves) {
@@ -79,7 +143,7 @@ TEST(Planner, TracesLampsFromThemselves) {
     EXPECT_EQ(plan(bright, {lamp()}).method, Method::light_tracing);
     // A dark source is none.
     EXPECT_EQ(plan(bright, {lamp(), sun(0, {0})}).method, Method::light_tracing);
-    EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).method, Method::ray_bundles);
 }
 
 TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
@@ -89,7 +153,7 @@ TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
     }
     EXPECT_EQ(plan(few, {lamp(), sun(0, {1})}).method, Method::from_organs);
     EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
-    EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::first_hits);
+    EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::ray_bundles);
 }
 
 /// Leaves in a row, so far apart that hardly any of the light which enters meets one.
@@ -105,7 +169,7 @@ TEST(Planner, TracesFromTheOrgansWhereASceneIsNearlyEmpty) {
     };
     RunSpec spec;
     spec.method = Method::automatic;
-    EXPECT_EQ(plan_method(row(.6), {sun(0, {1})}, spec).method, Method::first_hits);
+    EXPECT_EQ(plan_method(row(.6), {sun(0, {1})}, spec).method, Method::ray_bundles);
     EXPECT_EQ(plan_method(row(9), {sun(0, {1})}, spec).method, Method::from_organs);
     EXPECT_EQ(plan_method(row(9), {sky({1})}, spec).method, Method::from_organs);
 }

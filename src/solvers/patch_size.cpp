@@ -1,0 +1,45 @@
+#include "solvers/patch_size.h"
+
+#include <algorithm>
+
+#include "solvers/organ_shares.h"
+
+namespace quasimc {
+namespace {
+
+/// What casts shadows is as large as so many of the patches that tell them apart. With patches four
+/// times as large both levels are too coarse, and their difference is a third of the error
+/// (docs/theory/ray-bundles.md).
+constexpr double kPatchesPerOrgan = 8;
+/// An organ of one triangle is cut into four, which do for organs like itself.
+constexpr double kFewestPerOrgan = 4;
+/// Each triangle is cut into so many at least ...
+constexpr double kPatchesPerTriangle = 4;
+/// ... and so many times as many may be made for the sake of shadows.
+constexpr double kMostTimes = 4;
+
+}  // namespace
+
+PatchSize patch_size(const Scene& scene, double most) {
+    double area = 0;
+    double triangles = 0;
+    for (const Organ& organ : scene.organs()) {
+        area += organ.area;
+        triangles += organ.triangle_count;
+    }
+    const double typical = median_measured_area(scene);
+    if (!(area > 0 && typical > 0)) {
+        return {1 / std::max(1.0, most)};
+    }
+    const double for_shadows =
+        std::max(typical / kPatchesPerOrgan, area / (kMostTimes * kPatchesPerTriangle * triangles));
+    const double usual = std::min(area / std::max(1.0, most), for_shadows);
+    const bool holds =
+        std::all_of(scene.organs().begin(), scene.organs().end(), [&](const Organ& organ) {
+            const double of_triangles = organ.area / (kPatchesPerTriangle * organ.triangle_count);
+            return !(std::min(of_triangles, usual) > typical / kFewestPerOrgan);
+        });
+    return {usual / area, holds};
+}
+
+}  // namespace quasimc

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// How large the patches of ray bundles are.
+struct PatchSize {
+    double part = 1;  ///< of all surfaces: what a patch covers, about
+    /// Whether none is so large beside a typical organ that the shadow of one is lost in it.
+    bool holds_shadows = true;
+};
+
+/// About `most` patches; more where surfaces are large beside organs, as a ground below leaves is,
+/// so that the shadows of organs are told apart, as long as that makes at most four times as many
+/// as triangles are cut into anyway.
+[[nodiscard]] PatchSize patch_size(const Scene& scene, double most);
+
+}  // namespace quasimc

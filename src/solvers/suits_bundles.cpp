@@ -1,0 +1,54 @@
+#include "solvers/suits_bundles.h"
+
+#include <algorithm>
+
+#include "solvers/bundle_budget.h"
+#include "solvers/patch_size.h"
+
+namespace quasimc {
+namespace {
+
+/// Each patch is met a few times in every step, however few paths there are: with fewer than this
+/// for each triangle that takes more time than it is worth.
+constexpr double kFewestPathsPerTriangle = 0.2;
+/// Of few organs each has so many paths that first hits leave less of an error than patches do.
+constexpr double kMostPathsPerOrgan = 1000;
+constexpr std::size_t kFewestOrgans = 16;
+/// Beyond this the light of all patches takes more memory than is spent unasked: .25 GB for each
+/// replicate at work.
+constexpr double kMostTrianglesTimesBands = 1e6;
+
+bool is_matt(const Side& side) {
+    return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
+        return lobe.shape->is_lambertian();
+    });
+}
+
+}  // namespace
+
+bool is_matt(const Material& material) {
+    return material.is_transparent() || (is_matt(material.side(SurfaceSide::upper)) &&
+                                         is_matt(material.side(SurfaceSide::lower)));
+}
+
+bool is_matt(const Scene& scene) {
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        if (is_used[m] && !is_matt(scene.materials()[m])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
+    const auto organs = static_cast<double>(scene.organs().size());
+    const auto triangles = static_cast<double>(scene.triangles().size());
+    const auto paths = static_cast<double>(spec.paths);
+    return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
+           paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) &&
+           triangles * static_cast<double>(scene.bands().size()) <= kMostTrianglesTimesBands &&
+           is_matt(scene) && patch_size(scene, patches_for(spec.paths)).holds_shadows;
+}
+
+}  // namespace quasimc
