@@ -15,6 +15,7 @@
 #include "quasimc/source.h"
 #include "scene/scene_builder.h"
 #include "scenes.h"
+#include "solvers/suits_bundles.h"
 
 namespace quasimc::bench {
 namespace {
@@ -45,6 +46,9 @@ double surest_mean(const Results& all, std::size_t organ, Quantity quantity) {
     double mean = 0;
     double error = std::numeric_limits<double>::infinity();
     for (const Result& result : all) {
+        if (result.organs() == 0) {
+            continue;  // of a way that can't be
+        }
         const Estimate& e = result.at(organ, quantity, 0);
         if (e.mean > 0 && e.standard_error < error) {
             mean = e.mean;
@@ -76,17 +80,24 @@ double variance_of_measured(const Scene& scene, const Result& result, const Resu
     return sum / count;
 }
 
+bool can_run(Method method, const Scene& scene) {
+    return method != Method::ray_bundles || is_matt(scene);
+}
+
 /// @returns how many times as good as what auto chooses the best method is
 double print_case(const Case& one, const Effort& effort) {
     const Scene scene = make_canopy(one.canopy);
     RunSpec spec;
     spec.method = Method::automatic;
+    spec.paths = effort.paths;
     const ChosenMethod choice = plan_method(scene, one.sources, spec);
     Results results;
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < kWays.size(); ++i) {
+        if (!can_run(kWays[i], scene)) {
+            continue;
+        }
         spec.method = kWays[i];
-        spec.paths = effort.paths;
         spec.replicates = effort.replicates;
         spec.threads = 1;
         results[i] = run(scene, one.sources, spec);
@@ -94,6 +105,9 @@ double print_case(const Case& one, const Effort& effort) {
     }
     std::array<double, kWays.size()> merit{};
     for (std::size_t i = 0; i < kWays.size(); ++i) {
+        if (!can_run(kWays[i], scene)) {
+            continue;
+        }
         const double variance = variance_of_measured(scene, results[i], results);
         merit[i] = spec.replicates / (variance * std::max(results[i].trace_cpu_seconds, 1e-9));
     }
@@ -166,8 +180,8 @@ void print_planner(const Effort& effort) {
         "organs, "
         "relative to the best; * is what \"auto\" chooses\n");
     std::printf(
-        "  %-38s %7s %9s  %9s  %9s\n", "leaves, albedo, source", "gain", "sources", "organs",
-        "lit");
+        "  %-38s %7s %9s  %9s  %9s  %9s\n", "leaves, albedo, source", "gain", "sources", "organs",
+        "lit", "bundles");
     constexpr double kMuch = 2;
     double worst = 1;
     std::size_t above = 0;

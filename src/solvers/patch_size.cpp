@@ -1,6 +1,7 @@
 #include "solvers/patch_size.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "solvers/organ_shares.h"
 
@@ -17,6 +18,34 @@ constexpr double kFewestPerOrgan = 4;
 constexpr double kPatchesPerTriangle = 4;
 /// ... and so many times as many may be made for the sake of shadows.
 constexpr double kMostTimes = 4;
+
+/// Patches that are smaller than the mean by more are met less than once in two steps.
+constexpr double kMuchSmaller = 6;
+/// So many organs may have such, if they are flat: no light goes to and fro within them.
+constexpr double kMostSmall = 0.05;
+constexpr std::uint32_t kTrianglesOfFlat = 2;
+
+/// The area of an organ's patches, where others have the usual one.
+double patch_of(const Organ& organ, double usual) {
+    return std::min(organ.area / (kPatchesPerTriangle * organ.triangle_count), usual);
+}
+
+bool are_alike(const Scene& scene, double area, double usual) {
+    double patches = 0;
+    for (const Organ& organ : scene.organs()) {
+        patches += organ.area > 0 ? organ.area / patch_of(organ, usual) : 0;
+    }
+    double small = 0;
+    for (const Organ& organ : scene.organs()) {
+        if (organ.area > 0 && kMuchSmaller * patch_of(organ, usual) * patches < area) {
+            if (organ.triangle_count > kTrianglesOfFlat) {
+                return false;
+            }
+            ++small;
+        }
+    }
+    return small <= kMostSmall * static_cast<double>(scene.organs().size());
+}
 
 }  // namespace
 
@@ -36,10 +65,9 @@ PatchSize patch_size(const Scene& scene, double most) {
     const double usual = std::min(area / std::max(1.0, most), for_shadows);
     const bool holds =
         std::all_of(scene.organs().begin(), scene.organs().end(), [&](const Organ& organ) {
-            const double of_triangles = organ.area / (kPatchesPerTriangle * organ.triangle_count);
-            return !(std::min(of_triangles, usual) > typical / kFewestPerOrgan);
+            return !(organ.area > 0 && patch_of(organ, usual) > typical / kFewestPerOrgan);
         });
-    return {usual / area, holds};
+    return {usual / area, holds, are_alike(scene, area, usual)};
 }
 
 }  // namespace quasimc

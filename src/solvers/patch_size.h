@@ -9,6 +9,9 @@ struct PatchSize {
     double part = 1;  ///< of all surfaces: what a patch covers, about
     /// Whether none is so large beside a typical organ that the shadow of one is lost in it.
     bool holds_shadows = true;
+    /// Whether those of small organs are not so much smaller than the rest that lines hardly ever
+    /// meet one: light that goes to and fro between them would be found by very few lines.
+    bool are_alike = true;
 };
 
 /// About `most` patches; more where surfaces are large beside organs, as a ground below leaves is,

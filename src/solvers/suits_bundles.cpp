@@ -45,10 +45,14 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
     const auto organs = static_cast<double>(scene.organs().size());
     const auto triangles = static_cast<double>(scene.triangles().size());
     const auto paths = static_cast<double>(spec.paths);
+    const auto has_good_patches = [&] {
+        const PatchSize size = patch_size(scene, patches_for(spec.paths));
+        return size.holds_shadows && size.are_alike;
+    };
     return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
            paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) &&
            triangles * static_cast<double>(scene.bands().size()) <= kMostTrianglesTimesBands &&
-           is_matt(scene) && patch_size(scene, patches_for(spec.paths)).holds_shadows;
+           is_matt(scene) && has_good_patches();
 }
 
 }  // namespace quasimc

@@ -98,7 +98,7 @@ TEST(TableOfRuns, CoversEveryChoiceAndSeveralRounds) {
             chosen.insert(row.chosen);
         }
     }
-    EXPECT_EQ(chosen, (std::set<std::string>{"sources", "organs", "lit_surfaces"}));
+    EXPECT_EQ(chosen, (std::set<std::string>{"sources", "organs", "lit_surfaces", "bundles"}));
     const Case c = case_called("rounds_to_a_target").make();
     for (const std::string_view way : all_ways()) {
         EXPECT_GT(expected_of("rounds_to_a_target", way).paths, c.spec.paths) << way;

@@ -120,6 +120,23 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
     EXPECT_EQ(planned(.75), Method::first_hits);
 }
 
+/// Light that goes to and fro in small things, between patches that lines hardly ever meet.
+TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
+    const auto planned = [](double radius) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        for (const Triangle& triangle : random_leaves(100, .1, 1, 5)) {
+            builder.add_organ(organ("", "leaf", {triangle}));
+        }
+        builder.add_organ(organ(
+            "drum", "leaf", make_cylinder({.5, .5, 2}, {0, 0, radius}, radius, radius, 16, true)));
+        return plan_method(std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, 4096))
+            .method;
+    };
+    EXPECT_EQ(planned(.1), Method::ray_bundles);
+    EXPECT_EQ(planned(.001), Method::first_hits);
+}
+
 /// A heap of leaves through one point, each of which crosses all others.
 TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     SceneBuilder builder = make_builder();
