@@ -16,8 +16,7 @@ struct NodePrinter : pugi::xml_tree_walker {
                                   !element.attribute("class");
         if (is_attribute) {
             std::printf(
-                "%s\t%s\t%s\n", node.attribute("id").value(), element.name(),
-                element.text().get());
+                "%s\t%s\t%s\n", node.attribute("id").value(), element.name(), element.text().get());
         }
         return true;
     }
