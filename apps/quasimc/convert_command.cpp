@@ -1,9 +1,11 @@
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "commands.h"
+#include "convert_netcdf.h"
 #include "io/meshes/geometry_scene.h"
 #include "io/output_files.h"
 #include "io/results/field_formats.h"
@@ -99,7 +101,15 @@ void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) 
     }
 }
 
+bool is_netcdf(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".nc";
+}
+
 Exit convert_result(const ConvertArguments& arguments) {
+    if (is_netcdf(arguments.output)) {
+        convert_to_netcdf(arguments.input, arguments.output, arguments.choice);
+        return Exit::done;
+    }
     const quasimc::FieldFormat* to = quasimc::field_format_of_path(arguments.output);
     const quasimc::FormatEntry* geometry = quasimc::format_of_path(arguments.output);
     const bool is_opf = geometry != nullptr && geometry->name == "opf";
@@ -109,6 +119,7 @@ Exit convert_result(const ConvertArguments& arguments) {
             names.emplace_back(format.extension);
         }
         names.emplace_back(".opf");
+        names.emplace_back(".nc");
         refuse_output(arguments.output, "a result", names);
     }
     const ShownRun shown = read_shown_run(arguments.input, arguments.choice.point);

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "io/meshes/formats.h"
 #include "io/results/field_formats.h"
+#include "netcdf/netcdf_writer.h"
 
 namespace {
 
@@ -22,6 +23,15 @@ Exit print_formats() {
             "{:<11} {:<11} {:<11} {:<43} {}\n", format.name, format.extension, "write",
             "ids, every quantity and its error", format.summary);
     }
+    fmt::print(
+        "{:<11} {:<11} {:<11} {:<43} {}\n", "opf", ".opf", "write",
+        "the file, every quantity and its error",
+        "into the OPF file that the run was made from, as attributes of its nodes");
+    fmt::print(
+        "{:<11} {:<11} {:<11} {:<43} {}\n", "nc", ".nc",
+        quasimc::has_netcdf() ? "write" : "not built in",
+        "names, labels, all times, points, errors",
+        "NetCDF after the CF conventions for xarray, R and others");
     return Exit::done;
 }
 

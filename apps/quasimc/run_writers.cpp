@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/results/field_formats.h"
+#include "io/results/series_words.h"
 #include "progress.h"
 
 std::vector<quasimc::InputFile> inputs_of(
@@ -150,6 +151,19 @@ quasimc::SeriesEvents RunWriters::events(
     return events;
 }
 
+template <typename Action>
+void RunWriters::write_netcdf(Action action) {
+    if (!netcdf_) {
+        return;
+    }
+    try {
+        action(*netcdf_);
+    } catch (const quasimc::InputError& error) {
+        netcdf_.reset();
+        outputs_.give_up(*asked_.numbers[kNetcdf], error);
+    }
+}
+
 void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary) {
     run_ = &run;
     summary_.next_run(run, summary);
@@ -164,7 +178,7 @@ void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSumm
     tell(group_days_);
     tell(picture_);
     tell(fields_);
-    tell(netcdf_);
+    write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.next_run(run); });
     write_json([&](auto& json) { json.next_run(run, summary); });
 }
 
@@ -175,9 +189,7 @@ std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
         sink_of(kPicture)(picture_->draw(summary));
     }
     write_fields(summary);
-    if (netcdf_) {
-        netcdf_->finish();
-    }
+    write_netcdf([](quasimc::NetcdfWriter& netcdf) { netcdf.finish(); });
     outputs_.commit();
     return digest;
 }
@@ -246,9 +258,7 @@ void RunWriters::add_moment(
     if (fields_) {
         fields_->add_moment(result);
     }
-    if (netcdf_) {
-        netcdf_->add_moment(time_step, result);
-    }
+    write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.add_moment(time_step, result); });
     write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
 }
 
@@ -259,8 +269,8 @@ void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
     if (group_days_) {
         group_days_->add_day(day, sum);
     }
-    if (netcdf_) {
-        netcdf_->add_day(day, sum);
-    }
+    write_netcdf([&](quasimc::NetcdfWriter& netcdf) {
+        netcdf.add_day(day, quasimc::in_summed_units(*run_, sum));
+    });
     write_json([&](auto& json) { json.add_day(day, sum); });
 }

@@ -86,6 +86,9 @@ class RunWriters {
     /// No room for what the writer keeps until the end costs no more than its own file.
     template <typename Action>
     void write_json(Action action);
+    /// Nor do points of a sweep that have no place in the file.
+    template <typename Action>
+    void write_netcdf(Action action);
     [[nodiscard]] bool wants_fields() const;
     void write_fields(const quasimc::SeriesSummary& summary);
     void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced);

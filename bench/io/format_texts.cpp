@@ -142,6 +142,18 @@ std::string fasttracer_text(const Scene& scene) {
     return text;
 }
 
+std::string vgx_text(const Scene& scene) {
+    std::string text = "Obj\tR\tG\tB\tX1\tY1\tZ1\tX2\tY2\tZ2\tX3\tY3\tZ3\tGrp1\n";
+    for (const Organ& organ : scene.organs()) {
+        for (const auto& [a, b, c] : scene.triangles_of(organ)) {
+            fmt::format_to(
+                std::back_inserter(text), "0\t30\t90\t60\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n",
+                a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, organ.id);
+        }
+    }
+    return text;
+}
+
 /// A disk of twelve triangles for every twelve.
 std::string def_text(const Scene& scene) {
     constexpr std::size_t kSides = 12;
@@ -184,6 +196,9 @@ std::string text_of(std::string_view format, const Scene& scene) {
     }
     if (format == "fasttracer") {
         return fasttracer_text(scene);
+    }
+    if (format == "vgx") {
+        return vgx_text(scene);
     }
     if (format == "def") {
         return def_text(scene);

@@ -32,13 +32,14 @@ std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& sizes) {
 
 }  // namespace
 
-NetcdfLayout::NetcdfLayout(const RunFile& run, NetcdfFile& file)
+NetcdfLayout::NetcdfLayout(const RunFile& run, std::string_view program_version, NetcdfFile& file)
     : columns(written_columns(run)),
       bands(netcdf_bands(run, columns)),
       run_(run),
       file_(file),
-      rows_(netcdf_rows(run)) {
-    file_.add_attributes(netcdf_attributes(run));
+      sweep_(run),
+      rows_(netcdf_rows(run, sweep_.changes_daylight())) {
+    file_.add_attributes(netcdf_attributes(run, program_version));
     define_axes();
     define_points();
     define_times();
@@ -67,10 +68,11 @@ std::string NetcdfLayout::free_name(std::string_view wish) {
 }
 
 void NetcdfLayout::define_axes() {
-    names_ = {"point",      "time", "time_bounds", "time_text", "day",  "organ",
-              "organ_name", "area", "band",        "bounds",    "ratio"};
-    if (run_.sweep) {
-        point_ = file_.add_dimension("point", run_.sweep->size());
+    names_ = {"time",       "time_bounds", "time_text", "day",    "organ",
+              "organ_name", "area",        "band",      "bounds", "ratio"};
+    for (const NetcdfSweep::Axis& axis : sweep_.axes()) {
+        axis_names_.push_back(free_name(axis.name));
+        points_.push_back(file_.add_dimension(axis_names_.back(), axis.size));
     }
     if (run_.series) {
         time_ = file_.add_dimension("time", std::max<std::size_t>(rows_.size(), 1));
@@ -96,24 +98,22 @@ void NetcdfLayout::define_axes() {
 }
 
 void NetcdfLayout::define_points() {
-    if (!point_) {
-        return;
-    }
-    for (std::size_t key = 0; key < run_.sweep->front().values.size(); ++key) {
-        std::vector<std::string> texts;
+    for (const NetcdfSweep::Key& key : sweep_.keys()) {
         std::vector<double> numbers;
-        for (const SweepPoint& point : *run_.sweep) {
-            texts.push_back(point.values[key].text);
-            if (const auto number = parse_real(texts.back())) {
+        for (const std::string& text : key.values) {
+            if (const auto number = parse_real(text)) {
                 numbers.push_back(*number);
             }
         }
-        const std::string& stated = run_.sweep->front().values[key].key;
-        const NetcdfAttributes words{{"long_name", "value of " + stated}};
-        const bool is_number = numbers.size() == texts.size();
+        const bool is_number = numbers.size() == key.values.size();
+        // Of a key with an axis of its own the variable has the name of the dimension.
+        const bool is_axis = sweep_.axes()[key.axis].name == key.name;
+        const std::string name = is_axis ? axis_names_[key.axis] : free_name(key.name);
+        coordinates_ += is_axis ? "" : " " + name;
         const int variable = file_.add_variable(
-            free_name(stated), is_number ? NetcdfType::real : NetcdfType::text, {*point_}, words);
-        is_number ? file_.put(variable, numbers) : file_.put(variable, texts);
+            name, is_number ? NetcdfType::real : NetcdfType::text, {points_[key.axis]},
+            {{"long_name", "value of " + key.name}});
+        is_number ? file_.put(variable, numbers) : file_.put(variable, key.values);
     }
 }
 
@@ -162,11 +162,9 @@ void NetcdfLayout::define_organs() {
     const std::vector<Organ>& organs = run_.scene.organs();
     organ_ = file_.add_dimension("organ", organs.size());
     std::vector<std::int64_t> ids;
-    std::vector<double> areas;
     std::vector<std::string> names;
     for (const Organ& organ : organs) {
         ids.push_back(organ.id);
-        areas.push_back(organ.area);
         names.push_back(organ.name);
     }
     file_.put(
@@ -177,12 +175,49 @@ void NetcdfLayout::define_organs() {
         file_.add_variable(
             "organ_name", NetcdfType::text, {organ_}, {{"long_name", "name of the organ"}}),
         names);
-    file_.put(
-        file_.add_variable(
-            "area", NetcdfType::real, {organ_},
-            {{"long_name", "area of one side"}, {"units", run_.scene.length_unit() + "2"}}),
-        areas);
+    define_areas();
+    define_labels();
+}
+
+void NetcdfLayout::define_areas() {
+    std::vector<int> dimensions;
+    std::vector<std::size_t> sizes;
+    for (std::size_t i = 0; sweep_.changes_geometry() && i < points_.size(); ++i) {
+        dimensions.push_back(points_[i]);
+        sizes.push_back(sweep_.axes()[i].size);
+    }
+    dimensions.push_back(organ_);
+    sizes.push_back(run_.scene.organs().size());
+    area_ = file_.add_variable(
+        "area", NetcdfType::real, dimensions,
+        {{"long_name", "area of one side"}, {"units", run_.scene.length_unit() + "2"}},
+        chunk_of(sizes));
+    put_areas(run_);
+}
+
+void NetcdfLayout::put_areas(const RunFile& run) {
+    if (run.point > 0 && !sweep_.changes_geometry()) {
+        return;
+    }
+    std::vector<double> areas;
+    for (const Organ& organ : run.scene.organs()) {
+        areas.push_back(organ.area);
+    }
+    NetcdfBlock block;
+    if (sweep_.changes_geometry()) {
+        block.start = place_of(run);
+        block.count.assign(block.start.size(), 1);
+    }
+    block.start.push_back(0);
+    block.count.push_back(areas.size());
+    file_.put(area_, block, areas);
+}
+
+void NetcdfLayout::define_labels() {
+    const std::vector<Organ>& organs = run_.scene.organs();
     for (const std::string_view key : label_keys(run_.scene)) {
+        const std::string name = free_name("label_" + std::string(key));
+        coordinates_ += " " + name;
         std::vector<std::string> values(organs.size());
         for (std::size_t i = 0; i < organs.size(); ++i) {
             for (const auto& label : organs[i].labels) {
@@ -191,8 +226,7 @@ void NetcdfLayout::define_organs() {
         }
         file_.put(
             file_.add_variable(
-                free_name("label_" + std::string(key)), NetcdfType::text, {organ_},
-                {{"long_name", "label " + std::string(key)}}),
+                name, NetcdfType::text, {organ_}, {{"long_name", "label " + std::string(key)}}),
             values);
     }
 }
@@ -206,11 +240,10 @@ NetcdfEstimates NetcdfLayout::define_estimates(
     const std::string mean = free_name(name), error = free_name(name + "_standard_error"),
                       low = free_name(name + "_interval_low"),
                       high = free_name(name + "_interval_high");
-    const std::string coordinates = "organ_name area";
     const auto add = [&](const std::string& variable, const std::string& words,
                          const std::string& ancillary) {
         NetcdfAttributes attributes{
-            {"long_name", words}, {"units", unit}, {"coordinates", coordinates}};
+            {"long_name", words}, {"units", unit}, {"coordinates", coordinates_}};
         if (!ancillary.empty()) {
             attributes.emplace_back("ancillary_variables", ancillary);
         }
@@ -228,7 +261,6 @@ NetcdfEstimates NetcdfLayout::define_estimates(
 
 void NetcdfLayout::define_light() {
     using Axis = std::pair<std::optional<int>, std::size_t>;
-    const Axis point{point_, run_.sweep ? run_.sweep->size() : 1};
     const Axis time{time_, std::max<std::size_t>(rows_.size(), 1)};
     const Axis day{day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
     const Axis band{band_, columns.bands.size()};
@@ -236,8 +268,11 @@ void NetcdfLayout::define_light() {
     const Axis organ{organ_, run_.scene.organs().size()};
     const auto define = [&](const std::string& name, const std::string& unit,
                             const std::string& summary, const std::vector<Axis>& axes) {
-        std::vector<int> dimensions;
+        std::vector<int> dimensions = points_;
         std::vector<std::size_t> sizes;
+        for (const NetcdfSweep::Axis& axis : sweep_.axes()) {
+            sizes.push_back(axis.size);
+        }
         for (const auto& [dimension, size] : axes) {
             if (dimension) {
                 dimensions.push_back(*dimension);
@@ -251,24 +286,23 @@ void NetcdfLayout::define_light() {
         for (const QuantityEntry& entry : columns.quantities) {
             const std::string unit = unit_of(entry, first, run_.scene.length_unit());
             const std::string name = std::string(entry.name) + list.suffix;
-            light.push_back(
-                define(name, unit, std::string(entry.summary), {point, time, band, organ}));
+            light.push_back(define(name, unit, std::string(entry.summary), {time, band, organ}));
             if (run_.series) {
                 days.push_back(define(
                     name + "_day_sum", summed_unit(unit).name,
-                    std::string(entry.summary) + ", summed", {point, day, band, organ}));
+                    std::string(entry.summary) + ", summed", {day, band, organ}));
             }
         }
     }
     if (columns.has_sunlit) {
         sunlit = define(
             "sunlit_fraction", "1", "part of the area lit straight by directional sources",
-            {point, time, organ});
+            {time, organ});
     }
     if (ratio_) {
         ratios = define(
             "light_ratio", "1", "of the light that falls on the organ, both sides",
-            {point, time, ratio, organ});
+            {time, ratio, organ});
     }
 }
 

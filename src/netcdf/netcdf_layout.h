@@ -5,11 +5,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/results/written.h"
 #include "netcdf/netcdf_file.h"
 #include "netcdf/netcdf_parts.h"
+#include "netcdf/netcdf_sweep.h"
 
 namespace quasimc {
 
@@ -22,7 +24,8 @@ struct NetcdfEstimates {
 class NetcdfLayout {
   public:
     /// Defines and puts everything but the light.
-    NetcdfLayout(const RunFile& run, NetcdfFile& file);
+    /// @param program_version  that computed the light
+    NetcdfLayout(const RunFile& run, std::string_view program_version, NetcdfFile& file);
 
     const WrittenColumns columns;
     const std::vector<NetcdfBands> bands;
@@ -30,12 +33,20 @@ class NetcdfLayout {
     std::vector<NetcdfEstimates> days;   ///< the same, summed; empty without [time]
     std::optional<NetcdfEstimates> sunlit, ratios;
 
+    /// Puts the areas of the organs of a run, where they may change from point to point.
+    void put_areas(const RunFile& run);
+    /// Where the numbers of a run stand, along the axes of the sweep.
+    [[nodiscard]] std::vector<std::size_t> place_of(const RunFile& run) const {
+        return sweep_.place_of(run.point);
+    }
     /// Where a time step stands; nothing of one that is not in the file.
     [[nodiscard]] std::optional<std::size_t> row_of(std::size_t time_step) const;
 
   private:
     void define_axes();
     void define_organs();
+    void define_areas();
+    void define_labels();
     void define_times();
     void define_days();
     void define_points();
@@ -51,10 +62,14 @@ class NetcdfLayout {
 
     const RunFile& run_;
     NetcdfFile& file_;
+    const NetcdfSweep sweep_;
     std::set<std::string> names_;
-    std::vector<std::size_t> rows_;  // time steps in the file
-    std::optional<int> point_, time_, day_, band_, ratio_;
-    int organ_ = 0;
+    std::string coordinates_ = "organ_name area";  // of the light, beside its dimensions
+    std::vector<std::size_t> rows_;                // time steps in the file
+    std::vector<int> points_;                      // dimensions of the sweep
+    std::vector<std::string> axis_names_;          // theirs
+    std::optional<int> time_, day_, band_, ratio_;
+    int organ_ = 0, area_ = 0;
 };
 
 }  // namespace quasimc

@@ -8,7 +8,6 @@
 #include "io/line_scanner.h"
 #include "io/runfile/civil_time_text.h"
 #include "io/runfile/options.h"
-#include "quasimc/version.h"
 
 namespace quasimc {
 
@@ -35,11 +34,11 @@ double netcdf_seconds(const std::string& time) {
     return std::round((julian_day(*civil) - kDayOf1970) * kSecondsPerDay * kMilli) / kMilli;
 }
 
-std::vector<std::size_t> netcdf_rows(const RunFile& run) {
+std::vector<std::size_t> netcdf_rows(const RunFile& run, bool may_be_dark) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; run.series && i < run.series->time_steps.size(); ++i) {
         Result result;
-        result.paths = run.series->time_steps[i].sources.empty() ? 0 : 1;
+        result.paths = run.series->time_steps[i].sources.empty() && !may_be_dark ? 0 : 1;
         if (is_written(run, i, result)) {
             rows.push_back(i);
         }
@@ -47,7 +46,7 @@ std::vector<std::size_t> netcdf_rows(const RunFile& run) {
     return rows;
 }
 
-NetcdfAttributes netcdf_attributes(const RunFile& run) {
+NetcdfAttributes netcdf_attributes(const RunFile& run, std::string_view program_version) {
     std::string options, inputs, sources;
     for (const Option& option : option_table()) {
         options += fmt::format(
@@ -65,7 +64,7 @@ NetcdfAttributes netcdf_attributes(const RunFile& run) {
     if (!run.title.empty()) {
         attributes.emplace_back("title", run.title);
     }
-    attributes.emplace_back("source", fmt::format("QuasiMC {}", version()));
+    attributes.emplace_back("source", fmt::format("QuasiMC {}", program_version));
     attributes.emplace_back("inputs", inputs);
     attributes.emplace_back("options", options);
     if (!sources.empty() && !run.sweep) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/results/written.h"
@@ -24,9 +25,12 @@ struct NetcdfBands {
 [[nodiscard]] double netcdf_seconds(const std::string& time);
 
 /// The time steps that are in the file: those with light, or all with `night`, within the hours.
-[[nodiscard]] std::vector<std::size_t> netcdf_rows(const RunFile& run);
+/// @param may_be_dark  whether light may shine at other points of the sweep: all have rows
+[[nodiscard]] std::vector<std::size_t> netcdf_rows(const RunFile& run, bool may_be_dark);
 
 /// What a file says of itself: where its numbers come from.
-[[nodiscard]] NetcdfAttributes netcdf_attributes(const RunFile& run);
+/// @param program_version  that computed them
+[[nodiscard]] NetcdfAttributes netcdf_attributes(
+    const RunFile& run, std::string_view program_version);
 
 }  // namespace quasimc

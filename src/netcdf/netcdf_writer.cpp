@@ -1,10 +1,12 @@
 #include "netcdf/netcdf_writer.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "io/results/series_words.h"
+#include "io/results/written.h"
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
 
@@ -16,17 +18,19 @@ bool has_netcdf() {
 
 class NetcdfWriter::State {
   public:
-    State(const RunFile& run, TextSink sink)
-        : run_(&run), sink_(std::move(sink)), layout_(run, file_) {
-        if (run.series) {
-            for (const MomentNotes& notes : run.series->notes) {
-                times_.push_back(notes.time);
-            }
+    State(const RunFile& run, TextSink sink, std::string_view program_version)
+        : run_(&run), sink_(std::move(sink)), layout_(run, program_version, file_) {
+        times_ = times_of(run);
+        if (run.sweep) {
+            organs_ = run.scene.organs();
         }
     }
 
     void add_moment(std::size_t time_step, const Result& result) {
-        std::vector<std::size_t> start = point();
+        std::vector<std::size_t> start = layout_.place_of(*run_);
+        if (!is_written(*run_, time_step, result)) {
+            return;
+        }
         if (run_->series) {
             const auto row = layout_.row_of(time_step);
             if (!row) {
@@ -49,30 +53,45 @@ class NetcdfWriter::State {
         }
     }
 
-    void add_day(std::size_t day, const SeriesSum& raw) {
-        std::vector<std::size_t> start = point();
+    void add_day(std::size_t day, const SeriesSum& sum) {
+        std::vector<std::size_t> start = layout_.place_of(*run_);
         start.push_back(day);
-        put_light(layout_.days, start, in_summed_units(*run_, raw));
+        put_light(layout_.days, start, sum);
     }
 
     void next_run(const RunFile& run) {
-        std::vector<std::string> times;
-        for (std::size_t i = 0; run.series && i < run.series->notes.size(); ++i) {
-            times.push_back(run.series->notes[i].time);
-        }
-        if (times != times_) {
+        if (times_of(run) != times_) {
             throw InputError(
                 {{"NetCDF", "the points of the sweep have times of their own",
                   "a file has one axis of time", "sweep something else, or write CSV"}});
         }
+        if (!has_same_organs(run)) {
+            throw InputError(
+                {{"NetCDF", "the points of the sweep have organs of their own",
+                  "a file has one axis of organs, with their ids, names and labels",
+                  "sweep something else, or write CSV"}});
+        }
         run_ = &run;
+        layout_.put_areas(run);
     }
 
     void finish() { file_.copy_to(sink_); }
 
   private:
-    [[nodiscard]] std::vector<std::size_t> point() const {
-        return run_->sweep ? std::vector<std::size_t>{run_->point} : std::vector<std::size_t>{};
+    static std::vector<std::string> times_of(const RunFile& run) {
+        std::vector<std::string> times;
+        for (std::size_t i = 0; run.series && i < run.series->notes.size(); ++i) {
+            times.push_back(run.series->notes[i].time);
+        }
+        return times;
+    }
+
+    [[nodiscard]] bool has_same_organs(const RunFile& run) const {
+        return std::equal(
+            organs_.begin(), organs_.end(), run.scene.organs().begin(), run.scene.organs().end(),
+            [](const Organ& a, const Organ& b) {
+                return a.id == b.id && a.name == b.name && a.labels == b.labels;
+            });
     }
 
     /// @param light  a Result or a SeriesSum
@@ -124,11 +143,12 @@ class NetcdfWriter::State {
     TextSink sink_;
     NetcdfFile file_;
     NetcdfLayout layout_;
-    std::vector<std::string> times_;  // of the first point
+    std::vector<std::string> times_;  // of the first point, as are
+    std::vector<Organ> organs_;
 };
 
-NetcdfWriter::NetcdfWriter(const RunFile& run, TextSink sink)
-    : state_(std::make_unique<State>(run, std::move(sink))) {}
+NetcdfWriter::NetcdfWriter(const RunFile& run, TextSink sink, std::string_view program_version)
+    : state_(std::make_unique<State>(run, std::move(sink), program_version)) {}
 
 NetcdfWriter::~NetcdfWriter() = default;
 

@@ -9,7 +9,8 @@ bool has_netcdf() {
     return false;
 }
 
-NetcdfWriter::NetcdfWriter(const RunFile& /*run*/, TextSink /*sink*/) {
+NetcdfWriter::NetcdfWriter(
+    const RunFile& /*run*/, TextSink /*sink*/, std::string_view /*program_version*/) {
     throw InputError(
         {{"NetCDF", "this program can't write it", "it was built without the netCDF library",
           "install libnetcdf-dev and build it again"}});

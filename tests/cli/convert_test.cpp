@@ -72,6 +72,27 @@ TEST_F(ConvertCommand, WritesResultsForOtherPrograms) {
     EXPECT_EQ(run({"info", "out.ply"}).status, 0) << "our own reader passes over the numbers";
 }
 
+/// Which of the two depends on the libraries that the program was built with.
+TEST_F(ConvertCommand, WritesNetcdfOrNamesTheLibraryThatItLacks) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    const Outcome outcome = run({"convert", "out.json", "out.nc"});
+    if (run({"formats"}).out.find("not built in") != std::string::npos) {
+        EXPECT_EQ(outcome.status, 1);
+        expect_in(
+            outcome.err,
+            "NetCDF: this program can't write it (it was built without the netCDF library)");
+        return;
+    }
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(folder_.read("out.nc").substr(1, 3), "HDF");
+    const Outcome chosen = run({"convert", "out.json", "out.nc", "--point", "1"});
+    EXPECT_EQ(chosen.status, 1);
+    expect_in(
+        chosen.err,
+        "--point: a NetCDF file has all points of a sweep (each has its place along an axis); "
+        "leave it out");
+}
+
 TEST_F(ConvertCommand, RefusesWhatItCannotDo) {
     const auto expect_fault = [this](const std::vector<std::string>& arguments, const char* text) {
         const Outcome outcome = run(arguments);
@@ -89,7 +110,8 @@ TEST_F(ConvertCommand, RefusesWhatItCannotDo) {
 TEST_F(ConvertCommand, PrintsTheTableOfFormats) {
     const Outcome outcome = run({"formats"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    for (const char* name : {"tri ", "obj ", "ply ", "stl ", "can ", "opf ", "vtp "}) {
+    for (const char* name :
+         {"tri ", "obj ", "ply ", "stl ", "can ", "opf ", "vgx ", "vtp ", "nc "}) {
         expect_in(outcome.out, name);
     }
 }

@@ -106,6 +106,10 @@ class Case:
         self.json = json.loads((folder / "out.json").read_text())
         self.data = xarray.load_dataset(folder / "out.nc")
         self.dump = run_in(folder, "ncdump", "-h", "out.nc")
+        # convert makes the same of the JSON: every variable, bit for bit, and every attribute.
+        run_in(folder, program, "convert", "out.json", "back.nc")
+        back = xarray.load_dataset(folder / "back.nc")
+        assert back.identical(self.data), xarray.testing.assert_identical(back, self.data)
 
 
 def check_organs(case):
@@ -161,15 +165,102 @@ def check_sweep(program, folder):
     sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
     case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
     data = case.data
-    assert data.absorbed_flux.dims == ("point", "band", "organ")
+    assert data.absorbed_flux.dims == ("material_leaf_reflectance", "band", "organ")
     assert list(data.material_leaf_reflectance.values) == [0.1, 0.4]
+    for row, point in enumerate(case.json["points"]):
+        assert compare(data, (row,), point["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
+    light = data.absorbed_flux.sel(material_leaf_reflectance=0.4, organ=17, band="PAR")
+    assert float(light) == case.json["points"][1]["organs"][0]["absorbed_flux"]["PAR"]["mean"]
+
+
+def check_product(program, folder):
+    """Two keys over the times of two days: the second varies fastest."""
+    sweep = """
+[sweep]
+"material.leaf.reflectance" = [0.4, 0.1]
+"place.latitude_deg" = [10, 50, 80]
+"""
+    case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format())
+    data = case.data
+    axes = ("material_leaf_reflectance", "place_latitude_deg")
+    assert data.absorbed_flux.dims == axes + ("time", "band", "organ")
+    assert data.absorbed_flux_day_sum.dims == axes + ("day", "band", "organ")
+    assert list(data.place_latitude_deg.values) == [10, 50, 80]
+    assert data.sizes["time"] == 48, "near the pole there is light at all times"
+    times = [str(text) for text in data.time_text.values]
+    for number, point in enumerate(case.json["points"]):
+        place = (number // 3, number % 3)
+        assert point["point"]["place.latitude_deg"] == data.place_latitude_deg.values[place[1]]
+        lit = set()
+        for moment in point["moments"]:
+            row = times.index(moment["time"])
+            lit.add(row)
+            assert compare(data, place + (row,), moment["organs"], ["PAR", "NIR"], False) == 96
+        dark = [row for row in range(48) if row not in lit]
+        assert np.all(np.isnan(data.absorbed_flux.values[place][dark]))
+        assert (len(dark) == 0) == (place[1] == 2)
+        for row, day in enumerate(point["days"]):
+            assert compare(data, place + (row,), day["organs"], ["PAR", "NIR"], False, "_day_sum")
+
+
+def check_together(program, folder):
+    sweep = """
+[sweep]
+together = true
+"run.seed" = [3, 4]
+"run.method" = ["light_tracing", "from_organs"]
+"""
+    case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
+    data = case.data
+    assert data.absorbed_flux.dims == ("point", "band", "organ")
+    assert data.run_method.dims == ("point",) and "run_method" in data.absorbed_flux.coords
+    assert list(data.run_method.values) == ["light_tracing", "from_organs"]
     for row, point in enumerate(case.json["points"]):
         assert compare(data, (row,), point["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
 
 
+def check_swept_geometry(program, folder):
+    """Organs that grow have areas of their own at each point."""
+    sweep = '[sweep]\n"organ.upper.radius" = [1, 3]\n'
+    case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
+    data = case.data
+    assert data.area.dims == ("organ_upper_radius", "organ")
+    for row, point in enumerate(case.json["points"]):
+        assert list(data.area.values[row]) == [organ["area"] for organ in point["organs"]]
+        assert compare(data, (row,), point["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
+
+
+def check_refused(program, folder):
+    """What has no place in the file costs the file alone."""
+    sweep = '[sweep]\n"time.from" = ["2024-06-21", "2024-06-22"]\n'
+    text = HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format()
+    (folder / "run.toml").write_text(text)
+    told = run_in(
+        folder, program, "run", "run.toml", "--quiet", "--nc", "no.nc", "--json", "out.json", status=1
+    )
+    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert not (folder / "no.nc").exists()
+    assert len(json.loads((folder / "out.json").read_text())["points"]) == 2
+    told = run_in(folder, program, "convert", "out.json", "no.nc", status=1)
+    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert not (folder / "no.nc").exists()
+    told = run_in(
+        folder, program, "convert", "out.json", "no.nc", "--point", "2", "--time", "x", status=1
+    )
+    assert "--point: a NetCDF file has all points of a sweep" in told and "--time: " in told, told
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for check in (check_single, check_series, check_sweep):
+        for check in (
+            check_single,
+            check_series,
+            check_sweep,
+            check_product,
+            check_together,
+            check_swept_geometry,
+            check_refused,
+        ):
             check(sys.argv[1], Path(name))
 
 

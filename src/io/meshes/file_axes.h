@@ -43,6 +43,14 @@ namespace quasimc {
         {}};
 }
 
+/// A turn about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
+[[nodiscard]] inline Affine euler_rotation(double azimuth, double elevation, double roll) {
+    const Affine z = *rotation_about({0, 0, 1}, azimuth);
+    const Affine y = *rotation_about({0, 1, 0}, elevation);
+    const Affine x = *rotation_about({1, 0, 0}, roll);
+    return after(after(z, y), x);
+}
+
 /// From the axes and the unit of a file whose y axis points up to those of a scene: x stays x.
 /// @param scale  units of the scene in one of the file
 [[nodiscard]] constexpr Affine from_y_up(UpAxis up, double scale) {

@@ -127,6 +127,13 @@ std::span<const FormatEntry> format_table() {
             .organs = "groups",
             .keeps = "ids, names, materials, labels",
             .read = read_geom},
+        FormatEntry{
+            .name = "vgx",
+            .extensions = ".vgx .vgs",
+            .summary = "VegeSTAR's and RATP's table of objects; each is an organ",
+            .organs = "groups",
+            .keeps = "labels, colours as materials",
+            .read = read_vgx},
         // (tools/new.py enters a format above this line)
     };
     return kTable;

@@ -11,6 +11,7 @@
 #include "io/meshes/file_axes.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/geom_text.h"
+#include "io/meshes/geom_transform.h"
 #include "io/meshes/placed_triangles.h"
 #include "io/numbers.h"
 
@@ -49,9 +50,11 @@ class GeomSceneReader {
     void read_shape(const GeomObject& shape) {
         const GeomField* geometry = shape.find("Geometry");
         const GeomField* appearance = shape.find("Appearance");
-        const auto first = geometry == nullptr ? std::nullopt : object_of(*geometry);
+        std::optional<std::size_t> first;
         if (geometry == nullptr) {
             reporter_.fault(shape.line, "the Shape has no Geometry", "");
+        } else {
+            first = object_of(*geometry);
         }
         const auto material = appearance == nullptr ? std::nullopt : object_of(*appearance);
         if (!first) {
@@ -166,7 +169,7 @@ class GeomSceneReader {
                 placed_.add(triangles_of(place.object), place.transform, material, line, group);
             } else if (object.type == "Group") {
                 open_list(object, place.transform, open);
-            } else if (const auto own = transform_of(object)) {
+            } else if (const auto own = geom_transform(object, reporter_)) {
                 const GeomField* inner = object.find("Geometry");
                 const auto next = inner == nullptr ? std::nullopt : object_of(*inner);
                 if (inner == nullptr) {
@@ -190,95 +193,6 @@ class GeomSceneReader {
         for (auto object = objects->rbegin(); object != objects->rend(); ++object) {
             open.push_back({*object, transform});
         }
-    }
-
-    /// What a transforming object does; nothing after a fault, as which another kind counts.
-    std::optional<Affine> transform_of(const GeomObject& object) {
-        const std::string_view type = object.type;
-        if (type == "Translated") {
-            const auto shift = vector_field(object, "Translation");
-            return shift ? std::optional(
-                               Affine{{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, *shift})
-                         : std::nullopt;
-        }
-        if (type == "Scaled") {
-            const auto s = vector_field(object, "Scale");
-            return s ? std::optional(
-                           Affine{{Vec3{s->x, 0, 0}, Vec3{0, s->y, 0}, Vec3{0, 0, s->z}}, {}})
-                     : std::nullopt;
-        }
-        if (type == "AxisRotated") {
-            const auto axis = vector_field(object, "Axis");
-            const auto rotation =
-                axis ? rotation_about(*axis, number_field(object, "Angle")) : std::nullopt;
-            if (axis && !rotation) {
-                reporter_.fault(object.line, "the Axis is no direction", "");
-            }
-            return rotation;
-        }
-        if (type == "EulerRotated") {  // about z, then y, then x of what is turned
-            const Affine z = *rotation_about({0, 0, 1}, number_field(object, "Azimuth"));
-            const Affine y = *rotation_about({0, 1, 0}, number_field(object, "Elevation"));
-            const Affine x = *rotation_about({1, 0, 0}, number_field(object, "Roll"));
-            return after(after(z, y), x);
-        }
-        if (type == "Oriented") {
-            return orientation_of(object);
-        }
-        reporter_.fault(
-            object.line, fmt::format("{} is not read", shown(type)),
-            "only TriangleSet, QuadSet and FaceSet are, moved and grouped",
-            "let PlantGL make triangles: t = Tesselator(); shape.apply(t); Shape(t.result, ...)");
-        return std::nullopt;
-    }
-
-    /// The first two axes as they are stated, the third one perpendicular to both.
-    std::optional<Affine> orientation_of(const GeomObject& object) {
-        const auto a = vector_field(object, "Primary"), b = vector_field(object, "Secondary");
-        if (!a || !b) {
-            return std::nullopt;
-        }
-        const Vec3 normal = cross(*a, *b);
-        if (!(length(normal) > 0) || !is_finite(normal)) {
-            reporter_.fault(object.line, "Primary and Secondary are no two directions", "");
-            return std::nullopt;
-        }
-        const Vec3 x = normalized(*a), y = normalized(*b), z = normalized(normal);
-        return Affine{{Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}}, {}};
-    }
-
-    std::optional<Vec3> vector_field(const GeomObject& object, std::string_view name) {
-        const GeomField* field = object.find(name);
-        if (field != nullptr) {
-            const auto* rows = std::get_if<GeomRows>(&field->value);
-            if (rows != nullptr && rows->numbers.size() == 3) {
-                return Vec3{rows->numbers[0], rows->numbers[1], rows->numbers[2]};
-            }
-            const auto* word = std::get_if<std::string_view>(&field->value);
-            if (word != nullptr && (*word == "OX" || *word == "OY" || *word == "OZ")) {
-                return Vec3{
-                    *word == "OX" ? 1.0 : 0.0, *word == "OY" ? 1.0 : 0.0,
-                    *word == "OZ" ? 1.0 : 0.0};
-            }
-        }
-        reporter_.fault(
-            field == nullptr ? object.line : field->line,
-            fmt::format("the {} of {} is no vector", name, object.type), "it is <x,y,z>");
-        return std::nullopt;
-    }
-
-    /// 0 if it is absent, or after a fault.
-    double number_field(const GeomObject& object, std::string_view name) {
-        const GeomField* field = object.find(name);
-        if (field == nullptr) {
-            return 0;
-        }
-        const auto* number = std::get_if<double>(&field->value);
-        if (number == nullptr) {
-            reporter_.fault(
-                field->line, fmt::format("the {} of {} is no number", name, object.type), "");
-        }
-        return number == nullptr ? 0 : *number;
     }
 
     /// The triangles of a set of faces, made when it is first placed.

@@ -176,7 +176,7 @@ class EstimateReader final : public nlohmann::json_sax<SaxJson> {
 }  // namespace
 
 std::vector<std::vector<TimedEstimates>> read_estimate_columns(
-    const std::string& text,
+    std::string_view text,
     const std::string& path,
     const EstimateQuery& query,
     const std::vector<EstimateNames>& columns) {
@@ -186,7 +186,7 @@ std::vector<std::vector<TimedEstimates>> read_estimate_columns(
 }
 
 std::vector<TimedEstimates> read_estimates(
-    const std::string& text, const std::string& path, const EstimateQuery& query) {
+    std::string_view text, const std::string& path, const EstimateQuery& query) {
     return read_estimate_columns(text, path, query, {query.names}).front();
 }
 

@@ -34,7 +34,7 @@ using EstimateNames = std::vector<std::string>;
 /// @param columns  what leads to each kind
 /// @returns  of each kind what read_estimates() returns
 [[nodiscard]] std::vector<std::vector<TimedEstimates>> read_estimate_columns(
-    const std::string& text,
+    std::string_view text,
     const std::string& path,
     const EstimateQuery& query,
     const std::vector<EstimateNames>& columns);
@@ -43,6 +43,6 @@ using EstimateNames = std::vector<std::string>;
 /// @returns  in the order of the file; those times that have none of that name are left out
 /// @throws InputError  if it is not JSON. @param path  for messages
 [[nodiscard]] std::vector<TimedEstimates> read_estimates(
-    const std::string& text, const std::string& path, const EstimateQuery& query);
+    std::string_view text, const std::string& path, const EstimateQuery& query);
 
 }  // namespace quasimc

@@ -35,6 +35,9 @@ class SweepPlan {
 
     [[nodiscard]] const std::vector<SweptKey>& keys() const { return keys_; }
     [[nodiscard]] std::size_t points() const { return points_; }
+    /// Whether every value of a key is combined with those of the others, or else the first values
+    /// of all keys are a point, and so on. A single key is a product.
+    [[nodiscard]] bool is_product() const { return !together_ || keys_.size() < 2; }
     /// Which of its values a key has at a point. Of a product the last key varies fastest.
     [[nodiscard]] std::size_t value_at(std::size_t key, std::size_t point) const;
     /// What a point sets.

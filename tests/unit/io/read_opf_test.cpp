@@ -104,6 +104,27 @@ TEST(ReadOpf, TellsFaultsByTheirLines) {
         (Texts{"file:29: <'branch'> without a number as its id"}));
 }
 
+/// Its faces would name points that are no longer there.
+TEST(ReadOpf, RefusesPointsOfAMeshThatHasFacesAlready) {
+    const std::string why =
+        "points of a mesh that has faces already (its Id is that of another one, or its points "
+        "stand behind its faces)";
+    EXPECT_EQ(
+        read_mesh_text("opf", opf_with("Id=\"1\" enableScale", "Id=\"0\" enableScale")).faults,
+        (Texts{
+            "file:10: " + why,
+            "file:11: a face names point 3 (its mesh has 3, counted from 0, before its faces)",
+            "file:31: there is no shape 7 with a mesh (<shapeBDD> and <meshBDD> come before "
+            "<topology>)"}));
+    EXPECT_EQ(
+        read_mesh_text(
+            "opf", opf_with(
+                       "<normals> 0 0 1 0 0 1 0 0 1 </normals>",
+                       "<faces><face>0 1 2</face></faces><points>0 0 0 1 0 0 0 1 0</points>"))
+            .faults,
+        (Texts{"file:6: " + why}));
+}
+
 TEST(ReadOpf, TellsWhatIsNoXml) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("</branch>", "</follow>")).faults,
