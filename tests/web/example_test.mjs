@@ -89,7 +89,7 @@ async function checkSides(page) {
 async function check(browser, child, said) {
   const address = await until(child, said, (text) => /view: (http:\S+\/)\n/.exec(text)?.[1]);
   await until(child, said, (text) => text.includes("press Enter"));
-  const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
+  const page = await browser.newPage({ viewport: { width: 960, height: 720 } });
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
   await page.goto(address);
