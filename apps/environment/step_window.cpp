@@ -65,7 +65,8 @@ void StepWindow::show(const quasimc::SeenStep& step) {
     const auto scene = std::make_shared<const quasimc::LiveScene>(quasimc::LiveScene{
         .scene = {step.light, &*step.light->scene},
         .bands = step.specification.bands,
-        .title = "A plant that grows"});
+        .title = "A plant that grows",
+        .grows = true});
     window_->add(
         {.label = fmt::format("step {}", step.step),
          .scene = scene,

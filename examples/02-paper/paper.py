@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Repeats the experiment of Cieslak, Lemieux, Hanan and Prusinkiewicz (2008) and prints its numbers beside ours.
 
-Usage: examples/02-paper/paper.py [--program build/release/bin/quasimc] [--out FOLDER] [--replicates 10]
+Usage: examples/02-paper/paper.py [--program build/release/bin/quasimc] [--out FOLDER] [--replicates 10] [--paths 65536]
+                                  [--target 0.01]
 
 Writes the data of the paper's two figures to FOLDER (default: beside this script):
   irradiance.csv  depth and absorbed flux density of every leaf, and the fitted curve A exp(-lambda x)
@@ -26,25 +27,32 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# name, sampler, paths, window, the paper's mean variance x 1e-5 (None: not in the paper)
-EXPERIMENTS = [
-    ("Monte Carlo, 65,536 paths", "monte_carlo", 65536, "sphere", 75.46),
-    ("Korobov, 65,536 paths", "korobov", 65536, "sphere", 9.37),
-    ("Korobov, 16,384 paths", "korobov", 16384, "sphere", 67.39),
-    ("Sobol', 65,536 paths", "sobol", 65536, "sphere", None),
-    ("Monte Carlo, our start of rays", "monte_carlo", 65536, "silhouette", None),
-    ("Korobov, our start of rays", "korobov", 65536, "silhouette", None),
-    ("Sobol', our start of rays", "sobol", 65536, "silhouette", None),
-]
+PAPER_PATHS = 65536
 
-# name, method, sampler: each until the error of a leaf is TARGET of the mean
+
+def experiments(paths):
+    """Name, sampler, paths, window and the paper's mean variance x 1e-5 (None: not in the paper)."""
+    rows = [
+        ("Monte Carlo", "monte_carlo", paths, "sphere", 75.46),
+        ("Korobov", "korobov", paths, "sphere", 9.37),
+        ("Korobov", "korobov", paths // 4, "sphere", 67.39),
+        ("Sobol'", "sobol", paths, "sphere", None),
+        ("Monte Carlo", "monte_carlo", paths, "silhouette", None),
+        ("Korobov", "korobov", paths, "silhouette", None),
+        ("Sobol'", "sobol", paths, "silhouette", None),
+    ]
+    for name, sampler, count, window, paper in rows:
+        suffix = f"{count:,} paths" if window == "sphere" else "our start of rays"
+        yield f"{name}, {suffix}", sampler, count, window, paper if paths == PAPER_PATHS else None
+
+
+# name, method, sampler: each until the error of a leaf is small enough
 WAYS = [
     ("Monte Carlo", "light_tracing", "monte_carlo"),
     ("Korobov", "light_tracing", "korobov"),
     ("lit surfaces, Sobol'", "first_hits", "sobol"),
     ("ray bundles", "ray_bundles", "sobol"),
 ]
-TARGET = 0.01
 
 
 def leaf_depths(path):
@@ -70,9 +78,9 @@ def run(program, sampler, paths, window, replicates):
     return means, variances
 
 
-def run_to_error(program, method, sampler, replicates):
+def run_to_error(program, method, sampler, replicates, target):
     """Paths, error (root mean square over leaves, over their mean) and CPU seconds of the first run, paths doubled from
-    256 on, with an error below TARGET. Light paths start in the scene's silhouette; the error of ray bundles holds
+    256 on, with an error of at most target. Light paths start in the scene's silhouette; the error of ray bundles holds
     that of their patches."""
     with tempfile.TemporaryDirectory() as folder:
         for paths in (256 << i for i in range(22)):
@@ -87,29 +95,29 @@ def run_to_error(program, method, sampler, replicates):
                 continue  # some leaf was not found
             square = statistics.fmean(leaf["standard_error"] ** 2 for leaf in leaves)
             error = math.sqrt(square) / statistics.fmean(leaf["mean"] for leaf in leaves)
-            if error <= TARGET:
+            if error <= target:
                 return paths, error, result["seconds"]["trace_cpu"]
     sys.exit(f"{method}: the error is not reached")
 
 
-def write_result(program, path, sampler, replicates):
+def write_result(program, path, sampler, paths, replicates):
     """The whole result of the experiment with a sampler, for pictures."""
-    subprocess.run([program, "run", str(HERE / "paper.toml"), "--sampler", sampler, "--replicates", str(replicates),
-                    "--json", str(path), "--csv", str(path.with_suffix(".csv")), "--quiet"], check=True)
+    subprocess.run([program, "run", str(HERE / "paper.toml"), "--sampler", sampler, "--paths", str(paths), "--replicates",
+                    str(replicates), "--json", str(path), "--csv", str(path.with_suffix(".csv")), "--quiet"], check=True)
 
 
-def draw_figures(program, out, replicates):
+def draw_figures(program, out, paths, replicates):
     """The paper's figures 2 and 3, each as PNG and SVG."""
     with tempfile.TemporaryDirectory() as folder:
         monte_carlo, korobov = (pathlib.Path(folder) / name for name in ("Monte_Carlo.json", "Korobov.json"))
-        write_result(program, monte_carlo, "monte_carlo", replicates)
-        write_result(program, korobov, "korobov", replicates)
+        write_result(program, monte_carlo, "monte_carlo", paths, replicates)
+        write_result(program, korobov, "korobov", paths, replicates)
         figures = {
             "figure2": [korobov, "--opening", "35"],
             "figure3-irradiance": [korobov, "--chart", "organs", "--note",
-                                   f"65,536 paths, {replicates} randomizations; 95 % intervals, and a fitted curve"],
+                                   f"{paths:,} paths, {replicates} randomizations; 95 % intervals, and a fitted curve"],
             "figure3-variance": [monte_carlo, "--chart", "organs", "--variance", "--with", korobov, "--note",
-                                 f"65,536 paths, {replicates} randomizations; mean in the paper: Monte Carlo 0.0007546, "
+                                 f"{paths:,} paths, {replicates} randomizations; mean in the paper: Monte Carlo 0.0007546, "
                                  "randomized QMC 0.0000937"],
         }
         for name, words in figures.items():
@@ -155,6 +163,8 @@ def main():
     parser.add_argument("--program", default=str(HERE.parents[1] / "build/release/bin/quasimc"))
     parser.add_argument("--out", type=pathlib.Path, default=HERE)
     parser.add_argument("--replicates", type=int, default=10)
+    parser.add_argument("--paths", type=int, default=PAPER_PATHS, help="of a replicate (default: the paper's)")
+    parser.add_argument("--target", type=float, default=0.01, help="error of a leaf until which times are taken")
     arguments = parser.parse_args()
     if not pathlib.Path(arguments.program).exists():
         sys.exit(f"{arguments.program}: not there; run ./dev build first, or name it with --program")
@@ -164,22 +174,23 @@ def main():
     results = {}
     print("Variance of the absorbed flux density per leaf x 1e-5, mean over 500 leaves (standard deviation)")
     print(f"  {'':32} {'ours':>18} {'paper':>8}")
-    for name, sampler, paths, window, paper in EXPERIMENTS:
+    for name, sampler, paths, window, paper in experiments(arguments.paths):
         means, variances = run(arguments.program, sampler, paths, window, arguments.replicates)
         results[name] = (means, variances)
         mean, deviation = 1e5 * statistics.fmean(variances), 1e5 * statistics.pstdev(variances)
         print(f"  {name:32} {mean:9.2f} ({deviation:6.2f}) {paper if paper else '':>8}")
 
-    reference = results["Korobov, 65,536 paths"][0]
+    reference = results[f"Korobov, {arguments.paths:,} paths"][0]
     (a, rate), = write_figure(arguments.out / "irradiance.csv", ["irradiance"], depths, [reference])
     print(f"Absorbed flux density over depth x: {a:.3f} exp(-{rate:.2f} x)")
     write_figure(arguments.out / "variance.csv", ["monte_carlo", "korobov"], depths,
-                 [results["Monte Carlo, 65,536 paths"][1], results["Korobov, 65,536 paths"][1]])
-    figures = draw_figures(arguments.program, arguments.out, arguments.replicates)
+                 [results[f"{name}, {arguments.paths:,} paths"][1] for name in ("Monte Carlo", "Korobov")])
+    figures = draw_figures(arguments.program, arguments.out, arguments.paths, arguments.replicates)
     print(f"Wrote to {arguments.out}: irradiance.csv, variance.csv, and as .png and .svg {', '.join(figures)}")
-    print(f"CPU time until the error of a leaf is {100 * TARGET:g} % of the mean, {arguments.replicates} replicates together")
+    print(f"CPU time until the error of a leaf is {100 * arguments.target:g} % of the mean, {arguments.replicates} replicates together")
     for name, method, sampler in WAYS:
-        paths, error, seconds = run_to_error(arguments.program, method, sampler, arguments.replicates)
+        paths, error, seconds = run_to_error(arguments.program, method, sampler, arguments.replicates,
+                                             arguments.target)
         print(f"  {name:32} {1000 * seconds:9.1f} ms ({100 * error:.2f} %, {paths:,} paths)")
 
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Plant and light side by side: plant.py prints the steps, and a page in the browser follows them. Takes the words of plant.py.
+# Plant and light side by side, in a page in the browser that follows the steps, which plant.py prints. Takes the words of plant.py.
 set -eu
 
 cd "$(dirname "$0")"

@@ -32,8 +32,11 @@ struct Entry {
     std::uint32_t triangle;
 };
 
-bool operator<(const Entry& a, const Entry& b) {
-    return std::tie(a.cube, a.facing, a.triangle) < std::tie(b.cube, b.facing, b.triangle);
+inline bool operator<(const Entry& a, const Entry& b) {
+    if (a.cube != b.cube) {
+        return a.cube < b.cube;
+    }
+    return a.facing != b.facing ? a.facing < b.facing : a.triangle < b.triangle;
 }
 
 /// A direction that normals of modelled organs are seldom symmetric about.
@@ -120,31 +123,52 @@ class OverlapSearch {
         }
     }
 
+    /// What is known of a triangle by its place alone.
+    struct Extent {
+        Bounds bounds;
+        double size;
+    };
+    static Extent extent_of(const Triangle& t) {
+        const Bounds bounds = bounds_of(t);
+        return {bounds, size_of(bounds)};
+    }
+
     void enter_all() {
         std::vector<std::int16_t> level_of(triangles_.size(), -1);
         std::array<bool, kLevels> is_home{};
+        // What is entered is counted first: growing lists would take several times the memory.
+        std::size_t natives = 0;
+        std::array<std::size_t, kLevels> visitors{};
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
             const Triangle t = triangles_[i];
-            const double size = size_of(bounds_of(t));
+            const Extent extent = extent_of(t);
             // Slivers about as thin as the tolerance lie in no plane in particular.
             constexpr double kThin = 8;
-            if (size > 0 && height(t) > kThin * thickness(size)) {
-                level_of[i] = static_cast<std::int16_t>(home_level(size));
-                is_home[static_cast<std::size_t>(level_of[i])] = true;
+            if (extent.size > 0 && height(t) > kThin * thickness(extent.size)) {
+                const int home = home_level(extent.size);
+                level_of[i] = static_cast<std::int16_t>(home);
+                is_home[static_cast<std::size_t>(home)] = true;
+                for (int level = 0; !is_partial() && level <= home; ++level) {
+                    const std::uint64_t count = cubes_at(extent, level).number();
+                    (level == home ? natives : visitors[static_cast<std::size_t>(level)]) += count;
+                }
             }
         }
         if (is_partial()) {
             mark_cubes(level_of, is_home);
-            for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
-                enter(i, level, is_native);
-            });
-            return;
+        } else {
+            reserve(natives, visitors, is_home);
         }
-        // What is entered is counted first: growing lists would take several times the memory.
-        std::size_t natives = 0, visitors = 0;
         for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
-            (is_native ? natives : visitors) += cubes_of(i, level);
+            enter(i, level, is_native);
         });
+    }
+
+    /// @param visitors  that there would be on each level
+    void reserve(
+        std::size_t natives,
+        const std::array<std::size_t, kLevels>& visitors,
+        const std::array<bool, kLevels>& is_home) {
         constexpr double kUneven = 1.2;
         const auto of_pass = [&](std::size_t count) {
             return passes_ == 1
@@ -153,11 +177,12 @@ class OverlapSearch {
                              kUneven * static_cast<double>(count) / static_cast<double>(passes_)) +
                              64;
         };
+        std::size_t all = 0;
+        for (std::size_t level = 0; level < kLevels; ++level) {
+            all += is_home[level] ? visitors[level] : 0;
+        }
         natives_.reserve(of_pass(natives));
-        visitors_.reserve(of_pass(visitors));
-        for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
-            enter(i, level, is_native);
-        });
+        visitors_.reserve(of_pass(all));
     }
 
     /// Marks the cubes of the triangles that changed: what is in no such cube need not be entered.
@@ -166,10 +191,11 @@ class OverlapSearch {
         marked_.assign(std::size_t{1} << kMarkBits, false);
         for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool) {
             if (changed_[i]) {
-                for_each_cube(cubes_at(i, level), level, [&](std::uint64_t cube) {
-                    marked_[mark_of(cube)] = true;
-                    return true;
-                });
+                for_each_cube(
+                    cubes_at(extent_of(triangles_[i]), level), level, [&](std::uint64_t cube) {
+                        marked_[mark_of(cube)] = true;
+                        return true;
+                    });
             }
         });
     }
@@ -189,13 +215,13 @@ class OverlapSearch {
     /// axis.
     struct Cubes {
         std::array<std::uint64_t, 3> first, count;
+        [[nodiscard]] std::uint64_t number() const { return count[0] * count[1] * count[2]; }
     };
-    [[nodiscard]] Cubes cubes_at(std::uint32_t i, int level) const {
-        const Bounds bounds = bounds_of(triangles_[i]);
-        const double blur = thickness(size_of(bounds));
-        const double per_length = std::ldexp(1.0, 2 * level) / size_;
-        const Vec3 low = bounds.low - low_;
-        const Vec3 high = bounds.high - low_;
+    [[nodiscard]] Cubes cubes_at(const Extent& extent, int level) const {
+        const double blur = thickness(extent.size);
+        const double per_length = static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
+        const Vec3 low = extent.bounds.low - low_;
+        const Vec3 high = extent.bounds.high - low_;
         const auto first = [&](double p) {
             return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * per_length));
         };
@@ -206,16 +232,11 @@ class OverlapSearch {
             {first(low.x), first(low.y), first(low.z)},
             {count(low.x, high.x), count(low.y, high.y), count(low.z, high.z)}};
     }
-    /// How many they are.
-    [[nodiscard]] std::uint64_t cubes_of(std::uint32_t i, int level) const {
-        const Cubes cubes = cubes_at(i, level);
-        return cubes.count[0] * cubes.count[1] * cubes.count[2];
-    }
     /// Calls visit(number of the cube) for each, as long as it returns true.
     template <typename Visit>
     static void for_each_cube(const Cubes& cubes, int level, const Visit& visit) {
         const auto& [first, count] = cubes;
-        for (std::uint64_t n = 0; n < count[0] * count[1] * count[2]; ++n) {
+        for (std::uint64_t n = 0; n < cubes.number(); ++n) {
             auto cube = static_cast<std::uint64_t>(level);
             cube = cube << 20 | (first[0] + n % count[0]);
             cube = cube << 20 | (first[1] + n / count[0] % count[1]);
@@ -227,7 +248,9 @@ class OverlapSearch {
     }
 
     void enter(std::uint32_t i, int level, bool is_native) {
-        const Cubes cubes = cubes_at(i, level);
+        const Triangle t = triangles_[i];
+        const Extent extent = extent_of(t);
+        const Cubes cubes = cubes_at(extent, level);
         bool is_wanted = false;
         for_each_cube(cubes, level, [&](std::uint64_t cube) {
             is_wanted = is_marked(cube);
@@ -236,8 +259,7 @@ class OverlapSearch {
         if (!is_wanted) {
             return;
         }
-        const Triangle t = triangles_[i];
-        const double blur = thickness(size_of(bounds_of(t)));
+        const double blur = thickness(extent.size);
         Entry entry{0, 0, 0, i};
         entry.facing = static_cast<float>(std::abs(dot(normalized(area_vector(t)), kGeneric)));
         entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
@@ -252,13 +274,22 @@ class OverlapSearch {
 
     /// Looks among the triangles at home in a cube for those that `entry` lies on.
     void compare(const Entry& entry, std::span<const Entry> homes, Among among) {
-        const Triangle own = triangles_[entry.triangle];
-        const Bounds bounds = bounds_of(own);
-        const double tolerance = thickness(size_of(bounds));
         const auto is_before = [](const Entry& e, float facing) { return e.facing < facing; };
         auto other =
             std::lower_bound(homes.begin(), homes.end(), entry.facing - entry.blur, is_before);
-        for (; other != homes.end() && other->facing <= entry.facing + entry.blur; ++other) {
+        const auto is_parallel = [&](const Entry& e) {
+            return e.facing <= entry.facing + entry.blur;
+        };
+        if (other != homes.end() && other->triangle == entry.triangle) {
+            ++other;
+        }
+        if (other == homes.end() || !is_parallel(*other)) {
+            return;  // most triangles: they need not be fetched
+        }
+        const Triangle own = triangles_[entry.triangle];
+        const Bounds bounds = bounds_of(own);
+        const double tolerance = thickness(size_of(bounds));
+        for (; other != homes.end() && is_parallel(*other); ++other) {
             if (is_piled(entry)) {
                 return;
             }

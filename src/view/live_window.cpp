@@ -103,6 +103,7 @@ std::string scene_json(const LiveScene& scene) {
     json.key("head");
     json.raw(scene.head);
     json.text("title", scene.title);
+    json.boolean("grows", scene.grows);
     json_window_scene(json, *scene.scene, columns_of(scene));
     json.end_object();
     return json.take();

@@ -24,6 +24,7 @@ struct LiveScene {
     std::vector<std::string> ratios = {};
     std::string title;
     std::string head = "{}";  ///< JSON: what was run, as a result has it
+    bool grows = false;       ///< a plant's, which the page shows beside its light
 };
 
 /// A state of a run that is being computed: a step of growth, or the light of a time as it is known

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "base/checks.h"
 #include "base/parallel.h"
@@ -12,6 +14,8 @@ namespace quasimc {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
+constexpr std::size_t kTile = 4;  // pixels along a side of what is looked at together
+static_assert(kTile * kTile == kPacket);
 
 /// What a line of sight meets.
 struct Sight {
@@ -34,16 +38,21 @@ class Renderer {
 
     Image image() {
         const unsigned threads = thread_count(spec_.threads);
-        parallel_blocks(spec_.height, threads, [this](std::uint64_t y, unsigned) {
-            for (std::size_t x = 0; x < spec_.width; ++x) {
-                sight(x, y) = look(center(x, y));
+        parallel_blocks((spec_.height + kTile - 1) / kTile, threads, [this](auto row, unsigned) {
+            for (std::size_t x = 0; x < spec_.width; x += kTile) {
+                look_at_tile(x, kTile * row);
             }
         });
         Image image(spec_.width, spec_.height, spec_.background);
         parallel_blocks(spec_.height, threads, [&](std::uint64_t y, unsigned) {
+            std::vector<std::size_t> edges;
             for (std::size_t x = 0; x < spec_.width; ++x) {
-                image.at(x, y) = is_edge(x, y) ? smooth(x, y) : color(sight(x, y));
+                image.at(x, y) = color(sight(x, y));
+                if (is_edge(x, y)) {
+                    edges.push_back(x);
+                }
             }
+            smooth(edges, y, image);
         });
         return image;
     }
@@ -54,14 +63,30 @@ class Renderer {
     }
     Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
 
-    [[nodiscard]] Sight look(const PixelPlace& place) const {
-        const auto seen = sight_caster_.look(place);
+    [[nodiscard]] Sight sight_of(const std::optional<SeenHit>& seen) const {
         if (!seen) {
             return {};
         }
         const Vec3 normal{seen->hit.normal[0], seen->hit.normal[1], seen->hit.normal[2]};
         const double facing = std::abs(dot(normalized(normal), seen->direction));
         return {scene_.regions()[seen->region].organ.value, static_cast<float>(facing)};
+    }
+
+    /// Looks at a square of pixels, or what of it lies in the picture.
+    void look_at_tile(std::size_t left, std::size_t top) {
+        std::array<PixelPlace, kPacket> places;
+        std::array<Sight*, kPacket> sights{};
+        std::size_t count = 0;
+        for (std::size_t y = top; y < std::min(top + kTile, spec_.height); ++y) {
+            for (std::size_t x = left; x < std::min(left + kTile, spec_.width); ++x) {
+                places[count] = center(x, y);
+                sights[count++] = &sight(x, y);
+            }
+        }
+        const auto seen = sight_caster_.look(std::span(places).first(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            *sights[i] = sight_of(seen[i]);
+        }
     }
 
     bool is_edge(std::size_t x, std::size_t y) {
@@ -79,27 +104,43 @@ class Renderer {
         return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
     }
 
-    /// The mean of the middle and four places about it, a rotated grid, as light mixes: the square
-    /// of a channel is nearly its light.
-    [[nodiscard]] Rgb smooth(std::size_t x, std::size_t y) {
+    /// Gives pixels of a row the mean of their middle and four places about it, a rotated grid.
+    void smooth(std::span<const std::size_t> row, std::size_t y, Image& image) {
         constexpr std::array<PixelPlace, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
-        constexpr double kCount = 1 + kAbout.size();
+        constexpr std::size_t kPixels = kPacket / kAbout.size();
+        for (std::size_t first = 0; first < row.size(); first += kPixels) {
+            const auto pixels = row.subspan(first, std::min(kPixels, row.size() - first));
+            std::vector<PixelPlace> places;
+            for (const std::size_t x : pixels) {
+                for (const PixelPlace& step : kAbout) {
+                    places.push_back({center(x, y).x + step.x, center(x, y).y + step.y});
+                }
+            }
+            const auto seen = sight_caster_.look(places);
+            for (std::size_t i = 0; i < pixels.size(); ++i) {
+                std::array<Rgb, 1 + kAbout.size()> colors{color(sight(pixels[i], y))};
+                for (std::size_t k = 0; k < kAbout.size(); ++k) {
+                    colors[k + 1] = color(sight_of(seen[kAbout.size() * i + k]));
+                }
+                image.at(pixels[i], y) = mean(colors);
+            }
+        }
+    }
+
+    /// As light mixes: the square of a channel is nearly its light.
+    static Rgb mean(std::span<const Rgb> colors) {
         std::array<double, 3> sum{};
-        const auto add = [&sum](const Rgb& c) {
+        for (const Rgb& c : colors) {
             sum[0] += 1.0 * c.r * c.r;
             sum[1] += 1.0 * c.g * c.g;
             sum[2] += 1.0 * c.b * c.b;
-        };
-        add(color(sight(x, y)));
-        const PixelPlace middle = center(x, y);
-        for (const PixelPlace& step : kAbout) {
-            add(color(look({middle.x + step.x, middle.y + step.y})));
         }
-        const auto mean = [](double total) {
-            return static_cast<std::uint8_t>(std::lround(std::sqrt(total / kCount)));
+        const auto channel = [&colors](double total) {
+            const double square = total / static_cast<double>(colors.size());
+            return static_cast<std::uint8_t>(std::lround(std::sqrt(square)));
         };
-        return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+        return {channel(sum[0]), channel(sum[1]), channel(sum[2])};
     }
 
     const Scene& scene_;

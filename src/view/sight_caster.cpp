@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/checks.h"
+
 namespace quasimc {
 namespace {
 
@@ -38,6 +40,13 @@ Reach reach_of(
     return reach;
 }
 
+/// A line of sight of a packet: which place it belongs to, and how long it is, local units.
+struct SightInBox {
+    std::size_t place = 0;
+    Vec3 direction;
+    double length = 0;
+};
+
 }  // namespace
 
 SightCaster::SightCaster(
@@ -68,6 +77,46 @@ std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
     }
     return SeenHit{
         cast.hit, scene_.region_of(caster_.source(cast.hit.triangle)).value, line.direction};
+}
+
+std::array<std::optional<SeenHit>, kPacket> SightCaster::look(
+    std::span<const PixelPlace> places) const {
+    EXPECT(places.size() <= kPacket);
+    const LocalMesh& mesh = caster_.mesh();
+    Packet packet{};
+    std::array<SightInBox, kPacket> sights;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Camera::SightLine line = camera_.through(places[i]);
+        const Reach reach = reach_of(line, box_, cuts_);
+        if (!(reach.near < reach.far)) {
+            continue;
+        }
+        const Vec3 start = mesh.to_local(line.origin + reach.near * line.direction);
+        packet.origin_x[count] = static_cast<float>(start.x);
+        packet.origin_y[count] = static_cast<float>(start.y);
+        packet.origin_z[count] = static_cast<float>(start.z);
+        packet.direction_x[count] = static_cast<float>(line.direction.x);
+        packet.direction_y[count] = static_cast<float>(line.direction.y);
+        packet.direction_z[count] = static_cast<float>(line.direction.z);
+        sights[count++] = {i, line.direction, (reach.far - reach.near) * mesh.scale};
+    }
+    std::array<RayEnd, kPacket> ends{};
+    caster_.cast(packet, count, ends);
+    std::array<std::optional<SeenHit>, kPacket> seen;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (ends[k] == RayEnd::hit && double{packet.t[k]} <= sights[k].length) {
+            const Hit hit{
+                packet.triangle[k],
+                packet.t[k],
+                packet.u[k],
+                packet.v[k],
+                {packet.normal_x[k], packet.normal_y[k], packet.normal_z[k]}};
+            const std::uint32_t region = scene_.region_of(caster_.source(hit.triangle)).value;
+            seen[sights[k].place] = SeenHit{hit, region, sights[k].direction};
+        }
+    }
+    return seen;
 }
 
 }  // namespace quasimc

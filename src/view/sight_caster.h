@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/cast/ray_caster.h"
@@ -30,6 +32,10 @@ class SightCaster {
 
     /// @param place  in the picture. @returns nothing where nothing is seen
     [[nodiscard]] std::optional<SeenHit> look(const PixelPlace& place) const;
+    /// The same of up to kPacket places, which take less time the nearer they are to each other.
+    /// @returns what is seen at each, and nothing at those that there are not
+    [[nodiscard]] std::array<std::optional<SeenHit>, kPacket> look(
+        std::span<const PixelPlace> places) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 
   private:

@@ -116,7 +116,8 @@ TEST_F(ShowCommand, DrawsHowErrorsFell) {
 TEST_F(ShowCommand, DrawsTheFiguresOfThePaper) {
     const Outcome outcome =
         shell("python3 " QUASIMC_SOURCE_DIR
-              "/examples/02-paper/paper.py --program \"$quasimc\" --out figures --replicates 2");
+              "/examples/02-paper/paper.py --program \"$quasimc\" --out figures --replicates 2 "
+              "--paths 2048 --target 0.1");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     for (const char* name : {"figure2", "figure3-irradiance", "figure3-variance"}) {
         EXPECT_TRUE(folder_.read(fmt::format("figures/{}.png", name)).starts_with("\x89PNG"))
@@ -127,6 +128,7 @@ TEST_F(ShowCommand, DrawsTheFiguresOfThePaper) {
     const std::string variance = folder_.read("figures/figure3-variance.svg");
     EXPECT_NE(variance.find(">Monte Carlo: mean "), std::string::npos);
     EXPECT_NE(variance.find(">Korobov: mean "), std::string::npos);
+    EXPECT_NE(variance.find("2,048 paths, 2 randomizations"), std::string::npos);
 }
 
 TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {

@@ -2,7 +2,8 @@
 //
 // Rationale: what the manual tells people to start must start, and show the plant that grows.
 // Expected behaviour: watch.sh prints an address; the page there follows to the last step, with as
-// many organs as the plant says it has leaves, and goes back to an earlier one; Enter ends it.
+// many organs as the plant says it has leaves, the plant and its light side by side in one outline, and
+// goes back to an earlier one; Enter ends it.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -10,7 +11,7 @@ import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { countPixels, pixelsOf } from "./pixels.mjs";
+import { pixelsOf } from "./pixels.mjs";
 
 const [environment, example, executablePath, packages, pictures] = process.argv.slice(2);
 const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
@@ -33,10 +34,62 @@ function until(child, said, find) {
   });
 }
 
+const isCovered = (red, green, blue) => red + green + blue < 640; // neither white nor the frame
+// Leaves of the plant are of one green, darker where they are seen edge-on; of light none has that.
+const isPlantGreen = (red, green, blue) => Math.abs(red / green - 150 / 190) < 0.03 && Math.abs(blue / green - 110 / 190) < 0.03;
+
+async function canvasPixels(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  return { ...pixels, half: await page.evaluate(() => Math.floor(document.querySelector("#canvas").clientWidth / 2)) };
+}
+
+/** Of the pixels covered in one half of the canvas or the other the part that both have, and how many are green on each side. */
+function compareHalves({ width, height, half, data }) {
+  let [both, any] = [0, 0];
+  const green = [0, 0];
+  for (let y = 0; y < height - 30; ++y) { // without the words below
+    for (let x = 0; x < half; ++x) {
+      const colors = [x, x + half].map((place) => [...data.subarray(4 * (y * width + place), 4 * (y * width + place) + 3)]);
+      const [left, right] = colors.map((color) => isCovered(...color));
+      both += left && right ? 1 : 0;
+      any += left || right ? 1 : 0;
+      colors.forEach((color, side) => (green[side] += isCovered(...color) && isPlantGreen(...color) ? 1 : 0));
+    }
+  }
+  return { agreement: both / any, any, green };
+}
+
+/** The plant stands beside its light: the same outline and organs, other colours; and goes when it is told to. */
+async function checkSides(page) {
+  await page.locator("#directions").uncheck();
+  await page.evaluate(() => (document.querySelector("#legend").style.visibility = "hidden"));
+  if (pictures) { await page.locator("#canvas").screenshot({ path: path.join(pictures, "sides.png") }); }
+  const sides = compareHalves(await canvasPixels(page));
+  assert.ok(sides.any > 2000 && sides.agreement > 0.97, JSON.stringify(sides));
+  assert.ok(sides.green[1] > 0.9 * sides.any && sides.green[0] < 0.1 * sides.any, JSON.stringify(sides));
+  const box = await page.locator("#canvas").boundingBox();
+  const { width, half, data } = await canvasPixels(page);
+  const at = Array.from({ length: data.length / 4 }, (_, i) => i).find((i) => i % width > 5 && i % width < half - 5 &&
+    [i - 3, i, i + 3, i - 3 * width, i + 3 * width].every((j) => isCovered(...data.subarray(4 * j, 4 * j + 3))));
+  const tipAt = async (shift) => {
+    await page.mouse.move(2, 2);
+    await page.waitForSelector("#tip", { state: "hidden" });
+    await page.mouse.move(box.x + (at % width) + shift, box.y + Math.floor(at / width));
+    await page.waitForSelector("#tip:not([hidden])");
+    return page.locator("#tip").textContent();
+  };
+  assert.equal(await tipAt(half), await tipAt(0), "another organ in the plant than in its light");
+  await page.mouse.move(2, 2);
+  await page.locator("#beside").uncheck();
+  assert.ok(compareHalves(await canvasPixels(page)).agreement < 0.5, "the plant does not go");
+  await page.locator("#beside").check();
+}
+
 async function check(browser, child, said) {
   const address = await until(child, said, (text) => /view: (http:\S+\/)\n/.exec(text)?.[1]);
   await until(child, said, (text) => text.includes("press Enter"));
-  const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
+  const page = await browser.newPage({ viewport: { width: 960, height: 720 } });
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
   await page.goto(address);
@@ -51,15 +104,13 @@ async function check(browser, child, said) {
     assert.match(await page.locator("#subtitle").textContent(), new RegExp(`^${leaves[frame - 1]} organs?,`));
   };
   await checkFrame(kSteps);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
-  const isColored = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 60;
-  assert.ok(countPixels(pixels, isColored) > 2000, "no plant is seen");
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, "example.png") });
   }
+  await checkSides(page);
   await page.locator("#time").fill("1");
   await checkFrame(2);
+  assert.ok(compareHalves(await canvasPixels(page)).agreement > 0.97, "the plant does not follow");
   assert.deepEqual(faults, []);
   child.removeAllListeners("exit");
   child.stdin.end("\n");

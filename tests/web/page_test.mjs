@@ -261,7 +261,7 @@ async function main() {
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   });
   try {
-    const context = await browser.newContext({ viewport: { width: 1200, height: 900 } });
+    const context = await browser.newContext({ viewport: { width: 960, height: 720 } });
     const address = pathToFileURL(inFolder("day.html")).href;
     const { page, faults } = await open(context, address, (url) => url === address || url.startsWith("data:"));
     await checkAll(page, faults, result, "report");

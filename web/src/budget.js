@@ -13,7 +13,13 @@ const kPoll = 3; // milliseconds between questions whether a frame is done
 export class FrameBudget {
   /** @param gl  the graphics  @param onRest  called when all are to be drawn again */
   constructor(gl, onRest) {
-    Object.assign(this, { gl, onRest, triangles: 0, moving: 1, isMoving: false, waiting: null, fence: null });
+    Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, waiting: null, fence: null });
+  }
+
+  /** Of the scene that is drawn from now on. The first frames are thin: nothing is known of the graphics yet. */
+  setTriangles(count) {
+    this.triangles = count;
+    this.moving = Math.min(1, Math.max(this.moving, kLeast / count));
   }
 
   get share() {

@@ -42,11 +42,20 @@ async function readBytes(name) {
 /** Everything of a run; numbers of a time are read when they are first asked for. */
 export class RunData {
   static async load() {
-    const [json, colorMaps, shape] = await Promise.all([readJson("data"), readJson("colors"), readBytes("shape")]);
-    return new RunData(json, colorMaps, readShape(shape, json.organs.count), (blob) => readBytes(`values-${blob}`));
+    const shape = readBytes("shape");
+    const colorMaps = readJson("colors");
+    const run = new RunData(await readJson("data"), await colorMaps, null, (blob) => readBytes(`values-${blob}`));
+    if (run.columns.length > 0) {
+      run.values(0, run.columns[0].number); // shown first: they are on their way while the shape is
+    }
+    run.shape = readShape(await shape, run.count);
+    return run;
   }
 
-  /** @param readBlob  gives a promise of the bytes of numbers, null if they can't be had */
+  /**
+   * @param shape  see readShape; null: it is set later
+   * @param readBlob  gives a promise of the bytes of numbers, null if they can't be had
+   */
   constructor(json, colorMaps, shape, readBlob) {
     Object.assign(this, { json, colorMaps, shape, readBlob });
     this.count = json.organs.count;

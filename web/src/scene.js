@@ -28,14 +28,16 @@ void main() {
   gl_Position = tint == 0u ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
 }`;
 
-// Colours are light, not paint: only a little darker where a surface is seen edge-on. Its normal
+// Colours are light, not paint: only a little darker where a surface is seen edge-on, and more in a
+// picture of the plant without its light. The normal
 // follows from how depth changes from pixel to pixel: the plane z = slope * xy + c of the
 // projection, taken back through the matrix. So corners carry no more than a colour.
 const kFragmentShader = `
 precision highp float;
 precision highp int;
 uniform mat4 projectionMatrix;
-uniform vec2 size;
+uniform vec2 size, corner;
+uniform float depth;
 flat in uint color;
 #ifdef CUT
 in float beyond;
@@ -50,11 +52,11 @@ void main() {
   result = vec4(own.rgb, 1.0);
 #else
   vec2 opening = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
-  vec3 seen = 2.0 * gl_FragCoord.xyz / vec3(size, 1.0) - 1.0;
+  vec3 seen = 2.0 * (gl_FragCoord.xyz - vec3(corner, 0.0)) / vec3(size, 1.0) - 1.0;
   vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) * size;
   vec3 normal = vec3(opening * slope, dot(slope, seen.xy) - seen.z - projectionMatrix[2][2]);
   float facing = abs(dot(normalize(normal), normalize(vec3(seen.xy / opening, -1.0))));
-  vec3 shown = own.rgb * (0.72 + 0.28 * facing);
+  vec3 shown = own.rgb * (1.0 - depth * (1.0 - facing));
   result = vec4(own.a < 0.75 ? mix(shown, vec3(1.0, 0.1, 0.5), 0.75) : shown, 1.0);
 #endif
 }`;
@@ -67,11 +69,11 @@ function isSoftware(gl) {
 }
 
 /**
- * What draws on a canvas, or on one that takes its place. Smooth edges are decided on when graphics
+ * What draws on a canvas, or on one that takes its place. Throws where there is no WebGL. Smooth edges are decided on when graphics
  * are asked for. To ask takes long where the processor does their work, and smooth edges cost more
  * than they are worth: so one asks without them first.
  */
-function makeRenderer(canvas) {
+export function makeRenderer(canvas) {
   const gl = canvas.getContext("webgl2", { alpha: true, antialias: false });
   if (!gl) {
     throw new Error("no context");
@@ -95,16 +97,19 @@ function makeMaterial(defines, uniforms) {
 }
 
 export class SceneWindow {
-  /** @param canvas  another one may take its place  Throws where there is no WebGL. */
-  constructor(canvas, run) {
+  /** @param renderer  see makeRenderer */
+  constructor(renderer, run) {
     this.run = run;
-    this.renderer = makeRenderer(canvas);
+    this.renderer = renderer;
     this.canvas = this.renderer.domElement;
     this.scene = new Scene();
     this.#measure();
     this.camera = new PerspectiveCamera(35, 1, this.radius / 1000, this.radius * 100);
     this.camera.up.set(0, 0, 1);
-    this.uniforms = { cut: { value: new Vector4(0, 0, 0, 1) }, size: { value: new Vector2() } };
+    this.uniforms = {
+      cut: { value: new Vector4(0, 0, 0, 1) }, size: { value: new Vector2() }, corner: { value: new Vector2() },
+      depth: { value: 0 },
+    };
     this.material = makeMaterial({}, this.uniforms);
     this.picking = makeMaterial({ PICKING: "" }, this.uniforms);
     this.budget = new FrameBudget(this.renderer.getContext(), () => this.changed());
@@ -121,6 +126,14 @@ export class SceneWindow {
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
     this.look(200, 25);
     this.#resize();
+    this.#handOver();
+  }
+
+  /** Gives graphics the triangles and what draws them, which they make ready while the page goes on. */
+  #handOver() {
+    this.mesh.geometry.setDrawRange(0, 3);
+    this.renderer.render(this.scene, this.camera);
+    this.mesh.geometry.setDrawRange(0, Infinity);
   }
 
   #measure() {
@@ -135,17 +148,14 @@ export class SceneWindow {
    */
   setScene(run) {
     const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
-    const from = this.camera.position.clone().sub(this.controls.target);
-    const showsAll = this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
-      Math.abs(from.length() / this.#distance() - 1) < 1e-3;
+    const { showsAll } = this;
     this.scene.remove(this.mesh);
     this.organs.dispose();
     this.run = run;
     this.#measure();
     this.#addTriangles();
     if (showsAll) {
-      this.controls.target.copy(this.#middle());
-      this.camera.position.copy(this.controls.target).addScaledVector(from.normalize(), this.#distance());
+      this.#showAll();
     } else {
       this.controls.target.add(moved);
       this.camera.position.add(moved);
@@ -164,10 +174,24 @@ export class SceneWindow {
     return ((1.25 * this.radius) / Math.sin(opening)) * Math.max(1, 1 / this.camera.aspect);
   }
 
+  /** Whether one looks at all of the scene. */
+  get showsAll() {
+    const far = this.camera.position.distanceTo(this.controls.target);
+    return this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
+      Math.abs(far / this.#distance() - 1) < 1e-3;
+  }
+
+  /** Looks at all of the scene, from where one looks. */
+  #showAll() {
+    const from = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.controls.target.copy(this.#middle());
+    this.camera.position.copy(this.controls.target).addScaledVector(from, this.#distance());
+  }
+
   #addTriangles() {
     this.organs = new OrganGeometry(this.run.shape);
-    this.budget.triangles = this.run.shape.triangles;
-    this.mesh = new Mesh(this.organs.colored, this.material);
+    this.budget.setTriangles(this.run.shape.triangles);
+    this.mesh = new Mesh(this.organs.colored.geometry, this.material);
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
@@ -175,6 +199,18 @@ export class SceneWindow {
   /** @param colors  of each organ, red in the lowest of three bytes; negative hides it */
   paint(colors) {
     this.organs.paint(colors);
+    this.changed();
+  }
+
+  /** Shows the plant without its light beside it. @param colors  of each organ; null: the light alone */
+  paintPlant(colors) {
+    const { showsAll } = this;
+    this.organs.paintPlant(colors);
+    this.#setAspect();
+    if (showsAll) {
+      this.#showAll();
+      this.controls.update();
+    }
     this.changed();
   }
 
@@ -257,44 +293,76 @@ export class SceneWindow {
     this.camera.near = Math.max(far - 3 * this.radius, far / 500);
     this.camera.far = far + 3 * this.radius;
     this.camera.updateProjectionMatrix();
-    this.renderer.getDrawingBufferSize(this.uniforms.size.value);
-    const geometry = this.mesh.geometry;
-    geometry.setDrawRange(0, 3 * Math.ceil(this.budget.share * this.run.shape.triangles));
-    this.renderer.render(this.scene, this.camera);
-    geometry.setDrawRange(0, Infinity);
+    this.renderer.setScissorTest(true);
+    for (const [number, { organs, depth }] of this.#views.entries()) {
+      this.#drawView(number, organs.geometry, depth);
+    }
+    this.renderer.setScissorTest(false);
+    this.mesh.geometry = this.organs.colored.geometry;
     this.budget.drawn();
+  }
+
+  /** What stands side by side, and how much darker it is where it is seen edge-on. */
+  get #views() {
+    const { colored, plant } = this.organs;
+    return [{ organs: colored, depth: 0.28 }, ...(plant ? [{ organs: plant, depth: 0.6 }] : [])];
+  }
+
+  /** Of one of the views, CSS pixels. */
+  get #width() {
+    return Math.floor(this.canvas.clientWidth / this.#views.length);
+  }
+
+  #drawView(number, geometry, depth) {
+    const { renderer, uniforms } = this;
+    const [width, height] = [this.#width, this.canvas.clientHeight];
+    const ratio = renderer.getPixelRatio();
+    renderer.setViewport(number * width, 0, width, height);
+    renderer.setScissor(number * width, 0, width, height);
+    uniforms.size.value.set(width, height).multiplyScalar(ratio);
+    uniforms.corner.value.set(number * width * ratio, 0);
+    uniforms.depth.value = depth;
+    this.mesh.geometry = geometry;
+    geometry.setDrawRange(0, 3 * Math.ceil(this.budget.share * this.run.shape.triangles));
+    renderer.render(this.scene, this.camera);
+    geometry.setDrawRange(0, Infinity);
+  }
+
+  #setAspect() {
+    this.camera.aspect = this.#width / this.canvas.clientHeight;
+    this.camera.updateProjectionMatrix();
   }
 
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
-    if (width > 0 && height > 0) {
+    const known = this.renderer.getSize(new Vector2());
+    if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
       this.renderer.setSize(width, height, false);
-      this.camera.aspect = width / height;
-      this.camera.updateProjectionMatrix();
+      this.#setAspect();
       this.changed();
     }
   }
 
-  /** The organ at a place of the canvas, CSS pixels; null for none. */
+  /** The organ at a place of the canvas, in any of its views, CSS pixels; null for none. */
   organAt(x, y) {
-    const width = this.canvas.clientWidth;
+    const width = this.#width;
     const height = this.canvas.clientHeight;
     if (this.isPictureOld) {
       this.picture.setSize(width, height);
       this.directions.visible = false;
-      this.mesh.geometry = this.organs.numbers();
+      this.mesh.geometry = this.organs.numbers().geometry;
       this.mesh.material = this.picking;
       this.renderer.setRenderTarget(this.picture);
       this.renderer.clear();
       this.renderer.render(this.scene, this.camera);
       this.renderer.setRenderTarget(null);
-      this.mesh.geometry = this.organs.colored;
+      this.mesh.geometry = this.organs.colored.geometry;
       this.mesh.material = this.material;
       this.directions.visible = true;
       this.isPictureOld = false;
     }
     const pixel = new Uint8Array(4);
-    this.renderer.readRenderTargetPixels(this.picture, Math.floor(x), height - 1 - Math.floor(y), 1, 1, pixel);
+    this.renderer.readRenderTargetPixels(this.picture, Math.floor(x) % width, height - 1 - Math.floor(y), 1, 1, pixel);
     const number = pixel[0] + 256 * pixel[1] + 65536 * pixel[2];
     return number > 0 ? number - 1 : null;
   }

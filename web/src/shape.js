@@ -1,6 +1,6 @@
 // The triangles of a scene as the graphics take them.
 
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Sphere } from "three";
 
 /** What is told of an organ, in the highest byte of its colour. */
 const kWhole = 255;
@@ -60,31 +60,66 @@ function spread(corners) {
   return result;
 }
 
-/** Places, colours of organs, and their numbers for the picture that tells what is pointed at. */
+/** The triangles, each in the tint of its organ: colour, and in the highest byte what is told of it; 0 hides it. */
+class TintedGeometry {
+  constructor(shape, position, index) {
+    this.first = shape.first;
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute("position", position);
+    this.geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.places.length / 3), 1));
+    this.geometry.setIndex(index);
+    this.geometry.boundingSphere = new Sphere(); // nobody asks for it, and to compute it takes long
+    this.tint = this.geometry.attributes.tint;
+    this.isAllOld = true; // of what the graphics hold of tints
+    this.tint.onUpload(() => (this.isAllOld = false));
+  }
+
+  /** Gives all organs the tints that a function tells. */
+  write(tintOf) {
+    for (let organ = 0; organ + 1 < this.first.length; ++organ) {
+      this.tint.array.fill(tintOf(organ), this.first[organ], this.first[organ + 1]);
+    }
+    this.isAllOld = true;
+    this.tint.clearUpdateRanges();
+    this.tint.needsUpdate = true;
+  }
+
+  /** The same of a few organs. */
+  rewrite(organs, tintOf) {
+    const kFew = 16; // parts that are sent by themselves
+    this.isAllOld ||= organs.length > kFew;
+    if (this.isAllOld) {
+      this.tint.clearUpdateRanges();
+    }
+    for (const organ of organs) {
+      const [from, to] = [this.first[organ], this.first[organ + 1]];
+      this.tint.array.fill(tintOf(organ), from, to);
+      if (!this.isAllOld && to > from) {
+        this.tint.addUpdateRange(from, to - from);
+      }
+    }
+    if (organs.length > 0) {
+      this.tint.needsUpdate = true;
+    }
+  }
+}
+
+/** The organs in the colours of their light, in those of the plant, and as numbers, for the picture that tells what is pointed at. */
 export class OrganGeometry {
   constructor(shape) {
-    this.shape = shape;
     const position = new BufferAttribute(shape.places, 3);
     const index = new BufferAttribute(spread(shape.corners), 1);
-    const make = () => {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", position);
-      geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.places.length / 3), 1));
-      geometry.setIndex(index);
-      return geometry;
-    };
-    this.colored = make();
-    this.numbered = make();
+    this.make = () => new TintedGeometry(shape, position, index);
+    this.colored = this.make();
+    this.numbered = this.make();
+    this.plant = null;
     this.tints = new Uint32Array(shape.first.length - 1);
     this.marked = [];
     this.areNumbersOld = true;
-    this.isAllOld = true; // of what the graphics hold of colours
-    this.colored.attributes.tint.onUpload(() => (this.isAllOld = false));
   }
 
   dispose() {
-    this.colored.dispose();
-    this.numbered.dispose();
+    [this.colored, this.numbered, this.plant].forEach((each) => each?.geometry.dispose());
   }
 
   /** @param colors  of each organ, red in the lowest of three bytes; negative hides it */
@@ -93,9 +128,16 @@ export class OrganGeometry {
       this.tints[organ] = color < 0 ? 0 : (kWhole << 24) | color;
     });
     this.marked.forEach((organ) => this.#setMark(organ, kMarked));
-    this.#write(this.colored, (organ) => this.tints[organ]);
+    this.colored.write((organ) => this.tints[organ]);
+    this.plant?.write((organ) => this.#plantTint(organ));
     this.areNumbersOld = true;
-    this.isAllOld = true;
+  }
+
+  /** @param colors  of each organ, as a plant without light; null if that is not shown */
+  paintPlant(colors) {
+    this.plantColors = colors;
+    this.plant = colors && (this.plant ?? this.make());
+    this.plant?.write((organ) => this.#plantTint(organ));
   }
 
   /** Sets these organs apart from all others. */
@@ -104,46 +146,26 @@ export class OrganGeometry {
     this.marked.forEach((organ) => this.#setMark(organ, kWhole));
     this.marked = organs;
     this.marked.forEach((organ) => this.#setMark(organ, kMarked));
-    const { first } = this.shape;
-    const { tint } = this.colored.attributes;
-    const kFew = 16; // parts that are sent by themselves
-    this.isAllOld ||= changed.length > kFew;
-    if (this.isAllOld) {
-      tint.clearUpdateRanges();
-    }
-    for (const organ of changed) {
-      tint.array.fill(this.tints[organ], first[organ], first[organ + 1]);
-      if (!this.isAllOld && first[organ + 1] > first[organ]) {
-        tint.addUpdateRange(first[organ], first[organ + 1] - first[organ]);
-      }
-    }
-    if (changed.length > 0) {
-      tint.needsUpdate = true;
-    }
+    this.colored.rewrite(changed, (organ) => this.tints[organ]);
+    this.plant?.rewrite(changed, (organ) => this.#plantTint(organ));
   }
 
   /** Organs' numbers, from 1, as colours. */
   numbers() {
     if (this.areNumbersOld) {
-      this.#write(this.numbered, (organ) => (this.tints[organ] === 0 ? 0 : (kWhole << 24) | (organ + 1)));
+      this.numbered.write((organ) => (this.tints[organ] === 0 ? 0 : (kWhole << 24) | (organ + 1)));
       this.areNumbersOld = false;
     }
     return this.numbered;
+  }
+
+  #plantTint(organ) {
+    return this.tints[organ] === 0 ? 0 : (this.tints[organ] & ~kNumber) | this.plantColors[organ];
   }
 
   #setMark(organ, mark) {
     if (this.tints[organ] !== 0) {
       this.tints[organ] = (mark << 24) | (this.tints[organ] & kNumber);
     }
-  }
-
-  #write(geometry, tintOf) {
-    const { first } = this.shape;
-    const { tint } = geometry.attributes;
-    for (let organ = 0; organ + 1 < first.length; ++organ) {
-      tint.array.fill(tintOf(organ), first[organ], first[organ + 1]);
-    }
-    tint.clearUpdateRanges();
-    tint.needsUpdate = true;
   }
 }

@@ -3,8 +3,9 @@
 import { drawHistogram, drawProfile } from "./charts.js";
 import { RunData } from "./data.js";
 import { Follower, LiveRun, isLive } from "./live.js";
+import { plantColors } from "./plant.js";
 import { colorsOf, scaleOf, short, ticks, withError } from "./numbers.js";
-import { SceneWindow } from "./scene.js";
+import { SceneWindow, makeRenderer } from "./scene.js";
 import { drawReport, make, table } from "./tables.js";
 import { worstOrgans } from "./worst.js";
 
@@ -18,8 +19,11 @@ function fill(select, entries) {
 }
 
 class Page {
-  /** @param onTime  is told of the place of the slider if the run goes on; null: it is done */
-  constructor(run, onTime = null) {
+  /**
+   * @param graphics  of openGraphics()
+   * @param onTime  is told of the place of the slider if the run goes on; null: it is done
+   */
+  constructor(run, graphics, onTime = null) {
     this.run = run;
     this.onTime = onTime;
     this.time = 0;
@@ -33,13 +37,15 @@ class Page {
     this.#fillControls();
     this.#describeRun();
     this.#usePart();
-    try {
-      this.window = new SceneWindow($("canvas"), run);
-    } catch (error) {
+    if (graphics.renderer) {
+      this.window = new SceneWindow(graphics.renderer, run);
+    } else {
       $("stage").hidden = true;
-      this.notice(`The scene can't be shown in three dimensions: this browser has no WebGL 2 (${error.message}). ` +
+      this.notice(`The scene can't be shown in three dimensions: this browser has no WebGL 2 (${graphics.fault}). ` +
         "All numbers are below.");
     }
+    $("beside").checked = run.json.grows === true;
+    this.#showPlant();
     this.#listen();
   }
 
@@ -113,6 +119,7 @@ class Page {
       this.column = (same ?? run.columns[0])?.number ?? 0;
       if (isNewScene) {
         this.window?.setScene(run);
+        this.#showPlant();
         const found = id === null ? -1 : run.organOfId(id);
         this.chosen = found < 0 ? null : found;
         this.hovered = null;
@@ -179,6 +186,7 @@ class Page {
     on("find", "change", () => this.#find());
     on("cut", "change", () => this.#cut());
     on("cut-at", "input", () => this.#cut());
+    on("beside", "change", () => this.#showPlant());
     on("directions", "change", () => this.#showDirections());
     on("reset", "click", () => this.#reset());
     $("controls").addEventListener("submit", (event) => event.preventDefault());
@@ -287,6 +295,12 @@ class Page {
     $("cut-text").textContent = text;
     $("cut-at").setAttribute("aria-valuetext", text);
     this.window?.cut(normal, offset);
+  }
+
+  #showPlant() {
+    const isShown = $("beside").checked;
+    $("sides").hidden = !isShown;
+    this.window?.paintPlant(isShown ? plantColors(this.run) : null);
   }
 
   #showDirections() {
@@ -490,6 +504,15 @@ class Page {
   }
 }
 
+/** The renderer, or why there is none. */
+function openGraphics() {
+  try {
+    return { renderer: makeRenderer($("canvas")) };
+  } catch (error) {
+    return { fault: error.message };
+  }
+}
+
 function tellProgress(words, fraction) {
   $("progress").hidden = !words;
   const bar = $("progress").querySelector("progress");
@@ -500,12 +523,14 @@ function tellProgress(words, fraction) {
 
 /** Follows a run that goes on. */
 async function followRun() {
-  const live = await LiveRun.open();
+  const opening = LiveRun.open();
+  const graphics = openGraphics();
+  const live = await opening;
   let page = null;
   const show = async (run, at, frames) => {
     const labels = frames.map((frame) => frame.label);
     if (page === null) {
-      page = new Page(run, (index) => follower.select(index));
+      page = new Page(run, graphics, (index) => follower.select(index));
       await page.update();
       document.documentElement.dataset.state = "ready";
     }
@@ -523,7 +548,9 @@ async function main() {
     await followRun();
     return;
   }
-  const page = new Page(await RunData.load());
+  const loading = RunData.load(); // graphics take long to get ready, and data come meanwhile
+  const graphics = openGraphics();
+  const page = new Page(await loading, graphics);
   await page.update();
   document.documentElement.dataset.state = "ready";
 }

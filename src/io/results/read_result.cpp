@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/results/json_parts.h"
+#include "io/results/json_scanner.h"
 #include "io/runfile/options.h"
 #include "io/runfile/output_files.h"
 #include "io/sha256.h"
@@ -59,25 +60,44 @@ Node to_node(const Json& json, const std::string& path, int depth) {
     return {Node::Other{json.is_null() ? "null" : "too large a number"}};
 }
 
-/// The result without its organs, of which there may be millions.
-Json parse_head(const std::string& text, const std::string& path) {
-    bool in_organs = false;
-    const auto filter = [&](int depth, Json::parse_event_t event, const Json& value) {
-        if (depth == 1 && event == Json::parse_event_t::key) {
-            in_organs = value == "organs" || value == "groups" || value == "moments" ||
-                        value == "days" || value == "total" || value == "points";
-        }
-        return !in_organs || depth < 2;
-    };
+bool is_of_organs(std::string_view key) {
+    return key == "organs" || key == "groups" || key == "moments" || key == "days" ||
+           key == "total" || key == "points";
+}
+
+/// A part of a result, which is JSON but for characters and numbers that are none.
+/// @param place  where in the file it begins
+Json parse_part(std::string_view text, std::size_t place, const std::string& path) {
     try {
-        return Json::parse(text, filter);
+        return Json::parse(text);
     } catch (const Json::parse_error& error) {
         refuse(
-            path, fmt::format("byte {}: not JSON", error.byte),
+            path, fmt::format("byte {}: not JSON", place + error.byte),
             "a result that `quasimc run --json` wrote is needed");
     } catch (const Json::out_of_range&) {
         refuse(path, "it has a number too large to hold", "no result has");
     }
+}
+
+/// The result without its organs, of which there may be millions.
+Json parse_head(const std::string& text, const std::string& path) {
+    JsonScanner scanner(text, path);
+    Json head;
+    if (scanner.kind() != JsonScanner::Kind::object) {
+        scanner.skip();
+    } else {
+        scanner.object([&](std::string_view key) {
+            if (is_of_organs(key)) {
+                scanner.skip();
+                return;
+            }
+            Json& member = head[std::string(key)];
+            const std::size_t place = scanner.place();
+            member = parse_part(scanner.skip(), place, path);
+        });
+    }
+    scanner.end();
+    return head;
 }
 
 std::string text_of(const Json& json, const char* key) {

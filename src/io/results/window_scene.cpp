@@ -82,7 +82,8 @@ void json_labels(JsonStream& json, const std::vector<Organ>& organs) {
     json.end_object();
 }
 
-/// Ids and names stand there only if they tell more than the place in the list does.
+/// Ids and names stand there only if they tell more than the place in the list does; "organ 7" is
+/// what the page calls organ 7 that has no name.
 void json_organs(JsonStream& json, const std::vector<Organ>& organs) {
     json.key("organs");
     json.begin_object(kWindowLayout);
@@ -92,7 +93,10 @@ void json_organs(JsonStream& json, const std::vector<Organ>& organs) {
         // A number may be more than one of the page holds.
         json_list(json, "id", organs, [&](const Organ& o) { json.text(std::to_string(o.id)); });
     }
-    if (std::any_of(organs.begin(), organs.end(), [](const Organ& o) { return !o.name.empty(); })) {
+    const auto is_named = [](const Organ& o) {
+        return !o.name.empty() && o.name != "organ " + std::to_string(o.id);
+    };
+    if (std::any_of(organs.begin(), organs.end(), is_named)) {
         json_list(json, "name", organs, [&](const Organ& o) { json.text(o.name); });
     }
     json.key("ground");
