@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
+#include "run/season_errors.h"
 #include "scene/repeat_bands.h"
 #include "solvers/bundle_budget.h"
 #include "sources/source.h"
@@ -188,8 +190,10 @@ SeasonBasis::SeasonBasis(
     : mesh_(kRings),
       layout_(common_layout(scene)),
       replicates_(spec.replicates),
+      threads_(thread_count(spec.threads)),
       responses_(mesh_.nodes()),
-      errors_(layout_.bins()) {
+      errors_(layout_.bins()),
+      left_out_(spread_times(time_steps, kLeftOut)) {
     Solving solving(*this, simulator, scene, spec);
     const std::vector<bool> is_needed = needed_nodes(time_steps);
     for (std::uint32_t node = 0; node < mesh_.nodes(); ++node) {
@@ -198,7 +202,7 @@ SeasonBasis::SeasonBasis(
         }
     }
     std::vector<LeftOut> left_out;
-    for (const std::size_t i : spread_times(time_steps, kLeftOut)) {
+    for (const std::size_t i : left_out_) {
         left_out.push_back(leave_out(time_steps[i]));
     }
     for (LeftOut& left : left_out) {
@@ -283,22 +287,12 @@ SeasonBasis::Amounts SeasonBasis::amounts_of(const Sources& sources) const {
     return amounts;
 }
 
-LightSum SeasonBasis::light_of(const Amounts& amounts) const {
-    LightSum light(layout_, replicates_);
-    const std::size_t each = 2 * layout_.bands;
-    for (std::size_t node = 0; node < responses_.size(); ++node) {
-        const auto own = std::span(amounts).subspan(node * each, each);
-        if (std::any_of(own.begin(), own.end(), [](double x) { return x != 0; })) {
-            light.add(responses_[node], own);
-        }
-    }
-    return light;
+std::vector<LightSum> SeasonBasis::light_of(std::span<const Amounts> amounts) const {
+    return LightSum::combine(responses_, amounts, LightSum(layout_, replicates_), threads_);
 }
 
-/// The rms difference between times as they are and as they are put together, over the rms of
-/// their light.
 void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
-    std::vector<double> squares(errors_.size());
+    SeasonErrors errors(layout_);
     for (const LeftOut& left : left_out) {
         Amounts amounts = no_light();
         LightSum as_it_is(layout_, replicates_);
@@ -318,16 +312,9 @@ void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
             std::copy(left.sun->facing.begin(), left.sun->facing.end(), scattered);
             as_it_is.add(left.of_sun, own);
         }
-        const std::vector<double> expected = as_it_is.mean();
-        const std::vector<double> found = light_of(amounts).mean();
-        for (std::size_t i = 0; i < errors_.size(); ++i) {
-            errors_[i] += (found[i] - expected[i]) * (found[i] - expected[i]);
-            squares[i] += expected[i] * expected[i];
-        }
+        errors.add(light_of(std::span(&amounts, 1)).front(), as_it_is);
     }
-    for (std::size_t i = 0; i < errors_.size(); ++i) {
-        errors_[i] = squares[i] > 0 ? std::sqrt(errors_[i] / squares[i]) : 0;
-    }
+    errors_ = errors.relative();
 }
 
 }  // namespace quasimc

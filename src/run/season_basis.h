@@ -9,7 +9,7 @@
 
 #include "quasimc/run.h"
 #include "quasimc/series.h"
-#include "run/light_response.h"
+#include "run/light_sum.h"
 #include "sources/sky_mesh.h"
 
 namespace quasimc {
@@ -40,10 +40,13 @@ class SeasonBasis {
     [[nodiscard]] Amounts no_light() const;
     /// Those of a time's skies and of the scattered light of its suns.
     [[nodiscard]] Amounts amounts_of(const Sources& sources) const;
-    /// That light.
-    [[nodiscard]] LightSum light_of(const Amounts& amounts) const;
-    /// The relative error of it, by bin of common_layout().
+    /// That light, of several times at once.
+    [[nodiscard]] std::vector<LightSum> light_of(std::span<const Amounts> amounts) const;
+    /// The relative error of it, by place of a bin as in LightResponse.
     [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
+
+    /// The times that were solved for as they are.
+    [[nodiscard]] const std::vector<std::size_t>& left_out() const { return left_out_; }
 
     [[nodiscard]] const SumLayout& layout() const { return layout_; }
     /// Lights that were solved for, and rays of all of them.
@@ -64,9 +67,11 @@ class SeasonBasis {
     SkyMesh mesh_;
     SumLayout layout_;
     std::size_t replicates_, lights_ = 0;
+    unsigned threads_;
     std::uint64_t rays_ = 0;
     std::vector<LightResponse> responses_;  // by node; empty: no time needs it
     std::vector<double> errors_;
+    std::vector<std::size_t> left_out_;
 };
 
 /// A sun as a beam: where its light comes from (of a disk: from its middle), and the irradiance on
