@@ -105,6 +105,7 @@ class Season {
             summary_.rays += basis_->rays();
             suns_.emplace(in_.simulator, scene_, spec_, basis_->layout(), early_.token());
             choose_pixels();
+            tell_progress(kShareOfBasis);
         } catch (const Stopped&) {
             throw Stopped(
                 early_.why(),
@@ -119,7 +120,8 @@ class Season {
         for (const std::size_t i : basis_->left_out()) {
             times.push_back(suns_of(i));
             times.back().trace = in_.time_steps.size() + times.size();
-            const SeasonBasis::Amounts amounts = basis_->amounts_of(in_.time_steps[i].sources);
+            const SeasonBasis::Amounts amounts =
+                basis_->amounts_of(in_.time_steps[i].sources, nullptr);
             others.push_back(
                 basis_->light_of(std::span(&amounts, 1)).front().spread(basis_->errors()));
         }
@@ -145,11 +147,15 @@ class Season {
         window_.end = std::min(first + window_size(), in_.time_steps.size());
         std::vector<SunsOfTime> suns;
         for (std::size_t i = first; i < window_.end; ++i) {
-            window_.amounts.push_back(basis_->amounts_of(in_.time_steps[i].sources));
             suns.push_back(suns_of(i));
         }
-        window_.light = basis_->light_of(window_.amounts);
         window_.suns = suns_->light_of(suns);
+        for (std::size_t i = first; i < window_.end; ++i) {
+            const std::optional<LightResponse>& own = window_.suns[i - first];
+            window_.amounts.push_back(
+                basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
+        }
+        window_.light = basis_->light_of(window_.amounts);
     }
 
     /// @throws Stopped  before there is a result of it

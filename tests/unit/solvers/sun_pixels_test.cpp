@@ -51,7 +51,7 @@ std::vector<SunLight> looks(const PreparedScene& prepared, double pixels) {
 
 /// Scan lines tell the same far more exactly.
 Result by_lines(const Scene& scene, const Sources& suns) {
-    RunSpec spec = spec_of(Method::first_hits, 1 << 16);
+    RunSpec spec = spec_of(Method::first_hits, 1 << 18);
     spec.max_depth = 1;
     return run(scene, suns, spec);
 }
