@@ -108,7 +108,8 @@ Sums coarser_sums(const Sums& sums) {
             copy_block(replicate, coarse_block(from, block.name), block, bins);
         }
     }
-    coarse.replicates.assign(1, std::move(bins));
+    coarse.replicates.clear();
+    coarse.replicates.push_back(std::move(bins));
     return coarse;
 }
 

@@ -94,14 +94,17 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
             own.replicates.resize(spec_.replicates);
         }
     });
-    std::vector<ItemBuffer> buffers(threads);
+    std::vector<std::unique_ptr<ItemBuffer>> buffers;
+    for (unsigned i = 0; i < threads; ++i) {
+        buffers.push_back(std::make_unique<ItemBuffer>());
+    }
     parallel_blocks(
         times.size() * spec_.replicates, threads, [&](std::uint64_t block, unsigned worker) {
             throw_if_stopped(stop_);
             Looked& own = looked[block / spec_.replicates];
             const auto replicate = static_cast<std::uint32_t>(block % spec_.replicates);
             if (own.pixels) {
-                own.replicates[replicate] = own.pixels->find(replicate, buffers[worker]);
+                own.replicates[replicate] = own.pixels->find(replicate, *buffers[worker]);
             }
         });
     std::vector<std::optional<LightResponse>> found(times.size());

@@ -96,7 +96,7 @@ void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& foun
             continue;
         }
         const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        double* flux = &found.flux[(2 * region + index_of(side)) * bands];
+        double* flux = &found.flux[(std::size_t{2} * region + index_of(side)) * bands];
         for (std::size_t b = 0; b < bands; ++b) {
             flux[b] += amount * weights[b];
         }
@@ -116,15 +116,14 @@ void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& foun
 /// proportion to what they brought all of it is known better.
 void SunPixels::settle(SunLight& found) const {
     const std::size_t bands = prepared_.bands();
-    std::vector<double> scales;
     for (std::size_t b = 0; b < bands; ++b) {
         const double drawn = found.emitted[b];
-        scales.push_back(drawn > 0 ? prepared_.flux()[b] / drawn : 0);
-        found.emitted[b] *= scales[b];
-        found.escaped[b] *= scales[b];
-    }
-    for (std::size_t i = 0; i < found.flux.size(); ++i) {
-        found.flux[i] *= scales[i % bands];
+        const double scale = drawn > 0 ? prepared_.flux()[b] / drawn : 0;
+        found.emitted[b] *= scale;
+        found.escaped[b] *= scale;
+        for (std::size_t i = b; i < found.flux.size(); i += bands) {
+            found.flux[i] *= scale;
+        }
     }
     for (double& area : found.sunlit_area) {
         area *= prepared_.sun_area();
