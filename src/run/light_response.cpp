@@ -103,6 +103,28 @@ class ResponseReader {
     double sunlit_;
 };
 
+/// What one replicate sees of suns.
+std::vector<float> bins_of_suns(const SunLight& light, const SumLayout& layout) {
+    const BinPlaces places(layout);
+    std::vector<float> bins(layout.bins());
+    const auto put = [&](std::size_t bin, double value) {
+        bins[places.of(bin)] = static_cast<float>(value);
+    };
+    for (std::size_t i = 0; i < light.flux.size(); ++i) {
+        const std::size_t region = i / (2 * layout.bands);
+        const SurfaceSide side = kSurfaceSides[i / layout.bands % 2];
+        put(layout.direct(region, side, i % layout.bands), light.flux[i]);
+    }
+    for (std::size_t region = 0; region < layout.regions; ++region) {
+        put(layout.sunlit(region), light.sunlit_area[region]);
+    }
+    for (std::size_t b = 0; b < layout.bands; ++b) {
+        put(layout.emitted() + b, light.emitted[b]);
+        put(layout.escaped_direct() + b, light.escaped[b]);
+    }
+    return bins;
+}
+
 }  // namespace
 
 LightResponse read_response(const Sums& sums, std::size_t first_band, const SumLayout& layout) {
@@ -118,26 +140,9 @@ LightResponse read_response(const Sums& sums, std::size_t first_band, const SumL
 }
 
 LightResponse response_of_suns(const std::vector<SunLight>& replicates, const SumLayout& layout) {
-    const BinPlaces places(layout);
     LightResponse response;
     for (const SunLight& light : replicates) {
-        std::vector<float>& bins = response.bins.emplace_back(layout.bins());
-        const auto put = [&](std::size_t bin, double value) {
-            bins[places.of(bin)] = static_cast<float>(value);
-        };
-        for (std::size_t region = 0; region < layout.regions; ++region) {
-            for (const SurfaceSide side : kSurfaceSides) {
-                for (std::size_t b = 0; b < layout.bands; ++b) {
-                    const std::size_t from = (2 * region + index_of(side)) * layout.bands + b;
-                    put(layout.direct(region, side, b), light.flux[from]);
-                }
-            }
-            put(layout.sunlit(region), light.sunlit_area[region]);
-        }
-        for (std::size_t b = 0; b < layout.bands; ++b) {
-            put(layout.emitted() + b, light.emitted[b]);
-            put(layout.escaped_direct() + b, light.escaped[b]);
-        }
+        response.bins.push_back(bins_of_suns(light, layout));
     }
     response.emitted = replicates.front().emitted;
     return response;
