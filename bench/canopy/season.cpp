@@ -78,33 +78,37 @@ double error_of(const Result& result) {
 }
 
 struct Cost {
-    double seconds = 0, each = 0;  ///< before the first hour, and of an hour
-    double error = 0;              ///< the median of the hours'
+    double seconds = 0, before = 0, each = 0;  ///< all, before the first hour, and of an hour
+    double error = 0;                          ///< the median of the hours'
 };
 
 Cost cost_of(const Scene& scene, const std::vector<TimeStep>& hours, const RunSpec& spec) {
-    std::vector<double> errors, times;
+    std::vector<double> errors;
     SeriesEvents events;
     const Stopwatch watch;
+    double before = 0;
     events.wants_total = false;
+    // Progress is told when what hours have in common is there; hours are computed some at once.
+    events.on_progress = [&](const Progress&) {
+        before = errors.empty() ? watch.cpu_seconds() : before;
+    };
     events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
-        times.push_back(watch.cpu_seconds());
         errors.push_back(error_of(result));
     };
     run_series(scene, hours, spec, events);
-    const double each = times.size() > 1
-                            ? (times.back() - times.front()) / static_cast<double>(times.size() - 1)
-                            : 0;
-    std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
-    return {times.front() - each, each, errors[errors.size() / 2]};
+    const double all = watch.cpu_seconds();
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return {all, before, (all - before) / static_cast<double>(errors.size()), *middle};
 }
 
-/// The first number of paths, doubled and doubled, that brings the error below the target.
+/// The first number of paths, doubled and doubled from that of the specification on, that brings
+/// the error below the target.
 std::pair<std::uint64_t, Cost> cost_at_target(
     const Scene& scene, const std::vector<TimeStep>& hours, RunSpec spec) {
-    constexpr std::uint64_t kFirst = 1 << 12, kLast = 1 << 18;
+    constexpr std::uint64_t kLast = 1 << 18;
     Cost cost;
-    for (spec.paths = kFirst; spec.paths <= kLast; spec.paths *= 2) {
+    for (; spec.paths <= kLast; spec.paths *= 2) {
         cost = cost_of(scene, hours, spec);
         if (cost.error <= kTarget) {
             break;
@@ -116,23 +120,25 @@ std::pair<std::uint64_t, Cost> cost_at_target(
 }  // namespace
 
 void print_season(const Effort& effort) {
-    const bool is_quick = effort.replicates < 8;
+    const bool is_quick = effort.most_leaves <= 10000;
     const std::uint32_t leaves = is_quick ? 1000 : 10000;
     const Scene scene = make_canopy({.leaves = leaves, .albedos = {0.2, 0.85}, .seed = 7});
     const std::vector<TimeStep> hours = sample_of_year();
     RunSpec spec;
     spec.method = Method::ray_bundles;
     spec.threads = 1;
+    spec.paths = 1 << 12;
     const std::vector<TimeStep> noon{brightest(hours)};
     const auto [paths, one] = cost_at_target(scene, noon, spec);
     spec.series = SeriesMode::together;
+    spec.paths = paths;
     const auto [paths_together, all] = cost_at_target(scene, hours, spec);
-    const double year = all.seconds + kHoursOfYear * all.each;
+    const double year = all.before + kHoursOfYear * all.each;
     std::printf(
         "  season, %u leaves, PAR and NIR: an hour to %.1f %% in %.2f s (%lu paths); together to "
         "%.1f %% (%lu paths) %.1f s and %.3f s an hour, a year %.0f times the hour (at most %g: "
         "%s)\n",
-        leaves, 100 * one.error, one.seconds, paths, 100 * all.error, paths_together, all.seconds,
+        leaves, 100 * one.error, one.seconds, paths, 100 * all.error, paths_together, all.before,
         all.each, year / one.seconds, kMostHours,
         year <= kMostHours * one.seconds ? "met" : "MISSED");
 }

@@ -148,6 +148,7 @@ class Simulator {
     [[nodiscard]] std::size_t builds() const;
 
   private:
+    friend class SeasonSuns;
     class State;
     std::unique_ptr<State> state_;
 };

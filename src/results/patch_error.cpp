@@ -23,27 +23,65 @@ SumBlock coarse_block(const std::vector<SumBlock>& blocks, const std::string& na
     return *same;
 }
 
-void add_error(const Estimate& coarse, Estimate& e) {
-    e = with_patch_error(e, e.mean - coarse.mean);
-}
+/// Widens all estimates of a result by what those of another one differ.
+class Widening {
+  public:
+    explicit Widening(Estimate (*widened)(const Estimate& e, double difference))
+        : widened_(widened) {}
 
-void add_errors(const std::vector<Estimate>& coarse, std::vector<Estimate>& estimates) {
-    EXPECT(coarse.size() == estimates.size());
-    for (std::size_t i = 0; i < estimates.size(); ++i) {
-        add_error(coarse[i], estimates[i]);
+    void widen(const Estimate& other, Estimate& e) const { e = widened_(e, e.mean - other.mean); }
+    void widen(const std::vector<Estimate>& others, std::vector<Estimate>& estimates) const {
+        EXPECT(others.size() == estimates.size());
+        for (std::size_t i = 0; i < estimates.size(); ++i) {
+            widen(others[i], estimates[i]);
+        }
     }
-}
+    void widen(const Result& other, Result& result) const;
+
+  private:
+    void widen_escaped(
+        const Result& other, const std::vector<Estimate>& escaped, DetectorResult& detector) const;
+
+    Estimate (*widened_)(const Estimate& e, double difference);
+};
 
 /// Light that escapes is not sorted on two levels: each part may be as wrong as the whole.
-void add_errors_of_escaped(
-    const Result& coarse, const std::vector<Estimate>& escaped, DetectorResult& detector) {
-    const std::size_t bands = coarse.budget.size();
+void Widening::widen_escaped(
+    const Result& other, const std::vector<Estimate>& escaped, DetectorResult& detector) const {
+    const std::size_t bands = other.budget.size();
     for (std::size_t i = 0; i < detector.values.size(); ++i) {
         const std::size_t b = i % bands;
         const double all = escaped[b].mean;
-        const double part = all > 0 ? (all - coarse.budget[b].escaped.mean) / all : 0;
+        const double part = all > 0 ? (all - other.budget[b].escaped.mean) / all : 0;
         Estimate& e = detector.values[i];
-        e = with_patch_error(e, part * e.mean);
+        e = widened_(e, part * e.mean);
+    }
+}
+
+void Widening::widen(const Result& other, Result& result) const {
+    widen(other.values, result.values);
+    widen(other.ratio_values, result.ratio_values);
+    widen(other.groups.values, result.groups.values);
+    widen(other.groups.ratio_values, result.groups.ratio_values);
+    std::vector<Estimate> escaped;
+    for (std::size_t b = 0; b < result.budget.size(); ++b) {
+        BandBudget& budget = result.budget[b];
+        const BandBudget& its = other.budget[b];
+        escaped.push_back(budget.escaped);
+        widen(its.absorbed_by_organs, budget.absorbed_by_organs);
+        widen(its.absorbed_by_ground, budget.absorbed_by_ground);
+        widen(its.escaped, budget.escaped);
+    }
+    for (std::size_t b = 0; b < result.canopy.size(); ++b) {
+        CanopyFractions& canopy = result.canopy[b];
+        const CanopyFractions& its = other.canopy[b];
+        widen(its.reflectance, canopy.reflectance);
+        widen(its.transmittance, canopy.transmittance);
+        widen(its.absorptance, canopy.absorptance);
+        widen(its.ground_absorptance, canopy.ground_absorptance);
+    }
+    for (DetectorResult& detector : result.detectors) {
+        widen_escaped(other, escaped, detector);
     }
 }
 
@@ -62,14 +100,16 @@ void copy_block(
 Sums coarser_sums(const Sums& sums) {
     Sums coarse = sums;
     coarse.layout.patch_levels = PatchLevels::none;
+    coarse.samples *= sums.replicates.size();
     const std::vector<SumBlock> from = sums.layout.blocks();
-    for (std::size_t r = 0; r < sums.replicates.size(); ++r) {
-        ExactBins bins(coarse.layout.bins());
-        for (const SumBlock& block : coarse.layout.blocks()) {
-            copy_block(sums.replicates[r], coarse_block(from, block.name), block, bins);
+    ExactBins bins(coarse.layout.bins());
+    for (const SumBlock& block : coarse.layout.blocks()) {
+        for (const ExactBins& replicate : sums.replicates) {
+            copy_block(replicate, coarse_block(from, block.name), block, bins);
         }
-        coarse.replicates[r] = std::move(bins);
     }
+    coarse.replicates.clear();
+    coarse.replicates.push_back(std::move(bins));
     return coarse;
 }
 
@@ -83,31 +123,25 @@ Estimate with_patch_error(const Estimate& e, double difference) {
         e.mean, std::hypot(e.standard_error, d), e.low >= 0 ? std::max(low, 0.0) : low, e.high + d};
 }
 
+Estimate with_error(const Estimate& e, double error) {
+    // 95 % of a normal distribution.
+    constexpr double kReach = 1.96;
+    if (!std::isfinite(error)) {
+        return e;
+    }
+    const double reach = kReach * error;
+    const double low = e.mean - std::hypot(e.mean - e.low, reach);
+    return {
+        e.mean, std::hypot(e.standard_error, error), e.low >= 0 ? std::max(low, 0.0) : low,
+        e.mean + std::hypot(e.high - e.mean, reach)};
+}
+
 void add_patch_errors(const Result& coarse, Result& result) {
-    add_errors(coarse.values, result.values);
-    add_errors(coarse.ratio_values, result.ratio_values);
-    add_errors(coarse.groups.values, result.groups.values);
-    add_errors(coarse.groups.ratio_values, result.groups.ratio_values);
-    std::vector<Estimate> escaped;
-    for (std::size_t b = 0; b < result.budget.size(); ++b) {
-        BandBudget& budget = result.budget[b];
-        const BandBudget& other = coarse.budget[b];
-        escaped.push_back(budget.escaped);
-        add_error(other.absorbed_by_organs, budget.absorbed_by_organs);
-        add_error(other.absorbed_by_ground, budget.absorbed_by_ground);
-        add_error(other.escaped, budget.escaped);
-    }
-    for (std::size_t b = 0; b < result.canopy.size(); ++b) {
-        CanopyFractions& canopy = result.canopy[b];
-        const CanopyFractions& other = coarse.canopy[b];
-        add_error(other.reflectance, canopy.reflectance);
-        add_error(other.transmittance, canopy.transmittance);
-        add_error(other.absorptance, canopy.absorptance);
-        add_error(other.ground_absorptance, canopy.ground_absorptance);
-    }
-    for (DetectorResult& detector : result.detectors) {
-        add_errors_of_escaped(coarse, escaped, detector);
-    }
+    Widening(with_patch_error).widen(coarse, result);
+}
+
+void add_errors(const Result& raised, Result& result) {
+    Widening(with_error).widen(raised, result);
 }
 
 }  // namespace quasimc

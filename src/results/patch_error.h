@@ -10,7 +10,8 @@ namespace quasimc {
     return sums.layout.patch_levels == PatchLevels::two;
 }
 
-/// Of sums with two levels of patches those of the coarser one, as sums of their own.
+/// Of sums with two levels of patches those of the coarser one, as sums of their own: of one
+/// replicate, which holds the light of all.
 [[nodiscard]] Sums coarser_sums(const Sums& sums);
 
 /// The estimate with the error that patches make, told by a difference of the means of two levels:
@@ -21,5 +22,12 @@ namespace quasimc {
 /// Adds the error of patches to all estimates.
 /// @param coarse  the same, of coarser_sums()
 void add_patch_errors(const Result& coarse, Result& result);
+
+/// The estimate with one more error, of a known standard deviation, independent of its own.
+[[nodiscard]] Estimate with_error(const Estimate& e, double error);
+
+/// Adds an error to all estimates.
+/// @param raised  the same, of light that is more by its error
+void add_errors(const Result& raised, Result& result);
 
 }  // namespace quasimc

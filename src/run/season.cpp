@@ -1,6 +1,6 @@
 // A series whose times are computed together. What all of them have in common is solved first
 // (run/season_basis.h); then each time is put together from it, and the light straight from its
-// suns is found along scan lines of its own.
+// suns is found for each by itself (run/season_suns.h).
 
 #include "run/season.h"
 
@@ -15,13 +15,15 @@
 #include "results/patch_error.h"
 #include "run/early_stop.h"
 #include "run/season_basis.h"
-#include "run/trace_spec.h"
+#include "run/season_suns.h"
 
 namespace quasimc {
 namespace {
 
 /// Of the progress of a series, the part that what its times have in common takes.
 constexpr double kShareOfBasis = 0.5;
+/// Times that are put together at once take about so much memory, and are at most so many.
+constexpr double kWindowBytes = 256e6, kMostInWindow = 16;
 
 /// Groups as SeriesSum has them.
 GroupResults without_fractions(GroupResults groups) {
@@ -34,42 +36,25 @@ GroupResults without_fractions(GroupResults groups) {
 
 class Season {
   public:
-    Season(
-        Simulator& simulator,
-        const Scene& scene,
-        const std::vector<TimeStep>& time_steps,
-        const RunSpec& spec,
-        const SeriesEvents& events,
-        const std::stop_token& stop)
-        : simulator_(simulator),
-          scene_(scene),
-          time_steps_(time_steps),
-          spec_(spec),
-          events_(events),
-          early_(stop) {
-        for (const Region& region : scene.regions()) {
+    explicit Season(const SeriesInput& input)
+        : in_(input), scene_(input.scene), spec_(input.spec), early_(input.stop) {
+        for (const Region& region : scene_.regions()) {
             area_ += region.area;
         }
-        if (spec.max_seconds > 0) {
-            early_.set_limit(spec.max_seconds);
+        if (spec_.max_seconds > 0) {
+            early_.set_limit(spec_.max_seconds);
         }
+        number_traces();
     }
 
     SeriesSummary run() {
-        make_basis();
+        prepare();
         day_.emplace(*basis_, spec_.replicates);
         total_.emplace(*basis_, spec_.replicates);
-        while (summary_.done < time_steps_.size() && go_on(summary_.done)) {
-            const std::size_t i = summary_.done++;
-            tell_progress(
-                kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(summary_.done) /
-                                    static_cast<double>(time_steps_.size()));
-            if (summary_.done == time_steps_.size() ||
-                time_steps_[i + 1].day != time_steps_[i].day) {
-                finish_day(time_steps_[i].day);
-            }
-        }
-        if (events_.wants_total) {
+        walk_series(
+            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
+            summary_);
+        if (in_.events.wants_total) {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
@@ -88,108 +73,157 @@ class Season {
         double seconds = 0;
     };
 
-    void make_basis() {
+    /// Times that are put together at once: responses are read once for all of them.
+    struct Window {
+        std::size_t first = 0, end = 0;
+        std::vector<SeasonBasis::Amounts> amounts;
+        std::vector<LightSum> light;
+        std::vector<std::optional<LightResponse>> suns;
+    };
+
+    /// The basis has the first seed of the series, each time that is lit the next.
+    void number_traces() {
+        std::uint64_t last = 0;
+        for (const TimeStep& step : in_.time_steps) {
+            const bool is_lit = !shining(step.sources, Shining::suns).empty() ||
+                                !shining(step.sources, Shining::skies).empty();
+            traces_.push_back(is_lit ? ++last : 0);
+        }
+    }
+
+    [[nodiscard]] SunsOfTime suns_of(std::size_t i) const {
+        return {shining(in_.time_steps[i].sources, Shining::suns), traces_[i]};
+    }
+
+    /// Computes what all times have in common, and how closely suns are to be looked at.
+    void prepare() {
         try {
             basis_.emplace(
-                simulator_, scene_, time_steps_, spec_,
+                in_.simulator, scene_, in_.time_steps, spec_,
                 SeasonBasis::Control{
                     [this](double part) { tell_progress(kShareOfBasis * part); }, early_.token()});
+            summary_.rays += basis_->rays();
+            suns_.emplace(in_.simulator, scene_, spec_, basis_->layout(), early_.token());
+            choose_pixels();
+            tell_progress(kShareOfBasis);
         } catch (const Stopped&) {
             throw Stopped(
                 early_.why(),
                 "stopped before what all times have in common was computed: there "
                 "is no result");
         }
-        summary_.rays += basis_->rays();
+    }
+
+    void choose_pixels() {
+        std::vector<SunsOfTime> times;
+        std::vector<LightSpread> others;
+        for (const std::size_t i : basis_->left_out()) {
+            times.push_back(suns_of(i));
+            times.back().trace = in_.time_steps.size() + times.size();
+            const SeasonBasis::Amounts amounts =
+                basis_->amounts_of(in_.time_steps[i].sources, nullptr);
+            others.push_back(
+                basis_->light_of(std::span(&amounts, 1)).front().spread(basis_->errors()));
+        }
+        suns_->choose_pixels(times, others);
     }
 
     void tell_progress(double fraction) const {
-        if (events_.on_progress && fraction > 0) {
-            events_.on_progress({fraction, watch_.seconds(), watch_.seconds() / fraction, 0});
+        if (in_.events.on_progress && fraction > 0) {
+            in_.events.on_progress({fraction, watch_.seconds(), watch_.seconds() / fraction, 0});
         }
     }
 
-    /// Computes a time. False, and no more is to be done, if there is no result of it.
-    bool go_on(std::size_t i) {
-        try {
-            compute(i);
-        } catch (const Stopped&) {
-            if (i == 0) {
-                throw Stopped(
-                    early_.why(), "stopped before the first time was complete: there is no result");
-            }
-            summary_.stop = early_.why();
-            return false;
-        }
-        return true;
+    /// As many times as memory may hold.
+    [[nodiscard]] std::size_t window_size() const {
+        const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
+                            static_cast<double>(spec_.replicates);
+        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMostInWindow));
     }
 
+    void fill_window(std::size_t first) {
+        window_ = {};
+        window_.first = first;
+        window_.end = std::min(first + window_size(), in_.time_steps.size());
+        std::vector<SunsOfTime> suns;
+        for (std::size_t i = first; i < window_.end; ++i) {
+            suns.push_back(suns_of(i));
+        }
+        window_.suns = suns_->light_of(suns);
+        for (std::size_t i = first; i < window_.end; ++i) {
+            const std::optional<LightResponse>& own = window_.suns[i - first];
+            window_.amounts.push_back(
+                basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
+        }
+        window_.light = basis_->light_of(window_.amounts);
+    }
+
+    /// @throws Stopped  before there is a result of it
     void compute(std::size_t i) {
-        if (early_.token().stop_requested()) {
-            throw Stopped(early_.why(), "");
+        try {
+            if (early_.token().stop_requested()) {
+                throw Stopped(early_.why(), "");
+            }
+            if (i >= window_.end) {
+                fill_window(i);
+            }
+        } catch (const Stopped&) {
+            throw Stopped(
+                early_.why(), "stopped before the first time was complete: there is no result");
         }
-        const TimeStep& step = time_steps_[i];
-        const SeasonBasis::Amounts amounts = basis_->amounts_of(step.sources);
-        const std::optional<LightResponse> suns = light_of_suns(step);
+        const TimeStep& step = in_.time_steps[i];
+        const std::size_t at = i - window_.first;
+        const std::optional<LightResponse>& suns = window_.suns[at];
         for (Period* period : {&*day_, &*total_}) {
-            for (std::size_t k = 0; k < amounts.size(); ++k) {
-                period->amounts[k] += step.seconds * amounts[k];
+            for (std::size_t k = 0; k < window_.amounts[at].size(); ++k) {
+                period->amounts[k] += step.seconds * window_.amounts[at][k];
             }
             if (suns) {
                 period->suns.add_suns(*suns, step.seconds);
             }
             period->seconds += step.seconds;
         }
-        if (!events_.on_time_step) {
-            return;
+        if (traces_[i] > 0) {
+            ++summary_.traced;
+            ++summary_.methods[Method::ray_bundles];
         }
-        LightSum direct(basis_->layout(), spec_.replicates);
-        if (suns) {
-            direct.add_suns(*suns, 1);
+        if (in_.events.on_time_step) {
+            LightSum direct(basis_->layout(), spec_.replicates);
+            if (suns) {
+                direct.add_suns(*suns, 1);
+            }
+            in_.events.on_time_step(
+                i, result_of(std::move(window_.light[at]), direct, step.sources), i);
         }
-        Result result = result_of(amounts, direct, step.sources);
-        result.rays = rays_;
-        events_.on_time_step(i, result, i);
+        tell_progress(
+            kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
+                                static_cast<double>(in_.time_steps.size()));
     }
 
-    /// Light straight from the suns of a time; none if none shines.
-    [[nodiscard]] std::optional<LightResponse> light_of_suns(const TimeStep& step) {
-        const Sources suns = shining(step.sources, Shining::suns);
-        rays_ = 0;
-        if (suns.empty() && shining(step.sources, Shining::skies).empty()) {
-            return std::nullopt;
-        }
-        // The basis has the first seed of the series.
-        RunSpec spec = trace_spec(spec_, {}, ++summary_.traced);
-        ++summary_.methods[Method::ray_bundles];
-        if (suns.empty()) {
-            return std::nullopt;
-        }
-        spec.max_depth = 1;
-        spec.max_seconds = 0;
-        const Sums sums = simulator_.sums(scene_, suns, spec, 0, {}, {.stop = early_.token()});
-        rays_ = count_rays(sums);
-        summary_.rays += rays_;
-        return read_response(sums, 0, basis_->layout());
+    /// How many paths may stand for the light of so many suns, of which pixels see as much at most.
+    [[nodiscard]] std::uint64_t paths_of(std::size_t suns) const {
+        const double pixels = suns_->pixels() * static_cast<double>(suns);
+        return suns == 0
+                   ? spec_.paths
+                   : static_cast<std::uint64_t>(std::min(pixels, static_cast<double>(spec_.paths)));
     }
 
     /// @param sources  of the time; empty for sums over times
     [[nodiscard]] Result result_of(
-        const SeasonBasis::Amounts& amounts, const LightSum& suns, const Sources& sources) const {
-        LightSum light = basis_->light_of(amounts);
-        LightSum raised = light;
+        LightSum light, const LightSum& suns, const Sources& sources) const {
+        LightSum raised = light.averaged();
         light += suns;
         if (light.is_dark()) {
             Result dark = dark_result(scene_, spec_);
             dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
             return dark;
         }
-        const bool is_sunny = !shining(sources, Shining::suns).empty();
-        const LightSum::Reading reading{spec_.paths, is_sunny ? area_ : 0};
+        const std::size_t sunny = shining(sources, Shining::suns).size();
+        const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
         Result result = evaluate_run(light.sums(reading), scene_, spec_, sources);
         raised.raise(basis_->errors());
-        raised += suns;
-        add_patch_errors(
+        raised += suns.averaged();
+        add_errors(
             evaluate_run(coarser_sums(raised.sums(reading)), scene_, spec_, sources), result);
         result.chosen = {
             Method::ray_bundles,
@@ -200,7 +234,8 @@ class Season {
     }
 
     [[nodiscard]] SeriesSum sum_of(const Period& period) const {
-        Result result = result_of(period.amounts, period.suns, {});
+        Result result = result_of(
+            std::move(basis_->light_of(std::span(&period.amounts, 1)).front()), period.suns, {});
         return {
             .bands = result.bands,
             .seconds = period.seconds,
@@ -208,93 +243,32 @@ class Season {
             .groups = without_fractions(std::move(result.groups))};
     }
 
-    void finish_day(std::size_t day) {
-        if (events_.on_day) {
-            events_.on_day(day, sum_of(*day_));
+    void finish_day(std::size_t last) {
+        if (in_.events.on_day) {
+            in_.events.on_day(in_.time_steps[last].day, sum_of(*day_));
         }
         day_.emplace(*basis_, spec_.replicates);
     }
 
-    Simulator& simulator_;
+    const SeriesInput& in_;
     const Scene& scene_;
-    const std::vector<TimeStep>& time_steps_;
     const RunSpec& spec_;
-    const SeriesEvents& events_;
     EarlyStop early_;
     Stopwatch watch_;
     double area_ = 0;
+    std::vector<std::uint64_t> traces_;  // by time; 0: it is dark
     std::optional<SeasonBasis> basis_;
+    std::optional<SeasonSuns> suns_;
     std::optional<Period> day_, total_;
-    std::uint64_t rays_ = 0;  // of the last time
+    Window window_;
     SeriesSummary summary_;
 };
 
-void check_together_sources(const std::vector<TimeStep>& time_steps, Faults& faults) {
-    for (const TimeStep& step : time_steps) {
-        for (const auto& source : step.sources) {
-            const std::string place = fmt::format("source '{}'", source->name());
-            if (source->is_lamp()) {
-                faults.add(
-                    {place, "a lamp, where series = \"together\"",
-                     "only light from far away is put together from directions",
-                     "use series = \"one_by_one\""});
-                return;
-            }
-            if (source->is_sun() && !(beam_of(*source).to_light.z > 0)) {
-                faults.add(
-                    {place, "light from below the horizon, where series = \"together\"",
-                     "light is put together from directions of the upper hemisphere",
-                     "use series = \"one_by_one\""});
-                return;
-            }
-        }
-    }
-}
-
 }  // namespace
 
-void check_together(
-    const Scene& scene,
-    const std::vector<TimeStep>& time_steps,
-    const RunSpec& spec,
-    Faults& faults) {
-    if (spec.series != SeriesMode::together) {
-        return;
-    }
-    const auto refuse = [&](bool is_so, std::string problem, std::string why, std::string what) {
-        if (is_so) {
-            faults.add({"series", std::move(problem), std::move(why), std::move(what)});
-        }
-    };
-    refuse(
-        spec.method != Method::ray_bundles, "it is \"together\", and method is not ray_bundles",
-        "no other way of computing solves for many lights at once",
-        "state method = \"ray_bundles\"");
-    refuse(
-        spec.target_error > 0 || spec.max_paths > 0,
-        "it is \"together\", with target_error or max_paths",
-        "what all times have in common is computed once, with paths", "state paths alone");
-    refuse(
-        spec.audit > 0, "it is \"together\", with audit", "no time is a run that could be audited",
-        "audit one_by_one");
-    refuse(
-        spec.effort == Effort::day, "it is \"together\", with effort = \"day\"",
-        "all times have the same paths", "leave effort out");
-    refuse(
-        !scene.detectors().empty(), "it is \"together\", and the scene has detectors",
-        "light that escapes is not kept by direction", "use series = \"one_by_one\"");
-    check_together_sources(time_steps, faults);
-}
-
-SeriesSummary run_season(
-    Simulator& simulator,
-    const Scene& scene,
-    const std::vector<TimeStep>& time_steps,
-    const RunSpec& spec,
-    const SeriesEvents& events,
-    const std::stop_token& stop) {
+SeriesSummary run_season(const SeriesInput& input) {
     Faults faults;
-    check_together(scene, time_steps, spec, faults);
+    check_together(input.scene, input.time_steps, input.spec, faults);
     const auto refuse = [&](bool is_so, std::string_view what) {
         if (is_so) {
             faults.add(
@@ -303,11 +277,12 @@ SeriesSummary run_season(
                  "use series = \"one_by_one\""});
         }
     };
+    const SeriesEvents& events = input.events;
     refuse(events.checkpoint != nullptr, "a checkpoint");
     refuse(events.team != nullptr || events.traced_runs != nullptr, "several processes");
     refuse(static_cast<bool>(events.sums_of), "parts of a run");
     faults.throw_if_any();
-    return Season(simulator, scene, time_steps, spec, events, stop).run();
+    return Season(input).run();
 }
 
 }  // namespace quasimc

@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
+#include "run/season_errors.h"
 #include "scene/repeat_bands.h"
 #include "solvers/bundle_budget.h"
 #include "sources/source.h"
@@ -68,6 +70,20 @@ RunSpec spec_of_responses(const RunSpec& spec) {
     own.layer_heights.clear();
     own.max_seconds = 0;
     return own;
+}
+
+/// [region][side][band]; of sensors 0.
+std::vector<double> albedos_of(const Scene& scene) {
+    std::vector<double> albedos;
+    for (const Region& region : scene.regions()) {
+        const Material& material = scene.materials()[region.material.value];
+        for (const SurfaceSide side : kSurfaceSides) {
+            for (const double albedo : material.side(side).albedo()) {
+                albedos.push_back(material.is_transparent() ? 0 : albedo);
+            }
+        }
+    }
+    return albedos;
 }
 
 }  // namespace
@@ -188,8 +204,11 @@ SeasonBasis::SeasonBasis(
     : mesh_(kRings),
       layout_(common_layout(scene)),
       replicates_(spec.replicates),
+      threads_(thread_count(spec.threads)),
+      albedos_(albedos_of(scene)),
       responses_(mesh_.nodes()),
-      errors_(layout_.bins()) {
+      errors_(layout_.bins()),
+      left_out_(spread_times(time_steps, kLeftOut)) {
     Solving solving(*this, simulator, scene, spec);
     const std::vector<bool> is_needed = needed_nodes(time_steps);
     for (std::uint32_t node = 0; node < mesh_.nodes(); ++node) {
@@ -198,7 +217,7 @@ SeasonBasis::SeasonBasis(
         }
     }
     std::vector<LeftOut> left_out;
-    for (const std::size_t i : spread_times(time_steps, kLeftOut)) {
+    for (const std::size_t i : left_out_) {
         left_out.push_back(leave_out(time_steps[i]));
     }
     for (LeftOut& left : left_out) {
@@ -212,6 +231,9 @@ SeasonBasis::SeasonBasis(
         }
     }
     solving.solve(control);
+    for (const LightResponse& response : responses_) {
+        scattered_first_.push_back(scattered_first(response));
+    }
     set_errors(left_out);
 }
 
@@ -251,12 +273,40 @@ SeasonBasis::Amounts SeasonBasis::no_light() const {
     return Amounts(std::size_t{2} * layout_.bands * mesh_.nodes());
 }
 
-void SeasonBasis::add_beam(
-    const Vec3& to_light, std::span<const double> facing, Amounts& amounts) const {
-    for (const SkyMesh::Share& share : mesh_.light_of_beam(to_light)) {
-        for (std::size_t b = 0; b < facing.size(); ++b) {
-            amounts[(2 * share.node + 1) * layout_.bands + b] += share.weight * facing[b];
+std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) const {
+    const BinPlaces places(layout_);
+    const std::size_t bands = layout_.bands;
+    std::vector<double> sums(bands);
+    for (std::size_t i = 0; i < albedos_.size(); ++i) {
+        const std::size_t region = i / (2 * bands);
+        const SurfaceSide side = kSurfaceSides[i / bands % 2];
+        const std::size_t place = places.of(layout_.direct(region, side, i % bands));
+        for (const std::vector<float>& bins : direct.bins) {
+            sums[i % bands] += albedos_[i] * static_cast<double>(bins[place]) /
+                               static_cast<double>(direct.bins.size());
         }
+    }
+    return sums;
+}
+
+void SeasonBasis::add_suns(
+    const std::vector<SunBeam>& suns, std::span<const double> first, Amounts& amounts) const {
+    const std::size_t bands = layout_.bands;
+    Amounts own = no_light();
+    std::vector<double> together(bands);
+    for (const SunBeam& sun : suns) {
+        for (const SkyMesh::Share& share : mesh_.light_of_beam(sun.to_light)) {
+            for (std::size_t b = 0; b < bands; ++b) {
+                const double amount = share.weight * sun.facing[b];
+                own[(2 * share.node + 1) * bands + b] += amount;
+                together[b] += amount > 0 ? amount * scattered_first_[share.node][b] : 0;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const std::size_t b = i % bands;
+        const bool is_known = !first.empty() && together[b] > 0;
+        amounts[i] += own[i] * (is_known ? first[b] / together[b] : 1);
     }
 }
 
@@ -271,34 +321,26 @@ void SeasonBasis::add_sky(const Source& sky, Amounts& amounts) const {
     }
 }
 
-SeasonBasis::Amounts SeasonBasis::amounts_of(const Sources& sources) const {
+SeasonBasis::Amounts SeasonBasis::amounts_of(
+    const Sources& sources, const LightResponse* suns) const {
     Amounts amounts = no_light();
+    std::vector<SunBeam> beams;
     for (const auto& sun : shining(sources, Shining::suns)) {
-        const SunBeam beam = beam_of(*sun);
-        add_beam(beam.to_light, beam.facing, amounts);
+        beams.push_back(beam_of(*sun));
     }
+    add_suns(beams, suns != nullptr ? scattered_first(*suns) : std::vector<double>(), amounts);
     for (const auto& sky : shining(sources, Shining::skies)) {
         add_sky(*sky, amounts);
     }
     return amounts;
 }
 
-LightSum SeasonBasis::light_of(const Amounts& amounts) const {
-    LightSum light(layout_, replicates_);
-    const std::size_t each = 2 * layout_.bands;
-    for (std::size_t node = 0; node < responses_.size(); ++node) {
-        const auto own = std::span(amounts).subspan(node * each, each);
-        if (std::any_of(own.begin(), own.end(), [](double x) { return x != 0; })) {
-            light.add(responses_[node], own);
-        }
-    }
-    return light;
+std::vector<LightSum> SeasonBasis::light_of(std::span<const Amounts> amounts) const {
+    return LightSum::combine(responses_, amounts, LightSum(layout_, replicates_), threads_);
 }
 
-/// The rms difference between times as they are and as they are put together, over the rms of
-/// their light.
 void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
-    std::vector<double> squares(errors_.size());
+    SeasonErrors errors(layout_);
     for (const LeftOut& left : left_out) {
         Amounts amounts = no_light();
         LightSum as_it_is(layout_, replicates_);
@@ -312,22 +354,19 @@ void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
             as_it_is.add(left.of_sky, own);
         }
         if (left.sun) {
-            add_beam(left.sun->to_light, left.sun->facing, amounts);
+            std::vector<double> first = scattered_first(left.of_sun);
+            for (std::size_t b = 0; b < first.size(); ++b) {
+                first[b] *= left.sun->facing[b];
+            }
+            add_suns({*left.sun}, first, amounts);
             const auto scattered = own.begin() + static_cast<std::ptrdiff_t>(layout_.bands);
             std::fill(own.begin(), scattered, 0);
             std::copy(left.sun->facing.begin(), left.sun->facing.end(), scattered);
             as_it_is.add(left.of_sun, own);
         }
-        const std::vector<double> expected = as_it_is.mean();
-        const std::vector<double> found = light_of(amounts).mean();
-        for (std::size_t i = 0; i < errors_.size(); ++i) {
-            errors_[i] += (found[i] - expected[i]) * (found[i] - expected[i]);
-            squares[i] += expected[i] * expected[i];
-        }
+        errors.add(light_of(std::span(&amounts, 1)).front(), as_it_is);
     }
-    for (std::size_t i = 0; i < errors_.size(); ++i) {
-        errors_[i] = squares[i] > 0 ? std::sqrt(errors_[i] / squares[i]) : 0;
-    }
+    errors_ = errors.relative();
 }
 
 }  // namespace quasimc

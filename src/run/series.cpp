@@ -49,25 +49,20 @@ void check_order(const std::vector<TimeStep>& time_steps) {
 /// Traces a series, moment by moment.
 class SeriesRun {
   public:
-    SeriesRun(
-        Simulator& simulator,
-        const Scene& scene,
-        const std::vector<TimeStep>& time_steps,
-        const RunSpec& spec,
-        const SeriesEvents& events,
-        const std::stop_token& stop)
-        : simulator_(simulator),
-          scene_(scene),
-          time_steps_(time_steps),
-          spec_(spec),
-          events_(events),
-          stop_(stop),
-          plans_(plan_traces(scene, time_steps, spec)),
-          shared_(simulator, scene, time_steps, plans_, spec, events) {
-        groups_.groups = make_groups(scene, group_spec(spec));
-        groups_.bands = scene.bands().size();
+    explicit SeriesRun(const SeriesInput& input)
+        : in_(input),
+          simulator_(input.simulator),
+          scene_(input.scene),
+          time_steps_(input.time_steps),
+          spec_(input.spec),
+          events_(input.events),
+          stop_(input.stop),
+          plans_(plan_traces(scene_, time_steps_, spec_)),
+          shared_(simulator_, scene_, time_steps_, plans_, spec_, events_) {
+        groups_.groups = make_groups(scene_, group_spec(spec_));
+        groups_.bands = scene_.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
-        for (std::size_t i = 0; i < time_steps.size(); ++i) {
+        for (std::size_t i = 0; i < time_steps_.size(); ++i) {
             effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
                 last_use_[plans_[i].traced] = i;
@@ -76,14 +71,9 @@ class SeriesRun {
     }
 
     SeriesSummary run() {
-        while (summary_.done < time_steps_.size() && go_on(summary_.done)) {
-            const std::size_t i = summary_.done++;
-            const bool ends_day =
-                i + 1 == time_steps_.size() || time_steps_[i + 1].day != time_steps_[i].day;
-            if (ends_day) {
-                finish_day(i);
-            }
-        }
+        walk_series(
+            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
+            summary_);
         if (summary_.done < time_steps_.size()) {
             add_to_total(time_steps_.size());
         }
@@ -107,29 +97,14 @@ class SeriesRun {
         return std::chrono::duration<double>(Clock::now() - start_).count();
     }
 
-    /// Traces a moment. False, and no more is to be done, if there is no result of it.
-    bool go_on(std::size_t i) {
+    /// @throws Stopped  before there is a result of a moment
+    void compute(std::size_t i) {
         const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
         if (i > 0 && (stop_.stop_requested() || (needs_trace && is_time_up()))) {
-            end(stop_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up);
-            return false;
+            throw Stopped(
+                stop_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up, "");
         }
-        try {
-            trace(i);
-        } catch (const Stopped& stopped) {
-            if (i == 0) {
-                throw;
-            }
-            end(stopped.why());
-            return false;
-        }
-        return true;
-    }
-
-    void end(StopReason why) {
-        if (summary_.stop != StopReason::interrupted) {
-            summary_.stop = why;
-        }
+        trace(i);
     }
 
     [[nodiscard]] bool is_time_up() const {
@@ -192,7 +167,7 @@ class SeriesRun {
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
             ++summary_.cut_short;
-            end(result.stop);
+            end_series(result.stop, summary_);
         }
         ++summary_.methods[result.chosen.method];
         const bool is_unlit = result.stop == StopReason::no_light;
@@ -290,6 +265,7 @@ class SeriesRun {
 
     using Clock = std::chrono::steady_clock;
 
+    const SeriesInput& in_;
     Simulator& simulator_;
     const Scene& scene_;
     const std::vector<TimeStep>& time_steps_;
@@ -311,55 +287,6 @@ class SeriesRun {
 
 }  // namespace
 
-Result scaled(const Result& result, double factor) {
-    Result copy = result;
-    for (Estimate& estimate : copy.values) {
-        estimate = scaled(estimate, factor);
-    }
-    for (Estimate& estimate : copy.groups.values) {
-        estimate = scaled(estimate, factor);
-    }
-    for (CanopyFractions& band : copy.canopy) {
-        band.incident *= factor;
-    }
-    for (BandBudget& band : copy.budget) {
-        for (Estimate BandBudget::*part :
-             {&BandBudget::emitted, &BandBudget::absorbed_by_organs,
-              &BandBudget::absorbed_by_ground, &BandBudget::escaped, &BandBudget::cut_off,
-              &BandBudget::roulette}) {
-            band.*part = scaled(band.*part, factor);
-        }
-    }
-    for (DetectorResult& detector : copy.detectors) {
-        for (Estimate& estimate : detector.values) {
-            estimate = scaled(estimate, factor);
-        }
-    }
-    if (copy.audit) {
-        for (BandAudit& band : copy.audit->bands) {
-            band.difference *= factor;
-            band.standard_error *= factor;
-        }
-    }
-    return copy;
-}
-
-Result dark_result(const Scene& scene, const RunSpec& spec) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    Result dark;
-    dark.bands = scene.bands().size();
-    dark.ratios = spec.ratios.size();
-    dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
-    dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
-    dark.groups = dark_groups(scene, group_spec(spec), dark.ratios);
-    dark.budget.resize(dark.bands);
-    dark.canopy = dark_canopy(scene);
-    dark.detectors = dark_detectors(scene);
-    dark.replicates = spec.replicates;
-    dark.chosen.reason = "it is dark, nothing was traced";
-    return dark;
-}
-
 SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
@@ -378,9 +305,8 @@ SeriesSummary run_series(
     const SeriesEvents& events,
     const std::stop_token& stop) {
     check_order(time_steps);
-    return spec.series == SeriesMode::together
-               ? run_season(simulator, scene, time_steps, spec, events, stop)
-               : SeriesRun(simulator, scene, time_steps, spec, events, stop).run();
+    const SeriesInput input{simulator, scene, time_steps, spec, events, stop};
+    return spec.series == SeriesMode::together ? run_season(input) : SeriesRun(input).run();
 }
 
 }  // namespace quasimc

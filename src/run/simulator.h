@@ -39,6 +39,12 @@ class Simulator::State {
         const Share& share,
         const RunControl& control);
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
+    /// Kept for the next run: as KeptCaster::caster_for().
+    [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
+        const Scene& scene, Engine engine, const std::stop_token& stop) {
+        return caster_.caster_for(scene, engine, stop);
+    }
+    [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
   private:
     /// Traces a specification that was checked and planned.
@@ -83,7 +89,6 @@ class Simulator::State {
         const Sources& sources,
         const RunSpec& spec,
         const std::stop_token& stop = {});
-    [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
     KeptCaster caster_;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;

@@ -18,6 +18,7 @@ namespace {
 class LaidLooks {
   public:
     /// @param stream  that places them
+    /// @param count  for each light
     LaidLooks(const Stream& stream, std::uint32_t count)
         : key_(stream_key(stream, 0, 0)), of_(count >= kMany ? kOfMany : 1) {}
 
@@ -113,7 +114,8 @@ void DirectOnPatches::find_by_pixels(
     const Stream placing = beams_.stream_of(work, 0);
     const std::array<double, 3> lattice = beams_.placing_of(placing, 0);
     const SkyDirections& skies = beams_.skies();
-    const LaidLooks laid(placing, work.task.count);
+    const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
+    const LaidLooks laid(placing, static_cast<std::uint32_t>(of_each));
     for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);

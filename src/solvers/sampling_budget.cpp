@@ -50,11 +50,6 @@ std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
     return std::max(of_many, kFewestOfFew / std::max(beams, 1U));
 }
 
-/// How many beams stand for a sun.
-std::uint32_t beams_of(const BoundSource& sun) {
-    return sun.source_sampler->beam_direction() ? 1 : kDiskBeams;
-}
-
 /// What lines may cost for each path of a sun. Where they would cost more there are fewer of them;
 /// where too few are left, or where so many triangles are projected for so few paths, the sun is
 /// traced from itself, which then leaves the smaller errors for its time (docs/theory/choosing.md).
@@ -93,6 +88,10 @@ double measured_organs(const Scene& scene) {
 }
 
 }  // namespace
+
+std::uint32_t beams_of(const BoundSource& sun) {
+    return sun.source_sampler->beam_direction() ? 1 : kDiskBeams;
+}
 
 SamplingBudget::SamplingBudget(
     const PreparedScene& prepared,

@@ -11,6 +11,8 @@ namespace quasimc {
 
 /// Directions that stand for the disk of a sun.
 inline constexpr std::uint32_t kDiskBeams = 8;
+/// How many beams stand for a sun.
+[[nodiscard]] std::uint32_t beams_of(const BoundSource& sun);
 
 /// Part of the light from far away in one round: a beam that is cut into scan lines, or all skies.
 struct VisibilityTask {

@@ -167,15 +167,20 @@ TEST(Season, ClosesTheBudgetOfEachHour) {
     EXPECT_NEAR(season.hours[0].sunlit_fraction[0].mean, 1, .01);
 }
 
-/// The light straight from the sun is that of the hour alone, to the bit of its own run.
+/// The light straight from the sun is that of the hour, not of the directions about it.
 TEST(Season, LeavesTheSunsDirectLightToEachHour) {
-    const auto steps = [](double zenith) {
-        return std::vector<TimeStep>{hour_of({sun(zenith, {500, 500})})};
-    };
+    RunSpec spec = together();
+    spec.replicates = 32;
+    const double radian = std::acos(-1) / 180;
     for (const double zenith : {20., 23., 26.}) {
-        const SeasonResults season = compute_season(together(), steps(zenith));
-        const double lit = 500 * std::cos(zenith * std::acos(-1) / 180);
-        EXPECT_NEAR(season.hours[0].at(0, Quantity::incident_direct, 0).mean, lit, 1e-3 * lit);
+        const SeasonResults season = compute_season(spec, {hour_of({sun(zenith, {500, 500})})});
+        const Estimate& found = season.hours[0].at(0, Quantity::incident_direct, 0);
+        const auto is_at = [&](double of_zenith) {
+            const double lit = 500 * std::cos(of_zenith * radian);
+            return agrees(measured(found, 32), lit, .01 * lit);
+        };
+        EXPECT_TRUE(is_at(zenith));
+        EXPECT_FALSE(is_at(zenith + 4)) << "a control";
     }
 }
 

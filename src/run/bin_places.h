@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "quasimc/sums.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// The bins of light that is put together from several runs: a spectrum for each band, so that
+/// amounts of all of them can be added, and two levels of patches.
+[[nodiscard]] SumLayout common_layout(const Scene& scene);
+
+/// What a bin of common_layout() holds.
+struct BinPart {
+    enum class Kind { direct, scattered, sunlit, none };
+    Kind kind = Kind::none;
+    std::size_t band = 0;
+
+    [[nodiscard]] bool is_light() const { return kind == Kind::direct || kind == Kind::scattered; }
+};
+/// Of the bins of a region, then of those of the run.
+[[nodiscard]] std::vector<BinPart> bin_parts(const SumLayout& layout);
+
+/// Where bins stand in a response: part by part, the first bin of all regions, the second of all
+/// regions, ..., then those of the run.
+class BinPlaces {
+  public:
+    explicit BinPlaces(const SumLayout& layout)
+        : regions_(layout.regions), stride_(layout.stride()), tail_(regions_ * stride_) {}
+
+    [[nodiscard]] std::size_t of(std::size_t bin) const {
+        return bin < tail_ ? bin % stride_ * regions_ + bin / stride_ : bin;
+    }
+    /// Where a part begins, as bin_parts() counts them, and how many places it has.
+    [[nodiscard]] std::size_t first(std::size_t part) const {
+        return part < stride_ ? part * regions_ : tail_ + part - stride_;
+    }
+    [[nodiscard]] std::size_t count(std::size_t part) const {
+        return part < stride_ ? regions_ : 1;
+    }
+
+  private:
+    std::size_t regions_, stride_, tail_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,281 @@
+#include "run/light_sum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+namespace {
+
+/// Units of the light of a band that is emitted: sums of several times as much still fit.
+constexpr double kUnits = 1 << 28;
+
+/// `to` += the sum of kTerms terms, factor x value; each is read once for several sums.
+constexpr std::size_t kTerms = 4, kChunk = 512;
+using Chunks = std::array<std::array<double, kChunk>, kTerms>;
+
+void add_chunks(
+    const Chunks& chunks,
+    const std::array<double, kTerms>& factors,
+    std::size_t count,
+    double* to) {
+    for (std::size_t i = 0; i < count; ++i) {
+        to[i] += (factors[0] * chunks[0][i] + factors[1] * chunks[1][i]) +
+                 (factors[2] * chunks[2][i] + factors[3] * chunks[3][i]);
+    }
+}
+
+/// Bins of a replicate that stand side by side, and which amount of each response counts for them.
+struct BinStretch {
+    std::size_t replicate, first, count;
+    std::size_t amount, amounts;  // which of how many
+};
+
+/// Adds all responses to each of several sums.
+/// @param to  where the stretch begins in each
+void add_all(
+    std::span<const LightResponse> responses,
+    std::span<const std::vector<double>> amounts,
+    const BinStretch& bins,
+    std::span<double* const> to) {
+    std::vector<std::size_t> used;
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        if (!responses[k].bins.empty()) {
+            used.push_back(k);
+        }
+    }
+    Chunks chunks{};
+    for (std::size_t begin = 0; begin < bins.count; begin += kChunk) {
+        const std::size_t count = std::min(kChunk, bins.count - begin);
+        for (std::size_t next = 0; next < used.size(); next += kTerms) {
+            const std::size_t terms = std::min(kTerms, used.size() - next);
+            for (std::size_t k = 0; k < terms; ++k) {
+                const LightResponse& response = responses[used[next + k]];
+                std::copy_n(
+                    &response.bins[bins.replicate][bins.first + begin], count, chunks[k].data());
+            }
+            for (std::size_t i = 0; i < to.size(); ++i) {
+                std::array<double, kTerms> factors{};
+                for (std::size_t k = 0; k < terms; ++k) {
+                    factors[k] = amounts[i][used[next + k] * bins.amounts + bins.amount];
+                }
+                if (factors != std::array<double, kTerms>{}) {
+                    add_chunks(chunks, factors, count, to[i] + begin);
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+LightSum::LightSum(const SumLayout& layout, std::size_t replicates)
+    : layout_(layout),
+      bins_(replicates, std::vector<double>(layout.bins())),
+      emitted_(layout.bands) {}
+
+std::vector<LightSum> LightSum::combine(
+    std::span<const LightResponse> responses,
+    std::span<const std::vector<double>> amounts,
+    const LightSum& nothing,
+    unsigned threads) {
+    std::vector<LightSum> sums(amounts.size(), nothing);
+    const std::vector<BinPart> parts = bin_parts(nothing.layout_);
+    const BinPlaces places(nothing.layout_);
+    const std::size_t bands = nothing.layout_.bands;
+    parallel_blocks(
+        nothing.bins_.size() * parts.size(), threads, [&](std::uint64_t block, unsigned) {
+            const std::size_t replicate = block / parts.size();
+            const std::size_t p = block % parts.size();
+            if (!parts[p].is_light()) {
+                return;
+            }
+            std::vector<double*> to;
+            for (LightSum& sum : sums) {
+                to.push_back(&sum.bins_[replicate][places.first(p)]);
+            }
+            const std::size_t amount =
+                (parts[p].kind == BinPart::Kind::scattered ? bands : 0) + parts[p].band;
+            add_all(
+                responses, amounts,
+                {replicate, places.first(p), places.count(p), amount, 2 * bands}, to);
+        });
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        for (std::size_t k = 0; k < responses.size(); ++k) {
+            for (std::size_t b = 0; b < bands && !responses[k].bins.empty(); ++b) {
+                sums[i].emitted_[b] += amounts[i][2 * k * bands + b] * responses[k].emitted[b];
+            }
+        }
+    }
+    return sums;
+}
+
+void LightSum::add(const LightResponse& response, std::span<const double> amounts) {
+    std::vector<double> factors;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        const bool is_light = bin.is_light();
+        const std::size_t first = bin.kind == BinPart::Kind::scattered ? layout_.bands : 0;
+        factors.push_back(is_light ? amounts[first + bin.band] : 0);
+    }
+    add_parts(response, factors);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        emitted_[b] += amounts[b] * response.emitted[b];
+    }
+}
+
+void LightSum::add_suns(const LightResponse& response, double factor) {
+    std::vector<double> factors;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        const bool is_suns = bin.kind == BinPart::Kind::direct || bin.kind == BinPart::Kind::sunlit;
+        factors.push_back(is_suns ? factor : 0);
+    }
+    add_parts(response, factors);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        emitted_[b] += factor * response.emitted[b];
+    }
+}
+
+/// @param factors  of the bins of each region, then of those of the run
+void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
+    EXPECT(response.bins.size() == bins_.size());
+    const BinPlaces places(layout_);
+    for (std::size_t r = 0; r < bins_.size(); ++r) {
+        for (std::size_t part = 0; part < factors.size(); ++part) {
+            const float* from = &response.bins[r][places.first(part)];
+            double* to = &bins_[r][places.first(part)];
+            for (std::size_t i = 0; factors[part] != 0 && i < places.count(part); ++i) {
+                to[i] += factors[part] * static_cast<double>(from[i]);
+            }
+        }
+    }
+}
+
+LightSum& LightSum::operator+=(const LightSum& other) {
+    for (std::size_t r = 0; r < bins_.size(); ++r) {
+        for (std::size_t i = 0; i < bins_[r].size(); ++i) {
+            bins_[r][i] += other.bins_[r][i];
+        }
+    }
+    for (std::size_t b = 0; b < emitted_.size(); ++b) {
+        emitted_[b] += other.emitted_[b];
+    }
+    return *this;
+}
+
+void LightSum::raise(std::span<const double> parts) {
+    for (std::vector<double>& bins : bins_) {
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            bins[i] += parts[i] * bins[i];
+        }
+        const BinPlaces places(layout_);
+        const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) {
+                std::copy_n(
+                    &bins[places.of(from + i)], places.count(from + i), &bins[places.of(to + i)]);
+            }
+        };
+        // Bins of region 0 are parts.
+        copy(
+            layout_.scattered(0, SurfaceSide::upper),
+            layout_.coarse_scattered(0, SurfaceSide::upper), 2 * layout_.bands);
+        for (std::size_t b = 0; b < 3 * layout_.bands; ++b) {
+            bins[layout_.coarse_escaped() + b] = bins[layout_.escaped_scattered() + b];
+        }
+    }
+}
+
+LightSum LightSum::averaged() const {
+    LightSum average(layout_, 1);
+    average.emitted_ = emitted_;
+    const auto count = static_cast<double>(bins_.size());
+    for (const std::vector<double>& bins : bins_) {
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            average.bins_[0][i] += bins[i] / count;
+        }
+    }
+    return average;
+}
+
+LightSpread LightSum::spread(std::span<const double> errors) const {
+    const BinPlaces places(layout_);
+    const auto count = static_cast<double>(bins_.size());
+    LightSpread spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
+    std::vector<double> light(bins_.size());
+    for (std::size_t i = 0; i < layout_.regions * layout_.bands; ++i) {
+        const std::size_t band = i % layout_.bands;
+        std::fill(light.begin(), light.end(), 0);
+        double error = 0;
+        for (const SurfaceSide side : kSurfaceSides) {
+            const std::size_t region = i / layout_.bands;
+            for (const std::size_t place :
+                 {places.of(layout_.direct(region, side, band)),
+                  places.of(layout_.scattered(region, side) + band)}) {
+                for (std::size_t r = 0; r < light.size(); ++r) {
+                    light[r] += bins_[r][place];
+                    error += errors.empty() ? 0 : errors[place] * bins_[r][place] / count;
+                }
+            }
+        }
+        const Estimate found = estimate_mean(light);
+        spread.light[band] += found.mean;
+        spread.variance[band] += found.standard_error * found.standard_error + error * error;
+    }
+    return spread;
+}
+
+bool LightSum::is_dark() const {
+    return std::all_of(emitted_.begin(), emitted_.end(), [](double x) { return x == 0; });
+}
+
+/// @param units  light of a unit, by bin of a region and then of the run
+ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> units) const {
+    const std::size_t stride = layout_.stride();
+    const BinPlaces places(layout_);
+    ExactBins bins(layout_.bins());
+    const auto put = [&](std::size_t bin, double value, double unit) {
+        if (value != 0 && unit > 0) {
+            bins.add(bin, std::llround(value / unit * ExactBins::kStepsPerUnit));
+        }
+    };
+    for (std::size_t part = 0; part < units.size(); ++part) {
+        const double* values = &bins_[replicate][places.first(part)];
+        for (std::size_t i = 0; i < places.count(part); ++i) {
+            const std::size_t bin = part < stride ? i * stride + part : places.first(part);
+            put(bin, values[i], units[part]);
+        }
+    }
+    return bins;
+}
+
+Sums LightSum::sums(const Reading& reading) const {
+    Sums sums;
+    sums.layout = layout_;
+    sums.paths = reading.paths;
+    sums.samples = 1;
+    sums.emitted_flux = emitted_;
+    const auto paths = static_cast<double>(reading.paths);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        sums.units.flux.push_back(emitted_[b] / kUnits);
+        sums.units.flux_per_find.push_back(emitted_[b] / paths);
+        sums.spectra.emplace_back(layout_.bands);
+        sums.spectra.back()[b] = 1;
+    }
+    sums.units.sunlit_area = reading.sunlit_area / kUnits;
+    sums.units.sunlit_area_per_find = reading.sunlit_area / paths;
+    std::vector<double> units;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        const bool is_area = bin.kind == BinPart::Kind::sunlit;
+        units.push_back(is_area ? sums.units.sunlit_area : sums.units.flux[bin.band]);
+    }
+    for (std::size_t r = 0; r < bins_.size(); ++r) {
+        sums.replicates.push_back(exact_bins(r, units));
+    }
+    return sums;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,118 @@
+#include "solvers/sun_pixels.h"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/run.h"
+#include "samplers/catalogue.h"
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
+namespace {
+
+constexpr std::uint32_t kLooks = 32;
+
+/// Leaves over a floor, in a cell of 1 x 1 that goes on without end, or in the open.
+Scene leaves_over_floor(bool repeats) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .1, .1, 2));
+    for (const Triangle& leaf : random_leaves(20, .25, 1, 5)) {
+        builder.add_organ(organ("", "leaf", {leaf}));
+    }
+    builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, -.2)));
+    if (repeats) {
+        builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    }
+    return std::move(builder).build();
+}
+
+/// Two beams of different colours and a disk.
+Sources three_suns() {
+    return {
+        sun(20, {300, 200}), sun(50, {100, 300}),
+        make_sun_disk("disk", normalized(Vec3{-.4, .3, .8}), .27, {50, 80})};
+}
+
+std::vector<SunLight> looks(const PreparedScene& prepared, double pixels) {
+    RunSpec spec;
+    const auto sampler = make_sampler(spec.sampler);
+    const SunPixels suns({prepared, *sampler, spec}, pixels);
+    ItemBuffer buffer;
+    std::vector<SunLight> found;
+    for (std::uint32_t i = 0; i < kLooks; ++i) {
+        found.push_back(suns.find(i, buffer));
+    }
+    return found;
+}
+
+/// Scan lines tell the same far more exactly.
+Result by_lines(const Scene& scene, const Sources& suns) {
+    RunSpec spec = spec_of(Method::first_hits, 1 << 18);
+    spec.max_depth = 1;
+    return run(scene, suns, spec);
+}
+
+class SunPixelsOfStand : public ::testing::TestWithParam<bool> {};
+
+TEST_P(SunPixelsOfStand, SeeWhatScanLinesSee) {
+    const Scene scene = leaves_over_floor(GetParam());
+    const Sources suns = three_suns();
+    const PreparedScene prepared(
+        scene, suns, CrossSectionShape::silhouette,
+        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+    const std::vector<SunLight> found = looks(prepared, 400000);
+    const Result lines = by_lines(scene, suns);
+    ASSERT_EQ(scene.regions().size(), scene.organs().size());
+    for (std::size_t o = 0; o < scene.organs().size(); ++o) {
+        SCOPED_TRACE(o);
+        const double area = scene.organs()[o].area;
+        const auto agree = [&](const auto& value, const Estimate& expected, double most) {
+            std::vector<double> values;
+            for (const SunLight& light : found) {
+                values.push_back(value(light) / area);
+            }
+            EXPECT_TRUE(agrees(measured(values), measured(expected, kReplicates), .03 * most));
+        };
+        for (std::size_t b = 0; b < 2; ++b) {
+            agree(
+                [&](const SunLight& light) {
+                    return light.flux[4 * o + b] + light.flux[4 * o + 2 + b];
+                },
+                lines.at(o, Quantity::incident_direct, b), b == 0 ? 450 : 580);
+        }
+        agree(
+            [&](const SunLight& light) { return light.sunlit_area[o]; }, lines.sunlit_fraction[o],
+            1);
+    }
+    EXPECT_FALSE(agrees(
+        measured(lines.at(0, Quantity::incident_direct, 0), kReplicates),
+        1.2 * lines.at(0, Quantity::incident_direct, 0).mean, INFINITY))
+        << "a control";
+}
+
+TEST_P(SunPixelsOfStand, LoseNoLight) {
+    const Scene scene = leaves_over_floor(GetParam());
+    const Sources suns = three_suns();
+    const PreparedScene prepared(
+        scene, suns, CrossSectionShape::silhouette,
+        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+    for (const SunLight& light : looks(prepared, 1000)) {
+        for (std::size_t b = 0; b < 2; ++b) {
+            double sum = light.escaped[b];
+            for (std::size_t i = b; i < light.flux.size(); i += 2) {
+                sum += light.flux[i];
+            }
+            EXPECT_DOUBLE_EQ(light.emitted[b], prepared.flux()[b]);
+            EXPECT_NEAR(sum, light.emitted[b], 1e-12 * light.emitted[b]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SunPixelsOfStand, ::testing::Bool());
+
+}  // namespace
+}  // namespace quasimc::test
