@@ -36,6 +36,18 @@ struct BinStretch {
     std::size_t amount, amounts;  // which of how many
 };
 
+/// By how much some responses count.
+std::array<double, kTerms> factors_of(
+    std::span<const std::size_t> responses,
+    const std::vector<double>& amounts,
+    const BinStretch& bins) {
+    std::array<double, kTerms> factors{};
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        factors[k] = amounts[responses[k] * bins.amounts + bins.amount];
+    }
+    return factors;
+}
+
 /// Adds all responses to each of several sums.
 /// @param to  where the stretch begins in each
 void add_all(
@@ -60,10 +72,8 @@ void add_all(
                     &response.bins[bins.replicate][bins.first + begin], count, chunks[k].data());
             }
             for (std::size_t i = 0; i < to.size(); ++i) {
-                std::array<double, kTerms> factors{};
-                for (std::size_t k = 0; k < terms; ++k) {
-                    factors[k] = amounts[i][used[next + k] * bins.amounts + bins.amount];
-                }
+                const auto factors =
+                    factors_of(std::span(used).subspan(next, terms), amounts[i], bins);
                 if (factors != std::array<double, kTerms>{}) {
                     add_chunks(chunks, factors, count, to[i] + begin);
                 }
@@ -96,6 +106,7 @@ std::vector<LightSum> LightSum::combine(
                 return;
             }
             std::vector<double*> to;
+            to.reserve(sums.size());
             for (LightSum& sum : sums) {
                 to.push_back(&sum.bins_[replicate][places.first(p)]);
             }
@@ -207,19 +218,20 @@ LightSpread LightSum::spread(std::span<const double> errors) const {
     LightSpread spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
     std::vector<double> light(bins_.size());
     for (std::size_t i = 0; i < layout_.regions * layout_.bands; ++i) {
+        const std::size_t region = i / layout_.bands;
         const std::size_t band = i % layout_.bands;
+        std::vector<std::size_t> own;
+        for (const SurfaceSide side : kSurfaceSides) {
+            own.push_back(places.of(layout_.direct(region, side, band)));
+            own.push_back(places.of(layout_.scattered(region, side) + band));
+        }
         std::fill(light.begin(), light.end(), 0);
         double error = 0;
-        for (const SurfaceSide side : kSurfaceSides) {
-            const std::size_t region = i / layout_.bands;
-            for (const std::size_t place :
-                 {places.of(layout_.direct(region, side, band)),
-                  places.of(layout_.scattered(region, side) + band)}) {
-                for (std::size_t r = 0; r < light.size(); ++r) {
-                    light[r] += bins_[r][place];
-                    error += errors.empty() ? 0 : errors[place] * bins_[r][place] / count;
-                }
-            }
+        for (std::size_t k = 0; k < own.size() * light.size(); ++k) {
+            const std::size_t place = own[k % own.size()];
+            const double value = bins_[k / own.size()][place];
+            light[k / own.size()] += value;
+            error += errors.empty() ? 0 : errors[place] * value / count;
         }
         const Estimate found = estimate_mean(light);
         spread.light[band] += found.mean;

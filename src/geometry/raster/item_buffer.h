@@ -93,6 +93,7 @@ class ItemBuffer {
     void list_items();
     void add_sensor(std::uint32_t triangle);
 
+    BlockSpans block_spans_{};  // scratch, of a block
     DrawSpans* draw_spans_ = best_draw_spans();
     SpanLoops loops_ = best_span_loops();
     ProjectedScene scene_;
@@ -104,7 +105,6 @@ class ItemBuffer {
     std::vector<float> depths_;      // by pixel
     std::vector<std::int32_t> ids_;  // by pixel: in images_
     std::vector<PixelSpan> spans_;   // scratch, of one triangle
-    BlockSpans block_spans_{};       // scratch, of a block
     std::array<std::vector<PixelSpan>, kBlockLanes> lane_spans_;
     std::vector<std::uint32_t> ends_;  // scratch
     std::vector<Run> runs_;
