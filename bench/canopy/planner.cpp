@@ -46,7 +46,7 @@ double surest_mean(const Results& all, std::size_t organ, Quantity quantity) {
     double mean = 0;
     double error = std::numeric_limits<double>::infinity();
     for (const Result& result : all) {
-        if (result.organs() == 0) {
+        if (result.values.empty()) {
             continue;  // of a way that can't be
         }
         const Estimate& e = result.at(organ, quantity, 0);
