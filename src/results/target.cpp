@@ -62,17 +62,6 @@ Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t 
     return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
-/// The same with the error of patches. @param coarse  of sums with two levels of patches, that of
-/// the coarser; else null
-Estimate absorbed_flux(
-    const Sums& sums, const OrganReader& reader, const OrganReader* coarse, std::size_t band) {
-    const Estimate estimate = absorbed_flux(sums, reader, band);
-    return coarse == nullptr
-               ? estimate
-               : with_patch_error(
-                     estimate, estimate.mean - absorbed_flux(sums, *coarse, band).mean);
-}
-
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is. Where nothing was found, if what may be there is little beside what others get.
 /// @param absorbed  [band]
@@ -133,7 +122,11 @@ RoundErrors errors_so_far(
             const OrganReader reader(sums, scene, spec, organ);
             const OrganReader other(coarse, scene, spec, organ);
             for (std::size_t b = 0; b < bands; ++b) {
-                absorbed[b] = absorbed_flux(sums, reader, has_two ? &other : nullptr, b);
+                absorbed[b] = absorbed_flux(sums, reader, b);
+                if (has_two) {
+                    const double coarser = absorbed_flux(coarse, other, b).mean;
+                    absorbed[b] = with_patch_error(absorbed[b], absorbed[b].mean - coarser);
+                }
             }
             if (!organ.is_ground) {
                 const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);

@@ -163,8 +163,7 @@ double paths_per_organ(const Scene& scene, const RunSpec& spec) {
 /// The gain of equal shares from which on organs are better. From organs the light of a sun or a
 /// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
 /// @param bundles  whether bundles would find the light if points on organs don't
-double gain_asked(
-    const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
+double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
     const Scattering scattering = scattering_of(scene);
     const double peak = brightest_peak(scene);
     const bool is_small = lighting.sun || lighting.lamp;
