@@ -121,9 +121,9 @@ std::vector<Option> rows_of_paths() {
         sampler_option({"sampler", "", "point set that the paths are made from"}),
         choice_option<Method>(
             {"method", "",
-             "how light is followed: first_hits (sun, sky), light_tracing (lamps), from_organs "
-             "(few "
-             "or small ones measured); auto: the best of them, and why"},
+             "how light is followed: ray_bundles (sun and sky on matt surfaces), first_hits (sun, "
+             "sky), light_tracing (lamps), from_organs (few or small ones measured); auto: the "
+             "best of them, and why"},
             &RunSpec::method, names_of_methods()),
         integer_option(
             {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
