@@ -62,6 +62,23 @@ Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t 
     return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
+/// What a reader reads of sums.
+struct Level {
+    const Sums& sums;
+    const OrganReader& reader;
+};
+
+/// The same with the error of patches. @param coarse  of sums with two levels of patches, that of
+/// the coarser; else null
+Estimate absorbed_flux(const Level& fine, const Level* coarse, std::size_t band) {
+    const Estimate estimate = absorbed_flux(fine.sums, fine.reader, band);
+    if (coarse == nullptr) {
+        return estimate;
+    }
+    const Estimate coarser = absorbed_flux(coarse->sums, coarse->reader, band);
+    return with_patch_error(estimate, estimate.mean - coarser.mean);
+}
+
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is. Where nothing was found, if what may be there is little beside what others get.
 /// @param absorbed  [band]
@@ -121,12 +138,9 @@ RoundErrors errors_so_far(
             }
             const OrganReader reader(sums, scene, spec, organ);
             const OrganReader other(coarse, scene, spec, organ);
+            const Level coarser{coarse, other};
             for (std::size_t b = 0; b < bands; ++b) {
-                absorbed[b] = absorbed_flux(sums, reader, b);
-                if (has_two) {
-                    const double coarser = absorbed_flux(coarse, other, b).mean;
-                    absorbed[b] = with_patch_error(absorbed[b], absorbed[b].mean - coarser);
-                }
+                absorbed[b] = absorbed_flux({sums, reader}, has_two ? &coarser : nullptr, b);
             }
             if (!organ.is_ground) {
                 const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);

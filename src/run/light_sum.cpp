@@ -24,6 +24,9 @@ void add_chunks(
     const std::array<double, kTerms>& factors,
     std::size_t count,
     double* to) {
+    if (factors == std::array<double, kTerms>{}) {
+        return;  // most lights lack most responses
+    }
     for (std::size_t i = 0; i < count; ++i) {
         to[i] += (factors[0] * chunks[0][i] + factors[1] * chunks[1][i]) +
                  (factors[2] * chunks[2][i] + factors[3] * chunks[3][i]);
@@ -48,6 +51,21 @@ std::array<double, kTerms> factors_of(
     return factors;
 }
 
+/// Reads a chunk of responses.
+/// @param begin  of the chunk, in the stretch
+void read_chunks(
+    std::span<const LightResponse> responses,
+    std::span<const std::size_t> used,
+    const BinStretch& bins,
+    std::size_t begin,
+    std::size_t count,
+    Chunks& chunks) {
+    for (std::size_t k = 0; k < used.size(); ++k) {
+        const LightResponse& response = responses[used[k]];
+        std::copy_n(&response.bins[bins.replicate][bins.first + begin], count, chunks[k].data());
+    }
+}
+
 /// Adds all responses to each of several sums.
 /// @param to  where the stretch begins in each
 void add_all(
@@ -65,18 +83,10 @@ void add_all(
     for (std::size_t begin = 0; begin < bins.count; begin += kChunk) {
         const std::size_t count = std::min(kChunk, bins.count - begin);
         for (std::size_t next = 0; next < used.size(); next += kTerms) {
-            const std::size_t terms = std::min(kTerms, used.size() - next);
-            for (std::size_t k = 0; k < terms; ++k) {
-                const LightResponse& response = responses[used[next + k]];
-                std::copy_n(
-                    &response.bins[bins.replicate][bins.first + begin], count, chunks[k].data());
-            }
+            const auto terms = std::span(used).subspan(next, std::min(kTerms, used.size() - next));
+            read_chunks(responses, terms, bins, begin, count, chunks);
             for (std::size_t i = 0; i < to.size(); ++i) {
-                const auto factors =
-                    factors_of(std::span(used).subspan(next, terms), amounts[i], bins);
-                if (factors != std::array<double, kTerms>{}) {
-                    add_chunks(chunks, factors, count, to[i] + begin);
-                }
+                add_chunks(chunks, factors_of(terms, amounts[i], bins), count, to[i] + begin);
             }
         }
     }

@@ -452,10 +452,10 @@ Simulator::State::Traced Simulator::State::trace_rounds(
         keeper.finish(tracer);
     }
     const double before = few ? 0 : tracer.paths_before();
+    const double of_others = tracer.cpu_seconds_of_others();
     Sums sums = few ? std::move(*few) : std::move(tracer).take_sums();
-    return {
-        std::move(sums),  rounds.stop(), rounds.at_target(), before, tracer.cpu_seconds_of_others(),
-        std::move(errors)};
+    return {std::move(sums), rounds.stop(), rounds.at_target(),
+            before,          of_others,     std::move(errors)};
 }
 
 }  // namespace quasimc
