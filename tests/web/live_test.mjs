@@ -178,8 +178,7 @@ material = "leaf"
 shape = "triangle"
 corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
 `);
-  // The browser first: on a busy machine the run would end before the page is there.
-  const run = spawn("nice", ["-n", "19", quasimc, "run", "run.toml", "--view"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+  const run = spawn(quasimc, ["run", "run.toml", "--view"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
   let told = "";
   run.stderr.on("data", (bytes) => (told += bytes));
   const ended = new Promise((done) => run.once("exit", done));
