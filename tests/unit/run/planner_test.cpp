@@ -141,7 +141,7 @@ TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
 TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .1, .1));
-    constexpr int kLeaves = 1500;
+    constexpr int kLeaves = 500;
     for (int i = 0; i < kLeaves; ++i) {
         const double angle = M_PI * i / kLeaves;
         const Vec3 along{std::cos(angle), std::sin(angle), .5 * std::sin(7 * angle)};
