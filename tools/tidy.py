@@ -21,6 +21,7 @@ from pathlib import Path
 import changes
 
 ROOT = Path(__file__).resolve().parent.parent
+INCLUDE_ROOTS = (ROOT / "include", ROOT / "src", ROOT / "tests")
 FOLDERS = ("src", "apps", "python", "tests", "bench")
 # Three quarters of the time for what is seldom found; all files are checked for it by --full runs.
 QUICK_LESS = ("-clang-analyzer-*", "-performance-unnecessary-value-param")
@@ -76,7 +77,7 @@ def configuration_of(path):
 def includes_of(path, build):
     """A file and all of our headers below it."""
     seen = set()
-    our_includes(path, (ROOT / "src", ROOT / "tests", build / "generated"), seen)
+    our_includes(path, INCLUDE_ROOTS + (build / "generated",), seen)
     return seen
 
 

@@ -30,6 +30,13 @@ class AffectedBy(unittest.TestCase):
         self.assertEqual(tidy.affected_by({Path("/tree/README.md")}, READ_BY, ""), [])
 
 
+class IncludesOf(unittest.TestCase):
+    def test_public_and_private_headers(self):
+        found = tidy.includes_of(tidy.ROOT / "src/run/run.cpp", Path("/none"))
+        self.assertIn(tidy.ROOT / "include/quasimc/run.h", found)
+        self.assertIn(tidy.ROOT / "src/run/rounds.h", found)
+
+
 class Choose(unittest.TestCase):
     def choose(self, found, at_most=40):
         paths = [tidy.ROOT / f"src/f{i}.cpp" for i in range(100)]

@@ -8,6 +8,7 @@
 #include "io/input_files.h"
 #include "io/output_files.h"
 #include "io/results/read_light.h"
+#include "io/results/read_result.h"
 #include "netcdf/netcdf_writer.h"
 
 namespace {
@@ -48,8 +49,9 @@ void add_run(
 void convert_to_netcdf(
     const std::string& input, const std::string& output, const ValueChoice& choice) {
     refuse_choices(choice);
-    quasimc::StoredSweep stored = quasimc::read_result_sweep(input);
     const std::string text = quasimc::read_file(input);
+    quasimc::StoredSweep stored =
+        quasimc::read_result_text(text, input, quasimc::absolute_path(input).parent_path());
     quasimc::RunFile run = stored.runs.take(0);
     std::vector<quasimc::InputFile> inputs = run.inputs;
     inputs.push_back({input, input, "", 0, false});
@@ -59,7 +61,7 @@ void convert_to_netcdf(
         add_run(text, input, run, writer);
     } else {
         // Those of a sweep that was stopped are the first ones.
-        const std::vector<std::string_view> points = quasimc::point_texts(text);
+        const std::vector<std::string_view> points = quasimc::point_texts(text, input);
         for (std::size_t i = 0; i < points.size() && i < stored.runs.size(); ++i) {
             if (i > 0) {
                 run = stored.runs.take(i);

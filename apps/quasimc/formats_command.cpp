@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -9,27 +9,34 @@
 
 namespace {
 
+void print_row(
+    std::string_view name,
+    std::string_view extensions,
+    std::string_view ways,
+    std::string_view keeps,
+    std::string_view summary) {
+    fmt::print("{:<11} {:<11} {:<11} {:<43} {}\n", name, extensions, ways, keeps, summary);
+}
+
 Exit print_formats() {
-    fmt::print("geometry\n{:<11} {:<11} {:<11} {:<43} {}\n", "name", "extension", "", "keeps", "");
+    fmt::print("geometry\n");
+    print_row("name", "extension", "", "keeps", "");
     for (const quasimc::FormatEntry& format : quasimc::format_table()) {
-        fmt::print(
-            "{:<11} {:<11} {:<11} {:<43} {}\n", format.name, format.extensions,
-            format.write == nullptr ? "read" : "read, write",
+        print_row(
+            format.name, format.extensions, format.write == nullptr ? "read" : "read, write",
             format.keeps.empty() ? "-" : format.keeps, format.summary);
     }
     fmt::print("\nresults (quasimc convert RESULT.json OUT)\n");
     for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
-        fmt::print(
-            "{:<11} {:<11} {:<11} {:<43} {}\n", format.name, format.extension, "write",
-            "ids, every quantity and its error", format.summary);
+        print_row(
+            format.name, format.extension, "write", "ids, every quantity and its error",
+            format.summary);
     }
-    fmt::print(
-        "{:<11} {:<11} {:<11} {:<43} {}\n", "opf", ".opf", "write",
-        "the file, every quantity and its error",
+    print_row(
+        "opf", ".opf", "write", "the file, every quantity and its error",
         "into the OPF file that the run was made from, as attributes of its nodes");
-    fmt::print(
-        "{:<11} {:<11} {:<11} {:<43} {}\n", "nc", ".nc",
-        quasimc::has_netcdf() ? "write" : "not built in",
+    print_row(
+        "nc", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
         "names, labels, all times, points, errors",
         "NetCDF after the CF conventions for xarray, R and others");
     return Exit::done;

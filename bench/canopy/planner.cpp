@@ -105,7 +105,7 @@ double print_case(const Case& one, const Effort& effort) {
     }
     std::array<double, kWays.size()> merit{};
     for (std::size_t i = 0; i < kWays.size(); ++i) {
-        if (!can_run(kWays[i], scene)) {
+        if (results[i].values.empty()) {
             continue;
         }
         const double variance = variance_of_measured(scene, results[i], results);

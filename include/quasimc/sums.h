@@ -23,6 +23,11 @@ struct Estimate {
     double high = 0;
 };
 
+/// Of a number of which nothing is known: NaN in all places.
+inline constexpr Estimate kUnknownEstimate{
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
 /// The estimate of a number times `factor` >= 0.
 [[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
     return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};

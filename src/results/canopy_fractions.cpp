@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include "results/flows.h"
 #include "results/groups.h"
@@ -8,9 +7,6 @@
 
 namespace quasimc {
 namespace {
-
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr Estimate kNoFraction{kNotKnown, kNotKnown, kNotKnown, kNotKnown};
 
 const Organ* find_ground(const Scene& scene) {
     const auto found = std::find_if(
@@ -84,8 +80,8 @@ std::vector<CanopyFractions> evaluate_canopy(
         const FractionMaker maker(flows[b], std::move(incident));
         CanopyFractions& own = fractions[b];
         own = {
-            endless ? sums.emitted_flux[b] : maker.incident(), kNoFraction, kNoFraction,
-            maker.fraction(&Flows::organs), kNoFraction};
+            endless ? sums.emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
+            maker.fraction(&Flows::organs), kUnknownEstimate};
         if (ground != nullptr) {
             const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);
             own.reflectance = maker.fraction(endless ? &Flows::escaped : &Flows::escaped_scattered);
@@ -100,7 +96,7 @@ std::vector<CanopyFractions> dark_canopy(const Scene& scene) {
     const bool is_told = is_endless(scene) || find_ground(scene) != nullptr;
     return std::vector<CanopyFractions>(
         is_told ? scene.bands().size() : 0,
-        {0, kNoFraction, kNoFraction, kNoFraction, kNoFraction});
+        {0, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate});
 }
 
 }  // namespace quasimc

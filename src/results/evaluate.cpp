@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -62,13 +61,11 @@ class OrganEvaluator {
   private:
     /// An organ that nobody asked for.
     static void leave_out(std::size_t index, std::size_t ratios, Result& result) {
-        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-        constexpr Estimate kUnknown{kNone, kNone, kNone, kNone};
         const std::size_t values = kQuantities * result.bands;
-        std::fill_n(&result.values[index * values], values, kUnknown);
-        std::fill_n(result.ratio_values.begin() + index * ratios, ratios, kUnknown);
+        std::fill_n(&result.values[index * values], values, kUnknownEstimate);
+        std::fill_n(result.ratio_values.begin() + index * ratios, ratios, kUnknownEstimate);
         if (!result.sunlit_fraction.empty()) {
-            result.sunlit_fraction[index] = kUnknown;
+            result.sunlit_fraction[index] = kUnknownEstimate;
         }
     }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "base/parallel.h"
 #include "results/groups.h"
@@ -254,11 +253,8 @@ GroupResults evaluate_groups(
 }
 
 GroupResults dark_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     GroupResults dark = empty_groups(scene, spec, ratios);
-    std::fill(
-        dark.ratio_values.begin(), dark.ratio_values.end(),
-        Estimate{kUnknown, kUnknown, kUnknown, kUnknown});
+    std::fill(dark.ratio_values.begin(), dark.ratio_values.end(), kUnknownEstimate);
     return dark;
 }
 

@@ -17,8 +17,8 @@ namespace quasimc {
 namespace {
 
 /// Adds what an organ absorbs, per band, on the mean over the replicates.
-void add_absorbed(const Sums& sums, const OrganReader& reader, std::vector<double>& flux) {
-    const auto replicates = static_cast<std::uint32_t>(sums.replicates.size());
+void add_absorbed(const OrganReader& reader, std::vector<double>& flux) {
+    const std::uint32_t replicates = reader.replicates();
     for (std::size_t b = 0; b < flux.size(); ++b) {
         double sum = 0;
         for (std::uint32_t r = 0; r < replicates; ++r) {
@@ -39,7 +39,7 @@ std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const Evalu
         for (std::size_t i = first; i < last; ++i) {
             const Organ& organ = scene.organs()[i];
             if (is_measured(sums, organ)) {
-                add_absorbed(sums, OrganReader(sums, scene, spec, organ), flux);
+                add_absorbed(OrganReader(sums, scene, spec, organ), flux);
                 ++count;
             }
         }
@@ -54,29 +54,21 @@ std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const Evalu
 }
 
 /// What an organ absorbs in a band.
-Estimate absorbed_flux(const Sums& sums, const OrganReader& reader, std::size_t band) {
-    std::vector<double> absorbed(sums.replicates.size());
+Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
+    std::vector<double> absorbed(reader.replicates());
     for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
         absorbed[r] = reader.incident(r, band).absorbed;
     }
     return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
-/// What a reader reads of sums.
-struct Level {
-    const Sums& sums;
-    const OrganReader& reader;
-};
-
 /// The same with the error of patches. @param coarse  of sums with two levels of patches, that of
 /// the coarser; else null
-Estimate absorbed_flux(const Level& fine, const Level* coarse, std::size_t band) {
-    const Estimate estimate = absorbed_flux(fine.sums, fine.reader, band);
-    if (coarse == nullptr) {
-        return estimate;
-    }
-    const Estimate coarser = absorbed_flux(coarse->sums, coarse->reader, band);
-    return with_patch_error(estimate, estimate.mean - coarser.mean);
+Estimate absorbed_flux(const OrganReader& reader, const OrganReader* coarse, std::size_t band) {
+    const Estimate estimate = absorbed_flux(reader, band);
+    return coarse == nullptr
+               ? estimate
+               : with_patch_error(estimate, estimate.mean - absorbed_flux(*coarse, band).mean);
 }
 
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
@@ -138,9 +130,8 @@ RoundErrors errors_so_far(
             }
             const OrganReader reader(sums, scene, spec, organ);
             const OrganReader other(coarse, scene, spec, organ);
-            const Level coarser{coarse, other};
             for (std::size_t b = 0; b < bands; ++b) {
-                absorbed[b] = absorbed_flux({sums, reader}, has_two ? &coarser : nullptr, b);
+                absorbed[b] = absorbed_flux(reader, has_two ? &other : nullptr, b);
             }
             if (!organ.is_ground) {
                 const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);

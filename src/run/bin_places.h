@@ -19,6 +19,11 @@ struct BinPart {
     std::size_t band = 0;
 
     [[nodiscard]] bool is_light() const { return kind == Kind::direct || kind == Kind::scattered; }
+    /// Of light: the amount it is multiplied by, of those of direct light by band, then those of
+    /// scattered light.
+    [[nodiscard]] std::size_t amount(std::size_t bands) const {
+        return (kind == Kind::scattered ? bands : 0) + band;
+    }
 };
 /// Of the bins of a region, then of those of the run.
 [[nodiscard]] std::vector<BinPart> bin_parts(const SumLayout& layout);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/memory_need.h"
-#include "solvers/planner.h"
 
 namespace quasimc {
 
@@ -27,17 +26,6 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     }
     triangles_ = triangles;
     return caster_;
-}
-
-ChosenMethod plan_run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    KeptCaster& caster,
-    const std::stop_token& stop) {
-    return plan_method(scene, sources, spec, [&] {
-        return caster.caster_for(scene, spec.engine, stop)->crossings(stop).gave_up;
-    });
 }
 
 }  // namespace quasimc

@@ -5,9 +5,7 @@
 #include <stop_token>
 
 #include "geometry/cast/ray_caster.h"
-#include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 
@@ -29,14 +27,5 @@ class KeptCaster {
     Engine engine_ = Engine::embree;
     std::size_t builds_ = 0;
 };
-
-/// plan_method(), which asks the caster whether so many surfaces cross that bundles can't be used.
-/// @throws StopRequested, InputError  as KeptCaster does
-[[nodiscard]] ChosenMethod plan_run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    KeptCaster& caster,
-    const std::stop_token& stop);
 
 }  // namespace quasimc

@@ -120,11 +120,10 @@ std::vector<LightSum> LightSum::combine(
             for (LightSum& sum : sums) {
                 to.push_back(&sum.bins_[replicate][places.first(p)]);
             }
-            const std::size_t amount =
-                (parts[p].kind == BinPart::Kind::scattered ? bands : 0) + parts[p].band;
             add_all(
                 responses, amounts,
-                {replicate, places.first(p), places.count(p), amount, 2 * bands}, to);
+                {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands},
+                to);
         });
     for (std::size_t i = 0; i < sums.size(); ++i) {
         for (std::size_t k = 0; k < responses.size(); ++k) {
@@ -139,9 +138,7 @@ std::vector<LightSum> LightSum::combine(
 void LightSum::add(const LightResponse& response, std::span<const double> amounts) {
     std::vector<double> factors;
     for (const BinPart& bin : bin_parts(layout_)) {
-        const bool is_light = bin.is_light();
-        const std::size_t first = bin.kind == BinPart::Kind::scattered ? layout_.bands : 0;
-        factors.push_back(is_light ? amounts[first + bin.band] : 0);
+        factors.push_back(bin.is_light() ? amounts[bin.amount(layout_.bands)] : 0);
     }
     add_parts(response, factors);
     for (std::size_t b = 0; b < layout_.bands; ++b) {
@@ -189,11 +186,11 @@ LightSum& LightSum::operator+=(const LightSum& other) {
 }
 
 void LightSum::raise(std::span<const double> parts) {
+    const BinPlaces places(layout_);
     for (std::vector<double>& bins : bins_) {
         for (std::size_t i = 0; i < bins.size(); ++i) {
             bins[i] += parts[i] * bins[i];
         }
-        const BinPlaces places(layout_);
         const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
             for (std::size_t i = 0; i < count; ++i) {
                 std::copy_n(

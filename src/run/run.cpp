@@ -19,6 +19,7 @@
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/early_stop.h"
+#include "run/plan_run.h"
 #include "run/preview_teller.h"
 #include "run/round_tracer.h"
 #include "run/rounds.h"
@@ -170,6 +171,17 @@ std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
     return std::max(kFewest, std::bit_ceil(measured));
 }
 
+/// Has the other processes of a team prepare the run.
+void order_to_prepare(const RunControl& control, const RunSpec& spec) {
+    if (control.team != nullptr) {
+        static_cast<void>(control.team->order(
+            {.is_prepare = 1,
+             .point = control.team->point,
+             .moment = control.moment,
+             .first_paths = spec.paths}));
+    }
+}
+
 /// The result of the sums.
 Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& asked) {
     const double estimates = static_cast<double>(scene.organs().size()) * kQuantities *
@@ -257,6 +269,7 @@ Result Simulator::State::run(
     }
     try {
         const Clock::time_point start = Clock::now();
+        order_to_prepare(control, spec);
         ChosenMethod chosen = plan_run(scene, sources, spec, caster_, early.token());
         planned.method = chosen.method;
         Result result = trace(scene, sources, planned, control, early, start);
@@ -358,13 +371,6 @@ Result Simulator::State::trace(
     const RunControl& control,
     EarlyStop& early,
     Clock::time_point start) {
-    if (control.team != nullptr) {
-        static_cast<void>(control.team->order(
-            {.is_prepare = 1,
-             .point = control.team->point,
-             .moment = control.moment,
-             .first_paths = spec.paths}));
-    }
     const PreparedScene prepared = prepare(scene, sources, spec, early.token());
     if (prepared.lights().empty()) {
         return unlit_result(scene, spec);

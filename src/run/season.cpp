@@ -36,21 +36,20 @@ GroupResults without_fractions(GroupResults groups) {
 
 class Season {
   public:
-    explicit Season(const SeriesInput& input)
-        : in_(input), scene_(input.scene), spec_(input.spec), early_(input.stop) {
-        for (const Region& region : scene_.regions()) {
+    explicit Season(const SeriesInput& input) : in_(input), early_(input.stop) {
+        for (const Region& region : in_.scene.regions()) {
             area_ += region.area;
         }
-        if (spec_.max_seconds > 0) {
-            early_.set_limit(spec_.max_seconds);
+        if (in_.spec.max_seconds > 0) {
+            early_.set_limit(in_.spec.max_seconds);
         }
         number_traces();
     }
 
     SeriesSummary run() {
         prepare();
-        day_.emplace(*basis_, spec_.replicates);
-        total_.emplace(*basis_, spec_.replicates);
+        day_.emplace(*basis_, in_.spec.replicates);
+        total_.emplace(*basis_, in_.spec.replicates);
         walk_series(
             in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
             summary_);
@@ -99,11 +98,11 @@ class Season {
     void prepare() {
         try {
             basis_.emplace(
-                in_.simulator, scene_, in_.time_steps, spec_,
+                in_.simulator, in_.scene, in_.time_steps, in_.spec,
                 SeasonBasis::Control{
                     [this](double part) { tell_progress(kShareOfBasis * part); }, early_.token()});
             summary_.rays += basis_->rays();
-            suns_.emplace(in_.simulator, scene_, spec_, basis_->layout(), early_.token());
+            suns_.emplace(in_.simulator, in_.scene, in_.spec, basis_->layout(), early_.token());
             choose_pixels();
             tell_progress(kShareOfBasis);
         } catch (const Stopped&) {
@@ -137,7 +136,7 @@ class Season {
     /// As many times as memory may hold.
     [[nodiscard]] std::size_t window_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
-                            static_cast<double>(spec_.replicates);
+                            static_cast<double>(in_.spec.replicates);
         return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMostInWindow));
     }
 
@@ -188,7 +187,7 @@ class Season {
             ++summary_.methods[Method::ray_bundles];
         }
         if (in_.events.on_time_step) {
-            LightSum direct(basis_->layout(), spec_.replicates);
+            LightSum direct(basis_->layout(), in_.spec.replicates);
             if (suns) {
                 direct.add_suns(*suns, 1);
             }
@@ -203,9 +202,9 @@ class Season {
     /// How many paths may stand for the light of so many suns, of which pixels see as much at most.
     [[nodiscard]] std::uint64_t paths_of(std::size_t suns) const {
         const double pixels = suns_->pixels() * static_cast<double>(suns);
-        return suns == 0
-                   ? spec_.paths
-                   : static_cast<std::uint64_t>(std::min(pixels, static_cast<double>(spec_.paths)));
+        return suns == 0 ? in_.spec.paths
+                         : static_cast<std::uint64_t>(
+                               std::min(pixels, static_cast<double>(in_.spec.paths)));
     }
 
     /// @param sources  of the time; empty for sums over times
@@ -214,17 +213,17 @@ class Season {
         LightSum raised = light.averaged();
         light += suns;
         if (light.is_dark()) {
-            Result dark = dark_result(scene_, spec_);
+            Result dark = dark_result(in_.scene, in_.spec);
             dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
             return dark;
         }
         const std::size_t sunny = shining(sources, Shining::suns).size();
         const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
-        Result result = evaluate_run(light.sums(reading), scene_, spec_, sources);
+        Result result = evaluate_run(light.sums(reading), in_.scene, in_.spec, sources);
         raised.raise(basis_->errors());
         raised += suns.averaged();
         add_errors(
-            evaluate_run(coarser_sums(raised.sums(reading)), scene_, spec_, sources), result);
+            evaluate_run(coarser_sums(raised.sums(reading)), in_.scene, in_.spec, sources), result);
         result.chosen = {
             Method::ray_bundles,
             fmt::format(
@@ -247,12 +246,10 @@ class Season {
         if (in_.events.on_day) {
             in_.events.on_day(in_.time_steps[last].day, sum_of(*day_));
         }
-        day_.emplace(*basis_, spec_.replicates);
+        day_.emplace(*basis_, in_.spec.replicates);
     }
 
     const SeriesInput& in_;
-    const Scene& scene_;
-    const RunSpec& spec_;
     EarlyStop early_;
     Stopwatch watch_;
     double area_ = 0;

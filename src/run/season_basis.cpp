@@ -15,6 +15,8 @@
 #include "run/season_errors.h"
 #include "scene/repeat_bands.h"
 #include "solvers/bundle_budget.h"
+#include "solvers/patch_light.h"
+#include "solvers/patch_size.h"
 #include "sources/source.h"
 
 namespace quasimc {
@@ -26,7 +28,7 @@ constexpr std::uint32_t kRings = 9;
 constexpr std::size_t kLeftOut = 12;
 /// Lights that are solved for at once take about so much memory for each thread, and are at most so
 /// many.
-constexpr double kBatchBytes = 256e6, kBytesOfPatch = 64, kFewestPatchesOfTriangle = 4;
+constexpr double kBatchBytes = 256e6;
 constexpr std::size_t kMostInBatch = 64;
 
 /// How much light a time brings to the horizontal, all bands together.
@@ -148,10 +150,8 @@ class SeasonBasis::Solving {
     };
 
     [[nodiscard]] std::size_t batch() const {
-        const double patches = std::max(
-            patches_for(spec_.paths),
-            kFewestPatchesOfTriangle * static_cast<double>(scene_.triangle_count()));
-        const double each = kBytesOfPatch * patches * static_cast<double>(scene_.bands().size());
+        const double patches = patch_size(scene_, patches_for(spec_.paths)).count;
+        const double each = bytes_of_patch_light(patches, scene_.bands().size());
         const auto fit = static_cast<std::size_t>(kBatchBytes / each);
         return std::clamp<std::size_t>(fit, 1, kMostInBatch);
     }

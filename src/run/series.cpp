@@ -51,18 +51,12 @@ class SeriesRun {
   public:
     explicit SeriesRun(const SeriesInput& input)
         : in_(input),
-          simulator_(input.simulator),
-          scene_(input.scene),
-          time_steps_(input.time_steps),
-          spec_(input.spec),
-          events_(input.events),
-          stop_(input.stop),
-          plans_(plan_traces(scene_, time_steps_, spec_)),
-          shared_(simulator_, scene_, time_steps_, plans_, spec_, events_) {
-        groups_.groups = make_groups(scene_, group_spec(spec_));
-        groups_.bands = scene_.bands().size();
+          plans_(plan_traces(in_.scene, in_.time_steps, in_.spec)),
+          shared_(in_.simulator, in_.scene, in_.time_steps, plans_, in_.spec, in_.events) {
+        groups_.groups = make_groups(in_.scene, group_spec(in_.spec));
+        groups_.bands = in_.scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
-        for (std::size_t i = 0; i < time_steps_.size(); ++i) {
+        for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
             effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
                 last_use_[plans_[i].traced] = i;
@@ -74,10 +68,10 @@ class SeriesRun {
         walk_series(
             in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
             summary_);
-        if (summary_.done < time_steps_.size()) {
-            add_to_total(time_steps_.size());
+        if (summary_.done < in_.time_steps.size()) {
+            add_to_total(in_.time_steps.size());
         }
-        if (events_.wants_total) {
+        if (in_.events.wants_total) {
             summary_.total = sum_of(total_);
         }
         summary_.seconds = seconds();
@@ -100,15 +94,15 @@ class SeriesRun {
     /// @throws Stopped  before there is a result of a moment
     void compute(std::size_t i) {
         const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
-        if (i > 0 && (stop_.stop_requested() || (needs_trace && is_time_up()))) {
+        if (i > 0 && (in_.stop.stop_requested() || (needs_trace && is_time_up()))) {
             throw Stopped(
-                stop_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up, "");
+                in_.stop.stop_requested() ? StopReason::interrupted : StopReason::time_is_up, "");
         }
         trace(i);
     }
 
     [[nodiscard]] bool is_time_up() const {
-        return spec_.max_seconds > 0 && seconds() >= spec_.max_seconds;
+        return in_.spec.max_seconds > 0 && seconds() >= in_.spec.max_seconds;
     }
 
     void trace(std::size_t i) {
@@ -116,12 +110,12 @@ class SeriesRun {
         if (plan.traced == i && plan.factor > 0) {
             kept_[i].result = trace_one(i);
         }
-        const TimeStep& time_step = time_steps_[i];
+        const TimeStep& time_step = in_.time_steps[i];
         day_.add_seconds(time_step.seconds);
         total_.add_seconds(time_step.seconds);
         if (plan.factor == 0) {
             if (!dark_) {
-                dark_ = dark_result(scene_, spec_);
+                dark_ = dark_result(in_.scene, in_.spec);
             }
             tell(i, *dark_);
             return;
@@ -131,38 +125,38 @@ class SeriesRun {
         kept.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
             tell(i, kept.result);
-        } else if (events_.on_time_step) {
+        } else if (in_.events.on_time_step) {
             tell(i, scaled(kept.result, plan.factor));
         }
     }
 
     void tell(std::size_t i, const Result& result) {
-        if (events_.on_time_step) {
-            events_.on_time_step(i, result, plans_[i].factor > 0 ? plans_[i].traced : i);
+        if (in_.events.on_time_step) {
+            in_.events.on_time_step(i, result, plans_[i].factor > 0 ? plans_[i].traced : i);
         }
     }
 
     Result trace_one(std::size_t i) {
-        RunSpec spec = trace_spec(spec_, plans_[i], summary_.traced);
+        RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
         // Without any time there would be no result at all.
         constexpr double kForFirst = 1;
         RunControl control{
             .on_progress = progress_of(i),
-            .stop = stop_,
+            .stop = in_.stop,
             .seconds_after_stop = i == 0 ? kForFirst : 0,
-            .checkpoint = events_.checkpoint,
-            .team = events_.team,
+            .checkpoint = in_.events.checkpoint,
+            .team = in_.events.team,
             .moment = i,
-            .preview = events_.preview};
+            .preview = in_.events.preview};
         share_time(plans_[i].effort, spec, control);
         std::optional<Sums> given;
-        if (events_.sums_of) {
-            given = events_.sums_of(i);
+        if (in_.events.sums_of) {
+            given = in_.events.sums_of(i);
             control.sums = &*given;
         }
-        Result result = shared_.has(i)
-                            ? run_shared(i, spec, control)
-                            : simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        Result result =
+            shared_.has(i) ? run_shared(i, spec, control)
+                           : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
@@ -190,13 +184,13 @@ class SeriesRun {
         control.team = nullptr;
         std::optional<TracedRun> traced = shared_.take(i, control);
         if (!traced) {
-            return simulator_.run(scene_, time_steps_[i].sources, spec, control);
+            return in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
         }
         const double waited = watch.seconds();
         const RunCheckpoint checkpoint =
-            checkpoint_of(std::move(traced->state), events_.checkpoint);
+            checkpoint_of(std::move(traced->state), in_.events.checkpoint);
         control.checkpoint = &checkpoint;
-        Result result = simulator_.run(scene_, time_steps_[i].sources, spec, control);
+        Result result = in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
         result.paths_before = 0;
         result.trace_seconds += waited;
         result.trace_cpu_seconds += traced->cpu_seconds;
@@ -208,45 +202,45 @@ class SeriesRun {
 
     /// Gives a trace its share of the time that is left. Its first paths may take all of it.
     void share_time(double effort, RunSpec& spec, RunControl& control) const {
-        if (spec_.max_seconds == 0 || time_steps_.size() == 1) {
+        if (in_.spec.max_seconds == 0 || in_.time_steps.size() == 1) {
             return;
         }
         constexpr double kGrace = 0.25;
         constexpr double kLeast = 1e-3;
-        const double left = std::max(spec_.max_seconds - seconds(), kLeast);
+        const double left = std::max(in_.spec.max_seconds - seconds(), kLeast);
         spec.max_seconds = left * effort / std::max(effort, effort_left_);
         control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
     /// Progress of the series: traces take about equally long.
     [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
-        if (!events_.on_progress) {
+        if (!in_.events.on_progress) {
             return {};
         }
         return [this, i](const Progress& own) {
             const auto before = static_cast<double>(i);
             const double fraction =
-                (before + own.fraction) / static_cast<double>(time_steps_.size());
-            events_.on_progress(
+                (before + own.fraction) / static_cast<double>(in_.time_steps.size());
+            in_.events.on_progress(
                 {fraction, seconds(), seconds() / fraction, own.fraction_at_target});
         };
     }
 
     [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
-        const std::size_t bands = scene_.bands().size();
-        return adder.sum(bands, scene_.organs().size() * kQuantities * bands, groups_);
+        const std::size_t bands = in_.scene.bands().size();
+        return adder.sum(bands, in_.scene.organs().size() * kQuantities * bands, groups_);
     }
 
     void finish_day(std::size_t last) {
         for (auto& [i, kept] : kept_) {
-            if (events_.on_day && kept.day_weight > 0) {
+            if (in_.events.on_day && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
             }
         }
         add_to_total(last);
-        if (events_.on_day) {
-            events_.on_day(time_steps_[last].day, sum_of(day_));
+        if (in_.events.on_day) {
+            in_.events.on_day(in_.time_steps[last].day, sum_of(day_));
         }
         day_ = {};
     }
@@ -256,7 +250,7 @@ class SeriesRun {
         for (auto it = kept_.begin(); it != kept_.end();) {
             const Kept& kept = it->second;
             const bool is_needed = last_use_[it->first] > last;
-            if (events_.wants_total && !is_needed && kept.total_weight > 0) {
+            if (in_.events.wants_total && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
             it = is_needed ? std::next(it) : kept_.erase(it);
@@ -266,12 +260,6 @@ class SeriesRun {
     using Clock = std::chrono::steady_clock;
 
     const SeriesInput& in_;
-    Simulator& simulator_;
-    const Scene& scene_;
-    const std::vector<TimeStep>& time_steps_;
-    const RunSpec& spec_;
-    const SeriesEvents& events_;
-    std::stop_token stop_;
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
     SharedSeries shared_;

@@ -68,6 +68,12 @@ struct LitBands {
 /// @param weights  of all bands
 [[nodiscard]] LitBands lit_bands(std::span<const double> weights);
 
+/// Memory that the light on and from so many patches takes, about.
+[[nodiscard]] constexpr double bytes_of_patch_light(double patches, std::size_t bands) {
+    constexpr double kBytesEach = 64;
+    return kBytesEach * patches * static_cast<double>(bands);
+}
+
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///

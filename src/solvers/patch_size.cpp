@@ -30,14 +30,19 @@ double patch_of(const Organ& organ, double usual) {
     return std::min(organ.area / (kPatchesPerTriangle * organ.triangle_count), usual);
 }
 
-bool are_alike(const Scene& scene, double area, double usual) {
+double count_patches(const Scene& scene, double usual) {
     double patches = 0;
     for (const Organ& organ : scene.organs()) {
         patches += organ.area > 0 ? organ.area / patch_of(organ, usual) : 0;
     }
+    return patches;
+}
+
+/// @param mean  area of a patch
+bool are_alike(const Scene& scene, double mean, double usual) {
     double small = 0;
     for (const Organ& organ : scene.organs()) {
-        if (organ.area > 0 && kMuchSmaller * patch_of(organ, usual) * patches < area) {
+        if (organ.area > 0 && kMuchSmaller * patch_of(organ, usual) < mean) {
             if (organ.triangle_count > kTrianglesOfFlat) {
                 return false;
             }
@@ -58,7 +63,7 @@ PatchSize patch_size(const Scene& scene, double most) {
     }
     const double typical = median_measured_area(scene);
     if (!(area > 0 && typical > 0)) {
-        return {1 / std::max(1.0, most)};
+        return {1 / std::max(1.0, most), std::max(1.0, most)};
     }
     const double for_shadows =
         std::max(typical / kPatchesPerOrgan, area / (kMostTimes * kPatchesPerTriangle * triangles));
@@ -67,7 +72,8 @@ PatchSize patch_size(const Scene& scene, double most) {
         std::all_of(scene.organs().begin(), scene.organs().end(), [&](const Organ& organ) {
             return !(organ.area > 0 && patch_of(organ, usual) > typical / kFewestPerOrgan);
         });
-    return {usual / area, holds, are_alike(scene, area, usual)};
+    const double count = count_patches(scene, usual);
+    return {usual / area, count, holds, are_alike(scene, area / count, usual)};
 }
 
 }  // namespace quasimc

@@ -48,12 +48,7 @@ struct Flow {
 class RayBundles final : public Solver {
   public:
     explicit RayBundles(const SolverInput& input)
-        : input_(input),
-          prepared_(input.prepared),
-          spec_(input.spec),
-          stop_(input.stop),
-          beams_(input, ScatteredBy::bundles),
-          runner_(input) {}
+        : input_(input), beams_(input, ScatteredBy::bundles), runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
@@ -129,7 +124,7 @@ class RayBundles final : public Solver {
         std::vector<double> left = first.scattered;
         std::uint64_t stretches = 0;
         for (std::uint64_t order = 1; !is_last(order, left, first.scattered); ++order) {
-            throw_if_stopped(stop_);
+            throw_if_stopped(input_.stop);
             const BundleGroup group = budget.group(left, key_of(task, order));
             stretches += scratch.exchange->exchange(
                 group, threads(), light, [&](const Vec3& direction, std::span<const double> flux) {
@@ -151,10 +146,10 @@ class RayBundles final : public Solver {
 
     [[nodiscard]] std::unique_ptr<PatchLight> make_light() const {
         const std::size_t patches = cut_->scene.patches.count();
-        constexpr double kBytesEach = 64;
+        const std::size_t bands = input_.prepared.bands();
         return make_big(
-            fmt::format("the light of {} patches in {} bands", patches, prepared_.bands()),
-            kBytesEach * static_cast<double>(patches * prepared_.bands()),
+            fmt::format("the light of {} patches in {} bands", patches, bands),
+            bytes_of_patch_light(static_cast<double>(patches), bands),
             [&] { return std::make_unique<PatchLight>(cut_->scene); });
     }
 
@@ -167,13 +162,13 @@ class RayBundles final : public Solver {
         for (std::size_t c = 0; c < left.size(); ++c) {
             is_little = is_little && left[c] <= kLeft * first[c];
         }
-        return is_little || (spec_.max_depth > 0 && order >= spec_.max_depth);
+        return is_little || (input_.spec.max_depth > 0 && order >= input_.spec.max_depth);
     }
 
     [[nodiscard]] std::uint64_t key_of(
         const DirectOnPatches::Task& task, std::uint64_t order) const {
         const Stream stream{
-            spec_.seed, kBundleSequence + order, task.replicate, task.round.first,
+            input_.spec.seed, kBundleSequence + order, task.replicate, task.round.first,
             task.round.count};
         return stream_key(stream, task.round.first, 0);
     }
@@ -189,21 +184,21 @@ class RayBundles final : public Solver {
             fixed.push_back(to_fixed(flux[c]));
             flow.escaped[c] += fixed[c];
         }
-        const auto& detectors = prepared_.detectors();
+        const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
             detectors[i]->on_escape(
-                direction, std::span(fixed).first(prepared_.bands()), tally.layout().detector(i),
-                tally);
+                direction, std::span(fixed).first(input_.prepared.bands()),
+                tally.layout().detector(i), tally);
         }
     }
 
     /// What went out is what came to surfaces, escaped or was cut off: exactly.
     void add_sums(const PatchLight& light, const Flow& flow, Tally& tally) const {
         const SumLayout& layout = tally.layout();
-        const std::size_t bands = prepared_.bands();
+        const std::size_t bands = input_.prepared.bands();
         std::vector<std::int64_t> out(light.columns());
         for (std::uint32_t region = 0; region < layout.regions; ++region) {
-            const bool is_opaque = !prepared_.material(region).is_transparent();
+            const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 const std::span<const double> sum = light.sum(region, side);
                 for (std::size_t b = 0; b < bands; ++b) {
@@ -238,9 +233,6 @@ class RayBundles final : public Solver {
     }
 
     SolverInput input_;
-    const PreparedScene& prepared_;
-    const RunSpec& spec_;
-    std::stop_token stop_;
     DirectBeams beams_;
     BlockRunner<Scratch> runner_;
     std::unique_ptr<Cut> cut_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solvers/bundle_budget.h"
+#include "solvers/patch_light.h"
 #include "solvers/patch_size.h"
 
 namespace quasimc {
@@ -14,9 +15,9 @@ constexpr double kFewestPathsPerTriangle = 0.2;
 /// Of few organs each has so many paths that first hits leave less of an error than patches do.
 constexpr double kMostPathsPerOrgan = 1000;
 constexpr std::size_t kFewestOrgans = 16;
-/// Beyond this the light of all patches takes more memory than is spent unasked: .25 GB for each
-/// replicate at work.
-constexpr double kMostTrianglesTimesBands = 1e6;
+/// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
+/// at work.
+constexpr double kMostBytes = 256e6;
 
 bool is_matt(const Side& side) {
     return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
@@ -47,12 +48,12 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
     const auto paths = static_cast<double>(spec.paths);
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
-        return size.holds_shadows && size.are_alike;
+        return size.holds_shadows && size.are_alike &&
+               bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytes;
     };
     return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
-           paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) &&
-           triangles * static_cast<double>(scene.bands().size()) <= kMostTrianglesTimesBands &&
-           is_matt(scene) && has_good_patches();
+           paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&
+           has_good_patches();
 }
 
 }  // namespace quasimc

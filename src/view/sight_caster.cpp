@@ -40,14 +40,14 @@ Reach reach_of(
     return reach;
 }
 
-/// A line of sight of a packet: which place it belongs to, and how long it is, local units.
-struct SightInBox {
-    std::size_t place = 0;
-    Vec3 direction;
+}  // namespace
+
+/// The part of a line of sight that lies in the box: where it starts and how long it is, local
+/// units.
+struct SightCaster::Sight {
+    Vec3 start, direction;
     double length = 0;
 };
-
-}  // namespace
 
 SightCaster::SightCaster(
     const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts)
@@ -62,61 +62,66 @@ SightCaster::SightCaster(
     box_.add(box_.high + more);
 }
 
-std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
+std::optional<SightCaster::Sight> SightCaster::sight(const PixelPlace& place) const {
     const Camera::SightLine line = camera_.through(place);
     const Reach reach = reach_of(line, box_, cuts_);
     if (!(reach.near < reach.far)) {
         return std::nullopt;
     }
     const LocalMesh& mesh = caster_.mesh();
-    const Vec3 start = mesh.to_local(line.origin + reach.near * line.direction);
-    const CastHit cast = caster_.cast(start, line.direction, kNoTriangle);
-    const double length = (reach.far - reach.near) * mesh.scale;
-    if (cast.end != RayEnd::hit || double{cast.hit.t} > length) {
+    return Sight{
+        mesh.to_local(line.origin + reach.near * line.direction), line.direction,
+        (reach.far - reach.near) * mesh.scale};
+}
+
+std::optional<SeenHit> SightCaster::seen(const Sight& sight, RayEnd end, const Hit& hit) const {
+    if (end != RayEnd::hit || double{hit.t} > sight.length) {
         return std::nullopt;
     }
-    return SeenHit{
-        cast.hit, scene_.region_of(caster_.source(cast.hit.triangle)).value, line.direction};
+    return SeenHit{hit, scene_.region_of(caster_.source(hit.triangle)).value, sight.direction};
+}
+
+std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
+    const std::optional<Sight> line = sight(place);
+    if (!line) {
+        return std::nullopt;
+    }
+    const CastHit cast = caster_.cast(line->start, line->direction, kNoTriangle);
+    return seen(*line, cast.end, cast.hit);
 }
 
 std::array<std::optional<SeenHit>, kPacket> SightCaster::look(
     std::span<const PixelPlace> places) const {
     EXPECT(places.size() <= kPacket);
-    const LocalMesh& mesh = caster_.mesh();
     Packet packet{};
-    std::array<SightInBox, kPacket> sights;
+    std::array<Sight, kPacket> sights;
+    std::array<std::size_t, kPacket> place_of{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const Camera::SightLine line = camera_.through(places[i]);
-        const Reach reach = reach_of(line, box_, cuts_);
-        if (!(reach.near < reach.far)) {
-            continue;
+        if (const std::optional<Sight> line = sight(places[i])) {
+            packet.origin_x[count] = static_cast<float>(line->start.x);
+            packet.origin_y[count] = static_cast<float>(line->start.y);
+            packet.origin_z[count] = static_cast<float>(line->start.z);
+            packet.direction_x[count] = static_cast<float>(line->direction.x);
+            packet.direction_y[count] = static_cast<float>(line->direction.y);
+            packet.direction_z[count] = static_cast<float>(line->direction.z);
+            sights[count] = *line;
+            place_of[count++] = i;
         }
-        const Vec3 start = mesh.to_local(line.origin + reach.near * line.direction);
-        packet.origin_x[count] = static_cast<float>(start.x);
-        packet.origin_y[count] = static_cast<float>(start.y);
-        packet.origin_z[count] = static_cast<float>(start.z);
-        packet.direction_x[count] = static_cast<float>(line.direction.x);
-        packet.direction_y[count] = static_cast<float>(line.direction.y);
-        packet.direction_z[count] = static_cast<float>(line.direction.z);
-        sights[count++] = {i, line.direction, (reach.far - reach.near) * mesh.scale};
     }
     std::array<RayEnd, kPacket> ends{};
     caster_.cast(packet, count, ends);
-    std::array<std::optional<SeenHit>, kPacket> seen;
+    std::array<std::optional<SeenHit>, kPacket> found;
     for (std::size_t k = 0; k < count; ++k) {
-        if (ends[k] == RayEnd::hit && double{packet.t[k]} <= sights[k].length) {
-            const Hit hit{
-                packet.triangle[k],
-                packet.t[k],
-                packet.u[k],
-                packet.v[k],
-                {packet.normal_x[k], packet.normal_y[k], packet.normal_z[k]}};
-            const std::uint32_t region = scene_.region_of(caster_.source(hit.triangle)).value;
-            seen[sights[k].place] = SeenHit{hit, region, sights[k].direction};
-        }
+        const Hit hit{
+            packet.triangle[k],
+            packet.t[k],
+            packet.u[k],
+            packet.v[k],
+            {packet.normal_x[k], packet.normal_y[k], packet.normal_z[k]}};
+        found[place_of[k]] = seen(sights[k], ends[k], hit);
     }
-    return seen;
+    return found;
 }
 
 }  // namespace quasimc

@@ -39,6 +39,12 @@ class SightCaster {
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 
   private:
+    struct Sight;
+    /// Nothing if the line misses the box.
+    [[nodiscard]] std::optional<Sight> sight(const PixelPlace& place) const;
+    /// What it sees if its ray ended so.
+    [[nodiscard]] std::optional<SeenHit> seen(const Sight& sight, RayEnd end, const Hit& hit) const;
+
     const Scene& scene_;
     const Camera& camera_;
     const std::vector<CutPlane>& cuts_;

@@ -310,7 +310,7 @@ TEST_F(Batch, AnswersQueriesBeforeAnyOrderToExit) {
     }
 }
 
-/// A hundred thousand corners: what looks at all of them for each triangle takes hours.
+/// Tens of thousands of corners: what looks at all of them for each triangle takes an hour.
 TEST_F(Batch, TakesAPolygonOfVeryManyCorners) {
     constexpr int kCorners = 30000;
     Corners circle;

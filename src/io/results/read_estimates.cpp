@@ -1,7 +1,6 @@
 #include "io/results/read_estimates.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "io/results/result_lists.h"
@@ -13,7 +12,6 @@ std::vector<std::vector<TimedEstimates>> read_estimate_columns(
     const std::string& path,
     const EstimateQuery& query,
     const std::vector<EstimateNames>& columns) {
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
     const EstimateTree tree(columns);
     std::vector<std::vector<TimedEstimates>> times(columns.size());
     const auto visit = [&](const ResultListPlace& place, JsonScanner& json) {
@@ -26,7 +24,7 @@ std::vector<std::vector<TimedEstimates>> read_estimate_columns(
         }
         tree.read(json, [&](std::size_t index, std::size_t column, const Estimate& estimate) {
             std::vector<Estimate>& values = times[column].back().values;
-            values.resize(std::max(values.size(), index + 1), {unknown, unknown, unknown, unknown});
+            values.resize(std::max(values.size(), index + 1), kUnknownEstimate);
             values[index] = estimate;
         });
     };

@@ -1,27 +1,15 @@
 #include "io/results/read_light.h"
 
-#include <limits>
 #include <optional>
 #include <utility>
 
+#include "io/results/json_scanner.h"
 #include "io/results/read_estimates.h"
 #include "io/results/written.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr Estimate kUnknown{kNaN, kNaN, kNaN, kNaN};
-
-/// The end of a JSON text that begins at a quotation mark.
-std::size_t end_of_json_text(std::string_view text, std::size_t begin) {
-    std::size_t i = begin + 1;
-    while (i < text.size() && text[i] != '"') {
-        i += text[i] == '\\' ? 2 : 1;
-    }
-    return i;
-}
 
 /// Which estimates of a result are read, and where they stand in a Result.
 class LightColumns {
@@ -55,9 +43,9 @@ class LightColumns {
         result.values = light(values);
         if (values[light_] != nullptr) {
             result.sunlit_fraction = *values[light_];
-            result.sunlit_fraction.resize(organs, kUnknown);
+            result.sunlit_fraction.resize(organs, kUnknownEstimate);
         }
-        result.ratio_values.assign(organs * result.ratios, kUnknown);
+        result.ratio_values.assign(organs * result.ratios, kUnknownEstimate);
         for (std::size_t i = 0; i < result.ratios; ++i) {
             const std::vector<Estimate>* column = values[light_ + 1 + i];
             for (std::size_t organ = 0; column != nullptr && organ < column->size(); ++organ) {
@@ -71,7 +59,8 @@ class LightColumns {
     [[nodiscard]] std::vector<Estimate> light(
         const std::vector<const std::vector<Estimate>*>& values) const {
         const std::size_t bands = run_.scene.bands().size();
-        std::vector<Estimate> all(run_.scene.organs().size() * kQuantities * bands, kUnknown);
+        std::vector<Estimate> all(
+            run_.scene.organs().size() * kQuantities * bands, kUnknownEstimate);
         std::size_t number = 0;
         for (const std::size_t b : written_.bands) {
             for (const QuantityEntry& entry : written_.quantities) {
@@ -127,29 +116,16 @@ class TimedColumns {
 
 }  // namespace
 
-std::vector<std::string_view> point_texts(std::string_view text) {
+std::vector<std::string_view> point_texts(std::string_view text, const std::string& path) {
     std::vector<std::string_view> points;
-    std::string_view key;
-    bool in_points = false;
-    std::size_t depth = 0, begin = 0;
-    constexpr std::size_t kPoint = 3;  // in the list in the object
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"') {
-            const std::size_t end = end_of_json_text(text, i);
-            key = depth == 1 ? text.substr(i + 1, end - i - 1) : key;
-            i = end;
-        } else if (c == '{' || c == '[') {
-            ++depth;
-            in_points = depth == 2 ? key == "points" : in_points;
-            begin = depth == kPoint ? i : begin;
-        } else if (c == '}' || c == ']') {
-            if (depth == kPoint && in_points) {
-                points.push_back(text.substr(begin, i + 1 - begin));
-            }
-            depth -= depth > 0 ? 1 : 0;
+    JsonScanner json(text, path);
+    json.object([&](std::string_view key) {
+        if (key == "points" && json.kind() == JsonScanner::Kind::list) {
+            json.list([&](std::size_t) { points.push_back(json.skip()); });
+        } else {
+            json.skip();
         }
-    }
+    });
     return points;
 }
 

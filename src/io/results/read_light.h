@@ -21,9 +21,12 @@ struct LightEvents {
     std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
 };
 
-/// The objects of the points of a sweep in the text of its JSON result, which is valid; each is
-/// like the result of a run of its own.
-[[nodiscard]] std::vector<std::string_view> point_texts(std::string_view text);
+/// The objects of the points of a sweep in the text of its JSON result; each is like the result of
+/// a run of its own.
+/// @param path  for messages
+/// @throws InputError  if it is not JSON
+[[nodiscard]] std::vector<std::string_view> point_texts(
+    std::string_view text, const std::string& path);
 
 /// Tells of the light of organs in a JSON result, in the order of times, as the run did.
 /// @param text  of the result, or of a point of its sweep (point_texts)

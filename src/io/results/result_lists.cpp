@@ -129,8 +129,7 @@ double field(JsonScanner& json) {
 }
 
 Estimate read_estimate(JsonScanner& json) {
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    Estimate estimate{unknown, unknown, unknown, unknown};
+    Estimate estimate = kUnknownEstimate;
     json.object([&](std::string_view key) {
         if (key == "mean") {
             estimate.mean = field(json);

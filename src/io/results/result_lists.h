@@ -39,9 +39,8 @@ std::vector<TextRange> for_each_result_list(
 /// What leads to each kind of numbers that is wanted, as a tree of names.
 class EstimateTree {
   public:
-    /// @param columns  names that lead to estimates: a quantity and a band; none of the lists is
-    /// the
-    ///                 beginning of another
+    /// @param columns  of each, the names that lead to it: a quantity and a band. None of them is
+    ///                 the beginning of another
     explicit EstimateTree(const std::vector<std::vector<std::string>>& columns);
 
     /// Takes an estimate: number of the element of the list, of the column, and what it is, NaN

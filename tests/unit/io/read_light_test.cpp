@@ -32,12 +32,13 @@ std::string light_organs(int first) {
 }
 
 TEST(PointTexts, AreTheObjectsOfTheListAtTheTop) {
-    EXPECT_EQ(point_texts(R"({"organs":[{"points":[{}]}]})"), Views{});
+    EXPECT_EQ(point_texts(R"({"organs":[{"points":[{}]}]})", ""), Views{});
     EXPECT_EQ(
         point_texts(
-            R"({"title":"points", "x":[{"a":1}], "points": [{"a":"\"}]{","b":[{}]}, {}], "y":[{}]})"),
+            R"({"title":"points", "x":[{"a":1}], "points": [{"a":"\"}]{","b":[{}]}, {}], "y":[{}]})",
+            ""),
         (Views{R"({"a":"\"}]{","b":[{}]})", "{}"}));
-    EXPECT_EQ(point_texts(R"({"points":[]})"), Views{});
+    EXPECT_EQ(point_texts(R"({"points":[]})", ""), Views{});
 }
 
 TEST(ReadLight, FillsInWhatTheResultHas) {

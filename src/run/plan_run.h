@@ -1,0 +1,22 @@
+#pragma once
+
+#include <stop_token>
+
+#include "quasimc/run_spec.h"
+#include "run/kept_caster.h"
+#include "scene/scene.h"
+#include "solvers/planner.h"
+#include "sources/source.h"
+
+namespace quasimc {
+
+/// plan_method(), which asks the caster whether so many surfaces cross that bundles can't be used.
+/// @throws StopRequested, InputError  as KeptCaster does
+[[nodiscard]] ChosenMethod plan_run(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    KeptCaster& caster,
+    const std::stop_token& stop);
+
+}  // namespace quasimc
