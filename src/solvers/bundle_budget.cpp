@@ -17,9 +17,15 @@ constexpr double kStretchesPerPatch = 100, kManyStretches = 1 << 20;
 constexpr double kFewestPerPatch = 3;
 /// Beyond this number patches take memory and bring nothing.
 constexpr double kMostPatches = 1 << 21;
-/// A direction meets so many of all patches, until there are as many directions as there may be.
-constexpr double kPatchesPerDirection = 0.4;
+/// A direction meets so many of all patches, but no organ and no triangle more often than this, on
+/// average: more directions bring more then.
+constexpr double kPatchesPerDirection = 0.2, kMeetingsOfOrgan = 4, kMeetingsOfTriangle = 1;
+/// Starting with a direction takes as long as some stretches.
+constexpr double kFewestOfDirection = 512;
 constexpr double kFewestInGroup = 8, kMostInGroup = 4096;
+/// Of all stretches, times the albedo, those of single orders: their noise is seen through the last
+/// step alone, where organs get light of very many patches, and less of it the darker they are.
+constexpr double kForOrders = 0.3;
 /// Of the mean albedo, what goes on to the next order: the rest escapes.
 constexpr double kCaught = 0.75;
 
@@ -36,21 +42,34 @@ double light_of_stretch() {
 }
 
 BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first)
-    : patches_(scene.patches.count()),
-      area_(scene.area),
-      stretches_(
-          kStretchesPerPath * static_cast<double>(paths) * (1 - kCaught * scene.mean_albedo)),
-      first_(std::move(first)) {}
+    : patches_(scene.patches.count()), area_(scene.area), first_(std::move(first)) {
+    const double all = kStretchesPerPath * static_cast<double>(paths);
+    const double for_orders = kForOrders * scene.mean_albedo;
+    of_first_ = for_orders * all * (1 - kCaught * scene.mean_albedo);
+    of_all_ = (1 - for_orders) * all;
+    const auto organs = static_cast<double>(scene.prepared.scene().organs().size());
+    const auto triangles = static_cast<double>(scene.surfaces.size());
+    of_direction_ = std::min(
+        kPatchesPerDirection * patches_,
+        std::max({kMeetingsOfOrgan * organs, kMeetingsOfTriangle * triangles, kFewestOfDirection}));
+}
 
-BundleGroup BundleBudget::group(const std::vector<double>& leaving, std::uint64_t key) const {
+BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint64_t key) const {
     double part = 0;
     for (std::size_t c = 0; c < first_.size(); ++c) {
         part = std::max(part, first_[c] > 0 ? leaving[c] / first_[c] : 0);
     }
-    const double stretches = std::max(part * stretches_, kFewestPerPatch * patches_);
-    const double directions = std::clamp(
-        2 * std::round(stretches / (kPatchesPerDirection * patches_) / 2), kFewestInGroup,
-        kMostInGroup);
+    return group(part * of_first_, key);
+}
+
+BundleGroup BundleBudget::of_all(std::uint64_t key) const {
+    return group(of_all_, key);
+}
+
+BundleGroup BundleBudget::group(double wanted, std::uint64_t key) const {
+    const double stretches = std::max(wanted, kFewestPerPatch * patches_);
+    const double directions =
+        std::clamp(2 * std::round(stretches / of_direction_ / 2), kFewestInGroup, kMostInGroup);
     // Along a direction surfaces look half as large, on average.
     return {static_cast<std::uint32_t>(directions), area_ / 2 * directions / stretches, key};
 }

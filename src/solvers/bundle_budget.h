@@ -15,19 +15,26 @@ namespace quasimc {
 [[nodiscard]] double light_of_stretch();
 
 /// How many directions and lines each step of the exchange gets. A path is worth some stretches of
-/// lines, from a patch to the next; they are shared out by the light that is on its way, so that a
-/// step that brings little costs little. See docs/theory/ray-bundles.md.
+/// lines, from a patch to the next. Most go to the last step, in which all light is sent once more;
+/// those of single orders share the rest by the light that is on its way, so that a step that
+/// brings little costs little. See docs/theory/ray-bundles.md.
 class BundleBudget {
   public:
     /// @param paths  of the round
     /// @param first  light that leaves surfaces at first, by column of PatchLight
     BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first);
 
-    /// Of a step in which so much light leaves surfaces.
-    [[nodiscard]] BundleGroup group(const std::vector<double>& leaving, std::uint64_t key) const;
+    /// Of a step in which so much light of one order leaves surfaces.
+    [[nodiscard]] BundleGroup of_order(const std::vector<double>& leaving, std::uint64_t key) const;
+    /// Of the step in which all orders go together.
+    [[nodiscard]] BundleGroup of_all(std::uint64_t key) const;
 
   private:
-    double patches_, area_, stretches_;
+    [[nodiscard]] BundleGroup group(double stretches, std::uint64_t key) const;
+
+    double patches_, area_;
+    double of_direction_;       // stretches
+    double of_first_, of_all_;  // stretches of the first order, and of all orders together
     std::vector<double> first_;
 };
 

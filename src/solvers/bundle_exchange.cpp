@@ -189,8 +189,10 @@ void BundleExchange::exchange_along(
         default:
             exchange.template operator()<0>();
     }
-    on_escape(direction, forwards_);
-    on_escape(-1 * direction, backwards_);
+    if (on_escape) {
+        on_escape(direction, forwards_);
+        on_escape(-1 * direction, backwards_);
+    }
 }
 
 }  // namespace quasimc

@@ -39,7 +39,8 @@ class BundleExchange {
 
     /// Lets the exitance go along all lines, and adds it to the light incident on what it meets.
     /// @returns stretches of lines along which light went
-    /// @param threads  at most; the same light comes of any number
+    /// @param threads    at most; the same light comes of any number
+    /// @param on_escape  nothing: nobody is told
     std::uint64_t exchange(
         const BundleGroup& group, unsigned threads, PatchLight& light, const OnEscape& on_escape);
 

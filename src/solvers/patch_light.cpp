@@ -164,6 +164,7 @@ PatchLight::PatchLight(const PatchScene& scene)
       columns_(2 * bands_),
       incident_(std::size_t{2} * scene.patches.count() * columns_),
       exitance_(incident_.size()),
+      kept_(incident_.size()),
       sums_(2 * scene.prepared.scene().regions().size() * columns_),
       found_areas_(scene.surfaces.size()),
       region_areas_(scene.prepared.scene().regions().size()),
@@ -205,6 +206,7 @@ void PatchLight::clear() {
     std::fill(found_areas_.begin(), found_areas_.end(), 0);
     std::fill(incident_.begin(), incident_.end(), 0);
     std::fill(exitance_.begin(), exitance_.end(), 0);
+    std::fill(kept_.begin(), kept_.end(), 0);
     std::fill(sums_.begin(), sums_.end(), 0);
 }
 
@@ -216,32 +218,53 @@ void PatchLight::add_direct(
     }
 }
 
-PatchLight::Step PatchLight::scatter(bool is_direct) {
-    Step step{std::vector<double>(columns_), std::vector<double>(columns_)};
+std::vector<double> PatchLight::scatter(bool is_direct) {
+    std::vector<double> scattered(columns_);
     if (is_direct) {
         copy_to_coarse();
     }
     for (const PatchScene::Surface& surface : scene_.surfaces) {
-        const std::uint32_t first = scene_.patches.first(surface.triangle);
-        const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
-        const double correction = is_direct ? 1 : corrections_[surface.region];
-        const double share = is_direct ? 1 : correction * surface.exact_share;
-        for (std::uint32_t patch = first; !is_direct && patch < end; ++patch) {
-            sum_patch(surface, patch, correction, step);
-        }
         if (surface.is_sensor) {
             continue;
         }
+        const std::uint32_t first = scene_.patches.first(surface.triangle);
+        const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
+        const double share = is_direct ? 1 : corrections_[surface.region] * surface.exact_share;
         const CutTriangle* cut = scene_.patches.cut_of(surface.triangle);
         const double part = surface.area * scene_.patches.share(surface.triangle, 0);
         for (std::uint32_t patch = first; patch < end; ++patch) {
             const double area = cut == nullptr ? part : surface.area * cut->area(patch - first);
-            scatter_patch(surface, {patch, area, share}, step);
+            scatter_patch(surface, {patch, area, share}, scattered);
         }
         cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
     }
     std::fill(incident_.begin(), incident_.end(), 0);
-    return step;
+    return scattered;
+}
+
+void PatchLight::keep() {
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        kept_[i] += exitance_[i];
+    }
+}
+
+std::vector<double> PatchLight::collect() {
+    std::vector<double> passed_by(columns_);
+    for (const PatchScene::Surface& surface : scene_.surfaces) {
+        const double correction = corrections_[surface.region];
+        const double share = correction * surface.exact_share;
+        const double missing = surface.is_sensor ? 0 : correction - share;
+        const std::size_t end = scene_.patches.first(surface.triangle + 1);
+        double* sums = &sums_[std::size_t{2} * surface.region * columns_];
+        for (std::size_t patch = scene_.patches.first(surface.triangle); patch < end; ++patch) {
+            const double* from = &incident_[2 * patch * columns_];
+            for (std::size_t i = 0; i < 2 * columns_; ++i) {
+                sums[i] += share * from[i];
+                passed_by[i % columns_] += missing * from[i];
+            }
+        }
+    }
+    return passed_by;
 }
 
 /// What came straight from a source is the same on both levels.
@@ -253,20 +276,9 @@ void PatchLight::copy_to_coarse() {
     }
 }
 
-/// Adds what fell on a patch to the sums of its region.
-void PatchLight::sum_patch(
-    const PatchScene::Surface& surface, std::uint32_t patch, double correction, Step& step) {
-    const double share = correction * surface.exact_share;
-    double* sums = &sums_[std::size_t{2} * surface.region * columns_];
-    const double* from = &incident_[std::size_t{2} * patch * columns_];
-    for (std::size_t i = 0; i < 2 * columns_; ++i) {
-        sums[i] += share * from[i];
-        step.passed_by[i % columns_] += surface.is_sensor ? 0 : (correction - share) * from[i];
-    }
-}
-
 /// The cosine law: light leaves a patch equally bright in all directions.
-void PatchLight::scatter_patch(const PatchScene::Surface& surface, const Sent& sent, Step& step) {
+void PatchLight::scatter_patch(
+    const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered) {
     const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
     for (const SurfaceSide side : kSurfaceSides) {
         const SurfaceSide other = opposite(side);
@@ -279,7 +291,7 @@ void PatchLight::scatter_patch(const PatchScene::Surface& surface, const Sent& s
         for (std::size_t i = 0; i < columns_; ++i) {
             const std::size_t b = i < bands_ ? i : i - bands_;
             out[i] = (reflected[b] * own[i] + transmitted[b] * across[i]) * per_area;
-            step.scattered[i] += out[i] * sent.area;
+            scattered[i] += out[i] * sent.area;
         }
     }
 }

@@ -70,7 +70,7 @@ struct LitBands {
 
 /// Memory that the light on and from so many patches takes, about.
 [[nodiscard]] constexpr double bytes_of_patch_light(double patches, std::size_t bands) {
-    constexpr double kBytesEach = 64;
+    constexpr double kBytesEach = 96;
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
@@ -94,15 +94,17 @@ class PatchLight {
     /// triangles is left out of it.
     void add_direct(std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands);
 
-    /// What came to surfaces in one step.
-    struct Step {
-        std::vector<double> scattered;  ///< [column]: flux that leaves surfaces next
-        std::vector<double> passed_by;  ///< [column]: of thin triangles, what misses them
-    };
-    /// Sends on what came: sets the exitance, adds to the sums of light that came to each side of
-    /// each region, and takes the incident light away.
-    /// @param is_direct  it came from the sources, and is not summed
-    [[nodiscard]] Step scatter(bool is_direct);
+    /// Sets the exitance to what surfaces send on of the light that came, which it takes away.
+    /// @param is_direct  it came straight from the sources
+    /// @returns flux that leaves surfaces, [column]
+    [[nodiscard]] std::vector<double> scatter(bool is_direct);
+    /// Remembers the exitance.
+    void keep();
+    /// Sets it to all that was remembered.
+    void send_all_kept() { exitance_ = kept_; }
+    /// Sums the light that came, by side of each region.
+    /// @returns of thin triangles, what misses them, [column]
+    [[nodiscard]] std::vector<double> collect();
     /// Counts the lines of a bundle that meet each surface (in the order of PatchScene): times
     /// `weight`, of which the area of the surface comes in the mean.
     void count_lines(std::span<const std::uint32_t> lines, double weight);
@@ -112,20 +114,19 @@ class PatchLight {
     ///        they are
     void correct_areas(double lines_per_area);
 
-    /// Of a side of a region, all scattered light that came, [column].
+    /// Of a side of a region, what collect() found, [column].
     [[nodiscard]] std::span<const double> sum(std::uint32_t region, SurfaceSide side) const {
         return {&sums_[(std::size_t{2} * region + index_of(side)) * columns_], columns_};
     }
 
   private:
-    void sum_patch(
-        const PatchScene::Surface& surface, std::uint32_t patch, double correction, Step& step);
     struct Sent {
         std::uint32_t patch = 0;
         double area = 0;
         double share = 1;  ///< of what came to it
     };
-    void scatter_patch(const PatchScene::Surface& surface, const Sent& sent, Step& step);
+    void scatter_patch(
+        const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered);
     void copy_to_coarse();
     void even_out(const PatchScene::Surface& surface);
     void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut);
@@ -137,6 +138,7 @@ class PatchLight {
     const PatchScene& scene_;
     std::size_t bands_, columns_;
     std::vector<double> incident_, exitance_;
+    std::vector<double> kept_;  // exitance of all steps
     std::vector<double> sums_;  // [2 * region + side][column]
     std::vector<double> means_, areas_;
     std::vector<double> found_areas_;                  // by surface, in this step

@@ -5,8 +5,9 @@
 // ray: along lines in one direction through the whole scene each patch sends light to the next one,
 // both ways (solvers/bundle_exchange.h). Step by step all light that has not yet been sent on goes
 // along lines in new directions, drawn independently of all before: the Neumann series of the
-// radiosity equation, order by order, each without bias. What is left after the last step is
-// reported as cut off.
+// radiosity equation, order by order, each without bias. What is left then is reported as cut off.
+// These steps have few lines. All that left surfaces in them goes along many lines once more, and
+// what organs receive in this last step is the result.
 //
 // The same steps are done twice at once: with patches, and with each four of them taken together.
 // The difference tells how much it matters that light is constant over a patch.
@@ -119,26 +120,36 @@ class RayBundles final : public Solver {
         light.clear();
         cut_->direct.find(task, scratch.direct, light, tally);
         Flow flow(light.columns());
-        const PatchLight::Step first = light.scatter(true);
-        const BundleBudget budget(cut_->scene, task.round.count, first.scattered);
-        std::vector<double> left = first.scattered;
         std::uint64_t stretches = 0;
-        for (std::uint64_t order = 1; !is_last(order, left, first.scattered); ++order) {
+        const auto exchange = [&](const BundleGroup& group,
+                                  const BundleExchange::OnEscape& on_escape) {
             throw_if_stopped(input_.stop);
-            const BundleGroup group = budget.group(left, key_of(task, order));
-            stretches += scratch.exchange->exchange(
-                group, threads(), light, [&](const Vec3& direction, std::span<const double> flux) {
-                    add_escaped(direction, flux, flow, tally);
-                });
+            stretches += scratch.exchange->exchange(group, threads(), light, on_escape);
             light.correct_areas(group.directions / (2 * group.line_area));
-            const PatchLight::Step step = light.scatter(false);
-            for (std::size_t c = 0; c < left.size(); ++c) {
-                flow.escaped[c] += signed_fixed(step.passed_by[c]);
-            }
-            left = step.scattered;
+        };
+        const std::vector<double> first = light.scatter(true);
+        const BundleBudget budget(cut_->scene, task.round.count, first);
+        std::vector<double> left = first;
+        std::uint64_t order = 1;
+        for (; !is_last(order, left, first); ++order) {
+            light.keep();
+            exchange(budget.of_order(left, key_of(task, order)), {});
+            left = light.scatter(false);
         }
         for (std::size_t c = 0; c < left.size(); ++c) {
             flow.cut_off[c] = to_fixed(left[c]);
+        }
+        if (order > 1) {
+            light.send_all_kept();
+            exchange(
+                budget.of_all(key_of(task, order)),
+                [&](const Vec3& direction, std::span<const double> flux) {
+                    add_escaped(direction, flux, flow, tally);
+                });
+            const std::vector<double> passed_by = light.collect();
+            for (std::size_t c = 0; c < left.size(); ++c) {
+                flow.escaped[c] += signed_fixed(passed_by[c]);
+            }
         }
         add_sums(light, flow, tally);
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));

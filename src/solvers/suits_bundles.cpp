@@ -17,7 +17,7 @@ constexpr double kMostPathsPerOrgan = 1000;
 constexpr std::size_t kFewestOrgans = 16;
 /// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
 /// at work.
-constexpr double kMostBytes = 256e6;
+constexpr double kMostBytes = 400e6;
 
 bool is_matt(const Side& side) {
     return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {

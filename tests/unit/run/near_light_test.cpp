@@ -4,6 +4,7 @@
 // docs/theory/light-tracing.md.
 
 #include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,10 @@ struct SettingTrial {
     double resolution = 0;    ///< of the comparison with it
 };
 
+void PrintTo(const SettingTrial& trial, std::ostream* out) {
+    *out << trial.setting.name;
+}
+
 std::vector<SettingTrial> trials(int seeds, std::uint64_t paths, double resolution) {
     std::vector<SettingTrial> all;
     for (const Setting& setting : settings()) {
@@ -198,7 +203,7 @@ std::string name_of_setting(const ::testing::TestParamInfo<SettingTrial>& info) 
 INSTANTIATE_TEST_SUITE_P(
     Quick, NearLight, ::testing::ValuesIn(trials(40, 1 << 16, .6)), name_of_setting);
 INSTANTIATE_TEST_SUITE_P(
-    Long, NearLight, ::testing::ValuesIn(trials(400, 1 << 20, .15)), name_of_setting);
+    Long, NearLight, ::testing::ValuesIn(trials(400, 1 << 22, .15)), name_of_setting);
 
 }  // namespace
 }  // namespace quasimc::test
