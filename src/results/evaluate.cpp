@@ -30,7 +30,7 @@ class OrganEvaluator {
           limits_(limits),
           most_(limits.none()),
           values_(sums.replicates.size()),
-          incident_(sums.layout.bands, values_) {
+          incident_(sums.layout.bands, {values_, {}}) {
         samples_.fill(values_);
     }
 
@@ -49,8 +49,8 @@ class OrganEvaluator {
             finds[b] = evaluate_band(reader, organ, index, b, result);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
-            result.ratio_values[index * ratios.size() + i] = not_negative(
-                estimate_ratio(incident_[ratios[i].first], incident_[ratios[i].second]));
+            result.ratio_values[index * ratios.size() + i] =
+                estimate_light_ratio(incident_[ratios[i].first], incident_[ratios[i].second]);
         }
         if (!result.sunlit_fraction.empty()) {
             const double most = organ.area > 0 ? most_.sunlit_area / organ.area : 0;
@@ -80,10 +80,12 @@ class OrganEvaluator {
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             put_sample(r, reader.incident(r, band), per_area, samples_);
-            incident_[band][r] = sample_of(Quantity::incident_direct)[r] +
-                                 sample_of(Quantity::incident_scattered)[r];
+            incident_[band].per_replicate[r] = sample_of(Quantity::incident_direct)[r] +
+                                               sample_of(Quantity::incident_scattered)[r];
         }
         const OrganFinds finds(reader, band);
+        const SingleFind find = finds.incident_find();
+        incident_[band].find = {find.more * per_area, find.less * per_area};
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] = not_above(
@@ -121,7 +123,7 @@ class OrganEvaluator {
     OrganLimits most_;            // that the organ can get
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
-    std::vector<std::vector<double>> incident_;  // per band and replicate, per area
+    std::vector<IncidentLight> incident_;  // per band, per area
 };
 
 }  // namespace

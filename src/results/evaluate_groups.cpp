@@ -33,6 +33,7 @@ struct GroupFind {
     /// Where it is known what can be found: to the organ to which a sample brings most; of kinds of
     /// light, of which each organ may lack some of its own, to all of them.
     std::array<SingleFind, kQuantities> known{};
+    SingleFind on_both_sides;  ///< the same of all light that falls
     /// Where nothing was found: along one direction all organs may, a path meets one of them.
     std::array<double, kQuantities> by_look{}, by_path{};
 };
@@ -67,14 +68,14 @@ class GroupEvaluator {
     }
 
     void evaluate(std::size_t group, const GroupSums& sums) const {
-        std::vector<std::vector<double>> incident;  // of both sides, per band and replicate
+        std::vector<IncidentLight> incident;  // per band
         const OrganLimits limits = limits_of(group);
         for (std::size_t b = 0; b < results_.bands; ++b) {
             incident.push_back(evaluate_band(group, b, sums, limits));
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
-            results_.ratio_values[group * results_.ratios + i] = not_negative(
-                estimate_ratio(incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]));
+            results_.ratio_values[group * results_.ratios + i] = estimate_light_ratio(
+                incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]);
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
@@ -154,6 +155,7 @@ class GroupEvaluator {
             if (finds.is_settled()) {
                 continue;
             }
+            most.on_both_sides = together(most.on_both_sides, finds.incident_find());
             for (const QuantityEntry& entry : quantity_table()) {
                 if (finds.knows_finds()) {
                     SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
@@ -168,8 +170,8 @@ class GroupEvaluator {
         return most;
     }
 
-    /// @returns the light that falls on both sides, per replicate
-    std::vector<double> evaluate_band(
+    /// @returns the light that falls on both sides, as flux
+    IncidentLight evaluate_band(
         std::size_t group,
         std::size_t band,
         const GroupSums& sums,
@@ -180,11 +182,11 @@ class GroupEvaluator {
         const std::size_t replicates = sums_.replicates.size();
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
-        std::vector<double> incident;
+        IncidentLight incident{{}, find.on_both_sides};
         for (std::uint32_t r = 0; r < replicates; ++r) {
             const Incident& in = sums.light[band * replicates + r];
             put_sample(r, in, per_area, samples);
-            incident.push_back(
+            incident.per_replicate.push_back(
                 in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower);
         }
         for (const QuantityEntry& entry : quantity_table()) {

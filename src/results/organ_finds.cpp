@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace quasimc {
 namespace {
@@ -154,6 +155,17 @@ SingleFind OrganFinds::find(Quantity quantity) const {
     return both(found.by_look, found.by_path);
 }
 
+SingleFind OrganFinds::incident_find() const {
+    if (!knows_finds() || is_settled_) {
+        return {};
+    }
+    const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
+    return knows_unoccluded_ ? both(on_both_sides(direct_), on_either_)
+                             : both(
+                                   on_both_sides(direct_),
+                                   larger(larger(by_path_.upper, by_path_.lower), on_either_));
+}
+
 OrganFinds::Parts OrganFinds::parts(Quantity quantity) const {
     return knows_unoccluded_ ? Parts{{}, find_among_points(quantity)} : parts_of_kinds(quantity);
 }
@@ -238,6 +250,43 @@ Estimate OrganFinds::estimate(
     const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
                              entry.quantity == Quantity::absorbed_flux_density;
     return estimate_seen_or_bound(values, bound_ * unit * (is_absorbed ? absorptance_ : 1));
+}
+
+namespace {
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// A find, if what was found is so little that it may be a few of them; of many the replicates
+/// tell. Of a ratio twice as many as of an amount: finds that are alike tell nothing of others.
+SingleFind find_among_few(double mean, const SingleFind& find, double replicates) {
+    const double most = std::max(find.more, find.less);
+    const double many = 2 * kManyFinds * replicates;
+    return most > 0 ? find * std::max(0.0, 1 - mean / (most * many)) : SingleFind{};
+}
+
+SingleFind find_of_ratio(const IncidentLight& above, const IncidentLight& below) {
+    const double a = mean_of(above.per_replicate);
+    const double b = mean_of(below.per_replicate);
+    if (!(b > 0)) {
+        return {};
+    }
+    const auto replicates = static_cast<double>(above.per_replicate.size());
+    const SingleFind of_a = find_among_few(a, above.find, replicates);
+    const SingleFind of_b = find_among_few(b, below.find, replicates);
+    const double less = b - of_b.less;
+    return {
+        std::max(of_a.more / b, less > 0 ? a / less - a / b : 0),
+        std::max(of_a.less / b, a / b - a / (b + of_b.more))};
+}
+
+}  // namespace
+
+Estimate estimate_light_ratio(const IncidentLight& above, const IncidentLight& below) {
+    return widened(
+        not_negative(estimate_ratio(above.per_replicate, below.per_replicate)),
+        find_of_ratio(above, below));
 }
 
 }  // namespace quasimc

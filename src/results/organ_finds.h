@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "results/organ_reader.h"
 #include "sums/statistics.h"
@@ -27,6 +28,9 @@ class OrganFinds {
     [[nodiscard]] bool is_settled() const { return is_settled_; }
     /// A find of a quantity, as flux. To be asked where knows_finds().
     [[nodiscard]] SingleFind find(Quantity quantity) const;
+
+    /// Of all light that falls on both sides, as flux; none where it is not known.
+    [[nodiscard]] SingleFind incident_find() const;
 
     /// The same in two parts: of light that many organs may find at once, along a line or a
     /// direction, and of what a path brings to a single one.
@@ -57,5 +61,14 @@ class OrganFinds {
     Kind by_path_;          ///< direct light of which each path is a find, where kinds are known
     SingleFind on_either_;  ///< scattered light, whichever side
 };
+
+/// What falls on both sides in a band.
+struct IncidentLight {
+    std::vector<double> per_replicate;
+    SingleFind find;  ///< in the same unit
+};
+
+/// The ratio of what falls in two bands: a find more or less may bring light of one of them alone.
+[[nodiscard]] Estimate estimate_light_ratio(const IncidentLight& above, const IncidentLight& below);
 
 }  // namespace quasimc

@@ -101,9 +101,7 @@ Patches make_patches(
         } else if (is_sensor(roles, i)) {
             levels.push_back(0);  // no light leaves it
         } else {
-            const double level = std::round(std::log2(own / usual) / 2);
-            levels.push_back(
-                static_cast<std::uint8_t>(std::clamp(level, 1.0, double{Patches::kFinest})));
+            levels.push_back(static_cast<std::uint8_t>(patch_level(own, usual)));
         }
     }
     return Patches(std::move(levels), crossings_of(prepared, stop));

@@ -1,8 +1,10 @@
 #include "solvers/patch_size.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
+#include "geometry/raster/patches.h"
 #include "solvers/organ_shares.h"
 
 namespace quasimc {
@@ -53,6 +55,11 @@ bool are_alike(const Scene& scene, double mean, double usual) {
 }
 
 }  // namespace
+
+int patch_level(double area, double patch) {
+    return static_cast<int>(
+        std::clamp(std::round(std::log2(area / patch) / 2), 1.0, double{Patches::kFinest}));
+}
 
 PatchSize patch_size(const Scene& scene, double most) {
     double area = 0;

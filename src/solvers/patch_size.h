@@ -15,6 +15,10 @@ struct PatchSize {
     bool are_alike = true;
 };
 
+/// A triangle of this area is cut into 4 to the power of so many similar parts, for patches of
+/// about a given area; once at least.
+[[nodiscard]] int patch_level(double area, double patch);
+
 /// About `most` patches; more where surfaces are large beside organs, as a ground below leaves is,
 /// so that the shadows of organs are told apart, as long as that makes at most four times as many
 /// as triangles are cut into anyway.

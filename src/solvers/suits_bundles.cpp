@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solvers/bundle_budget.h"
+#include "solvers/long_patches.h"
 #include "solvers/patch_light.h"
 #include "solvers/patch_size.h"
 
@@ -49,7 +50,8 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
         return size.holds_shadows && size.are_alike &&
-               bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytes;
+               bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytes &&
+               !has_long_patches(scene, spec.paths);
     };
     return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
            paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&

@@ -59,14 +59,14 @@ TEST(RayBundles, ShareTheLightOfInfiniteSheetsAsTheAddingMethodHasIt) {
     const Cell square{.along_x = true, .along_y = true};
     check_two_sheets(
         "sheets, sun overhead", 1, 1.5e-3,
-        run(two_sheets(square), {sun(0, {1})}, bundles(1 << 13)));
+        run(two_sheets(square), {sun(0, {1})}, bundles(1 << 15)));
     const double low = 78;
     const double facing = 1 / std::cos(low * std::acos(-1) / 180);
     check_two_sheets(
         "sheets in a narrow cell, sun at 78", .37, 5e-3,
         run(two_sheets(narrow), {sun(low, {facing})}, bundles(1 << 12)));
     check_two_sheets(
-        "sheets, uniform sky", 1, 1.5e-3, run(two_sheets(square), {sky({1})}, bundles(1 << 14)));
+        "sheets, uniform sky", 1, 1.5e-3, run(two_sheets(square), {sky({1})}, bundles(1 << 15)));
 }
 
 /// All light of a lamp stays in a closed box: walls receive 1 / (1 - rho) of it together.

@@ -12,6 +12,7 @@
 #include "io/runfile/run_file_sections.h"
 #include "quasimc/source.h"
 #include "scene/lint.h"
+#include "solvers/long_patches.h"
 
 namespace quasimc {
 namespace {
@@ -322,6 +323,9 @@ RunFile read_run_document(
     }
     throw_in_order(reporter);
     for (Warning& warning : lint_of(sections)) {
+        reporter.warnings.push_back(std::move(warning));
+    }
+    for (Warning& warning : lint_bundles(*sections.scene, sections.options.spec)) {
         reporter.warnings.push_back(std::move(warning));
     }
     return {

@@ -5,6 +5,7 @@
 
 #include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
+#include "support/random_leaves.h"
 
 namespace quasimc::test {
 namespace {
@@ -189,6 +190,36 @@ TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
     EXPECT_LT(ratio.standard_error, 1e-10);
     EXPECT_NEAR(ratio.mean, .5, 1e-12);
     EXPECT_NEAR(result.ratio(0, 1).mean, 2, 1e-12);
+}
+
+/// One band lit by the sun, one by the sky: leaves of which a few paths found the light of one
+/// alone had a ratio without any error.
+TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .2, .2, 2));
+    for (const Triangle& triangle : random_leaves(60, .2, 1, 5)) {
+        builder.add_organ(organ("", "leaf", {triangle}));
+    }
+    const Scene scene = std::move(builder).build();
+    const Sources sources{sun(70, {1, .5}), sky({.3, .6})};
+    RunSpec spec = spec_of(GetParam(), 1 << 16);
+    spec.ratios = {"b0:b1"};
+    const Result truth = run(scene, sources, spec);
+    spec.paths = 64;
+    double held = 0, count = 0;
+    for (spec.seed = 1; spec.seed <= 10; ++spec.seed) {
+        const Result few = run(scene, sources, spec);
+        for (std::size_t i = 0; i < few.organs(); ++i) {
+            const Estimate& e = few.ratio(i, 0);
+            const Estimate& t = truth.ratio(i, 0);
+            if (std::isfinite(e.standard_error)) {
+                held += e.low <= t.high && t.low <= e.high ? 1 : 0;
+                ++count;
+            }
+        }
+    }
+    EXPECT_GT(count, 100);
+    EXPECT_GE(held / count, .95);
 }
 
 TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
