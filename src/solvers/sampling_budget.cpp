@@ -15,11 +15,9 @@ constexpr SamplingDensity kDarkDensity{
 constexpr SamplingDensity kBrightDensity{
     .paths_per_line = 160, .pixels_per_path = 10, .pixels_per_root = 640};
 /// Errors of lines fall with the third power of their number, those of bundles with the square root
-/// of theirs.
-constexpr SamplingDensity kDarkBundles{
+/// of theirs, at every albedo.
+constexpr SamplingDensity kBundleDensity{
     .lines_per_root = 12.8, .pixels_per_path = 160, .pixels_per_root = 320};
-constexpr SamplingDensity kBrightBundles{
-    .lines_per_root = 4, .pixels_per_path = 40, .pixels_per_root = 320};
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
@@ -32,7 +30,7 @@ bool is_bright(const PreparedScene& prepared) {
 
 const SamplingDensity& sampling_density(const PreparedScene& prepared, ScatteredBy scattered) {
     if (scattered == ScatteredBy::bundles) {
-        return is_bright(prepared) ? kBrightBundles : kDarkBundles;
+        return kBundleDensity;
     }
     return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
