@@ -17,8 +17,8 @@ constexpr double kStretchesPerPatch = 100, kManyStretches = 1 << 20;
 constexpr double kFewestPerPatch = 3;
 /// Beyond this number patches take memory and bring nothing.
 constexpr double kMostPatches = 1 << 21;
-/// A direction meets so many of all patches, but no organ and no triangle more often than this, on
-/// average: more directions bring more then.
+/// A direction meets so many of all patches; where that would be more, only as many as let it meet
+/// each organ so often, or each triangle, on average: more directions bring more than more lines.
 constexpr double kPatchesPerDirection = 0.2, kMeetingsOfOrgan = 4, kMeetingsOfTriangle = 1;
 /// Starting with a direction takes as long as some stretches.
 constexpr double kFewestOfDirection = 512;
