@@ -15,8 +15,11 @@ namespace {
 constexpr double kLongTriangle = 12;
 /// A patch is long beside its organ's width if it is longer than this part of it.
 constexpr double kOfWidth = 0.75;
-/// Of an organ's area, what may lie in long patches.
-constexpr double kMostOfOrgan = 0.05;
+/// Of an organ's area, what may lie in long patches; of all surfaces, what may lie in flat organs
+/// that have them: what goes to and fro between these is little.
+constexpr double kMostOfOrgan = 0.05, kMostOfScene = 0.15;
+/// Organs of which the normals agree so well are flat: they send themselves next to no light.
+constexpr double kFlat = 0.9;
 
 double longest_edge(const Triangle& t) {
     return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
@@ -31,6 +34,17 @@ double width_of(const Scene& scene, const Organ& organ) {
         }
     }
     return organ.area / (2 * bounds.radius());
+}
+
+bool is_flat(const Scene& scene, const Organ& organ) {
+    Vec3 sum;
+    double lengths = 0;
+    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+        const Vec3 own = area_vector(scene.triangles()[organ.first_triangle + i]);
+        sum += own;
+        lengths += length(own);
+    }
+    return length(sum) >= kFlat * lengths;
 }
 
 /// @param patch  the area that patches have
@@ -48,19 +62,26 @@ bool has_long_patches(const Scene& scene, const Organ& organ, double patch) {
     return in_long > kMostOfOrgan * organ.area;
 }
 
+/// Those that matter.
 std::vector<const Organ*> organs_of_long_patches(const Scene& scene, std::uint64_t paths) {
-    double area = 0;
+    double all = 0;
     for (const Organ& organ : scene.organs()) {
-        area += organ.area;
+        all += organ.area;
     }
-    const double patch = area * patch_size(scene, patches_for(paths)).part;
-    std::vector<const Organ*> found;
+    const double patch = all * patch_size(scene, patches_for(paths)).part;
+    std::vector<const Organ*> bodies, flat;
+    double in_flat = 0;
     for (const Organ& organ : scene.organs()) {
         if (organ.area > 0 && has_long_patches(scene, organ, patch)) {
-            found.push_back(&organ);
+            const bool is_even = is_flat(scene, organ);
+            (is_even ? flat : bodies).push_back(&organ);
+            in_flat += is_even ? organ.area : 0;
         }
     }
-    return found;
+    if (in_flat > kMostOfScene * all) {
+        bodies.insert(bodies.end(), flat.begin(), flat.end());
+    }
+    return bodies;
 }
 
 }  // namespace

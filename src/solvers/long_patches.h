@@ -11,8 +11,8 @@
 
 namespace quasimc {
 
-/// Whether some organ has such triangles, and they make patches longer than it is wide. Takes time
-/// in proportion to the triangles.
+/// Whether some organ has such triangles, and they make patches longer than it is wide. Of flat
+/// ones there may be a few. Takes time in proportion to the triangles.
 [[nodiscard]] bool has_long_patches(const Scene& scene, std::uint64_t paths);
 
 /// What ray bundles that are asked for by name get wrong without telling; nothing of other methods.

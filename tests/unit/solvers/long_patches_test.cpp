@@ -73,6 +73,24 @@ TEST(LongPatches, AreMeasuredByTheOrgan) {
     EXPECT_FALSE(has_long_patches(std::move(builder).build(), kPathsOfTubes));
 }
 
+/// Of flat organs a few may have them: they send themselves no light.
+TEST(LongPatches, MayBeThoseOfAFewNeedles) {
+    const auto has_long = [](int needles) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        for (const Triangle& triangle : random_leaves(50, .3, 1, 5)) {
+            builder.add_organ(organ("", "leaf", {triangle}));
+        }
+        for (int i = 0; i < needles; ++i) {
+            const double y = .1 * i;
+            builder.add_organ(organ("", "leaf", floor_of(0, 1, y, y + .01, 0)));
+        }
+        return has_long_patches(std::move(builder).build(), kPathsOfTubes);
+    };
+    EXPECT_FALSE(has_long(3));
+    EXPECT_TRUE(has_long(60));
+}
+
 TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
     RunSpec spec;
     EXPECT_TRUE(lint_bundles(tubes(1), spec).empty());
