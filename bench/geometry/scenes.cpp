@@ -136,12 +136,8 @@ Packet packet_of(const std::vector<BenchRay>& rays, std::size_t first) {
     Packet packet;
     for (std::size_t i = 0; i < kPacket; ++i) {
         const BenchRay& ray = rays[first + i];
-        packet.origin_x[i] = static_cast<float>(ray.origin.x);
-        packet.origin_y[i] = static_cast<float>(ray.origin.y);
-        packet.origin_z[i] = static_cast<float>(ray.origin.z);
-        packet.direction_x[i] = static_cast<float>(ray.direction.x);
-        packet.direction_y[i] = static_cast<float>(ray.direction.y);
-        packet.direction_z[i] = static_cast<float>(ray.direction.z);
+        packet.set_origin(i, ray.origin);
+        packet.set_direction(i, ray.direction);
     }
     return packet;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace quasimc {
 namespace {
@@ -159,33 +158,36 @@ SingleFind OrganFinds::incident_find() const {
     if (!knows_finds() || is_settled_) {
         return {};
     }
-    const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
-    return knows_unoccluded_ ? both(on_both_sides(direct_), on_either_)
-                             : both(
-                                   on_both_sides(direct_),
-                                   larger(larger(by_path_.upper, by_path_.lower), on_either_));
+    const Parts found = incident_parts();
+    return both(found.by_look, found.by_path);
+}
+
+/// Paths are finds whatever they bring: one more may bring direct light, or scattered.
+OrganFinds::Parts OrganFinds::incident_parts() const {
+    const SingleFind direct = both(direct_.upper, direct_.lower);
+    return knows_unoccluded_
+               ? Parts{{}, both(direct, on_either_)}
+               : Parts{direct, larger(larger(by_path_.upper, by_path_.lower), on_either_)};
 }
 
 OrganFinds::Parts OrganFinds::parts(Quantity quantity) const {
     return knows_unoccluded_ ? Parts{{}, find_among_points(quantity)} : parts_of_kinds(quantity);
 }
 
-/// Paths are finds whatever they bring: one more may bring direct light, or scattered.
 OrganFinds::Parts OrganFinds::parts_of_kinds(Quantity quantity) const {
-    const SingleFind by_path = larger(by_path_.upper, by_path_.lower);
     switch (quantity) {
         case Quantity::incident_upper:
             return {direct_.upper, larger(by_path_.upper, scattered_.upper)};
         case Quantity::incident_lower:
             return {direct_.lower, larger(by_path_.lower, scattered_.lower)};
         case Quantity::incident_direct:
-            return {both(direct_.upper, direct_.lower), by_path};
+            return {both(direct_.upper, direct_.lower), larger(by_path_.upper, by_path_.lower)};
         case Quantity::incident_scattered:
             return {{}, on_either_};
-        default:
-            return {
-                both(direct_.upper, direct_.lower) * absorptance_,
-                larger(by_path, on_either_) * absorptance_};
+        default: {
+            const Parts incident = incident_parts();
+            return {incident.by_look * absorptance_, incident.by_path * absorptance_};
+        }
     }
 }
 
@@ -222,18 +224,17 @@ SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
 }
 
 SingleFind OrganFinds::find_among_points(Quantity quantity) const {
-    const auto on_both_sides = [](const Kind& kind) { return both(kind.upper, kind.lower); };
     switch (quantity) {
         case Quantity::incident_upper:
             return both(direct_.upper, scattered_.upper);
         case Quantity::incident_lower:
             return both(direct_.lower, scattered_.lower);
         case Quantity::incident_direct:
-            return on_both_sides(direct_);
+            return both(direct_.upper, direct_.lower);
         case Quantity::incident_scattered:
             return on_either_;
         default:
-            return both(on_both_sides(direct_), on_either_) * absorptance_;
+            return incident_parts().by_path * absorptance_;
     }
 }
 
@@ -253,10 +254,6 @@ Estimate OrganFinds::estimate(
 }
 
 namespace {
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// A find, if what was found is so little that it may be a few of them; of many the replicates
 /// tell. Of a ratio twice as many as of an amount: finds that are alike tell nothing of others.

@@ -47,6 +47,7 @@ class OrganFinds {
     void set_kinds(const OrganReader& reader, std::size_t band);
     [[nodiscard]] SingleFind find_among_points(Quantity quantity) const;
     [[nodiscard]] Parts parts_of_kinds(Quantity quantity) const;
+    [[nodiscard]] Parts incident_parts() const;
 
     /// One kind of light.
     struct Kind {

@@ -36,15 +36,6 @@ Facing facing_of(const Packet& p) {
     return facing;
 }
 
-Hit hit_of(const Packet& p, std::size_t lane) {
-    return {
-        p.triangle[lane],
-        p.t[lane],
-        p.u[lane],
-        p.v[lane],
-        {p.normal_x[lane], p.normal_y[lane], p.normal_z[lane]}};
-}
-
 }  // namespace
 
 LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
@@ -196,9 +187,7 @@ std::uint64_t LightTracer::trace_packet(
     const Vec3& direction = *beams_[group.source];
     Packet packet;
     for (std::size_t lane = 0; lane < n; ++lane) {
-        packet.origin_x[lane] = static_cast<float>(origins[lane].x);
-        packet.origin_y[lane] = static_cast<float>(origins[lane].y);
-        packet.origin_z[lane] = static_cast<float>(origins[lane].z);
+        packet.set_origin(lane, origins[lane]);
     }
     packet.direction_x.fill(static_cast<float>(direction.x));
     packet.direction_y.fill(static_cast<float>(direction.y));
@@ -256,7 +245,7 @@ std::uint64_t LightTracer::shade(
                 survival[std::size_t{2} * primitive.material + index_of(side)]) {
                 continue;
             }
-            at.hit = hit_of(packet, lane);
+            at.hit = packet.hit(lane);
         }
         path.point = block.first + group.points[lane];
         rays += trace_particle(block.rules, path, at, FirstHit::scored, scratch.particle, tally);

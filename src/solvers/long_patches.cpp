@@ -5,7 +5,6 @@
 
 #include "scene/lint.h"
 #include "solvers/bundle_budget.h"
-#include "solvers/patch_size.h"
 
 namespace quasimc {
 namespace {
@@ -25,60 +24,59 @@ double longest_edge(const Triangle& t) {
     return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
 }
 
-/// Area over length. Of a stem this is its circumference.
-double width_of(const Scene& scene, const Organ& organ) {
-    Bounds bounds;
-    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-        for (const Vec3& corner : scene.triangles()[organ.first_triangle + i]) {
-            bounds.add(corner);
+/// What matters of an organ's shape.
+class Shape {
+  public:
+    /// @param patch  the area that patches have
+    Shape(const Scene& scene, const Organ& organ, double patch) : area_(organ.area) {
+        for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+            const Triangle t = scene.triangles()[organ.first_triangle + i];
+            bounds_.include(bounds_of(t));
+            normals_ += 0.5 * area_vector(t);
+            const double own = area(t);
+            of_triangles_ += own;
+            const double edge = longest_edge(t);
+            if (own > 0 && edge * edge > 2 * kLongTriangle * own) {
+                long_.push_back({std::ldexp(edge, -patch_level(own, patch)), own});
+            }
         }
     }
-    return organ.area / (2 * bounds.radius());
-}
 
-bool is_flat(const Scene& scene, const Organ& organ) {
-    Vec3 sum;
-    double lengths = 0;
-    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-        const Vec3 own = area_vector(scene.triangles()[organ.first_triangle + i]);
-        sum += own;
-        lengths += length(own);
+    [[nodiscard]] bool has_long_patches() const {
+        // Area over length: of a stem its circumference.
+        const double most = kOfWidth * area_ / (2 * bounds_.radius());
+        double in_long = 0;
+        for (const Long& part : long_) {
+            in_long += part.patch > most ? part.area : 0;
+        }
+        return in_long > kMostOfOrgan * area_;
     }
-    return length(sum) >= kFlat * lengths;
-}
+    [[nodiscard]] bool is_flat() const { return length(normals_) >= kFlat * of_triangles_; }
 
-/// @param patch  the area that patches have
-bool has_long_patches(const Scene& scene, const Organ& organ, double patch) {
-    const double most = kOfWidth * width_of(scene, organ);
-    double in_long = 0;
-    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle t = scene.triangles()[organ.first_triangle + i];
-        const double edge = longest_edge(t);
-        const double own = area(t);
-        const bool is_long = edge * edge > 2 * kLongTriangle * own && own > 0 &&
-                             std::ldexp(edge, -patch_level(own, patch)) > most;
-        in_long += is_long ? own : 0;
-    }
-    return in_long > kMostOfOrgan * organ.area;
-}
+  private:
+    /// A long triangle.
+    struct Long {
+        double patch = 0;  ///< length of its patches
+        double area = 0;
+    };
+    double area_, of_triangles_ = 0;
+    Bounds bounds_;
+    Vec3 normals_;  // of all triangles, as long as these are large
+    std::vector<Long> long_;
+};
 
 /// Those that matter.
-std::vector<const Organ*> organs_of_long_patches(const Scene& scene, std::uint64_t paths) {
-    double all = 0;
-    for (const Organ& organ : scene.organs()) {
-        all += organ.area;
-    }
-    const double patch = all * patch_size(scene, patches_for(paths)).part;
+std::vector<const Organ*> organs_of_long_patches(const Scene& scene, const PatchSize& size) {
     std::vector<const Organ*> bodies, flat;
     double in_flat = 0;
     for (const Organ& organ : scene.organs()) {
-        if (organ.area > 0 && has_long_patches(scene, organ, patch)) {
-            const bool is_even = is_flat(scene, organ);
-            (is_even ? flat : bodies).push_back(&organ);
-            in_flat += is_even ? organ.area : 0;
+        const Shape shape(scene, organ, size.part * size.area);
+        if (organ.area > 0 && shape.has_long_patches()) {
+            (shape.is_flat() ? flat : bodies).push_back(&organ);
+            in_flat += shape.is_flat() ? organ.area : 0;
         }
     }
-    if (in_flat > kMostOfScene * all) {
+    if (in_flat > kMostOfScene * size.area) {
         bodies.insert(bodies.end(), flat.begin(), flat.end());
     }
     return bodies;
@@ -86,14 +84,15 @@ std::vector<const Organ*> organs_of_long_patches(const Scene& scene, std::uint64
 
 }  // namespace
 
-bool has_long_patches(const Scene& scene, std::uint64_t paths) {
-    return !organs_of_long_patches(scene, paths).empty();
+bool has_long_patches(const Scene& scene, const PatchSize& size) {
+    return !organs_of_long_patches(scene, size).empty();
 }
 
 std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec) {
     WarningKind found("organs are of long thin triangles");
     if (spec.method == Method::ray_bundles) {
-        for (const Organ* organ : organs_of_long_patches(scene, spec.paths)) {
+        const PatchSize size = patch_size(scene, patches_for(spec.paths));
+        for (const Organ* organ : organs_of_long_patches(scene, size)) {
             found.add(
                 words_for(*organ),
                 "is of long thin triangles: ray_bundles takes light as even along patches that are "

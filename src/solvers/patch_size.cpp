@@ -70,7 +70,7 @@ PatchSize patch_size(const Scene& scene, double most) {
     }
     const double typical = median_measured_area(scene);
     if (!(area > 0 && typical > 0)) {
-        return {1 / std::max(1.0, most), std::max(1.0, most)};
+        return {area, 1 / std::max(1.0, most), std::max(1.0, most)};
     }
     const double for_shadows =
         std::max(typical / kPatchesPerOrgan, area / (kMostTimes * kPatchesPerTriangle * triangles));
@@ -80,7 +80,7 @@ PatchSize patch_size(const Scene& scene, double most) {
             return !(organ.area > 0 && patch_of(organ, usual) > typical / kFewestPerOrgan);
         });
     const double count = count_patches(scene, usual);
-    return {usual / area, count, holds, are_alike(scene, area / count, usual)};
+    return {area, usual / area, count, holds, are_alike(scene, area / count, usual)};
 }
 
 }  // namespace quasimc

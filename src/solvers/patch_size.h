@@ -6,7 +6,8 @@ namespace quasimc {
 
 /// How large the patches of ray bundles are.
 struct PatchSize {
-    double part = 1;   ///< of all surfaces: what a patch covers, about
+    double area = 0;   ///< of all surfaces
+    double part = 1;   ///< of that: what a patch covers, about
     double count = 1;  ///< of patches, about
     /// Whether none is so large beside a typical organ that the shadow of one is lost in it.
     bool holds_shadows = true;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "detectors/catalogue.h"
 #include "solvers/organ_shares.h"
 #include "solvers/suits_bundles.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
@@ -89,10 +89,6 @@ Lighting lighting_of(const Scene& scene, const Sources& sources) {
     return lighting;
 }
 
-double mean(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// What surfaces do to light, means over organs (by area) and sides; sensors left out.
 struct Scattering {
     double mean_albedo = 0;     ///< of the bands
@@ -117,14 +113,14 @@ Scattering scattering_of(const Scene& scene) {
             }
             for (const Lobe& lobe : material.side(side).lobes()) {
                 const bool is_followed = peak_brightness(*lobe.shape) >= sharp_from;
-                sharp += is_followed ? region.area * mean(lobe.albedo) : 0;
+                sharp += is_followed ? region.area * mean_of(lobe.albedo) : 0;
             }
         }
     }
     if (!(area > 0) || scattered.empty()) {
         return {};
     }
-    const double all = mean(scattered);
+    const double all = mean_of(scattered);
     return {
         all / area, *std::max_element(scattered.begin(), scattered.end()) / area,
         all > 0 ? sharp / all : 0};
@@ -135,8 +131,8 @@ double brightest_peak(const Side& side, double sharp_from) {
     for (const Lobe& lobe : side.lobes()) {
         const double peak = peak_brightness(*lobe.shape);
         brightest = std::max(
-            brightest,
-            peak < sharp_from ? peak * mean(lobe.albedo) : std::numeric_limits<double>::infinity());
+            brightest, peak < sharp_from ? peak * mean_of(lobe.albedo)
+                                         : std::numeric_limits<double>::infinity());
     }
     return brightest;
 }

@@ -51,7 +51,7 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
         return size.holds_shadows && size.are_alike &&
                bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytes &&
-               !has_long_patches(scene, spec.paths);
+               !has_long_patches(scene, size);
     };
     return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
            paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&

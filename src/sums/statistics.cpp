@@ -20,6 +20,8 @@ Estimate with_interval(double mean, double standard_error, std::size_t replicate
     return {mean, standard_error, mean - half, mean + half};
 }
 
+}  // namespace
+
 double mean_of(std::span<const double> values) {
     double sum = 0;
     for (const double x : values) {
@@ -27,8 +29,6 @@ double mean_of(std::span<const double> values) {
     }
     return sum / static_cast<double>(values.size());
 }
-
-}  // namespace
 
 Estimate estimate_seen_or_bound(std::span<const double> values, double per_find) {
     const auto is_zero = [](double x) { return x == 0; };

@@ -6,6 +6,9 @@
 
 namespace quasimc {
 
+/// Of one number at least.
+[[nodiscard]] double mean_of(std::span<const double> values);
+
 /// Mean, standard error and 95 % Student t-interval of the mean of `values`, one per replicate (at
 /// least one; with one replicate error and interval are NaN).
 [[nodiscard]] Estimate estimate_mean(std::span<const double> values);

@@ -99,12 +99,8 @@ std::array<std::optional<SeenHit>, kPacket> SightCaster::look(
     std::size_t count = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (const std::optional<Sight> line = sight(places[i])) {
-            packet.origin_x[count] = static_cast<float>(line->start.x);
-            packet.origin_y[count] = static_cast<float>(line->start.y);
-            packet.origin_z[count] = static_cast<float>(line->start.z);
-            packet.direction_x[count] = static_cast<float>(line->direction.x);
-            packet.direction_y[count] = static_cast<float>(line->direction.y);
-            packet.direction_z[count] = static_cast<float>(line->direction.z);
+            packet.set_origin(count, line->start);
+            packet.set_direction(count, line->direction);
             sights[count] = *line;
             place_of[count++] = i;
         }
@@ -113,13 +109,7 @@ std::array<std::optional<SeenHit>, kPacket> SightCaster::look(
     caster_.cast(packet, count, ends);
     std::array<std::optional<SeenHit>, kPacket> found;
     for (std::size_t k = 0; k < count; ++k) {
-        const Hit hit{
-            packet.triangle[k],
-            packet.t[k],
-            packet.u[k],
-            packet.v[k],
-            {packet.normal_x[k], packet.normal_y[k], packet.normal_z[k]}};
-        found[place_of[k]] = seen(sights[k], ends[k], hit);
+        found[place_of[k]] = seen(sights[k], ends[k], packet.hit(k));
     }
     return found;
 }

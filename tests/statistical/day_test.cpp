@@ -93,9 +93,7 @@ TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
 TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .1, .1));
-    for (const Triangle& leaf : random_leaves(40, .3, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {leaf}));
-    }
+    add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay traced = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 10));
     const Estimate& sum = traced.sum.at(0, Quantity::absorbed_flux, kBand);
@@ -109,9 +107,7 @@ TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
 TEST_P(Day, CollapsedIntoOneTraceIsTheSumOfItsHours) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .1, .1));
-    for (const Triangle& leaf : random_leaves(40, .3, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {leaf}));
-    }
+    add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay by_hours = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 12));
     ClearDay collapsed;

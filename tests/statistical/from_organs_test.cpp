@@ -313,9 +313,7 @@ TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources
 TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .1, .1));
-    for (const Triangle& t : random_leaves(60, .35, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {t}));
-    }
+    add_leaves(builder, random_leaves(60, .35, 1, 3));
     builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
     const Scene scene = std::move(builder).build();
     const Sources light{sun(84, {1})};

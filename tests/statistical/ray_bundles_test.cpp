@@ -134,9 +134,7 @@ Scene make_stand(double reflectance = .46) {
     builder.add_material(leaf);
     builder.add_material(matt("soil", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
-    for (const Triangle& triangle : random_leaves(30, .35, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {triangle}));
-    }
+    add_leaves(builder, random_leaves(30, .35, 1, 3));
     builder.add_organ(organ("sensor", "sensor", floor_of(.2, .8, .3, .7, .5)));
     GroundSpec soil = ground("soil");
     soil.extent = std::array<double, 4>{-.5, -.5, 1.5, 1.5};
@@ -173,9 +171,7 @@ TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .46, .42));
         builder.add_material(matt("soil", .3, 0));
-        for (const Triangle& triangle : random_leaves(20, .45, 1, 5)) {
-            builder.add_organ(organ("", "leaf", {triangle}));
-        }
+        add_leaves(builder, random_leaves(20, .45, 1, 5));
         builder.set_ground(ground("soil"));
         builder.set_cell({.along_x = true, .along_y = along_y});
         const Scene scene = std::move(builder).build();

@@ -41,6 +41,12 @@ OrganSpec organ(std::string name, std::string material, std::vector<Triangle> tr
     return spec;
 }
 
+void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves) {
+    for (const Triangle& leaf : leaves) {
+        builder.add_organ(organ("", "leaf", {leaf}));
+    }
+}
+
 GroundSpec ground(std::string material) {
     GroundSpec spec;
     spec.material = std::move(material);

@@ -25,9 +25,7 @@ Scene leaves_in_two_bands() {
     SideOptics bright{.reflectance = .45, .transmittance = .4};
     builder.add_material({"leaf", {dark, bright}, {dark, bright}});
     builder.add_material(matt("soil", .2, 0, kBands));
-    for (const Triangle& leaf : random_leaves(kLeaves, .3, 1, 5)) {
-        builder.add_organ(organ("", "leaf", {leaf}));
-    }
+    add_leaves(builder, random_leaves(kLeaves, .3, 1, 5));
     GroundSpec floor = ground("soil");
     floor.height = -.4;
     builder.set_ground(floor);

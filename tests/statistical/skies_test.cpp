@@ -126,9 +126,7 @@ Scene make_stand_under_skies(const Cell& cell) {
     }
     builder.add_material(leaf);
     builder.add_material(matt("soil", .3, 0, 2));
-    for (const Triangle& triangle : random_leaves(30, .35, 1, 7)) {
-        builder.add_organ(organ("", "leaf", {triangle}));
-    }
+    add_leaves(builder, random_leaves(30, .35, 1, 7));
     GroundSpec soil = ground("soil");
     soil.height = -.2;
     builder.set_ground(soil);

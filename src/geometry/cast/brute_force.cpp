@@ -49,19 +49,8 @@ class BruteForceIntersector final : public Intersector {
 
     void closest(Packet& packet) const override {
         for (std::size_t i = 0; i < kPacket; ++i) {
-            const Ray ray{
-                {packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]},
-                {packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]},
-                packet.near[i],
-                packet.far[i]};
-            const Hit hit = ray.far < ray.near ? Hit{} : closest(ray);
-            packet.triangle[i] = hit.triangle;
-            packet.t[i] = hit.t;
-            packet.u[i] = hit.u;
-            packet.v[i] = hit.v;
-            packet.normal_x[i] = hit.normal[0];
-            packet.normal_y[i] = hit.normal[1];
-            packet.normal_z[i] = hit.normal[2];
+            const Ray ray{packet.origin(i), packet.direction(i), packet.near[i], packet.far[i]};
+            packet.set_hit(i, ray.far < ray.near ? Hit{} : closest(ray));
         }
     }
 

@@ -44,6 +44,40 @@ struct alignas(64) Packet {
     std::array<float, kPacket> near, far;
     std::array<float, kPacket> t, u, v, normal_x, normal_y, normal_z;
     std::array<std::uint32_t, kPacket> triangle;
+
+    void set_origin(std::size_t lane, const Vec3& p) {
+        origin_x[lane] = static_cast<float>(p.x);
+        origin_y[lane] = static_cast<float>(p.y);
+        origin_z[lane] = static_cast<float>(p.z);
+    }
+    void set_direction(std::size_t lane, const Vec3& d) {
+        direction_x[lane] = static_cast<float>(d.x);
+        direction_y[lane] = static_cast<float>(d.y);
+        direction_z[lane] = static_cast<float>(d.z);
+    }
+    void set_hit(std::size_t lane, const Hit& hit) {
+        triangle[lane] = hit.triangle;
+        t[lane] = hit.t;
+        u[lane] = hit.u;
+        v[lane] = hit.v;
+        normal_x[lane] = hit.normal[0];
+        normal_y[lane] = hit.normal[1];
+        normal_z[lane] = hit.normal[2];
+    }
+    [[nodiscard]] Vec3 origin(std::size_t lane) const {
+        return {origin_x[lane], origin_y[lane], origin_z[lane]};
+    }
+    [[nodiscard]] Vec3 direction(std::size_t lane) const {
+        return {direction_x[lane], direction_y[lane], direction_z[lane]};
+    }
+    [[nodiscard]] Hit hit(std::size_t lane) const {
+        return {
+            triangle[lane],
+            t[lane],
+            u[lane],
+            v[lane],
+            {normal_x[lane], normal_y[lane], normal_z[lane]}};
+    }
 };
 
 /// Finds where rays meet the triangles of a mesh. Const and free of locks after construction.

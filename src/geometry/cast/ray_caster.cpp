@@ -324,16 +324,12 @@ void RayCaster::Impl::cast_periodic(
         if (i >= count) {
             continue;
         }
-        const Vec3 origin{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]};
-        const Vec3 direction{packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]};
-        walks[i].emplace(tile, origin, direction);
+        walks[i].emplace(tile, packet.origin(i), packet.direction(i));
         if (!walks[i]->inside()) {
             continue;
         }
         const Ray piece = walks[i]->piece();
-        pieces.origin_x[i] = static_cast<float>(piece.origin.x);
-        pieces.origin_y[i] = static_cast<float>(piece.origin.y);
-        pieces.origin_z[i] = static_cast<float>(piece.origin.z);
+        pieces.set_origin(i, piece.origin);
         pieces.far[i] = piece.far;
     }
     pieces.direction_x = packet.direction_x;
@@ -356,13 +352,7 @@ void RayCaster::Impl::cast_periodic(
         const CastHit rest = follow(*walks[i], kNoTriangle);
         ends[i] = rest.end;
         if (rest.end == RayEnd::hit) {
-            packet.triangle[i] = rest.hit.triangle;
-            packet.t[i] = rest.hit.t;
-            packet.u[i] = rest.hit.u;
-            packet.v[i] = rest.hit.v;
-            packet.normal_x[i] = rest.hit.normal[0];
-            packet.normal_y[i] = rest.hit.normal[1];
-            packet.normal_z[i] = rest.hit.normal[2];
+            packet.set_hit(i, rest.hit);
         }
     }
 }

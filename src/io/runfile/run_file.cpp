@@ -261,7 +261,13 @@ void throw_in_order(const Reporter& reporter) {
 
 /// What silently spoils results. What is of the geometry alone was told of the base.
 std::vector<Warning> lint_of(const Sections& sections) {
-    return sections.is_on_base ? lint_materials({*sections.scene, {}, {}}) : lint(*sections.scene);
+    const Scene& scene = *sections.scene;
+    std::vector<Warning> found =
+        sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
+    for (Warning& warning : lint_bundles(scene, sections.options.spec)) {
+        found.push_back(std::move(warning));
+    }
+    return found;
 }
 
 /// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
@@ -323,9 +329,6 @@ RunFile read_run_document(
     }
     throw_in_order(reporter);
     for (Warning& warning : lint_of(sections)) {
-        reporter.warnings.push_back(std::move(warning));
-    }
-    for (Warning& warning : lint_bundles(*sections.scene, sections.options.spec)) {
         reporter.warnings.push_back(std::move(warning));
     }
     return {

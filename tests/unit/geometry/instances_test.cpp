@@ -235,25 +235,15 @@ TEST(Instances, PacketsMeetWhatSingleRaysMeet) {
         const Vec3 from = test::rounded(-1.5 * d);
         for (std::size_t i = 0; i < kPacket; ++i) {
             const Vec3 p = test::rounded(from + random.point(-0.5, 0.5));
-            packet.origin_x[i] = static_cast<float>(p.x);
-            packet.origin_y[i] = static_cast<float>(p.y);
-            packet.origin_z[i] = static_cast<float>(p.z);
-            packet.direction_x[i] = static_cast<float>(d.x);
-            packet.direction_y[i] = static_cast<float>(d.y);
-            packet.direction_z[i] = static_cast<float>(d.z);
+            packet.set_origin(i, p);
+            packet.set_direction(i, d);
             packet.near[i] = 0;
             packet.far[i] = i < 12 ? INFINITY : -1;  // four are idle
         }
         embree->closest(packet);
         for (std::size_t i = 0; i < 12; ++i) {
-            const Ray ray{{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]}, d};
-            const Hit hit{
-                packet.triangle[i],
-                packet.t[i],
-                packet.u[i],
-                packet.v[i],
-                {packet.normal_x[i], packet.normal_y[i], packet.normal_z[i]}};
-            comparison.add(mesh, ray, hit, oracle->closest(ray));
+            const Ray ray{packet.origin(i), d};
+            comparison.add(mesh, ray, packet.hit(i), oracle->closest(ray));
         }
         for (std::size_t i = 12; i < kPacket; ++i) {
             EXPECT_EQ(packet.triangle[i], kNoTriangle);

@@ -134,25 +134,12 @@ Packet packet_of(const std::array<Ray, kPacket>& rays) {
     Packet packet{};
     for (std::size_t i = 0; i < kPacket; ++i) {
         const Ray& ray = rays[i];
-        packet.origin_x[i] = static_cast<float>(ray.origin.x);
-        packet.origin_y[i] = static_cast<float>(ray.origin.y);
-        packet.origin_z[i] = static_cast<float>(ray.origin.z);
-        packet.direction_x[i] = static_cast<float>(ray.direction.x);
-        packet.direction_y[i] = static_cast<float>(ray.direction.y);
-        packet.direction_z[i] = static_cast<float>(ray.direction.z);
+        packet.set_origin(i, ray.origin);
+        packet.set_direction(i, ray.direction);
         packet.near[i] = ray.near;
         packet.far[i] = ray.far;
     }
     return packet;
-}
-
-Hit lane(const Packet& packet, std::size_t i) {
-    return {
-        packet.triangle[i],
-        packet.t[i],
-        packet.u[i],
-        packet.v[i],
-        {packet.normal_x[i], packet.normal_y[i], packet.normal_z[i]}};
 }
 
 TEST(Embree, PacketsMeetWhatSingleRaysMeet) {
@@ -173,8 +160,8 @@ TEST(Embree, PacketsMeetWhatSingleRaysMeet) {
         for (std::size_t k = 0; k < kPacket; ++k) {
             const Hit single = embree->closest(rays[k]);
             hits += single.found() ? 1 : 0;
-            EXPECT_TRUE(same_hit(lane(same, k), oracle->closest(rays[k])));
-            if (!same_hit(lane(packet, k), single) || !same_hit(single, lane(same, k))) {
+            EXPECT_TRUE(same_hit(same.hit(k), oracle->closest(rays[k])));
+            if (!same_hit(packet.hit(k), single) || !same_hit(single, same.hit(k))) {
                 EXPECT_TRUE(test::is_close_call(mesh, rays[k]));
                 ++close_calls;
             }
@@ -195,7 +182,7 @@ TEST(Embree, IdleLanesOfAPacketMeetNothing) {
         Packet packet = packet_of(rays);
         engine->closest(packet);
         for (std::size_t i = 0; i < kPacket; ++i) {
-            EXPECT_EQ(lane(packet, i).found(), i % 2 == 0);
+            EXPECT_EQ(packet.hit(i).found(), i % 2 == 0);
         }
     }
 }

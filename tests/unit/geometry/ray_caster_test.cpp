@@ -147,12 +147,8 @@ TEST_P(Packets, MeetWhatSingleRaysMeet) {
         const auto origins = origins_before(d, random);
         Packet packet{};
         for (std::size_t k = 0; k < kPacket; ++k) {
-            packet.origin_x[k] = static_cast<float>(origins[k].x);
-            packet.origin_y[k] = static_cast<float>(origins[k].y);
-            packet.origin_z[k] = static_cast<float>(origins[k].z);
-            packet.direction_x[k] = static_cast<float>(d.x);
-            packet.direction_y[k] = static_cast<float>(d.y);
-            packet.direction_z[k] = static_cast<float>(d.z);
+            packet.set_origin(k, origins[k]);
+            packet.set_direction(k, d);
         }
         const std::size_t count = 1 + random.below(kPacket);
         std::array<RayEnd, kPacket> ends{};

@@ -26,9 +26,7 @@ TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     const Stand& stand = GetParam();
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .4, .4));
-    for (const Triangle& t : random_leaves(stand.leaves, stand.edge, 1, 9)) {
-        builder.add_organ(organ("", "leaf", {t}));
-    }
+    add_leaves(builder, random_leaves(stand.leaves, stand.edge, 1, 9));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(30, {1}), sky({.3})};
     RunSpec spec = spec_of(Method::light_tracing, stand.paths);

@@ -20,9 +20,7 @@ Scene make_stand() {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .3, .2));
     builder.add_material(matt("soil", .2, 0));
-    for (const Triangle& t : random_leaves(10, .6, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {t}));
-    }
+    add_leaves(builder, random_leaves(10, .6, 1, 3));
     GroundSpec soil = ground("soil");
     soil.height = -.4;
     builder.set_ground(soil);

@@ -197,9 +197,7 @@ TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
 TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(matt("leaf", .2, .2, 2));
-    for (const Triangle& triangle : random_leaves(60, .2, 1, 5)) {
-        builder.add_organ(organ("", "leaf", {triangle}));
-    }
+    add_leaves(builder, random_leaves(60, .2, 1, 5));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(70, {1, .5}), sky({.3, .6})};
     RunSpec spec = spec_of(GetParam(), 1 << 16);

@@ -27,9 +27,7 @@ Scene make_sensor_over_leaves() {
     OrganSpec eye = organ("eye", "sensor", floor_of(.2, .8, .2, .8, 1.1));
     eye.field_of_view_deg = kHalfView;
     builder.add_organ(eye);
-    for (const Triangle& t : random_leaves(200, .1, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {t}));
-    }
+    add_leaves(builder, random_leaves(200, .1, 1, 3));
     return std::move(builder).build();
 }
 

@@ -88,9 +88,7 @@ TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
     const auto planned = [](std::size_t leaves, std::uint64_t paths) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .1, .1));
-        for (const Triangle& triangle : random_leaves(leaves, .1, 1, 5)) {
-            builder.add_organ(organ("", "leaf", {triangle}));
-        }
+        add_leaves(builder, random_leaves(leaves, .1, 1, 5));
         return plan_method(
                    std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, paths))
             .method;
@@ -107,9 +105,7 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
     const auto planned = [](double half_width) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .1, .1));
-        for (const Triangle& triangle : random_leaves(100, .1, 1, 5)) {
-            builder.add_organ(organ("", "leaf", {triangle}));
-        }
+        add_leaves(builder, random_leaves(100, .1, 1, 5));
         GroundSpec soil = ground("leaf");
         soil.extent = std::array<double, 4>{-half_width, -half_width, half_width, half_width};
         builder.set_ground(soil);
@@ -125,9 +121,7 @@ TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
     const auto planned = [](double radius) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .1, .1));
-        for (const Triangle& triangle : random_leaves(100, .1, 1, 5)) {
-            builder.add_organ(organ("", "leaf", {triangle}));
-        }
+        add_leaves(builder, random_leaves(100, .1, 1, 5));
         builder.add_organ(organ(
             "drum", "leaf", make_cylinder({.5, .5, 2}, {0, 0, radius}, radius, radius, 16, true)));
         return plan_method(std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, 4096))

@@ -28,9 +28,7 @@ bool are_same(const Result& a, const Result& b) {
 Scene make_leaves() {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .4, .2));
-    for (const Triangle& leaf : random_leaves(200, .2, 1, 3)) {
-        builder.add_organ(organ("", "leaf", {leaf}));
-    }
+    add_leaves(builder, random_leaves(200, .2, 1, 3));
     return std::move(builder).build();
 }
 

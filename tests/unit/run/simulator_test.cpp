@@ -94,9 +94,7 @@ TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
     for (const std::size_t leaves : {1U, 30U, 200U, 1000U}) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .4, .2));
-        for (const Triangle& leaf : random_leaves(leaves, .2, 1, 3)) {
-            builder.add_organ(organ("", "leaf", {leaf}));
-        }
+        add_leaves(builder, random_leaves(leaves, .2, 1, 3));
         const Scene plant = std::move(builder).build();
         RunSpec spec = short_run();
         spec.threads = 1;

@@ -13,9 +13,7 @@ namespace {
 Scene few_leaves(double rho = .3) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(matt("leaf", rho, .2, 2));
-    for (const Triangle& triangle : random_leaves(12, .4, 1, 5)) {
-        builder.add_organ(organ("", "leaf", {triangle}));
-    }
+    add_leaves(builder, random_leaves(12, .4, 1, 5));
     return std::move(builder).build();
 }
 

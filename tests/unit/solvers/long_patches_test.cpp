@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solvers/bundle_budget.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -43,19 +44,21 @@ Scene tubes(int rings) {
     return std::move(builder).build();
 }
 
+bool has_long_patches(const Scene& scene) {
+    return quasimc::has_long_patches(scene, patch_size(scene, patches_for(kPathsOfTubes)));
+}
+
 TEST(LongPatches, AreThoseOfTubesOfOneRing) {
-    EXPECT_TRUE(has_long_patches(tubes(1), kPathsOfTubes));
-    EXPECT_TRUE(has_long_patches(tubes(4), kPathsOfTubes));
-    EXPECT_FALSE(has_long_patches(tubes(20), kPathsOfTubes));
+    EXPECT_TRUE(has_long_patches(tubes(1)));
+    EXPECT_TRUE(has_long_patches(tubes(4)));
+    EXPECT_FALSE(has_long_patches(tubes(20)));
 }
 
 TEST(LongPatches, AreNotThoseOfLeaves) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .1, .1));
-    for (const Triangle& triangle : random_leaves(50, .1, 1, 5)) {
-        builder.add_organ(organ("", "leaf", {triangle}));
-    }
-    EXPECT_FALSE(has_long_patches(std::move(builder).build(), kPathsOfTubes));
+    add_leaves(builder, random_leaves(50, .1, 1, 5));
+    EXPECT_FALSE(has_long_patches(std::move(builder).build()));
 }
 
 /// Of strips that make up a wide leaf patches are longer than these, but not than the leaf is wide.
@@ -70,7 +73,7 @@ TEST(LongPatches, AreMeasuredByTheOrgan) {
         strips.push_back({Vec3{0, low, 0}, {1, high, 0}, {0, high, 0}});
     }
     builder.add_organ(organ("", "leaf", strips));
-    EXPECT_FALSE(has_long_patches(std::move(builder).build(), kPathsOfTubes));
+    EXPECT_FALSE(has_long_patches(std::move(builder).build()));
 }
 
 /// Of flat organs a few may have them: they send themselves no light.
@@ -78,14 +81,12 @@ TEST(LongPatches, MayBeThoseOfAFewNeedles) {
     const auto has_long = [](int needles) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .1, .1));
-        for (const Triangle& triangle : random_leaves(50, .3, 1, 5)) {
-            builder.add_organ(organ("", "leaf", {triangle}));
-        }
+        add_leaves(builder, random_leaves(50, .3, 1, 5));
         for (int i = 0; i < needles; ++i) {
             const double y = .1 * i;
             builder.add_organ(organ("", "leaf", floor_of(0, 1, y, y + .01, 0)));
         }
-        return has_long_patches(std::move(builder).build(), kPathsOfTubes);
+        return has_long_patches(std::move(builder).build());
     };
     EXPECT_FALSE(has_long(3));
     EXPECT_TRUE(has_long(60));

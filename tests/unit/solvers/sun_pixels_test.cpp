@@ -20,9 +20,7 @@ constexpr std::uint32_t kLooks = 32;
 Scene leaves_over_floor(bool repeats) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(matt("leaf", .1, .1, 2));
-    for (const Triangle& leaf : random_leaves(20, .25, 1, 5)) {
-        builder.add_organ(organ("", "leaf", {leaf}));
-    }
+    add_leaves(builder, random_leaves(20, .25, 1, 5));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, -.2)));
     if (repeats) {
         builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
