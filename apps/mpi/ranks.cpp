@@ -3,25 +3,37 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
-#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <mpi.h>
 
-// Ranks that wait sleep: they may share a core with one that works.
+// Ranks that wait for others sleep: they may share a core with one that works.
 
 namespace {
+
+bool is_done(MPI_Request& request) {
+    int done = 0;
+    return MPI_Test(&request, &done, MPI_STATUS_IGNORE) != MPI_SUCCESS || done != 0;
+}
 
 void wait_for(MPI_Request& request) {
     constexpr std::chrono::microseconds kFirst{20}, kLongest{500};
     std::chrono::microseconds pause = kFirst;
-    int is_done = 0;
-    while (MPI_Test(&request, &is_done, MPI_STATUS_IGNORE) == MPI_SUCCESS && is_done == 0) {
+    while (!is_done(request)) {
         std::this_thread::sleep_for(pause);
         pause = std::min(2 * pause, kLongest);
+    }
+}
+
+/// Of bytes of which all who send or take them are there. They go in many small pieces, each of
+/// which takes a call: to sleep in between takes a hundred times as long as they do.
+void wait_for_bytes(MPI_Request& request) {
+    while (!is_done(request)) {
+        std::this_thread::yield();
     }
 }
 
@@ -31,10 +43,12 @@ void barrier() {
     wait_for(request);
 }
 
+/// Many numbers follow few, which tell of them.
 void broadcast(std::uint64_t* numbers, std::uint64_t count) {
+    constexpr std::uint64_t kFew = 64;
     MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibcast(numbers, static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
-    wait_for(request);
+    count > kFew ? wait_for_bytes(request) : wait_for(request);
 }
 
 int own_rank() {
@@ -49,7 +63,7 @@ void add_up(std::int64_t* numbers, std::uint64_t count) {
     MPI_Ireduce(
         is_first ? MPI_IN_PLACE : numbers, is_first ? numbers : nullptr, static_cast<int>(count),
         MPI_INT64_T, MPI_SUM, 0, MPI_COMM_WORLD, &request);
-    wait_for(request);
+    wait_for_bytes(request);
 }
 
 // Mail goes to rank 0 as messages of at most kMostOfMessage bytes after one that tells how many
@@ -118,9 +132,7 @@ int has_mail_arrived() {
     auto& sent = mail_box().sent;
     while (!sent.empty()) {
         for (MPI_Request& request : sent.front().requests) {
-            int is_done = 0;
-            MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
-            if (is_done == 0) {
+            if (!is_done(request)) {
                 return 0;
             }
         }
@@ -154,7 +166,7 @@ void receive_mail(char* bytes, std::uint64_t count) {
         MPI_Request request = MPI_REQUEST_NULL;
         MPI_Irecv(
             bytes + at, size, MPI_CHAR, box.found_source, box.found_tag, MPI_COMM_WORLD, &request);
-        wait_for(request);
+        wait_for_bytes(request);
     });
 }
 
@@ -241,22 +253,23 @@ MPI_Comm node_of_rank(int rank) {
     return node;
 }
 
-/// A number in memory that the ranks of a node share; it lives until the end of the job.
-std::uint64_t* shared_number(MPI_Comm node) {
+/// Memory that the ranks of a node share, zero at first; it lives until the end of the job.
+void* shared_memory(MPI_Comm node, std::uint64_t bytes) {
     int place = 0;
     MPI_Comm_rank(node, &place);
     MPI_Win window = MPI_WIN_NULL;
     void* own = nullptr;
-    const MPI_Aint bytes = place == 0 ? 64 : 0;
-    MPI_Win_allocate_shared(bytes, 1, MPI_INFO_NULL, node, &own, &window);
+    const MPI_Aint own_bytes = place == 0 ? static_cast<MPI_Aint>(bytes) : 0;
+    MPI_Win_allocate_shared(own_bytes, 1, MPI_INFO_NULL, node, &own, &window);
     MPI_Aint size = 0;
     int unit = 0;
-    void* number = nullptr;
-    MPI_Win_shared_query(window, 0, &size, &unit, &number);
+    void* memory = nullptr;
+    MPI_Win_shared_query(window, 0, &size, &unit, &memory);
     if (place == 0) {
-        new (number) std::uint64_t(0);
+        std::memset(memory, 0, bytes);
     }
-    return static_cast<std::uint64_t*>(number);
+    MPI_Barrier(node);
+    return memory;
 }
 
 void find_nodes(MPI_Comm node, QuasimcRanks& ranks) {
@@ -274,7 +287,7 @@ void find_nodes(MPI_Comm node, QuasimcRanks& ranks) {
 
 }  // namespace
 
-const QuasimcRanks* quasimc_ranks() {
+const QuasimcRanks* quasimc_ranks(std::uint64_t node_bytes) {
     static QuasimcRanks ranks{};
     int level = 0;
     if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS ||
@@ -286,7 +299,7 @@ const QuasimcRanks* quasimc_ranks() {
     ranks.ranks = static_cast<std::uint64_t>(number_of_ranks());
     MPI_Comm node = node_of_rank(own_rank());
     find_nodes(node, ranks);
-    ranks.node_counter = shared_number(node);
+    ranks.node_memory = shared_memory(node, node_bytes);
     ranks.barrier = barrier;
     ranks.broadcast = broadcast;
     ranks.add_up = add_up;

@@ -13,8 +13,8 @@ extern "C" {
 struct QuasimcRanks {
     std::uint64_t version;  ///< of this table
     std::uint64_t rank, ranks;
-    std::uint64_t node, nodes;    ///< machines, or what shares memory
-    std::uint64_t* node_counter;  ///< 8 bytes that the ranks of a node share
+    std::uint64_t node, nodes;  ///< machines, or what shares memory
+    void* node_memory;          ///< that the ranks of a node share, zero at first
     std::uint64_t is_first_of_node;
     void (*barrier)();
     void (*broadcast)(std::uint64_t* numbers, std::uint64_t count);  ///< from rank 0
@@ -37,8 +37,9 @@ struct QuasimcRanks {
 constexpr std::uint64_t kNoMail = ~std::uint64_t{0};
 
 /// Version of the table.
-constexpr std::uint64_t kQuasimcRanksVersion = 3;
+constexpr std::uint64_t kQuasimcRanksVersion = 4;
 
 /// Starts MPI. @returns null if it can't be started
-const QuasimcRanks* quasimc_ranks();
+/// @param node_bytes  of memory that the ranks of a node share
+const QuasimcRanks* quasimc_ranks(std::uint64_t node_bytes);
 }

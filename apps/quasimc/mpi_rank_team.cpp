@@ -2,11 +2,15 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +22,7 @@
 
 #include <fmt/format.h>
 
+#include "io/node_memory.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 #include "ranks.h"
@@ -44,6 +49,13 @@ bool are_several() {
           "start the program without mpirun, or install its module for MPI"}});
 }
 
+using Counter = std::atomic<std::uint64_t>;
+static_assert(Counter::is_always_lock_free && sizeof(Counter) == sizeof(std::uint64_t));
+
+/// What ranks of a node share: the counter of tasks, and after it the list of common arrays.
+constexpr std::uint64_t kListPlace = 64;
+const std::uint64_t kNodeBytes = kListPlace + quasimc::NodeMemory::bytes_of_list();
+
 /// The module lies beside the program, or where it was installed.
 const QuasimcRanks& load_ranks() {
     std::error_code error;
@@ -56,9 +68,9 @@ const QuasimcRanks& load_ranks() {
     if (module == nullptr) {
         refuse_mpi(::dlerror());  // NOLINT(concurrency-mt-unsafe): one thread so far
     }
-    using Start = const QuasimcRanks* (*)();
+    using Start = const QuasimcRanks* (*)(std::uint64_t);
     const auto start = reinterpret_cast<Start>(::dlsym(module, "quasimc_ranks"));
-    const QuasimcRanks* ranks = start == nullptr ? nullptr : start();
+    const QuasimcRanks* ranks = start == nullptr ? nullptr : start(kNodeBytes);
     if (ranks == nullptr || ranks->version != kQuasimcRanksVersion) {
         refuse_mpi("its module is of another version, or MPI does not start");
     }
@@ -73,6 +85,7 @@ class MpiRankTeam final : public RankTeam {
         team_.size = ranks.ranks;
         team_.machine = ranks.node;
         team_.machines = ranks.nodes;
+        share_memory();
         set_mail();
         team_.tasks.begin = [this](std::uint64_t begin, std::uint64_t end) {
             return begin_tasks(begin, end);
@@ -109,6 +122,17 @@ class MpiRankTeam final : public RankTeam {
     }
 
   private:
+    /// The ranks of a node have large arrays of the scene once.
+    void share_memory() {
+        void* const list = static_cast<std::byte*>(ranks_.node_memory) + kListPlace;
+        if (ranks_.is_first_of_node != 0) {
+            quasimc::NodeMemory::make_list(list);
+        }
+        ranks_.barrier();
+        memory_ = std::make_shared<quasimc::NodeMemory>(list);
+        team_.memory = memory_;
+    }
+
     void set_mail() {
         team_.mail.send = [this](std::uint64_t number, std::string_view bytes) {
             ranks_.send(number, bytes.data(), bytes.size());
@@ -128,14 +152,11 @@ class MpiRankTeam final : public RankTeam {
         team_.mail.end = [this] { ranks_.end_mail(); };
     }
 
-    using Counter = std::atomic<std::uint64_t>;
-    static_assert(Counter::is_always_lock_free && sizeof(Counter) == sizeof(std::uint64_t));
-
     /// Each node has a share of the tasks, which its ranks take one by one.
     [[nodiscard]] quasimc::TaskRange begin_tasks(std::uint64_t begin, std::uint64_t end) const {
         const auto [first, last] =
             quasimc::share_of(ranks_.node + 1, ranks_.nodes).range(end - begin);
-        auto* counter = reinterpret_cast<Counter*>(ranks_.node_counter);
+        auto* counter = static_cast<Counter*>(ranks_.node_memory);
         if (ranks_.is_first_of_node != 0) {
             *counter = begin + first;
         }
@@ -177,10 +198,12 @@ class MpiRankTeam final : public RankTeam {
         if (team_.is_first) {
             static_cast<void>(pass_order({.is_end = 1}));
         }
+        memory_->close();  // the list is memory of MPI
         ranks_.finalize();
     }
 
     const QuasimcRanks& ranks_;
+    std::shared_ptr<quasimc::NodeMemory> memory_;
     bool has_ordered_ = false;
 };
 

@@ -99,6 +99,7 @@ quasimc::StoredSweep read_for_team(const RunArguments& arguments, const quasimc:
     try {
         quasimc::StoredSweep stored = read_runs(arguments, access_through(files));
         files->end();
+        stored.runs.keep_in(team.memory);
         return stored;
     } catch (...) {
         files->end();

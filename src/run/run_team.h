@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/common_memory.h"
 #include "base/executor.h"
 #include "quasimc/run.h"
 #include "quasimc/series.h"
@@ -68,7 +69,8 @@ struct RunTeam {
     std::function<void(std::vector<std::int64_t>& numbers)> add_up;
     /// Gives the others bytes of the first process. All call it.
     std::function<void(std::string& bytes)> share;
-    std::uint64_t point = 0;  ///< that the first process is at
+    std::shared_ptr<CommonMemory> memory;  ///< of the processes of this machine; or null
+    std::uint64_t point = 0;               ///< that the first process is at
     /// Seconds from one state to the next that a process sends of the run that it traces by itself,
     /// so that a checkpoint has it; nothing: it sends none.
     std::optional<double> keep_every;

@@ -2,10 +2,18 @@
 
 #include <algorithm>
 
+#include "base/frozen_array.h"
 #include "base/lazy.h"
 #include "scene/organ_areas.h"
 
 namespace quasimc {
+
+Scene in_common_memory(Scene scene, const std::shared_ptr<CommonMemory>& common) {
+    scene.geometry_ = in_common_memory(*scene.geometry_, common);
+    scene.triangle_regions_ =
+        std::make_shared<const FrozenArray<RegionIndex>>(scene.triangle_regions_->in(common.get()));
+    return scene;
+}
 
 Scene::Scene() = default;
 Scene::Scene(const Scene& other) = default;
@@ -13,6 +21,10 @@ Scene::Scene(Scene&& other) noexcept = default;
 Scene& Scene::operator=(const Scene& other) = default;
 Scene& Scene::operator=(Scene&& other) noexcept = default;
 Scene::~Scene() = default;
+
+std::span<const RegionIndex> Scene::triangle_regions() const {
+    return *triangle_regions_;
+}
 
 std::size_t Scene::triangle_count() const {
     return geometry_->size();
@@ -45,9 +57,9 @@ std::vector<Triangle> Scene::triangles_of(const Organ& organ) const {
 }
 
 RegionIndex Scene::region_of(std::uint32_t triangle) const {
-    return triangle < triangle_regions_.size()
-               ? triangle_regions_[triangle]
-               : instance_regions_[geometry_->ranges().find(triangle)];
+    const std::span<const RegionIndex> own = triangle_regions();
+    return triangle < own.size() ? own[triangle]
+                                 : instance_regions_[geometry_->ranges().find(triangle)];
 }
 
 std::vector<bool> used_materials(const Scene& scene) {

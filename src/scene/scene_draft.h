@@ -70,7 +70,8 @@ struct SceneDraft {
     std::unordered_map<std::string, std::uint32_t> material_numbers_;
     /// A mesh that was given, and the same with its vertices in order.
     struct SharedMesh {
-        std::shared_ptr<const Mesh> given, ordered;
+        std::shared_ptr<const Mesh> given;
+        std::shared_ptr<const FrozenMesh> ordered;
     };
     std::unordered_map<const Mesh*, SharedMesh> shared_;
 };

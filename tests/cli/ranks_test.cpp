@@ -200,6 +200,33 @@ TEST_F(RanksTest, EndWithinSecondsWhenOneDiesAndGoOn) {
     EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
 }
 
+/// The scene is in memory once: both ranks have mapped the same files, which have no names.
+TEST_F(RanksTest, OfAMachineShareTheArraysOfTheScene) {
+    std::string rows;
+    for (int i = 0; i < 70'000; ++i) {
+        const std::string x = std::to_string(i % 300), y = std::to_string(i / 300);
+        rows += "v " + x + ".1 " + y + " 0\nv " + x + ".9 " + y + " 0\nv " + x + ".5 " + y +
+                ".5 1\nf -3 -2 -1\n";
+    }
+    folder_.write("many.obj", rows);
+    folder_.write("many.toml", replaced(good_run_file(), "leaves.tri", "many.obj"));
+    const Outcome outcome = run_ranks(
+        2, "many.toml --method light_tracing --paths 1073741824 --quiet --threads 1", 0,
+        "2> err & job=$!\n"
+        "files() { grep memfd:quasimc /proc/$1/maps 2> /dev/null | awk '{print $5}' | sort -u; }\n"
+        "until [ $(files $one | wc -l) -ge 4 ] && [ \"$(files $one)\" = \"$(files $two)\" ]; do\n"
+        "  kill -0 $job 2> /dev/null || { cat err; exit 5; }\n"
+        "  sleep 0.05\n"
+        "  for p in $(pgrep -f 'quasimc run many.toml'); do\n"
+        "    [ \"$(readlink /proc/$p/cwd)\" = $PWD ] || continue\n"
+        "    grep -qz OMPI_COMM_WORLD_RANK=0 /proc/$p/environ && one=$p\n"
+        "    grep -qz OMPI_COMM_WORLD_RANK=1 /proc/$p/environ && two=$p\n"
+        "  done\n"
+        "done 2> /dev/null\n"
+        "kill -INT $one; wait $job");
+    EXPECT_EQ(outcome.status, 130) << outcome.out << outcome.err;
+}
+
 /// Jobs of three ranks, one of which is killed at some moment, again and again.
 class KilledRanks : public RanksTest, public ::testing::WithParamInterface<int> {
   protected:

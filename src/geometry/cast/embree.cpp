@@ -68,7 +68,7 @@ Device make_device() {
 
 /// @param vertices  3 numbers each, and kVertexPadding
 Geometry make_triangles(
-    RTCDevice device, const std::vector<float>& vertices, std::span<const Face> faces) {
+    RTCDevice device, std::span<const float> vertices, std::span<const Face> faces) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
     rtcSetSharedGeometryBuffer(
         geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices.data(), 0,
@@ -204,7 +204,7 @@ class EmbreeIntersector final : public Intersector {
 
   private:
     void attach_triangles(
-        RTCScene scene, const std::vector<float>& vertices, std::span<const Face> faces) {
+        RTCScene scene, std::span<const float> vertices, std::span<const Face> faces) {
         const Geometry geometry = make_triangles(device_.get(), vertices, faces);
         rtcSetGeometryOccludedFilterFunction(geometry.get(), refuse_excepted);
         rtcCommitGeometry(geometry.get());

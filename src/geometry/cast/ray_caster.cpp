@@ -135,7 +135,7 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
         return (!tile.along_x || std::round(moved.x / size.x) == shift_x) &&
                (!tile.along_y || std::round(moved.y / size.y) == shift_y);
     };
-    const std::vector<std::uint32_t>& sources = wrapped.source;
+    const FrozenArray<std::uint32_t>& sources = wrapped.source;
     if (self >= sources.size()) {
         return kNoTriangle;  // of an instance, which lies in one cell
     }
@@ -178,15 +178,6 @@ bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
     return false;
 }
 
-/// Frees the corners of the images in double precision, of which only the faces are needed.
-void RayCaster::drop_places(Impl& impl) {
-    const auto faces =
-        std::make_shared<const std::vector<Face>>(impl.wrapped.geometry->mesh().faces);
-    impl.mesh.faces = *faces;
-    impl.mesh.owner = faces;
-    impl.wrapped.geometry.reset();
-}
-
 RayCaster::RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine)
     : RayCaster(std::make_shared<const SceneGeometry>(Mesh(triangles)), cell, engine) {}
 
@@ -211,9 +202,7 @@ RayCaster::RayCaster(
         impl_->wrapped = wrap_into_cell(*geometry, cell);
     }
     impl_->mesh = make_local_mesh(cell.periodic() ? impl_->wrapped.geometry : geometry);
-    if (cell.periodic()) {
-        drop_places(*impl_);
-    }
+    impl_->wrapped.geometry.reset();  // the images' corners in double precision
     impl_->cell = local_cell(impl_->mesh, cell);
     impl_->tile = make_tile(impl_->mesh, impl_->cell);
     impl_->engine = make(impl_->mesh);

@@ -94,7 +94,6 @@ class RayCaster {
 
   private:
     struct Impl;
-    static void drop_places(Impl& impl);
     std::unique_ptr<Impl> impl_;
 };
 

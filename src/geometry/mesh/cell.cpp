@@ -190,6 +190,21 @@ std::optional<Instance> moved_inside(
     return moved;
 }
 
+/// The images' corners are needed for a moment only: they are not put into common memory.
+WrappedGeometry wrapped_with(
+    Mesh images,
+    std::vector<Instance> kept,
+    std::vector<std::uint32_t> sources,
+    const std::shared_ptr<CommonMemory>& common) {
+    WrappedGeometry wrapped;
+    wrapped.source = FrozenArray(std::move(sources)).in(common.get());
+    FrozenMesh mesh(
+        std::move(images.vertices), FrozenArray(std::move(images.faces)).in(common.get()));
+    wrapped.geometry =
+        std::make_shared<const SceneGeometry>(std::move(mesh), std::move(kept), common);
+    return wrapped;
+}
+
 }  // namespace
 
 WrappedTriangles wrap_into_cell(const std::vector<Triangle>& triangles, const Cell& cell) {
@@ -203,15 +218,14 @@ WrappedTriangles wrap_into_cell(const std::vector<Triangle>& triangles, const Ce
 
 WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) {
     EXPECT(cell.periodic() && cell.size_x > 0 && cell.size_y > 0);
-    WrappedGeometry wrapped;
+    std::vector<std::uint32_t> sources, instance_sources;
     Mesh images;
     if (geometry.instances().empty()) {
         images.vertices.reserve(geometry.mesh().vertices.size());
         images.faces.reserve(geometry.size());
-        wrapped.source.reserve(geometry.size());
-        add_images(geometry.mesh(), cell, images, wrapped.source);
-        wrapped.geometry = std::make_shared<const SceneGeometry>(std::move(images));
-        return wrapped;
+        sources.reserve(geometry.size());
+        add_images(geometry.mesh(), cell, images, sources);
+        return wrapped_with(std::move(images), {}, std::move(sources), geometry.common());
     }
     // The triangles that are no longer of an instance, and their numbers in the input.
     std::vector<Triangle> loose(
@@ -225,7 +239,7 @@ WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) 
         const std::uint32_t first = geometry.ranges().first(i);
         if (const auto moved = moved_inside(instance, bounds[i], cell)) {
             kept.push_back(*moved);
-            wrapped.instance_source.push_back(first);
+            instance_sources.push_back(first);
             continue;
         }
         for (std::uint32_t k = 0; k < instance.mesh->size(); ++k) {
@@ -233,11 +247,13 @@ WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) 
             numbers.push_back(first + k);
         }
     }
-    add_images(loose, cell, images, wrapped.source);
-    for (std::uint32_t& source : wrapped.source) {
+    add_images(loose, cell, images, sources);
+    for (std::uint32_t& source : sources) {
         source = numbers[source];
     }
-    wrapped.geometry = std::make_shared<const SceneGeometry>(std::move(images), std::move(kept));
+    WrappedGeometry wrapped =
+        wrapped_with(std::move(images), std::move(kept), std::move(sources), geometry.common());
+    wrapped.instance_source = std::move(instance_sources);
     return wrapped;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -25,7 +26,7 @@ double scale_to_unit(double half_extent) {
     return std::ldexp(1.0, std::clamp(-exponent, -kLargest, kLargest));
 }
 
-Bounds bounds_of(const std::vector<Vec3>& points) {
+Bounds bounds_of(std::span<const Vec3> points) {
     Bounds bounds;
     for (const Vec3& p : points) {
         EXPECT(is_finite(p));
@@ -35,7 +36,8 @@ Bounds bounds_of(const std::vector<Vec3>& points) {
 }
 
 /// (points - origin) * scale in single precision, and the padding.
-std::vector<float> to_floats(const std::vector<Vec3>& points, const Vec3& origin, double scale) {
+FrozenArray<float> to_floats(
+    std::span<const Vec3> points, const Vec3& origin, double scale, CommonMemory* common) {
     std::vector<float> floats;
     floats.reserve(3 * points.size() + kVertexPadding);
     for (const Vec3& point : points) {
@@ -45,13 +47,13 @@ std::vector<float> to_floats(const std::vector<Vec3>& points, const Vec3& origin
         floats.push_back(static_cast<float>(p.z));
     }
     floats.resize(floats.size() + kVertexPadding, 0.0F);
-    return floats;
+    return FrozenArray<float>(std::move(floats)).in(common);
 }
 
 /// Makes prototypes and instances of the local mesh of a scene.
 class InstanceMaker {
   public:
-    explicit InstanceMaker(LocalMesh& mesh) : mesh_(mesh) {}
+    InstanceMaker(LocalMesh& mesh, CommonMemory* common) : mesh_(mesh), common_(common) {}
 
     void add(const Instance& instance) {
         const auto [known, is_new] = known_.try_emplace(instance.mesh.get(), known_.size());
@@ -80,13 +82,12 @@ class InstanceMaker {
         double scale = 1;
     };
 
-    void add_prototype(const std::shared_ptr<const Mesh>& mesh) {
+    void add_prototype(const std::shared_ptr<const FrozenMesh>& mesh) {
         const Bounds bounds = bounds_of(mesh->vertices);
         const Frame& frame = frames_.emplace_back(Frame{bounds.center(), local_scale(bounds)});
         LocalPrototype& prototype = mesh_.prototypes.emplace_back();
-        prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale);
+        prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale, common_);
         prototype.faces = mesh->faces;
-        prototype.owner = mesh;
         std::vector<Vec3> points;
         for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
             const float* v = &prototype.vertices[3 * i];
@@ -96,12 +97,13 @@ class InstanceMaker {
     }
 
     LocalMesh& mesh_;
+    CommonMemory* common_;
     std::vector<Frame> frames_;
-    std::unordered_map<const Mesh*, std::size_t> known_;
+    std::unordered_map<const FrozenMesh*, std::size_t> known_;
 };
 
 /// Lists the triangles that rounding changes.
-void list_thin(const Mesh& mesh, LocalMesh& local) {
+void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
     constexpr double kMostBlur = 1e-3;
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
         const auto& [a, b, c] = mesh.faces[i];
@@ -117,11 +119,12 @@ void list_thin(const Mesh& mesh, LocalMesh& local) {
 
 /// The part of a local mesh that belongs to no instance.
 /// @param bounds  of the whole scene
-LocalMesh make_own_part(const Mesh& mesh, const Bounds& bounds) {
+LocalMesh make_own_part(const FrozenMesh& mesh, const Bounds& bounds, CommonMemory* common) {
     LocalMesh local;
     local.origin = bounds.center();
     local.scale = local_scale(bounds);
-    local.vertices = to_floats(mesh.vertices, local.origin, local.scale);
+    local.vertices = to_floats(mesh.vertices, local.origin, local.scale, common);
+    local.faces = mesh.faces;
     list_thin(mesh, local);
     return local;
 }
@@ -157,11 +160,8 @@ double local_scale(const Bounds& bounds) {
 
 LocalMesh make_local_mesh(const std::vector<Triangle>& triangles) {
     EXPECT(!triangles.empty());
-    Mesh mesh(triangles);
-    LocalMesh local = make_own_part(mesh, bounds_of(mesh.vertices));
-    const auto faces = std::make_shared<const std::vector<Face>>(std::move(mesh.faces));
-    local.faces = *faces;
-    local.owner = faces;
+    const FrozenMesh mesh{Mesh(triangles)};
+    LocalMesh local = make_own_part(mesh, bounds_of(mesh.vertices), nullptr);
     for_each_outer_vertex(local, [&](const Vec3& p) { local.box.add(p); });
     return local;
 }
@@ -174,10 +174,8 @@ LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry) 
         bounds.add(box.low);
         bounds.add(box.high);
     }
-    LocalMesh local = make_own_part(geometry->mesh(), bounds);
-    local.faces = geometry->mesh().faces;
-    local.owner = geometry;
-    InstanceMaker maker(local);
+    LocalMesh local = make_own_part(geometry->mesh(), bounds, geometry->common().get());
+    InstanceMaker maker(local, geometry->common().get());
     local.instances.reserve(geometry->instances().size());
     for (const Instance& instance : geometry->instances()) {
         maker.add(instance);

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "base/frozen_array.h"
 #include "base/vec3.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/mesh.h"
@@ -23,10 +23,9 @@ inline constexpr std::size_t kVertexPadding = 4;
 
 /// A mesh that stands in the scene several times, in single precision about its own centre.
 struct LocalPrototype {
-    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
-    std::span<const Face> faces;
-    std::vector<Vec3> outline;          ///< vertices whose convex hull is the mesh's
-    std::shared_ptr<const void> owner;  ///< of the faces
+    FrozenArray<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    FrozenArray<Face> faces;
+    std::vector<Vec3> outline;  ///< vertices whose convex hull is the mesh's
 };
 
 /// A copy of a prototype.
@@ -54,9 +53,8 @@ struct LocalInstance {
 struct LocalMesh {
     Vec3 origin;
     double scale = 1;             ///< a power of two
-    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
-    std::span<const Face> faces;
-    std::shared_ptr<const void> owner;  ///< of the faces
+    FrozenArray<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    FrozenArray<Face> faces;
 
     std::vector<LocalPrototype> prototypes;
     std::vector<LocalInstance> instances;

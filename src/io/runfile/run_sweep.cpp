@@ -10,6 +10,7 @@
 #include "io/results/written.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 
@@ -84,11 +85,19 @@ class RunSweep::State {
             return std::move(*first_);
         }
         RunFile run = point == 0 ? *first_ : read(point);
+        if (common_ && run.scene.triangles().common() != common_) {
+            run.scene = in_common_memory(std::move(run.scene), common_);
+        }
         run.point = point;
         run.sweep = points_;
         run.document = first_->document;
         run.inputs = first_->inputs;
         return run;
+    }
+
+    void keep_in(std::shared_ptr<CommonMemory> common) {
+        common_ = std::move(common);
+        first_->scene = in_common_memory(std::move(first_->scene), common_);
     }
 
   private:
@@ -238,6 +247,7 @@ class RunSweep::State {
     Reporter reporter_;
     SweepPlan plan_;
     FileCache cache_;
+    std::shared_ptr<CommonMemory> common_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> told_;
@@ -271,6 +281,10 @@ RunFile RunSweep::only_run() && {
 
 const std::vector<Warning>& RunSweep::warnings() const {
     return state_->warnings();
+}
+
+void RunSweep::keep_in(std::shared_ptr<CommonMemory> common) {
+    state_->keep_in(std::move(common));
 }
 
 RunSweep read_sweep_document(
