@@ -62,7 +62,10 @@ step_members() {
 step_tidy() {
     cmake --preset dev >/dev/null
     if [[ -n $full ]]; then
-        tools/tidy.py --build build/dev src apps bench
+        tools/tidy.py --build build/dev --quick src bench
+        tools/tidy.py --build build/dev apps
+        cmake --preset release >/dev/null
+        tools/analyze.py --build build/release
     else
         tools/tidy.py --build build/dev --changed src apps bench
     fi

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over our sources, in parallel, skipping what passed before unchanged.
 
-With --changed only over those that differ from the main branch, themselves or by a header, and
-without the checks of QUICK_LESS.  A file is unchanged if its own text, our headers that it includes,
+With --quick without the checks of QUICK_LESS; with --changed so too, and only over those that differ
+from the main branch, themselves or by a header.  A file is unchanged if its own text, our headers that it includes,
 its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files that passed
 stand in BUILD/tidy.
 """
@@ -23,7 +23,7 @@ import changes
 ROOT = Path(__file__).resolve().parent.parent
 INCLUDE_ROOTS = (ROOT / "include", ROOT / "src", ROOT / "tests")
 FOLDERS = ("src", "apps", "python", "tests", "bench")
-# Three quarters of the time for what is seldom found; all files are checked for it by --full runs.
+# Three quarters of the time for what is seldom found; tools/analyze.py checks modules for it.
 QUICK_LESS = ("-clang-analyzer-*", "-performance-unnecessary-value-param")
 SAMPLE = 20  # files, where it can't be told which changed
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
@@ -145,6 +145,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=Path, default=ROOT / "build/dev")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--quick", action="store_true", help="without the static analyzer")
     parser.add_argument("--changed", action="store_true", help="only what changed, and quickly")
     parser.add_argument("--since", metavar="COMMIT", help="changed since then")
     parser.add_argument("--at-most", type=int, default=40, help="files, with --changed")
@@ -154,6 +155,7 @@ def parse_arguments():
 
 def main():
     args = parse_arguments()
+    quick = args.quick or args.changed
     build = args.build.resolve()
     wanted = [path.resolve() for path in args.paths]
     clang_tidy = find_clang_tidy()
@@ -175,14 +177,14 @@ def main():
     for path in chosen:
         mark = build / "tidy" / fingerprint(path, commands[path], version, build)
         quick_mark = mark.with_suffix(".quick")
-        if not mark.exists() and not (args.changed and quick_mark.exists()):
-            todo[path] = quick_mark if args.changed else mark
+        if not mark.exists() and not (quick and quick_mark.exists()):
+            todo[path] = quick_mark if quick else mark
     print(f"tidy: {len(chosen)} of {len(commands)} files ({why}), "
           f"{len(chosen) - len(todo)} of which passed before", flush=True)
 
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        running = {pool.submit(check, path, clang_tidy, build, args.changed): path for path in todo}
+        running = {pool.submit(check, path, clang_tidy, build, quick): path for path in todo}
         for future in concurrent.futures.as_completed(running):
             complaints = future.result()
             if complaints:

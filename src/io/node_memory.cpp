@@ -19,6 +19,7 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "io/descriptor.h"
@@ -103,6 +104,14 @@ bool is_sealed(int descriptor) {
     return seals >= 0 && (seals & F_SEAL_WRITE) != 0;
 }
 
+/// Whether files that are open leave enough for others that the program opens.
+bool leaves_room(int descriptor) {
+    constexpr rlim_t kPartForArrays = 4;
+    rlimit limit{};
+    return ::getrlimit(RLIMIT_NOFILE, &limit) == 0 &&
+           std::cmp_less(descriptor, limit.rlim_cur / kPartForArrays);
+}
+
 std::shared_ptr<const std::byte> bytes_of(std::shared_ptr<const Mapping> mapping) {
     const std::byte* const data = mapping->data();
     return {std::move(mapping), data};
@@ -158,7 +167,8 @@ class Given {
     bool make(std::span<const std::byte> bytes) {
         file_.emplace(::memfd_create("quasimc", MFD_CLOEXEC | MFD_ALLOW_SEALING));
         constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
-        if (!file_->is_open() || !write_all(file_->number(), bytes) ||
+        if (!file_->is_open() || !leaves_room(file_->number()) ||
+            !write_all(file_->number(), bytes) ||
             ::fcntl(file_->number(), F_ADD_SEALS, kSeals) != 0) {
             return false;
         }

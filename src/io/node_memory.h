@@ -26,10 +26,14 @@ class NodeMemory final : public CommonMemory {
     /// @param list  made, shared by the processes, there until this object is gone
     explicit NodeMemory(void* list);
     ~NodeMemory() override { close(); }
+    NodeMemory(const NodeMemory&) = delete;
+    NodeMemory& operator=(const NodeMemory&) = delete;
     /// The list goes. What was kept stays, and nothing more is kept. No thread is in keep().
     void close();
 
-    /// Null where the list is full, or the system gives no such memory, or not that of another.
+    /// Null where the list is full, or the system gives no such memory, or not that of another. Nor
+    /// are there more arrays of one process than a quarter of the files that it may open: each
+    /// takes one.
     /// May be called by several threads.
     [[nodiscard]] std::shared_ptr<const std::byte> keep(std::span<const std::byte> bytes) override;
 

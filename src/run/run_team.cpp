@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "quasimc/run.h"
+#include "run/plan_run.h"
 #include "run/round_tracer.h"
 #include "run/team_runs.h"
 #include "run/trace_spec.h"

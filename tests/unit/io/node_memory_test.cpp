@@ -14,10 +14,12 @@
 #include <memory>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include "base/frozen_array.h"
@@ -192,6 +194,24 @@ TEST_F(NodeMemoryTest, RefusesWhatHasNoRoom) {
     EXPECT_FALSE(all.back());
     all.front().reset();  // and takes what has room again
     EXPECT_TRUE(memory.keep(bytes_of(numbers(0, 1024))));
+}
+
+/// Each array takes a file descriptor. Results must find one, too.
+TEST_F(NodeMemoryTest, LeavesFilesThatMayBeOpened) {
+    EXPECT_TRUE(ended_well(start([&](NodeMemory& memory) {
+        rlimit limit{};
+        ::getrlimit(RLIMIT_NOFILE, &limit);
+        limit.rlim_cur = 64;
+        ::setrlimit(RLIMIT_NOFILE, &limit);
+        std::vector<std::shared_ptr<const std::byte>> all;
+        for (std::uint32_t i = 0; i < 100; ++i) {
+            all.push_back(memory.keep(bytes_of(numbers(i, 1024))));
+        }
+        int opened = 0;
+        for (; opened < 40 && ::open("/dev/null", O_RDONLY) >= 0; ++opened) {
+        }
+        return all.front() && !all.back() && opened == 40;
+    })));
 }
 
 TEST_F(NodeMemoryTest, IsWhereLargeFrozenArraysAre) {
