@@ -47,6 +47,7 @@ def analyze(path, database, folder, clang_tidy):
         "--header-filter=.*",
         "--extra-arg=-Wno-unknown-warning-option",
         "--extra-arg=-Wno-ignored-optimization-argument",
+        "--extra-arg=-UNDEBUG",  # what is checked is used
         "--extra-arg=-Xclang", "--extra-arg=-analyzer-opt-analyze-headers",
         str(path),
     ]

@@ -60,8 +60,10 @@ TEST(SumCollector, SumsEachReplicateForItself) {
 }
 
 TEST(SumCollector, SumsTheSamePrivateOrSharedOnAnyNumberOfWorkers) {
-    // The larger amount fills bins many times over.
-    for (const std::int64_t amount : {std::int64_t{1}, ExactBins::kCarry / 3}) {
+    // The larger amount fills bins many times over. It is as large as may be: once a shared bin is
+    // full, each of seven workers may add to it before one of them empties it, and it has room for
+    // as much again.
+    for (const std::int64_t amount : {std::int64_t{1}, ExactBins::kCarry / 8}) {
         const Sums expected = counted(1, kPrivate, 0, amount);
         for (const unsigned workers : {1U, 2U, 7U}) {
             EXPECT_TRUE(counted(workers, kPrivate, 0, amount) == expected) << workers;
