@@ -136,10 +136,11 @@ std::vector<std::vector<Triangle>> parts_in_slabs(
     constexpr double kRounding = 1e-9;
     const std::array<double, 3> at{dot(t[0], axis), dot(t[1], axis), dot(t[2], axis)};
     const auto [low, high] = std::minmax_element(at.begin(), at.end());
-    const double slabs = std::max(1.0, std::ceil((*high - *low) / width - kRounding));
+    const auto slabs =
+        static_cast<std::size_t>(std::max(1.0, std::ceil((*high - *low) / width - kRounding)));
     std::vector<std::vector<Triangle>> parts;
-    for (double slab = 0; slab < slabs; ++slab) {
-        const double from = *low + slab * width;
+    for (std::size_t slab = 0; slab < slabs; ++slab) {
+        const double from = *low + static_cast<double>(slab) * width;
         const double to = slab + 1 < slabs ? from + width : *high;
         std::vector<Vec3> polygon(t.begin(), t.end());
         polygon = kept_part(polygon, [&](const Vec3& p) { return dot(p, axis) - from; });
