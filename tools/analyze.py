@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Runs clang's static analyzer over the modules of the library, each as the one file that its sources are joined into.
+"""Runs clang's static analyzer over the library, each module as the file that its sources are joined into.
 
-File by file most of its time goes into what headers define, again and again: joined, a module takes
-about as long as three of its files do alone.  The analyzer leaves out functions that stand in files
-which are included, unless it is told to look at them: -analyzer-opt-analyze-headers.
+File by file most of its time goes into what headers define, again and again.  The analyzer leaves out
+functions that stand in files which are included, unless it is told to look at them:
+-analyzer-opt-analyze-headers.
 """
 
 import argparse

@@ -2,9 +2,9 @@
 """Runs clang-tidy over our sources, in parallel, skipping what passed before unchanged.
 
 With --quick without the checks of QUICK_LESS; with --changed so too, and only over those that differ
-from the main branch, themselves or by a header.  A file is unchanged if its own text, our headers that it includes,
-its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files that passed
-stand in BUILD/tidy.
+from the main branch, themselves or by a header.  A file is unchanged if its own text, our headers that
+it includes, its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files
+that passed stand in BUILD/tidy.
 """
 
 import argparse

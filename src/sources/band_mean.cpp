@@ -6,7 +6,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kPhotopicLow = 380, kPhotopicHigh = 780, kPhotopicGrid = 10;
+constexpr int kPhotopicLow = 380, kPhotopicHigh = 780, kPhotopicGrid = 10;
 
 /// The wavelengths within a span at which one of the factors bends, and its ends.
 std::vector<double> bends_within(
@@ -20,7 +20,7 @@ std::vector<double> bends_within(
     std::for_each(property.wavelengths().begin(), property.wavelengths().end(), add);
     std::for_each(light.wavelengths().begin(), light.wavelengths().end(), add);
     if (span.count == SpectralSpan::Count::lumens) {
-        for (double x = kPhotopicLow; x <= kPhotopicHigh; x += kPhotopicGrid) {
+        for (int x = kPhotopicLow; x <= kPhotopicHigh; x += kPhotopicGrid) {
             add(x);
         }
     }

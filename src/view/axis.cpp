@@ -25,7 +25,8 @@ std::vector<double> decades_of(const Axis& axis) {
     constexpr double kFew = 3, kRounding = 1e-9;
     const bool has_few = std::log10(axis.high / axis.low) <= kFew;
     std::vector<double> ticks;
-    for (double power = std::floor(std::log10(axis.low)); power <= std::log10(axis.high); ++power) {
+    const int first = static_cast<int>(std::floor(std::log10(axis.low)));
+    for (int power = first; power <= std::log10(axis.high); ++power) {
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double tick = digit * std::pow(10, power);
             const bool is_within =
@@ -47,8 +48,8 @@ std::vector<double> ticks_of(const Axis& axis, int about) {
     const double step = round_number_below((axis.high - axis.low) / about * 1.5);
     std::vector<double> ticks;
     const double first = std::ceil(axis.low / step - 1e-9), last = axis.high / step + 1e-9;
-    for (double i = first; i <= last; ++i) {
-        ticks.push_back(i * step);
+    for (int i = 0; first + i <= last; ++i) {
+        ticks.push_back((first + i) * step);
     }
     return ticks;
 }
