@@ -20,6 +20,8 @@ from pathlib import Path
 import tidy
 
 ROOT = Path(__file__).resolve().parent.parent
+# clang-tidy 14 takes a std::unique_ptr that a function returns for lost; the address sanitizer looks for leaks.
+UNFIT = "-clang-analyzer-cplusplus.NewDeleteLeaks"
 FINDING = re.compile(r"^(/[^:\n]+):\d+:\d+: (warning|error): .*$", re.MULTILINE)
 
 
@@ -43,7 +45,7 @@ def analyze(path, database, folder, clang_tidy):
     """What is found in a joined file, and whether it could be read."""
     command = [
         clang_tidy, "--quiet", f"-p={database}",
-        f"--checks=-*,{','.join(check.removeprefix('-') for check in tidy.QUICK_LESS)}",
+        f"--checks=-*,{','.join(check.removeprefix('-') for check in tidy.QUICK_LESS)},{UNFIT}",
         "--header-filter=.*",
         "--extra-arg=-Wno-unknown-warning-option",
         "--extra-arg=-Wno-ignored-optimization-argument",

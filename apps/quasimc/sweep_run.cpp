@@ -161,6 +161,7 @@ quasimc::SeriesEvents SweepRun::events() {
     if (window_) {
         window_->listen(events);
     }
+    events.is_last = point_ + 1 == sweep_.size();
     events.checkpoint = checkpoint_.hooks();
     events.team = team_;
     if (team_ != nullptr) {

@@ -62,6 +62,9 @@ struct RunControl {
     const RunTeam* team = nullptr;
     std::size_t moment = 0;               ///< the run's number in both, and for those who look on
     const RunPreview* preview = nullptr;  ///< null: nobody looks on
+    /// Whether the simulator runs nothing more on this scene: it gives back what rays need of it
+    /// before there is a result, which needs as much.
+    bool is_last = false;
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.

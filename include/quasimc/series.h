@@ -59,6 +59,7 @@ struct SeriesEvents {
     bool wants_total = true;  ///< whether SeriesSummary::total is computed
     /// As RunControl::preview; of moments whose light is another's times a factor nothing is told.
     const RunPreview* preview = nullptr;
+    bool is_last = false;  ///< as RunControl::is_last, of the last moment
 };
 
 /// What is known of a series at its end.

@@ -35,8 +35,8 @@ class OrganEvaluator {
     }
 
     /// Fills in all of an organ.
-    /// @param finds  per band: of what it absorbs, where one more or less counts
-    void evaluate(std::size_t index, Result& result, std::span<SingleFind> finds) {
+    /// @param finds  per band: gets those of what it absorbs, where one more or less counts
+    void evaluate(std::size_t index, Result& result, std::span<TotalFind> finds) {
         const Organ& organ = scene_.organs()[index];
         const OrganReader reader(sums_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
@@ -46,7 +46,8 @@ class OrganEvaluator {
         }
         limits_.find(organ, most_);
         for (std::size_t b = 0; b < result.bands; ++b) {
-            finds[b] = evaluate_band(reader, organ, index, b, result);
+            const SingleFind find = evaluate_band(reader, organ, index, b, result);
+            finds[b].include(organ.is_ground ? TotalFind{{}, find} : TotalFind{find, {}});
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] =
@@ -155,12 +156,14 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
     result.ratio_values.resize(organs * result.ratios);
     result.sunlit_fraction.resize(sums.units.sunlit_area > 0 ? organs : 0);
     const LightLimits limits(scene, spec, sums.emitted_flux);
-    std::vector<SingleFind> finds(organs * result.bands);  // of what is absorbed
+    TotalFinds finds(result.bands);
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         OrganEvaluator evaluator(sums, scene, spec, limits);
+        std::vector<TotalFind> own(result.bands);
         for (std::size_t i = first; i < last; ++i) {
-            evaluator.evaluate(i, result, std::span(finds).subspan(i * result.bands, result.bands));
+            evaluator.evaluate(i, result, own);
         }
+        finds.include(own);
     });
     result.groups = evaluate_groups(sums, scene, spec, limits);
     const BandFlows flows = read_flows(sums, scene);

@@ -17,10 +17,6 @@ SingleFind operator*(const SingleFind& find, double factor) {
     return {find.more * factor, find.less * factor};
 }
 
-SingleFind larger(const SingleFind& a, const SingleFind& b) {
-    return {std::max(a.more, b.more), std::max(a.less, b.less)};
-}
-
 /// From so many finds of scattered light in each replicate on the replicates tell.
 constexpr double kManyFinds = 5;
 

@@ -25,23 +25,6 @@ void bound_unseen_totals(const Scene& scene, Result& result) {
     }
 }
 
-/// What one find more or less changes in what organs absorb together, and the ground.
-struct TotalFind {
-    SingleFind organs, ground;
-};
-
-/// The largest find of an organ: with many finds the replicates tell what the others leave open.
-TotalFind total_find(
-    const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, std::size_t band) {
-    TotalFind total;
-    for (std::size_t i = 0; i < scene.organs().size(); ++i) {
-        const SingleFind& own = finds[i * sums.layout.bands + band];
-        SingleFind& largest = scene.organs()[i].is_ground ? total.ground : total.organs;
-        largest = {std::max(largest.more, own.more), std::max(largest.less, own.less)};
-    }
-    return total;
-}
-
 /// Widens a total of which something was found. @param per_flux  its unit
 void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
     if (total.mean > 0) {
@@ -51,11 +34,23 @@ void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
 
 }  // namespace
 
+void TotalFind::include(const TotalFind& other) {
+    organs = larger(organs, other.organs);
+    ground = larger(ground, other.ground);
+}
+
+void TotalFinds::include(std::span<const TotalFind> some) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t b = 0; b < bands_.size(); ++b) {
+        bands_[b].include(some[b]);
+    }
+}
+
 void tell_errors_of_totals(
-    const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, Result& result) {
+    const Sums& sums, const Scene& scene, const TotalFinds& finds, Result& result) {
     bound_unseen_totals(scene, result);
     for (std::size_t b = 0; b < result.bands; ++b) {
-        const TotalFind find = total_find(sums, scene, finds, b);
+        const TotalFind& find = finds.of(b);
         BandBudget& budget = result.budget[b];
         widen(budget.absorbed_by_organs, find.organs);
         widen(budget.absorbed_by_ground, find.ground);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <mutex>
 #include <span>
+#include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
@@ -9,11 +11,32 @@
 
 namespace quasimc {
 
+/// What one find more or less changes in what organs absorb together, and the ground: the largest
+/// find of an organ, for with many finds the replicates tell what the others leave open.
+struct TotalFind {
+    SingleFind organs, ground;
+
+    void include(const TotalFind& other);
+};
+
+/// The total finds of each band, gathered on many threads.
+class TotalFinds {
+  public:
+    explicit TotalFinds(std::size_t bands) : bands_(bands) {}
+
+    /// Includes the finds of some organs.
+    void include(std::span<const TotalFind> some);
+    [[nodiscard]] const TotalFind& of(std::size_t band) const { return bands_[band]; }
+
+  private:
+    std::mutex mutex_;
+    std::vector<TotalFind> bands_;
+};
+
 /// Tells of what organs and the ground absorb in all, in the budget and as fractions of the canopy,
 /// what the replicates do not show: how much may be there where nothing was found, what a find more
 /// or less changes, and that it is not more than what is emitted.
-/// @param finds  [organ][band], of what an organ absorbs; 0 where one more changes nothing
 void tell_errors_of_totals(
-    const Sums& sums, const Scene& scene, std::span<const SingleFind> finds, Result& result);
+    const Sums& sums, const Scene& scene, const TotalFinds& finds, Result& result);
 
 }  // namespace quasimc

@@ -12,8 +12,7 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
-        caster_.reset();  // their memory first
-        triangles_.reset();
+        forget();                                 // its memory first
         constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
         caster_ = make_big(
             fmt::format("the ray caster of {} triangles", triangles->size()),
@@ -26,6 +25,11 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     }
     triangles_ = triangles;
     return caster_;
+}
+
+void KeptCaster::forget() {
+    caster_.reset();
+    triangles_.reset();
 }
 
 }  // namespace quasimc

@@ -17,6 +17,8 @@ class KeptCaster {
     /// @throws InputError  if there is not enough memory for it
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
         const Scene& scene, Engine engine, const std::stop_token& stop);
+    /// Gives its memory back.
+    void forget();
     /// How many were built.
     [[nodiscard]] std::size_t builds() const { return builds_; }
 

@@ -242,12 +242,14 @@ Result run(
     const Sources& sources,
     const RunSpec& spec,
     const std::function<void(const Progress&)>& on_progress) {
-    return Simulator().run(scene, sources, spec, on_progress);
+    return Simulator().run(scene, sources, spec, {.on_progress = on_progress, .is_last = true});
 }
 
 Result run(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
-    return Simulator().run(scene, sources, spec, control);
+    RunControl last = control;
+    last.is_last = true;
+    return Simulator().run(scene, sources, spec, last);
 }
 
 Result evaluate_run(
@@ -322,7 +324,9 @@ Sums Simulator::State::sums(
     const Clock::time_point start = Clock::now();
     planned.method = plan_run(scene, sources, spec, caster_, control.stop).method;
     check_first_path(sampler_for(spec.sampler), spec, first);
-    const PreparedScene prepared = prepare(scene, sources, planned, control.stop);
+    const PreparedScene prepared(
+        scene, sources, planned.window, caster_.caster_for(scene, spec.engine, control.stop),
+        control.stop);
     Sums sums = empty_sums(prepared, planned);
     sums.digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {
@@ -338,11 +342,6 @@ Sums Simulator::State::sums(
 } catch (const StopRequested&) {
     throw Stopped(
         StopReason::interrupted, "stopped before all paths were traced: there are no sums");
-}
-
-PreparedScene Simulator::State::prepare(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, const std::stop_token& stop) {
-    return {scene, sources, spec.window, caster_.caster_for(scene, spec.engine, stop), stop};
 }
 
 std::optional<Sums> Simulator::State::trace_few(
@@ -371,13 +370,16 @@ Result Simulator::State::trace(
     const RunControl& control,
     EarlyStop& early,
     Clock::time_point start) {
-    const PreparedScene prepared = prepare(scene, sources, spec, early.token());
-    if (prepared.lights().empty()) {
+    std::optional<PreparedScene> prepared;
+    prepared.emplace(
+        scene, sources, spec.window, caster_.caster_for(scene, spec.engine, early.token()),
+        early.token());
+    if (prepared->lights().empty()) {
         return unlit_result(scene, spec);
     }
     const double build_seconds = seconds_since(start);
     if (control.sums != nullptr) {
-        check_given(*control.sums, prepared, spec);
+        check_given(*control.sums, *prepared, spec);
         return make_result(
             *control.sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
     }
@@ -385,7 +387,11 @@ Result Simulator::State::trace(
     const double cpu_before = process_cpu_seconds();
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
     const Traced traced =
-        trace_rounds(prepared, spec, asked, control, early, {start, build_seconds});
+        trace_rounds(*prepared, spec, asked, control, early, {start, build_seconds});
+    if (control.is_last && spec.audit == 0) {
+        prepared.reset();
+        caster_.forget();
+    }
     const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
     Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();
     result.stop = traced.stop;

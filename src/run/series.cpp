@@ -59,6 +59,7 @@ class SeriesRun {
         for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
             effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
             if (plans_[i].factor > 0) {
+                last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
             }
         }
@@ -147,7 +148,8 @@ class SeriesRun {
             .checkpoint = in_.events.checkpoint,
             .team = in_.events.team,
             .moment = i,
-            .preview = in_.events.preview};
+            .preview = in_.events.preview,
+            .is_last = in_.events.is_last && i == last_traced_};
         share_time(plans_[i].effort, spec, control);
         std::optional<Sums> given;
         if (in_.events.sums_of) {
@@ -263,6 +265,7 @@ class SeriesRun {
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
     SharedSeries shared_;
+    std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
@@ -282,7 +285,9 @@ SeriesSummary run_series(
     const SeriesEvents& events,
     const std::stop_token& stop) {
     Simulator simulator;
-    return run_series(simulator, scene, time_steps, spec, events, stop);
+    SeriesEvents last = events;
+    last.is_last = true;
+    return run_series(simulator, scene, time_steps, spec, last, stop);
 }
 
 SeriesSummary run_series(

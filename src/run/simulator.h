@@ -84,11 +84,6 @@ class Simulator::State {
         const RunControl& control,
         EarlyStop& early,
         Result& result);
-    [[nodiscard]] PreparedScene prepare(
-        const Scene& scene,
-        const Sources& sources,
-        const RunSpec& spec,
-        const std::stop_token& stop = {});
 
     KeptCaster caster_;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;

@@ -38,6 +38,10 @@ Estimate estimate_seen_or_bound(std::span<const double> values, double per_find)
     return not_negative(estimate_mean(values));
 }
 
+SingleFind larger(const SingleFind& a, const SingleFind& b) {
+    return {std::max(a.more, b.more), std::max(a.less, b.less)};
+}
+
 Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
     const Estimate e =
         estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));

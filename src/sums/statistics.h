@@ -45,6 +45,9 @@ struct SingleFind {
     double more = 0, less = 0;
 };
 
+/// Of each of the two the larger one.
+[[nodiscard]] SingleFind larger(const SingleFind& a, const SingleFind& b);
+
 /// The mean of amounts that independent replicates found, each of which rests on finds of a size
 /// that is known. The variance is that of the replicates and of one find more, which is what a
 /// number of finds leaves open that is Poisson distributed (k finds: (k + 1) squares; the posterior

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checks.h"
 #include "base/text.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file_sections.h"
@@ -95,9 +96,16 @@ bool read_option(TableReader& table, const Option& option, RunOptions& options) 
     return true;
 }
 
+/// The option that says today what this one did; itself if it still does.
+const Option& option_of_today(const Option& option) {
+    const Option* today = option.replaced_by.empty() ? &option : find_option(option.replaced_by);
+    ENSURE(today != nullptr);
+    return *today;
+}
+
 /// Reads a former option, which must not contradict that of today.
 void read_former_option(TableReader& table, const Option& former, RunOptions& options) {
-    const Option& today = *find_option(former.replaced_by);
+    const Option& today = option_of_today(former);
     const bool has_both = table.any(today.key) != nullptr;
     const OptionValue value = today.get(options.spec);
     if (read_option(table, former, options) && has_both && today.get(options.spec) != value) {
@@ -121,13 +129,12 @@ void set_override(
     RunOptions& options,
     std::map<std::string_view, Override>& set,
     Reporter& reporter) {
-    const bool is_former = !option.replaced_by.empty();
-    const Option& today = is_former ? *find_option(option.replaced_by) : option;
+    const Option& today = option_of_today(option);
     const OptionValue before = today.get(options.spec);
     const OptionValue value = parse_option(option, stated.text);
     option.set(options.spec, value);
     options.places[today.key] = stated.place;
-    if (is_former) {
+    if (!option.replaced_by.empty()) {
         reporter.warnings.push_back({stated.place, replacement_words(option, value)});
     }
     const auto [other, is_first] = set.try_emplace(today.key, stated);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checks.h"
 #include "base/range.h"
 #include "base/text.h"
 #include "io/line_scanner.h"
@@ -146,7 +147,10 @@ class TableOfWeather {
                     "or name it in missing_values");
                 return;
             }
-            (part == kDiffuseFraction ? fraction : *part_of(record.reading, part)) = *value;
+            std::optional<double>* const stated =
+                part == kDiffuseFraction ? &fraction : part_of(record.reading, part);
+            ENSURE(stated != nullptr);
+            *stated = *value;
         }
         // A fraction of nothing says nothing.
         if (fraction && record.reading.global.value_or(0) > 0) {
