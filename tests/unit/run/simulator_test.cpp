@@ -79,6 +79,15 @@ TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
     EXPECT_EQ(simulator_.builds(), 3U);
 }
 
+TEST_F(SimulatorTest, BuildsAnewAfterTheLastRunOfAScene) {
+    const Scene scene = make_two_leaves(.5);
+    const RunControl last{.is_last = true};
+    const Result result = simulator_.run(scene, sources_, short_run(), last);
+    EXPECT_EQ(simulator_.builds(), 1U);
+    EXPECT_TRUE(same_bits(run(scene, short_run()), result));
+    EXPECT_EQ(simulator_.builds(), 2U);
+}
+
 TEST_F(SimulatorTest, SurvivesASceneThatIsGone) {
     for (const double height : {.5, .6, .5}) {
         const Result result = run(make_two_leaves(height), short_run());
