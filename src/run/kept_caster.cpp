@@ -12,7 +12,8 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
-        forget();                                 // its memory first
+        forget();  // before as much is taken again
+
         constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
         caster_ = make_big(
             fmt::format("the ray caster of {} triangles", triangles->size()),
