@@ -57,6 +57,8 @@ def vertices_and_faces(place, vertices, faces):
             f"faces are {faces.dtype} of the shape {faces.shape}",
             "they must be integers, (m, 3)",
         )
+    if faces.dtype == np.uint32 and faces.max(initial=0) <= np.iinfo(np.int32).max:
+        return vertices, np.ascontiguousarray(faces).view(np.int32)
     if faces.dtype.itemsize <= 4 and faces.dtype != np.uint32:
         return vertices, np.ascontiguousarray(faces, dtype=np.int32)
     return vertices, np.ascontiguousarray(integers(place, "faces", faces))

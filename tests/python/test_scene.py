@@ -53,12 +53,22 @@ def test_faces_of_every_type_of_integer_are_the_same(dtype):
     assert np.array_equal(a, b) and np.all(a > 0)
 
 
-def test_arrays_of_float64_are_not_copied():
+@pytest.mark.parametrize("dtype", [np.int32, np.int64, np.uint32])
+def test_arrays_are_not_copied(dtype):
     vertices, faces, _ = leaves(4)
+    faces = faces.astype(dtype)
     scene = scene_of_material().add_mesh(vertices, faces, material="leaf")
     mesh = scene._meshes[0]
     assert np.shares_memory(mesh["vertices"], vertices)
     assert np.shares_memory(mesh["faces"], faces)
+
+
+def test_numbers_beyond_all_vertices_are_refused_as_they_stand():
+    vertices, faces, _ = leaves(1)
+    faces = faces.astype(np.uint32)
+    faces[0, 0] = 2**32 - 1
+    with pytest.raises(quasimc.InputError, match="vertex 4294967295"):
+        scene_of_material().add_mesh(vertices, faces, material="leaf").run(SKY, **FEW)
 
 
 def test_faces_of_one_organ_may_have_materials_of_their_own():
