@@ -29,6 +29,8 @@ const char* name_of(Method from) {
             return "organs";
         case Method::first_hits:
             break;
+        case Method::ray_bundles:
+            return "bundles";
         case Method::automatic:
             return "auto";
     }

@@ -55,11 +55,36 @@ struct Band {
 /// What a person wants to find again in the results: plant=3, kind=leaf, any key.
 using Labels = std::vector<std::pair<std::string, std::string>>;
 
+/// Labels that many organs have in common: of a stand's leaves those of a plant.
+class SharedLabels {
+  public:
+    SharedLabels() = default;
+    /// @param labels  not null
+    explicit SharedLabels(std::shared_ptr<const Labels> labels) : labels_(std::move(labels)) {}
+
+    // NOLINTNEXTLINE(google-explicit-constructor): they are labels, kept elsewhere.
+    operator const Labels&() const { return labels_ ? *labels_ : none(); }
+    [[nodiscard]] Labels::const_iterator begin() const { return get().begin(); }
+    [[nodiscard]] Labels::const_iterator end() const { return get().end(); }
+    [[nodiscard]] bool empty() const { return get().empty(); }
+    [[nodiscard]] std::size_t size() const { return get().size(); }
+    friend bool operator==(const SharedLabels& a, const SharedLabels& b) {
+        return a.labels_ == b.labels_ || a.get() == b.get();
+    }
+    friend bool operator==(const SharedLabels& a, const Labels& b) { return a.get() == b; }
+
+  private:
+    [[nodiscard]] const Labels& get() const { return *this; }
+    static const Labels& none();
+
+    std::shared_ptr<const Labels> labels_;  // null: none
+};
+
 /// What light is reported for: a leaf, an internode, the ground.
 struct Organ {
     std::int64_t id = 0;  ///< the user's, unique in the scene
     std::string name;
-    Labels labels;
+    SharedLabels labels;
     bool is_ground = false;
     /// Whether its light is asked for. Tracing from organs computes the others' as NaN; tracing
     /// from sources gets them for nothing.

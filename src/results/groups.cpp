@@ -82,6 +82,7 @@ void add_to_group(OrganGroup& group, const Scene& scene, std::uint32_t organ) {
 
 OrganGroup group_of_all(const Scene& scene) {
     OrganGroup all{.by = std::string(kAllOrgans), .value = ""};
+    all.organs.reserve(scene.organs().size());
     for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
         if (is_plant(scene, scene.organs()[i])) {
             add_to_group(all, scene, i);
@@ -269,7 +270,8 @@ void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 }
 
 std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec) {
-    std::vector<OrganGroup> groups{group_of_all(scene)};
+    std::vector<OrganGroup> groups;
+    groups.push_back(group_of_all(scene));
     const std::vector<std::string_view> known = label_keys(scene);
     for (const std::string& text : spec.labels) {
         add_groups_of_labels(scene, text, joined_keys(text, known), groups);

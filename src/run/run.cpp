@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/executor.h"
+#include "base/free_memory.h"
 #include "base/memory_need.h"
 #include "base/parallel.h"
 #include "base/process_time.h"
@@ -391,6 +392,9 @@ Result Simulator::State::trace(
     if (control.is_last && spec.audit == 0) {
         prepared.reset();
         caster_.forget();
+        if (scene.organs().size() >= kOrgansWorthFreeing) {
+            give_back_free_memory();
+        }
     }
     const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
     Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();

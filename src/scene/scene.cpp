@@ -15,6 +15,11 @@ Scene in_common_memory(Scene scene, const std::shared_ptr<CommonMemory>& common)
     return scene;
 }
 
+const Labels& SharedLabels::none() {
+    static const Labels kNone;
+    return kNone;
+}
+
 Scene::Scene() = default;
 Scene::Scene(const Scene& other) = default;
 Scene::Scene(Scene&& other) noexcept = default;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "base/checks.h"
+#include "base/free_memory.h"
 #include "base/frozen_array.h"
 #include "base/lazy.h"
 #include "detectors/catalogue.h"
@@ -164,6 +165,9 @@ Scene SceneBuilder::build_after(KnownOverlaps* known) && {
     scene.bounds_ = bounds;
     scene.orientation_ = orientation_;
     scene.length_unit_ = std::move(length_unit_);
+    if (scene.organs_.size() >= kOrgansWorthFreeing) {
+        give_back_free_memory();
+    }
     return scene;
 }
 

@@ -30,7 +30,7 @@ void SceneDraft::add(OrganSpec spec) {
     Organ& organ = organs.emplace_back();
     organ.id = spec.id.value_or(0);
     organ.name = std::move(spec.name);
-    organ.labels = std::move(spec.labels);
+    organ.labels = share(std::move(spec.labels));
     organ.measured = spec.measured;
     organ.least_cosine = least_cosine(spec.field_of_view_deg);
     for (OrganPart& given : spec.parts) {
@@ -70,6 +70,16 @@ std::uint32_t SceneDraft::number_of_material(std::string name) {
         material_names.push_back(std::move(name));
     }
     return known->second;
+}
+
+SharedLabels SceneDraft::share(Labels labels) {
+    if (labels.empty()) {
+        return {};
+    }
+    const auto known = labels_.find(labels);
+    return known != labels_.end()
+               ? *known
+               : *labels_.emplace(std::make_shared<const Labels>(std::move(labels))).first;
 }
 
 }  // namespace quasimc

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,6 +67,7 @@ struct SceneDraft {
 
   private:
     [[nodiscard]] std::uint32_t number_of_material(std::string name);
+    [[nodiscard]] SharedLabels share(Labels labels);
 
     std::unordered_map<std::string, std::uint32_t> material_numbers_;
     /// A mesh that was given, and the same with its vertices in order.
@@ -74,6 +76,11 @@ struct SceneDraft {
         std::shared_ptr<const FrozenMesh> ordered;
     };
     std::unordered_map<const Mesh*, SharedMesh> shared_;
+    struct LabelsBefore {
+        using is_transparent = void;
+        bool operator()(const Labels& a, const Labels& b) const { return a < b; }
+    };
+    std::set<SharedLabels, LabelsBefore> labels_;
 };
 
 }  // namespace quasimc

@@ -59,6 +59,18 @@ TEST(SceneBuilder, KeepsLabels) {
     EXPECT_EQ(std::move(builder).build().organs()[0].labels, labels);
 }
 
+TEST(SceneBuilder, KeepsEqualLabelsOnce) {
+    SceneBuilder builder = one_band_builder();
+    for (const char* plant : {"3", "4", "3"}) {
+        OrganSpec organ = one_triangle("", flat_triangle({}));
+        organ.labels = {{"plant", plant}};
+        builder.add_organ(std::move(organ));
+    }
+    const Scene scene = std::move(builder).build();
+    EXPECT_EQ(scene.organs()[1].labels, (Labels{{"plant", "4"}}));
+    EXPECT_EQ(&*scene.organs()[0].labels.begin(), &*scene.organs()[2].labels.begin());
+}
+
 TEST(SceneBuilder, MayBeCopied) {
     SceneBuilder builder = one_band_builder();
     builder.add_organ(one_triangle("first", flat_triangle({0, 0, 1})));
