@@ -1,19 +1,20 @@
 // How much is drawn while one turns the scene, so that it follows the hand.
 
 const kWanted = 33; // milliseconds a frame
-const kLeast = 40000; // triangles, where there are more
+const kLeast = 10000; // triangles, where there are more
 const kRest = 250; // milliseconds without a movement, after which all are drawn
+const kAhead = 2; // frames that are asked of the graphics at a time
 const kPoll = 3; // milliseconds between questions whether a frame is done
 
 /**
  * The share of triangles to draw: all of them at rest, and while one turns as many as graphics can
- * draw 30 times a second, by the time that frames before took. A frame is begun when the last one is
- * done, so that they do not queue up.
+ * draw 30 times a second, by the time that frames before took. A frame is begun when the last but one
+ * is done: they do not queue up, and graphics do not wait for the page.
  */
 export class FrameBudget {
   /** @param gl  the graphics  @param onRest  called when all are to be drawn again */
   constructor(gl, onRest) {
-    Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, waiting: null, fence: null });
+    Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, waiting: null, fences: [], done: 0 });
   }
 
   /** Of the scene that is drawn from now on. The first frames are thin: nothing is known of the graphics yet. */
@@ -37,34 +38,41 @@ export class FrameBudget {
     this.rest = setTimeout(() => this.#stop(), kRest);
   }
 
-  /** Calls when the last frame is done. */
+  /** Calls when the last frame but one is done. */
   whenReady(act) {
-    if (this.fence) {
-      this.waiting = act;
-    } else {
+    if (this.fences.length < kAhead) {
       act();
+    } else {
+      this.waiting = act;
     }
   }
 
   /** A frame has been asked of the graphics. */
   drawn() {
     const { gl } = this;
-    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    this.fences.push({ sync: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), begun: performance.now() });
     gl.flush();
-    this.started = performance.now();
-    this.#wait();
+    if (this.fences.length === 1) {
+      this.#wait();
+    }
   }
 
   #wait() {
     setTimeout(() => {
-      const { gl, fence } = this;
-      if (!gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+      const { gl } = this;
+      const { sync, begun } = this.fences[0];
+      if (!gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) !== gl.SIGNALED) {
         this.#wait();
         return;
       }
-      gl.deleteSync(fence);
-      this.fence = null;
-      this.#learn(performance.now() - this.started);
+      gl.deleteSync(sync);
+      this.fences.shift();
+      const now = performance.now();
+      this.#learn(now - Math.max(begun, this.done));
+      this.done = now;
+      if (this.fences.length > 0) {
+        this.#wait();
+      }
       if (this.isMoving) {
         this.#awaitRest();
       }
@@ -80,7 +88,7 @@ export class FrameBudget {
   }
 
   #stop() {
-    if (this.fence) {
+    if (this.fences.length > 0) {
       return; // a frame takes longer than the hand rests
     }
     const wasLess = this.share < 1;
