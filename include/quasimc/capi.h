@@ -58,8 +58,8 @@ const char* quasimc_last_error(void);
 /* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ----
  *
  * What is stated is checked together, when the scene is run or a growth is made of it; by
- * themselves calls refuse pointers, counts, texts that are no TOML, options, and faces that name no
- * vertex. What a run then refuses is taken back by quasimc_scene_clear, and stated anew. */
+ * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
+ * faces that name no vertex. What a run then refuses is taken back by quasimc_scene_clear, and stated anew. */
 
 /** An empty scene. Paths of files are relative to the current folder. */
 int quasimc_scene_new(quasimc_scene** scene);

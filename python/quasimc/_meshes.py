@@ -155,6 +155,8 @@ def mesh_arrays(
     ranks = ranks_of(order, starts)
     materials, material_of_face = materials_of(place, material, order, starts, ids)
     names = [] if name is None else per_organ(place, "name", name, ids, ranks)
+    if labels is not None and not isinstance(labels, Mapping):
+        raise fault(place, f"labels is of the type {type(labels).__name__}", "it must be a dict")
     if len(names) == 1 and len(ranks) > 1:
         names = [f"{names[0]} {i}" for i in ids]
     return {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Dict, List
+from typing import Any, Dict, List, Tuple
 
 
 class Error(Exception):
@@ -24,6 +24,9 @@ class InputError(Error, ValueError):
         super().__init__(text)
         self.faults = faults
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (str(self), self.faults)
+
 
 class Stopped(Error, RuntimeError):
     """A run ended before there was a result.
@@ -37,6 +40,9 @@ class Stopped(Error, RuntimeError):
     def __init__(self, text: str, why: str) -> None:
         super().__init__(text)
         self.why = why
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (str(self), self.why)
 
 
 class QuasimcWarning(UserWarning):

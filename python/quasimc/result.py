@@ -194,12 +194,17 @@ class Result(_Light):
 
     @cached_property
     def budget(self):
-        """Where the light of each band went, flux: band -> dict of Estimate."""
+        """Where the light of each band went, flux: band -> dict of Estimate.
+
+        "closure_error" is a number, the part of what is emitted that is not accounted for: rounding.
+        """
         return self._by_band(self._core.budget, ("closure_error",), "absorbed_flux")
 
     @cached_property
     def canopy(self):
         """Fractions of the light that falls on the horizontal: band -> dict of Estimate.
+
+        "incident" is a number, that light itself: flux.
 
         Empty without a ground or a cell that repeats along both axes.
         """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import sys
 import warnings
@@ -101,6 +102,17 @@ class Scene:
         scene._init(document.table(), document.name, document.folder)
         scene._document = document
         return scene
+
+    def __copy__(self):
+        """A scene of its own, of which the same was stated."""
+        other = type(self).__new__(type(self))
+        other._init(copy.deepcopy(self._table), self._name, self._folder)
+        other._meshes = list(self._meshes)
+        other._document = self._document
+        return other
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
 
     # Stating what there is.
 

@@ -37,21 +37,27 @@ bool is_list_of_tables(const Node& node) {
     return list != nullptr && !list->empty() && list->front().as<Node::Table>() != nullptr;
 }
 
+/// Whether a node has keys of its own, which are joined with others and not replaced.
+bool is_table_or_tables(const Node& node) {
+    return node.as<Node::Table>() != nullptr || is_list_of_tables(node);
+}
+
 void join(Node::Table& into, Node::Table from);
 
-void join_values(const std::string& key, Node& into, Node from) {
-    if (into.value.index() != from.value.index()) {
-        throw InputError(
-            {{kPiece, fmt::format("{} is {}", key, from.type_name()),
-              fmt::format("it was stated as {} before", into.type_name()), ""}});
-    }
-    if (auto* table = std::get_if<Node::Table>(&into.value)) {
-        join(*table, std::get<Node::Table>(std::move(from.value)));
-    } else if (is_list_of_tables(into)) {
+void join_values(const std::string& key, Node& into, Node&& from) {
+    auto* table = std::get_if<Node::Table>(&into.value);
+    auto* more = std::get_if<Node::Table>(&from.value);
+    if (table != nullptr && more != nullptr) {
+        join(*table, std::move(*more));
+    } else if (is_list_of_tables(into) && is_list_of_tables(from)) {
         auto& list = std::get<Node::List>(into.value);
         for (Node& item : std::get<Node::List>(from.value)) {
             list.push_back(std::move(item));
         }
+    } else if (is_table_or_tables(into) || is_table_or_tables(from)) {
+        throw InputError(
+            {{kPiece, fmt::format("{} is {}", key, from.type_name()),
+              fmt::format("it was stated as {} before", into.type_name()), ""}});
     } else {
         into = std::move(from);
     }

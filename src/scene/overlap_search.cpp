@@ -84,8 +84,8 @@ class OverlapSearch {
             const auto last = std::find_if_not(first, natives_.end(), in_cube);
             visitor = std::find_if(
                 visitor, visitors_.end(), [&](const Entry& e) { return e.cube >= cube; });
-            const std::span homes(first, last);
-            for (const Entry& native : homes) {
+            const Homes homes{{first, last}};
+            for (const Entry& native : homes.natives) {
                 compare(native, homes, Among::natives);
             }
             for (; visitor != visitors_.end() && visitor->cube == cube; ++visitor) {
@@ -94,6 +94,17 @@ class OverlapSearch {
             first = last;
         }
     }
+
+    /// The triangles at home in a cube.
+    struct Homes {
+        explicit Homes(std::span<const Entry> all) : natives(all) {
+            for (const Entry& entry : natives) {
+                most_blur = std::max(most_blur, entry.blur);
+            }
+        }
+        std::span<const Entry> natives;  ///< sorted by `facing`
+        float most_blur = 0;
+    };
 
     /// Natives of a cube meet each other twice, visitors meet them once.
     enum class Among { natives, visitors };
@@ -272,46 +283,54 @@ class OverlapSearch {
         });
     }
 
-    /// Looks among the triangles at home in a cube for those that `entry` lies on.
-    void compare(const Entry& entry, std::span<const Entry> homes, Among among) {
+    /// Looks among the triangles at home in a cube for those that `entry` lies on, and a visitor
+    /// for those that lie on it: slivers are at home with larger triangles, and lie on smaller
+    /// ones.
+    void compare(const Entry& entry, const Homes& homes, Among among) {
+        const std::span<const Entry> natives = homes.natives;
         const auto is_before = [](const Entry& e, float facing) { return e.facing < facing; };
+        const float reach = entry.blur + homes.most_blur;
         auto other =
-            std::lower_bound(homes.begin(), homes.end(), entry.facing - entry.blur, is_before);
-        const auto is_parallel = [&](const Entry& e) {
-            return e.facing <= entry.facing + entry.blur;
-        };
-        if (other != homes.end() && other->triangle == entry.triangle) {
-            ++other;
-        }
-        if (other == homes.end() || !is_parallel(*other)) {
-            return;  // most triangles: they need not be fetched
-        }
-        const Triangle own = triangles_[entry.triangle];
-        const Bounds bounds = bounds_of(own);
-        const double tolerance = thickness(size_of(bounds));
-        for (; other != homes.end() && is_parallel(*other); ++other) {
+            std::lower_bound(natives.begin(), natives.end(), entry.facing - reach, is_before);
+        for (; other != natives.end() && other->facing <= entry.facing + reach; ++other) {
+            const bool is_parallel =
+                std::abs(other->facing - entry.facing) <= entry.blur + other->blur;
+            if (!is_parallel || other->triangle == entry.triangle) {
+                continue;  // most triangles: they need not be fetched
+            }
             if (is_piled(entry)) {
                 return;
             }
-            if (other->triangle == entry.triangle || is_piled(*other) ||
-                !is_asked_for(entry, *other)) {
+            if (is_piled(*other) || !is_asked_for(entry, *other)) {
                 continue;
             }
             if (++comparisons_ > most_comparisons_) {
                 return;
             }
-            const Triangle theirs = triangles_[other->triangle];
-            const bool is_small = among == Among::visitors || is_smaller(own, theirs);
-            if (is_small && lies_on(own, bounds, theirs, tolerance)) {
-                const Overlap found{
-                    std::min(entry.triangle, other->triangle),
-                    std::max(entry.triangle, other->triangle), is_same(own, theirs, tolerance)};
-                if (found.is_same) {
-                    ++same_before_[found.second];
-                }
-                found_.push_back(found);
-            }
+            compare(entry.triangle, other->triangle, among);
         }
+    }
+
+    void compare(std::uint32_t triangle, std::uint32_t other, Among among) {
+        Triangle small = triangles_[triangle];
+        Triangle large = triangles_[other];
+        if (!is_smaller(small, large)) {
+            if (among == Among::natives) {
+                return;  // they meet again
+            }
+            std::swap(small, large);
+        }
+        const Bounds bounds = bounds_of(small);
+        const double tolerance = thickness(size_of(bounds));
+        if (!lies_on(small, bounds, large, tolerance)) {
+            return;
+        }
+        const Overlap found{
+            std::min(triangle, other), std::max(triangle, other), is_same(small, large, tolerance)};
+        if (found.is_same) {
+            ++same_before_[found.second];
+        }
+        found_.push_back(found);
     }
 
     /// Whether a triangle is known to be the same as so many before it that nothing is learnt from

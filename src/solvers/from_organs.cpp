@@ -54,12 +54,16 @@ class FromOrgans final : public Solver {
           near_(input.prepared),
           followed_peak_(followed_peak(input.prepared.scene())),
           next_event_(
-              input.prepared, input.sampler, near_, kFinerSteps * measured_.area, followed_peak_),
+              input.prepared,
+              input.sampler,
+              near_,
+              kFinerSteps * measured_.area,
+              followed_peak_,
+              points_of(input.spec.paths, measured_)),
           vertex_light_(input.prepared, kFinerSteps * measured_.area, followed_peak_),
           needs_companion_(needs_light_paths(input.prepared, near_)),
           runner_(input) {
-        const std::uint64_t share = std::max<std::uint64_t>(1, spec_.paths / organs());
-        points_per_organ_ = std::bit_floor(share);
+        points_per_organ_ = points_of(spec_.paths, measured_);
         for (const BoundSource& light : prepared_.lights()) {
             if (!light.is_extended()) {
                 start_dimensions_ = light.source_sampler->beam_direction() ? start_dimensions_ : 4U;
@@ -75,6 +79,8 @@ class FromOrgans final : public Solver {
         for (std::size_t i = 0; i < scene.regions().size(); ++i) {
             const double own = scene.organs()[scene.regions()[i].organ.value].area;
             companion_scale_.push_back(part_of_unit_[i] * units_of_light_path(measured_, own));
+            part_of_unit_[i] *=
+                OrganPoints::open_part(scene.organs()[scene.regions()[i].organ.value]);
         }
         connected_ = near_.any() ? connected_regions(
                                        prepared_, parts_by_vertices(prepared_, measured_, near_))
@@ -106,6 +112,11 @@ class FromOrgans final : public Solver {
         std::vector<std::int64_t> fixed;  // per band
         std::vector<double> irradiance;   // per band: from a light vertex
     };
+
+    /// Points per organ of so many paths: a power of two, as point sets like it.
+    static std::uint64_t points_of(std::uint64_t paths, const MeasuredArea& measured) {
+        return std::bit_floor(std::max<std::uint64_t>(1, paths / measured.organs.size()));
+    }
 
     /// Blocks of points and their companions.
     [[nodiscard]] std::uint64_t blocks(const Round& round) const {
@@ -157,16 +168,13 @@ class FromOrgans final : public Solver {
         std::uint64_t index,
         Scratch& scratch,
         Tally& tally) const {
-        const Organ& organ = prepared_.scene().organs()[organ_index];
-        if (organ.area <= 0) {
+        if (OrganPoints::open_part(prepared_.scene().organs()[organ_index]) <= 0) {
             return 0;
         }
-        const std::optional<OrganPoint> place = organ_points_.place(
-            organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1));
-        if (!place) {
-            return 0;
-        }
-        const Point point{*place, index};
+        const Point point{
+            organ_points_.place(
+                organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1)),
+            index};
         if (connected_.empty() || connected_[point.region] == 0) {
             scratch.companion.vertices.clear();
         }
@@ -410,8 +418,9 @@ class FromOrgans final : public Solver {
     std::vector<char> connected_;  // by region; empty: none is
     bool has_others_ = true;       // some measured region is not
     BlockRunner<Scratch> runner_;
-    std::uint32_t start_dimensions_ = 2;   // of a companion: 2 if all sources are beams
-    std::vector<double> part_of_unit_;     // by region: of those of coarseness_of() 1 over it
+    std::uint32_t start_dimensions_ = 2;  // of a companion: 2 if all sources are beams
+    // By region, what a point stands for: 1 over coarseness_of(), of the organ's open part.
+    std::vector<double> part_of_unit_;
     std::vector<double> companion_scale_;  // by region: from flux per light path to units
 };
 

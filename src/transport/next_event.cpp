@@ -14,7 +14,8 @@ NextEvent::NextEvent(
     const Sampler& sampler,
     const NearLamps& near,
     double scale,
-    double sharp_from)
+    double sharp_from,
+    std::uint64_t points)
     : prepared_(prepared), sampler_(sampler), near_(near), scale_(scale), sharp_from_(sharp_from) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
@@ -26,6 +27,29 @@ NextEvent::NextEvent(
         for (const BoundSource& light : lights) {
             lamps_.push_back(light.source_sampler->lamp_place().value_or(LampPlace{}));
         }
+    } else {
+        share_points(points);
+    }
+}
+
+/// The shares of lights are whole numbers of points, at least one: by flux, to the nearest end.
+/// Else replicates would have one point more or less of a light, most of them the same number, and
+/// could not tell how often.
+void NextEvent::share_points(std::uint64_t points) {
+    constexpr std::uint64_t kFinest = 1024, kEach = 8;
+    const auto& lights = prepared_.lights();
+    const std::uint64_t steps = std::min(points, kFinest);
+    if (lights.size() < 2 || lights.size() * kEach > steps) {
+        return;
+    }
+    std::uint64_t end = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const double by_flux = lights[i].before + lights[i].probability;
+        const auto nearest =
+            static_cast<std::uint64_t>(std::llround(by_flux * static_cast<double>(steps)));
+        const std::uint64_t after = lights.size() - 1 - i;
+        end = after == 0 ? steps : std::clamp(nearest, end + 1, steps - after);
+        share_ends_.push_back(static_cast<double>(end) / static_cast<double>(steps));
     }
 }
 
@@ -47,6 +71,14 @@ double NextEvent::worth(std::size_t index, const Vec3& place) const {
 /// A fifth by the flux of the lights, so that none is left out that is worth more than it seems.
 NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     const auto& lights = prepared_.lights();
+    if (!share_ends_.empty()) {
+        const auto after = std::upper_bound(share_ends_.begin(), share_ends_.end() - 1, u);
+        const double before = after == share_ends_.begin() ? 0 : *(after - 1);
+        const double share = *after - before;
+        return {
+            &lights[static_cast<std::size_t>(after - share_ends_.begin())],
+            std::clamp((u - before) / share, 0.0, kBelowOne), share};
+    }
     if (lamps_.empty()) {
         const BoundSource& light = lights[prepared_.pick_light(u)];
         return {
@@ -108,7 +140,7 @@ Sight NextEvent::look(
         view.least_cosine > 0 && light.is_extended()
             ? sky_within(*light.source, view, picked.u, u1)
             : light.source->illuminate(prepared_.to_world(place), picked.u, u1);
-    const double rarer = lamps_.empty() ? 1 : light.probability / picked.probability;
+    const double rarer = light.probability / picked.probability;
     return {
         &light, seen.to_light, seen.weight * scale_of(light) * rarer,
         seen.distance * prepared_.caster().mesh().scale, picked.probability};

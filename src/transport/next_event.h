@@ -47,12 +47,15 @@ class NextEvent {
     /// @param near  which light is not looked for
     /// @param sharp_from  peak_brightness() of lobes through which suns and lamps are not looked
     /// for
+    /// @param points  a power of two: where lights are picked alike from everywhere, so many points
+    /// of a set that is spread evenly pick each exactly as often as expected
     NextEvent(
         const PreparedScene& prepared,
         const Sampler& sampler,
         const NearLamps& near,
         double scale,
-        double sharp_from);
+        double sharp_from,
+        std::uint64_t points);
 
     /// Numbers that look() draws: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
@@ -91,6 +94,7 @@ class NextEvent {
         double probability = 1;
     };
     [[nodiscard]] Pick pick(double u, const Vec3& place) const;
+    void share_points(std::uint64_t points);
     [[nodiscard]] double worth(std::size_t light, const Vec3& place) const;
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
@@ -104,6 +108,8 @@ class NextEvent {
     double scale_, sharp_from_;
     std::uint32_t dimensions_;
     std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
+    // Where a light's share of [0, 1) ends, if lights are picked alike from everywhere and few.
+    std::vector<double> share_ends_;
 };
 
 }  // namespace quasimc

@@ -33,13 +33,14 @@ void OrganPoints::list_images() {
     }
 }
 
-std::optional<OrganPoint> OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+double OrganPoints::open_part(const Organ& organ) {
+    return organ.area > 0 ? std::max(0.0, 1 - organ.covered_area / organ.area) : 0;
+}
+
+OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
-    EXPECT(organ.area > 0);
-    if (organ.covered_area > 0 && u0 * organ.area >= organ.area - organ.covered_area) {
-        return std::nullopt;
-    }
-    const OrganAreas::Pick pick = areas_.pick(organ, u0 * organ.area);
+    EXPECT(open_part(organ) > 0);
+    const OrganAreas::Pick pick = areas_.pick(organ, u0 * (organ.area - organ.covered_area));
     const double root = std::sqrt(pick.fraction);
     return on_triangle(pick.triangle, root * (1 - u1), root * u1);
 }

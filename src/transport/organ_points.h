@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "scene/organ_areas.h"
@@ -17,16 +16,17 @@ struct OrganPoint {
     std::uint32_t region = 0;
 };
 
-/// Places points on organs, uniformly over their area.
+/// Places points on organs, uniformly over what other organs leave of their area.
 class OrganPoints {
   public:
     explicit OrganPoints(const PreparedScene& prepared);
 
-    /// The point of an organ (of some area) for a point of the unit square: u0 picks the triangle
-    /// and is used again inside it. Nothing if it falls on what is covered by other organs
-    /// (Organ::covered_area). Periodic scenes: on that image of the triangle which has the point in
-    /// the cell.
-    [[nodiscard]] std::optional<OrganPoint> place(std::size_t organ, double u0, double u1) const;
+    /// The part of an organ's area that is not covered (Organ::covered_area); of no area: 0.
+    [[nodiscard]] static double open_part(const Organ& organ);
+    /// The point of an organ (of which some part is open) for a point of the unit square: u0 picks
+    /// the triangle and is used again inside it. Periodic scenes: on that image of the triangle
+    /// which has the point in the cell.
+    [[nodiscard]] OrganPoint place(std::size_t organ, double u0, double u1) const;
 
   private:
     void list_images();

@@ -1,3 +1,5 @@
+import pickle
+
 import numpy as np
 import pytest
 
@@ -20,6 +22,15 @@ def test_errors_are_value_errors_where_that_fits():
     assert issubclass(quasimc.InputError, ValueError)
     assert issubclass(quasimc.InputError, quasimc.Error)
     assert not issubclass(quasimc.Stopped, ValueError)
+
+
+def test_errors_reach_other_processes():
+    with pytest.raises(quasimc.InputError) as caught:
+        canopy().run(paths=0)
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (str(copy), copy.faults) == (str(caught.value), caught.value.faults)
+    stopped = pickle.loads(pickle.dumps(quasimc.Stopped("stopped: why", "interrupted")))
+    assert (str(stopped), stopped.why) == ("stopped: why", "interrupted")
 
 
 @pytest.mark.parametrize(

@@ -1,3 +1,5 @@
+import copy
+
 import numpy as np
 import pytest
 
@@ -180,3 +182,22 @@ def test_a_sweep_is_left_to_the_program(tmp_path):
     )
     with pytest.raises(quasimc.InputError, match=r"sweep.toml:5: \[sweep\] states several runs"):
         quasimc.load(tmp_path / "sweep.toml")
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy])
+def test_a_copy_is_a_scene_of_its_own(copied):
+    scene = canopy()
+    before = scene.run(**FEW)["absorbed_flux"].mean
+    other = copied(scene)
+    assert np.array_equal(other.run(**FEW)["absorbed_flux"].mean, before)
+    vertices = [[[0, 0, 9], [1, 0, 9], [0, 1, 9]]]
+    other.add_mesh(np.array(vertices), material="leaf")
+    other.add_material("leaf", reflectance=[0.9, 0.1])
+    scene.add_material("unused", reflectance=[0.1, 0.1])
+    assert np.array_equal(scene.run(**FEW)["absorbed_flux"].mean, before)
+    assert len(other.organs) == len(scene.organs) + 1
+
+
+def test_labels_must_be_a_dict():
+    with pytest.raises(quasimc.InputError, match="labels is of the type list"):
+        canopy().add_mesh(np.zeros((1, 3, 3)), material="leaf", labels=["a"])

@@ -86,6 +86,25 @@ TEST(CStatements, FaultsAreToldAllAtOnceInTheWordsOfTheProgram) {
     EXPECT_TRUE(error_tells("paths is 0")) << quasimc_last_error();
 }
 
+TEST(CStatements, ValuesAreReplacedHoweverTheyAreWritten) {
+    const SceneHandle scene = small_canopy(1);
+    const auto set = [&](const char* key, const char* value) {
+        return quasimc_scene_set_option(scene.get(), key, value);
+    };
+    EXPECT_EQ(set("target_error", "0.005"), QUASIMC_DONE);
+    EXPECT_EQ(set("target_error", "0"), QUASIMC_DONE) << quasimc_last_error();
+    EXPECT_EQ(set("roulette_weight", "1"), QUASIMC_DONE);
+    EXPECT_EQ(set("roulette_weight", "0.5"), QUASIMC_DONE) << quasimc_last_error();
+    EXPECT_EQ(set("paths", "many"), QUASIMC_DONE);
+    EXPECT_EQ(set("paths", "256"), QUASIMC_DONE) << quasimc_last_error();
+    double paths = 0;
+    EXPECT_EQ(quasimc_result_get_number(run(*scene).get(), "paths", &paths), QUASIMC_DONE);
+    EXPECT_EQ(paths, 256);
+    EXPECT_EQ(quasimc_scene_state(scene.get(), "run = 1"), QUASIMC_INPUT_ERROR);
+    EXPECT_TRUE(error_tells("run is an integer")) << quasimc_last_error();
+    EXPECT_EQ(quasimc_scene_state(scene.get(), "[[run]]\npaths = 1"), QUASIMC_INPUT_ERROR);
+}
+
 TEST(CStatements, FaultyArraysAreRefused) {
     const SceneHandle scene = small_canopy(1);
     SquareLeaf leaf = square_leaf(2);

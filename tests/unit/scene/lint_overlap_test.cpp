@@ -69,6 +69,17 @@ TEST(LintOverlap, FindsTrianglesThatOverlapInOnePlane) {
     }
 }
 
+TEST(LintOverlap, FindsSliversWhosePlaneRoundingTurns) {
+    // Longer than the triangle, as flat as single precision can tell, and turned by far more.
+    const Vec3 n = normalized(area_vector(kTilted));
+    for (const double width : {1e-3, 1e-4}) {
+        const Triangle sliver{
+            in_plane(-1.8, .4), in_plane(2.2, .4), in_plane(2.2, .4 + width) + 1e-7 * n};
+        EXPECT_EQ(warnings_about(kTilted, sliver), second(kUpon)) << width;
+        EXPECT_EQ(warnings_about(sliver, kTilted), second(kUpon)) << width;
+    }
+}
+
 TEST(LintOverlap, FindsTheSameAtAnySizeAndPlace) {
     for (const double scale : {1e-12, 1e-3, 1e12}) {
         const Vec3 shift{1e4 * scale, -2e4 * scale, scale};
