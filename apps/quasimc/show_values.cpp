@@ -162,11 +162,16 @@ std::vector<ShownValues> find_shown_values(
 ShownRun read_shown_run(const std::string& path, std::size_t point) {
     std::string text = quasimc::read_file(path);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool is_result = first != std::string::npos && text[first] == '{';
+    if (first == std::string::npos) {
+        throw quasimc::InputError({{path, "is empty", "", "give a result or a run file"}});
+    }
+    const bool is_result = text[first] == '{';
     quasimc::RunSweep runs =
         is_result ? quasimc::read_result_sweep(path).runs : quasimc::read_run_sweep(path);
     if (point > runs.size()) {
-        throw quasimc::InputError({{"--point", fmt::format("there are {}", runs.size()), "", ""}});
+        throw quasimc::InputError(
+            {{"--point", fmt::format("there is no point {}", point),
+              fmt::format("the sweep has {}", runs.size()), "points count from 1"}});
     }
     ShownRun shown{
         runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string(), {}};

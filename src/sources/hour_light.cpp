@@ -39,6 +39,23 @@ std::optional<Parts> parts_of(const Reading& reading, double sine) {
     return std::nullopt;
 }
 
+/// Whether readings that say the same differ by more than a tenth and what instruments are off.
+bool disagree(const Reading& reading, double sine, LightUnit unit, const DaylightSpectra& spectra) {
+    constexpr double kPart = 0.1;
+    constexpr double kInstruments = 20;  // W m-2
+    const auto differ = [&](double a, double b) {
+        const double off = std::abs(a - b);
+        return off > kPart * std::max(a, b) && spectra.from_global(off, unit) > kInstruments;
+    };
+    const std::optional<double> beam =
+        reading.beam_normal ? std::optional(*reading.beam_normal * sine) : std::nullopt;
+    const std::optional<double> direct =
+        reading.direct_horizontal ? reading.direct_horizontal : beam;
+    return (beam && differ(*direct, *beam)) ||
+           (reading.global && direct && reading.diffuse &&
+            differ(*reading.global, *direct + *reading.diffuse));
+}
+
 /// All of it sky light.
 Daylight all_diffuse(double global, LightUnit unit, const DaylightSpectra& spectra) {
     return spectra.from_parts(0, global, unit);
@@ -171,8 +188,13 @@ HourLight measured_light(
     } else {
         light.daylight = all_diffuse(global, unit, spectra);
     }
+    if (light.note == ReadingNote::none && disagree(reading, sine, unit, spectra)) {
+        light.note = ReadingNote::parts_disagree;
+    }
     if (light.daylight.direct > path.outside() * sine) {
-        light.note = ReadingNote::sun_too_low;
+        constexpr double kHighDeg = 10;
+        light.note = path.highest_deg() > kHighDeg ? ReadingNote::more_direct_than_outside
+                                                   : ReadingNote::sun_too_low;
         light.daylight = all_diffuse(global, unit, spectra);
     }
     light.facing = even_beam(path, light.daylight.direct);

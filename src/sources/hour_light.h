@@ -48,6 +48,10 @@ enum class ReadingNote {
     more_diffuse_than_global,  ///< all light is then diffuse
     sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than
                   ///< outside the atmosphere: it counts as diffuse
+    more_direct_than_outside,  ///< the same with the sun high
+    /// More is given than is needed, and is off by more than a tenth and what instruments are: of
+    /// direct light direct_horizontal counts, of the global light the sum of its parts.
+    parts_disagree,
 };
 /// What is wrong with a reading.
 enum class ReadingFault { none, incomplete, negative, part_exceeds_global, light_at_night };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "program.h"
 
@@ -24,6 +25,10 @@ class PartsTest : public ProgramTest {
             const Outcome outcome = run(words);
             EXPECT_EQ(outcome.status, 0) << outcome.err;
         }
+    }
+    /// What a result says of the files that it was made from.
+    [[nodiscard]] nlohmann::json inputs_of(const std::string& name) const {
+        return nlohmann::json::parse(folder_.read(name)).at("inputs");
     }
     /// A table without the lines on how it was made.
     [[nodiscard]] std::string rows(const std::string& name) const {
@@ -60,6 +65,8 @@ TEST_F(PartsTest, OfTimesGiveTheirNumbersAndSums) {
     ASSERT_EQ(run({"run", "day.toml", "--csv", "w.csv", "--days", "wd.csv"}).status, 0);
     EXPECT_EQ(rows("m.csv"), rows("w.csv"));
     EXPECT_EQ(rows("md.csv"), rows("wd.csv"));
+    ASSERT_EQ(run({"run", "day.toml", "--json", "w.json"}).status, 0);
+    EXPECT_EQ(inputs_of("m.json"), inputs_of("w.json"));
     const Outcome again = run({"run", "--from", "m.json"});
     EXPECT_NE(again.out.find("the same numbers as in m.json"), std::string::npos) << again.out;
 }

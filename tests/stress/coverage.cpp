@@ -19,25 +19,31 @@ Estimate mean_of(const Answers& answers, std::size_t number) {
     return estimate_mean(means);
 }
 
-/// What the sharpest other way says, if it is sharp beside the intervals. They end at what is
-/// possible, its mean may lie above by noise and rounding.
+/// What the sharpest other way says, if it is sharp beside the intervals, on either side of their
+/// means: few finds widen one. They end at what is possible, its mean may lie above by noise and
+/// rounding. Bundles have the same error at every seed, that of patches, of which their means do
+/// not tell.
 std::optional<double> truth_of(
     const Case& it, const std::vector<Answers>& all, std::size_t own, std::size_t number) {
     std::optional<Estimate> best;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Estimate e = mean_of(all[i], number);
         const bool is_told = all[i][0].numbers[number].is_known && e.mean > 0;
-        if (i != own && is_told && (!best || e.standard_error < best->standard_error)) {
+        if (i != own && all[i][0].way != Way::ray_bundles && is_told &&
+            (!best || e.standard_error < best->standard_error)) {
             best = e;
         }
     }
-    double width = 0;
+    double below = 0;
+    double above = 0;
     double highest = 0;
     for (const Answer& answer : all[own]) {
         const Number& n = answer.numbers[number];
         highest = std::max(highest, n.high);
-        width += .5 * (n.high - n.low) / static_cast<double>(all[own].size());
+        below += (n.mean - n.low) / static_cast<double>(all[own].size());
+        above += (n.high - n.mean) / static_cast<double>(all[own].size());
     }
+    const double width = std::min(below, above);
     const bool is_sharp =
         best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);
     if (!is_sharp) {

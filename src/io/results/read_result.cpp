@@ -135,9 +135,11 @@ std::vector<InputFile> stored_inputs(const Json& head) {
         if (item.is_object()) {
             const auto mark = item.find("is_run_file");
             const bool is_run_file = mark != item.end() && mark->is_boolean() && mark->get<bool>();
+            const auto bytes = item.find("bytes");
+            const bool has_bytes = bytes != item.end() && bytes->is_number_unsigned();
             inputs.push_back(
-                {text_of(item, "path"), text_of(item, "resolved"), text_of(item, "sha256"), 0,
-                 is_run_file});
+                {text_of(item, "path"), text_of(item, "resolved"), text_of(item, "sha256"),
+                 has_bytes ? bytes->get<std::uint64_t>() : 0, is_run_file});
         }
     }
     return inputs;

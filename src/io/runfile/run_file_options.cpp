@@ -68,6 +68,15 @@ Node option_node(const OptionValue& value) {
     return {std::get<std::string>(value)};
 }
 
+/// What to do about a value that an option does not take: of a former one, to use that of today.
+std::string advice(const Option& option, const Fault& fault) {
+    const Option* today = find_option(option.replaced_by);
+    return today == nullptr
+               ? fault.suggestion
+               : fmt::format(
+                     "{} is now {}, which takes {}", option.key, today->key, domain_text(*today));
+}
+
 /// Reads one option. @returns whether it is stated, with a value that it takes
 bool read_option(TableReader& table, const Option& option, RunOptions& options) {
     const Node* stated = table.any(option.key);
@@ -86,7 +95,7 @@ bool read_option(TableReader& table, const Option& option, RunOptions& options) 
     }
     value = whole_if_integer(option, *value);
     if (const std::optional<Fault> fault = check_option(option, *value)) {
-        table.fault_at(*stated, fault->problem, fault->why, fault->suggestion);
+        table.fault_at(*stated, fault->problem, fault->why, advice(option, *fault));
         return false;
     }
     if (is_former) {
@@ -158,6 +167,7 @@ void read_run_options(TableReader& top, RunOptions& options) {
     }
     for (const Option& former : former_option_table()) {
         read_former_option(table, former, options);
+        table.leave_out_of_advice(former.key);
     }
     table.finish();
 }
@@ -173,6 +183,7 @@ void apply_overrides(
                  did_you_mean(stated.key, option_keys())});
         } else if (auto fault = check_option(*option, parse_option(*option, stated.text))) {
             fault->place = stated.place;
+            fault->suggestion = advice(*option, *fault);
             reporter.faults.add(*fault);
         } else {
             set_override(stated, *option, options, set, reporter);

@@ -256,6 +256,11 @@ std::vector<Interval> read_weather(TimeContext& context) {
                 civil_time_text(file->records.back().start)));
     }
     selection.finish(file->records.back());
+    if (selection.found() && selection.intervals().empty() && !table.failed()) {
+        table.fault_at(
+            "weather", "no time of those asked for has light",
+            "all of them are gaps: what they lack stands for missing values");
+    }
     return std::move(selection.intervals());
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "io/results/written.h"
+#include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
 #include "scene/scene.h"
@@ -107,11 +108,20 @@ class RunSweep::State {
         std::size_t first = 0, points = 0;
     };
 
+    /// What an option of the run is called today ("run.method" for "run.trace_from"); other keys as
+    /// they are.
+    static std::string option_of_today(const std::string& path) {
+        constexpr std::string_view kRun = "run.";
+        const Option* former =
+            path.starts_with(kRun) ? find_former_option(path.substr(kRun.size())) : nullptr;
+        return former == nullptr ? path : std::string(kRun) + std::string(former->replaced_by);
+    }
+
     /// A flag would undo a part of the sweep.
     void check_overrides() {
         for (const Override& stated : overrides_) {
             for (const SweptKey& key : plan_.keys()) {
-                if (key.from_top() == "run." + stated.key) {
+                if (option_of_today(key.from_top()) == option_of_today("run." + stated.key)) {
                     reporter_.faults.add(
                         {stated.place, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "io/runfile/civil_time_text.h"
 #include "quasimc/source.h"
 
@@ -26,6 +27,19 @@ std::string_view unit_probably_meant(LightUnit unit, double ratio) {
         return "is it in J m-2 an hour (divide by 3600)?";
     }
     return "is it in J m-2 a day (divide by 86400)?";
+}
+
+/// The lowest number of a reading.
+double lowest(const std::optional<Reading>& reading) {
+    double low = 0;
+    if (reading) {
+        for (const auto& part :
+             {reading->global, reading->direct_horizontal, reading->beam_normal,
+              reading->diffuse}) {
+            low = std::min(low, part.value_or(0));
+        }
+    }
+    return low;
 }
 
 }  // namespace
@@ -59,17 +73,25 @@ TimeSeries SeriesBuilder::finish() {
     close_gathered();
     series_.collapse = rules_.collapse;
     warn(
-        direct_too_large_,
+        noted_[ReadingNote::more_direct_than_global],
         "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
         "counts as direct");
     warn(
-        diffuse_too_large_,
+        noted_[ReadingNote::more_diffuse_than_global],
         "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
         "counts as diffuse");
     warn(
-        sun_too_low_,
+        noted_[ReadingNote::sun_too_low],
         "times have direct light with the sun too low for it: it counts as "
         "diffuse");
+    warn(
+        noted_[ReadingNote::more_direct_than_outside],
+        "times have more direct light than the sun brings outside the atmosphere: all of it counts "
+        "as diffuse; check the unit, the clock and the place");
+    warn(
+        noted_[ReadingNote::parts_disagree],
+        "times have columns that disagree, by more than a tenth and 20 W m-2: of direct light "
+        "direct_horizontal counts, and global is taken to be the sum of direct and diffuse");
     warn_of_brightness();
     return std::move(series_);
 }
@@ -146,9 +168,7 @@ void SeriesBuilder::note(ReadingNote note, const Interval& interval) {
     if (note == ReadingNote::none) {
         return;
     }
-    Noted& noted = note == ReadingNote::sun_too_low               ? sun_too_low_
-                   : note == ReadingNote::more_direct_than_global ? direct_too_large_
-                                                                  : diffuse_too_large_;
+    Noted& noted = noted_[note];
     noted.first = noted.count++ == 0 ? interval.place : noted.first;
 }
 
@@ -199,7 +219,9 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
             reporter_.faults.add(
                 {interval.place, fmt::format("the light at {} is below zero", time),
                  "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
-                 "state what stands for missing values: missing_values = [\"-99\"]"});
+                 fmt::format(
+                     "if it stands for missing values, state it: missing_values = [\"{}\"]",
+                     shortest(lowest(interval.reading)))});
             break;
         case ReadingFault::part_exceeds_global:
             reporter_.faults.add(

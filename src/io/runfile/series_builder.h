@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,7 +60,8 @@ class SeriesBuilder {
     CollapsedMoment gathered_;
     std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
     std::string first_date_, last_date_;                        // of what is gathered
-    Noted direct_too_large_, diffuse_too_large_, sun_too_low_, too_bright_;
+    std::map<ReadingNote, Noted> noted_;
+    Noted too_bright_;
     double brightest_ = 0;        // W m-2, of the times that are too bright
     double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
 };

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 
 #include <fmt/format.h>
@@ -22,7 +23,14 @@ namespace {
 class TableOfWeather {
   public:
     TableOfWeather(std::string_view text, const WeatherColumns& columns, Reporter& reporter)
-        : scanner_(text), columns_(columns), reporter_(reporter) {}
+        : scanner_(text), columns_(columns), reporter_(reporter) {
+        for (const std::string& word : columns.missing) {
+            const auto number = parse_real(word);
+            if (number && std::isfinite(*number)) {
+                missing_numbers_.insert(*number);
+            }
+        }
+    }
 
     WeatherFile read() {
         if (!read_header()) {
@@ -134,17 +142,19 @@ class TableOfWeather {
         std::optional<double> fraction;
         for (const auto& [part, i] : header_.light) {
             const std::string field(trimmed(fields[i]));
-            if (columns_.missing.contains(field)) {
+            const auto value = parse_real(field);
+            if (columns_.missing.contains(field) || (value && missing_numbers_.contains(*value))) {
                 record.is_missing = true;
                 continue;
             }
-            const auto value = parse_real(field);
             const double most = part == kDiffuseFraction ? 1 : TableReader::kLight.high;
             if (!value || !(std::abs(*value) <= most)) {
                 reporter_.fault(
                     record.line, fmt::format("{} is {}", part, shown(field)),
                     fmt::format("it must be a number, {} at most", most),
-                    "or name it in missing_values");
+                    field.find(',') == std::string::npos
+                        ? "or name it in missing_values"
+                        : "write numbers with a point, not with a comma");
                 return;
             }
             std::optional<double>* const stated =
@@ -165,11 +175,14 @@ class TableOfWeather {
         for (std::size_t i = 1; i < file_.records.size(); ++i) {
             const double apart = seconds_between(i - 1, i);
             if (apart < 0.5) {
+                constexpr double kNearlyAYear = 300 * kSecondsADay;
                 reporter_.fault(
                     file_.records[i].line,
                     apart < -0.5 ? "goes back in time" : "the same time again",
                     "rows are in the order of time",
-                    "clocks that change in autumn need an offset to UTC in each time");
+                    apart < -kNearlyAYear
+                        ? "days of several years need a column of years"
+                        : "clocks that change in autumn need an offset to UTC in each time");
             }
             step = std::min(step, apart);
         }
@@ -198,6 +211,7 @@ class TableOfWeather {
 
     LineScanner scanner_;
     const WeatherColumns& columns_;
+    std::set<double> missing_numbers_;  // however they are written
     Reporter& reporter_;
     char separator_ = ',';
     WeatherHeader header_;

@@ -87,6 +87,7 @@ class ColumnFinder {
                 add_light(kDiffuseFraction, usual({kDiffuseFraction}));
             }
         }
+        warn_of_unread();
         if (header_.light.empty() && reporter_.faults.empty()) {
             reporter_.fault(
                 line_, "no column of light",
@@ -98,6 +99,26 @@ class ColumnFinder {
             reporter_.fault(
                 line_, "a diffuse fraction goes with global alone",
                 "it is a part of the global light");
+        }
+    }
+
+    /// Where some columns of light are named, no others are read; nor is a part of the global light
+    /// where parts are given.
+    void warn_of_unread() {
+        for (std::size_t i = 0; i < header_.names.size(); ++i) {
+            const auto is_read = std::any_of(
+                header_.light.begin(), header_.light.end(),
+                [&](const auto& column) { return column.second == i; });
+            const std::string name = in_lower_case(header_.names[i]);
+            if (!is_read &&
+                std::find(kLightNames.begin(), kLightNames.end(), name) != kLightNames.end()) {
+                reporter_.warnings.push_back(
+                    {reporter_.place(line_),
+                     fmt::format(
+                         "the column {} is not read: {}", shown(header_.names[i]),
+                         columns_.light.empty() ? "other columns tell the parts of the light"
+                                                : "columns names others, and not this one")});
+            }
         }
     }
 
@@ -122,7 +143,7 @@ class ColumnFinder {
         for (const std::string_view wanted : usual_names) {
             for (std::size_t i = 0; i < header_.names.size(); ++i) {
                 if (in_lower_case(header_.names[i]) == wanted) {
-                    refuse_twice(header_.names[i]);
+                    refuse_twice(wanted);
                     return i;
                 }
             }
@@ -130,7 +151,19 @@ class ColumnFinder {
         return std::nullopt;
     }
 
-    void refuse_twice(const std::string& name) {
+    /// @param usual_name  in lower case
+    void refuse_twice(std::string_view usual_name) {
+        const auto is_named = [&](const std::string& name) {
+            return in_lower_case(name) == usual_name;
+        };
+        if (std::count_if(header_.names.begin(), header_.names.end(), is_named) > 1) {
+            reporter_.fault(
+                line_, fmt::format("two columns are named {}", shown(usual_name)),
+                "it can't be told which is meant, whatever their case", "rename one of them");
+        }
+    }
+
+    void refuse_same(const std::string& name) {
         if (std::count(header_.names.begin(), header_.names.end(), name) > 1) {
             reporter_.fault(
                 line_, fmt::format("two columns are named {}", shown(name)),
@@ -154,7 +187,7 @@ class ColumnFinder {
                 line_, fmt::format("no column '{}'", name), "", did_you_mean(name, names));
             return std::nullopt;
         }
-        refuse_twice(name);
+        refuse_same(name);
         return static_cast<std::size_t>(found - header_.names.begin());
     }
 

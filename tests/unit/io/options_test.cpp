@@ -139,6 +139,9 @@ TEST(Options, AFormerNameMustNotContradictThatOfToday) {
         << faults[0];
     text.run = "[run]\ntrace_from = 'first_hits'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "trace_from is 'first_hits'"));
+    EXPECT_TRUE(mentions(faults_of(text.text()), "trace_from is now method, which takes one of"));
+    text.run = "[run]\nTrace_from = 'organs'\n";
+    EXPECT_FALSE(mentions(faults_of(text.text()), "'trace_from'"));
     // What a command line says goes before the file.
     text.run = "[run]\ntrace_from = 'organs'\n";
     EXPECT_EQ(

@@ -320,6 +320,11 @@ TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
     const RunFile run = read_text(with_time(keys + "gaps = 'skip'\n"), {{"w.csv", holey}});
     EXPECT_EQ(run.series->time_steps.size(), 46U);
     EXPECT_FALSE(run.warnings.empty());
+    EXPECT_TRUE(mentions(
+        faults_of(
+            with_time(keys + "gaps = 'skip'\n"),
+            {{"w.csv", "time,global\n2024-06-21T12:00+01:00,\n2024-06-21T13:00+01:00,\n"}}),
+        "no time of those asked for has light"));
     const std::string day = "day = '2024-06-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(mentions(
         faults_of(with_time(keys + day), {{"w.csv", day_table(3, 20)}}),

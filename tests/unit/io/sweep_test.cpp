@@ -173,17 +173,28 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
     EXPECT_TRUE(mentions(sweep_faults(many), "more than 100000 points"));
 }
 
-TEST(Sweep, AFlagThatItSweepsIsRefused) {
+TEST(Sweep, AFlagThatItSweepsIsRefusedUnderEitherName) {
     const InputFiles files("/run");
-    try {
-        static_cast<void>(read_sweep_document(
-            read_toml(swept("paths = [64]\n"), "run.toml"), "run.toml", [&] { return files; },
-            {{"paths", "128", "--paths"}}));
-        ADD_FAILURE() << "taken";
-    } catch (const InputError& error) {
+    const auto said = [&](const std::string& keys, const Override& flag) {
+        try {
+            static_cast<void>(read_sweep_document(
+                read_toml(swept(keys), "run.toml"), "run.toml", [&] { return files; }, {flag}));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("taken");
+    };
+    const std::string now = "method = ['first_hits']\n";
+    const std::string before = "trace_from = ['lit_surfaces']\n";
+    for (const auto& [keys, flag] : std::vector<std::pair<std::string, Override>>{
+             {"paths = [64]\n", {"paths", "128", "--paths"}},
+             {now, {"method", "from_organs", "--method"}},
+             {now, {"trace_from", "organs", "--trace-from"}},
+             {before, {"method", "from_organs", "--method"}},
+             {before, {"trace_from", "organs", "--trace-from"}}}) {
         EXPECT_NE(
-            std::string(error.what()).find("--paths: is swept by the run file"), std::string::npos)
-            << error.what();
+            said(keys, flag).find(flag.place + ": is swept by the run file"), std::string::npos)
+            << said(keys, flag);
     }
 }
 

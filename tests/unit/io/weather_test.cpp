@@ -144,6 +144,45 @@ TEST(WeatherTable, FollowsTheNamesStampAndMarksThatAreStated) {
     EXPECT_TRUE(read.file.records[2].is_missing);
 }
 
+TEST(WeatherTable, TakesMarksOfMissingValuesHoweverTheyAreWritten) {
+    WeatherColumns columns;
+    columns.missing.insert("-99");
+    const ReadWeather read =
+        csv("time,global\n2024-06-21T12:00Z,-999.0\n2024-06-21T13:00Z,-9999.00\n"
+            "2024-06-21T14:00Z,-99.0\n2024-06-21T15:00Z,99\n",
+            columns);
+    EXPECT_TRUE(read.faults.empty());
+    ASSERT_EQ(read.file.records.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(read.file.records[i].is_missing, i < 3) << i;
+    }
+}
+
+TEST(WeatherTable, TellsOfColumnsThatAreNotRead) {
+    const auto warnings = [](const WeatherColumns& columns, const std::string& names) {
+        Reporter reporter{"w.csv", {}, {}};
+        static_cast<void>(read_weather_csv(
+            "time," + names + "\n2024-06-21T12:00Z,500,100,0.2\n2024-06-21T13:00Z,500,100,0.2\n",
+            columns, reporter));
+        EXPECT_TRUE(reporter.faults.empty());
+        std::string all;
+        for (const Warning& warning : reporter.warnings) {
+            all += warning.place + ": " + warning.text + "\n";
+        }
+        return all;
+    };
+    WeatherColumns global;
+    global.light = {{"global", "global"}};
+    EXPECT_EQ(
+        warnings(global, "global,Diffuse,wind"),
+        "w.csv:1: the column 'Diffuse' is not read: columns names others, and not this one\n");
+    EXPECT_EQ(
+        warnings({}, "global,diffuse,diffuse_fraction"),
+        "w.csv:1: the column 'diffuse_fraction' is not read: other columns tell the parts of the "
+        "light\n");
+    EXPECT_EQ(warnings({}, "global,diffuse,wind"), "");
+}
+
 TEST(WeatherTable, ReportsEveryBadRow) {
     const ReadWeather read =
         csv("time,global\n2024-06-21T12:00Z,600,7\nnoon,600\n2024-06-21T13:00Z,much\n"
@@ -210,6 +249,8 @@ TEST(WeatherTable, RefusesColumnsThatAreThereTwice) {
     const std::string row = "\n2024-06-21T12:00Z,1,2\n2024-06-21T13:00Z,1,2\n";
     EXPECT_TRUE(mentions(
         csv("time,global,global" + row).faults, "w.csv:1: two columns are named 'global'"));
+    EXPECT_TRUE(mentions(
+        csv("time,GLOBAL,Global" + row).faults, "w.csv:1: two columns are named 'global'"));
     WeatherColumns same;
     same.light = {{"global", "Rg"}, {"diffuse", "Rg"}};
     EXPECT_TRUE(mentions(csv("time,Rg,x" + row, same).faults, "are the same column 'Rg'"));
@@ -227,6 +268,8 @@ TEST(WeatherTable, RefusesTimesThatGoBack) {
             "2024-10-27T02:15+02:00,1\n2024-10-27T02:15+02:00,1\n");
     EXPECT_TRUE(mentions(autumn.faults, "goes back in time"));
     EXPECT_TRUE(mentions(autumn.faults, "the same time again"));
+    EXPECT_TRUE(mentions(
+        csv("time,global\n2024-12-31T23:00Z,1\n2024-01-01T00:00Z,1\n").faults, "column of years"));
     EXPECT_TRUE(
         csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:30+01:00,1\n").faults.empty())
         << "the hour that comes twice, told apart by its offset";

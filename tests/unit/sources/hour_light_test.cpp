@@ -155,6 +155,29 @@ TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
     EXPECT_NEAR(light.daylight.diffuse, 2 * most + 10, 1e-9);
 }
 
+TEST(MeasuredLight, TellsOfReadingsThatDisagree) {
+    const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
+    const double sine = path.mean_sine();
+    const auto note = [&](const Reading& reading) {
+        const HourLight light = light_of_reading(path, reading);
+        EXPECT_EQ(light.fault, ReadingFault::none);
+        return light.note;
+    };
+    const Reading agreed{.global = 560, .direct_horizontal = 400, .diffuse = 150};
+    EXPECT_EQ(note(agreed), ReadingNote::none);
+    EXPECT_EQ(
+        note({.global = 500, .direct_horizontal = 700, .diffuse = 200}),
+        ReadingNote::parts_disagree);
+    EXPECT_EQ(
+        note({.global = 500, .beam_normal = 700 / sine, .diffuse = 200}),
+        ReadingNote::parts_disagree);
+    EXPECT_EQ(
+        note({.direct_horizontal = 200, .beam_normal = 500, .diffuse = 100}),
+        ReadingNote::parts_disagree);
+    EXPECT_EQ(
+        note({.direct_horizontal = 1500, .diffuse = 100}), ReadingNote::more_direct_than_outside);
+}
+
 /// An hour's mean of the clear sky converges with the steps; a frozen sun is off.
 TEST(ClearLight, ConvergesWithTheStepsOfTheSun) {
     const auto global = [](double step) {
