@@ -59,7 +59,8 @@ const char* quasimc_last_error(void);
  *
  * What is stated is checked together, when the scene is run or a growth is made of it; by
  * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
- * faces that name no vertex. What a run then refuses is taken back by quasimc_scene_clear, and stated anew. */
+ * faces that name no vertex. What a run then refuses is taken back by quasimc_scene_clear, and
+ * stated anew. */
 
 /** An empty scene. Paths of files are relative to the current folder. */
 int quasimc_scene_new(quasimc_scene** scene);

@@ -221,9 +221,8 @@ std::vector<Option> rows_of_groups() {
             &RunSpec::groups, {"LABEL"}),
         integer_option(
             {"layers", "",
-             "layers of equal height, from the ground, or the lowest point if that is lower, to "
-             "the "
-             "highest of the organs, whose light is summed; 0: none"},
+             "layers of equal height, from the ground, or the lowest point if lower, to "
+             "the highest of the organs, whose light is summed; 0: none"},
             &RunSpec::layers, {0, kMostLayers}),
         {"layer_heights", "",
          "instead of layers: the heights between them, ascending, in the unit of length",
