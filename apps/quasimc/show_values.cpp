@@ -171,7 +171,7 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
     if (point > runs.size()) {
         throw quasimc::InputError(
             {{"--point", fmt::format("there is no point {}", point),
-              fmt::format("the sweep has {}", runs.size()), "points count from 1"}});
+              fmt::format("there are {}", runs.size()), "points count from 1"}});
     }
     ShownRun shown{
         runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string(), {}};

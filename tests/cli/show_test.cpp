@@ -147,7 +147,9 @@ TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
     folder_.write("sweep.toml", good_run_file() + "[sweep]\nseed = [1, 2]\n");
     ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
     EXPECT_FALSE(svg({"out.json", "--point", "2"}).empty());
-    expect_fault({"show", "out.json", "-o", "p.png", "--point", "3"}, "--point: there are 2");
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--point", "3"},
+        "--point: there is no point 3 (there are 2)");
 }
 
 TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {

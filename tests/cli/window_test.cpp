@@ -49,7 +49,9 @@ TEST_F(WindowCommand, WritesReports) {
     expect_fault({"report", "out.json", "-o", "./out.json"}, "is an input of the run");
     EXPECT_EQ(folder_.read("out.json"), result);
     expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
-    expect_fault({"report", "out.json", "-o", "q.html", "--point", "2"}, "--point: there are 1");
+    expect_fault(
+        {"report", "out.json", "-o", "q.html", "--point", "2"},
+        "--point: there is no point 2 (there are 1)");
     folder_.write("cut.json", folder_.read("out.json").substr(0, 500));
     expect_fault({"report", "cut.json", "-o", "q.html"}, "cut.json");
     EXPECT_EQ(run({"report", "out.json"}).status, 2);
