@@ -8,14 +8,15 @@
 
 namespace quasimc {
 
-/// From how many organs on what is freed is worth to be given back: some ten megabytes.
-inline constexpr std::size_t kOrgansWorthFreeing = 1 << 16;
-
 /// Gives memory that was freed between what is still used back to the system; the standard library
 /// keeps it. Takes milliseconds where many small things were freed.
-inline void give_back_free_memory() {
+/// @param organs  of the scene: of few it is not worth while
+inline void give_back_free_memory([[maybe_unused]] std::size_t organs) {
 #ifdef __GLIBC__
-    malloc_trim(0);
+    constexpr std::size_t kMany = 1 << 16;  // some ten megabytes
+    if (organs >= kMany) {
+        malloc_trim(0);
+    }
 #endif
 }
 

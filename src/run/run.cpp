@@ -392,9 +392,7 @@ Result Simulator::State::trace(
     if (control.is_last && spec.audit == 0) {
         prepared.reset();
         caster_.forget();
-        if (scene.organs().size() >= kOrgansWorthFreeing) {
-            give_back_free_memory();
-        }
+        give_back_free_memory(scene.organs().size());
     }
     const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
     Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();

@@ -165,9 +165,7 @@ Scene SceneBuilder::build_after(KnownOverlaps* known) && {
     scene.bounds_ = bounds;
     scene.orientation_ = orientation_;
     scene.length_unit_ = std::move(length_unit_);
-    if (scene.organs_.size() >= kOrgansWorthFreeing) {
-        give_back_free_memory();
-    }
+    give_back_free_memory(scene.organs_.size());
     return scene;
 }
 
