@@ -172,7 +172,10 @@ Command convert_command() {
           .target = &choice.day,
           .summary = "of a result with [time]: the sum of this day, 2024-06-21",
           .excludes = "--time"},
-         {"--point", &choice.point, "of a sweep: which point, from 1"},
+         {.name = "--point",
+          .target = &choice.point,
+          .summary = "of a sweep: which point, from 1",
+          .range = kPoints},
          {"--quantity", &choice.quantity, "of a result in GLB: what colours show"},
          {"--band", &choice.band, "of a result in GLB: its band; by default the first"}},
         [arguments] { return convert(*arguments); }};

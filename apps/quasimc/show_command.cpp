@@ -273,7 +273,10 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .target = &choice.day,
          .summary = "of a run with [time]: the sum of this day, 2024-06-21",
          .excludes = "--time"},
-        {"--point", &choice.point, "of a sweep: which point, from 1"},
+        {.name = "--point",
+         .target = &choice.point,
+         .summary = "of a sweep: which point, from 1",
+         .range = kPoints},
         {.name = "--chart",
          .target = &arguments.chart,
          .summary = "draw a chart instead: light against height, how much area has how much, "

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/results/read_estimates.h"
@@ -24,6 +25,9 @@ struct ValueChoice {
     std::size_t point = 0;  ///< of a sweep, from 1; 0: the first
     bool error = false;     ///< the standard error over the mean instead of the mean
 };
+
+/// What --point may be.
+inline constexpr std::pair<double, double> kPoints{1, 1e9};
 
 /// The run that a file states or a result was made by, and the text of that result.
 struct ShownRun {

@@ -150,6 +150,7 @@ TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--point", "3"},
         "--point: there is no point 3 (there are 2)");
+    EXPECT_EQ(run({"show", "out.json", "-o", "p.png", "--point", "0"}).status, 2);
 }
 
 TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
