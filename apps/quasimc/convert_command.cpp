@@ -172,10 +172,7 @@ Command convert_command() {
           .target = &choice.day,
           .summary = "of a result with [time]: the sum of this day, 2024-06-21",
           .excludes = "--time"},
-         {.name = "--point",
-          .target = &choice.point,
-          .summary = "of a sweep: which point, from 1",
-          .range = kPoints},
+         point_flag(choice.point),
          {"--quantity", &choice.quantity, "of a result in GLB: what colours show"},
          {"--band", &choice.band, "of a result in GLB: its band; by default the first"}},
         [arguments] { return convert(*arguments); }};

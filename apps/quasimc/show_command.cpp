@@ -273,10 +273,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .target = &choice.day,
          .summary = "of a run with [time]: the sum of this day, 2024-06-21",
          .excludes = "--time"},
-        {.name = "--point",
-         .target = &choice.point,
-         .summary = "of a sweep: which point, from 1",
-         .range = kPoints},
+        point_flag(choice.point),
         {.name = "--chart",
          .target = &arguments.chart,
          .summary = "draw a chart instead: light against height, how much area has how much, "

@@ -159,6 +159,14 @@ std::vector<ShownValues> find_shown_values(
 
 }  // namespace
 
+Flag point_flag(std::size_t& point) {
+    return {
+        .name = "--point",
+        .target = &point,
+        .summary = "of a sweep: which point, from 1",
+        .range = std::pair(1.0, 1e9)};
+}
+
 ShownRun read_shown_run(const std::string& path, std::size_t point) {
     std::string text = quasimc::read_file(path);
     const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "command_line.h"
 #include "io/results/read_estimates.h"
 #include "quasimc/quasimc.h"
 
@@ -26,8 +27,8 @@ struct ValueChoice {
     bool error = false;     ///< the standard error over the mean instead of the mean
 };
 
-/// What --point may be.
-inline constexpr std::pair<double, double> kPoints{1, 1e9};
+/// The flag that sets ValueChoice::point.
+[[nodiscard]] Flag point_flag(std::size_t& point);
 
 /// The run that a file states or a result was made by, and the text of that result.
 struct ShownRun {

@@ -87,10 +87,7 @@ Command report_command() {
           .summary = "HTML file to write; - is standard output",
           .required = true,
           .type_name = "FILE"},
-         {.name = "--point",
-          .target = &arguments->point,
-          .summary = "of a sweep: which point, from 1",
-          .range = kPoints}},
+         point_flag(arguments->point)},
         [arguments] { return report(*arguments); }};
 }
 
@@ -105,9 +102,6 @@ Command view_command() {
           .summary = "of 127.0.0.1 to serve at; 0: any that is free",
           .range = std::pair(0.0, 65535.0),
           .default_text = "0"},
-         {.name = "--point",
-          .target = &arguments->point,
-          .summary = "of a sweep: which point, from 1",
-          .range = kPoints}},
+         point_flag(arguments->point)},
         [arguments] { return view(*arguments); }};
 }

@@ -104,8 +104,6 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        const bool is_all = std::all_of(
-            values_.begin(), values_.end(), [](double fraction) { return fraction >= kFullyLit; });
         if (sums_.layout.unoccluded_light == UnoccludedLight::left_out && reader.kinds() > 0) {
             const SingleFind one = OrganFinds::sunlit_find(reader);
             return estimate_finds(values_, {one.more * per_area, one.less * per_area});
@@ -113,7 +111,7 @@ class OrganEvaluator {
         const double find =
             reader.sunlit_area_per_find() * per_area / static_cast<double>(values_.size());
         return sums_.layout.unoccluded_light == UnoccludedLight::summed
-                   ? estimate_finds(values_, {.more = is_all ? 0 : find, .less = find})
+                   ? estimate_sunlit_points(values_, 1, find)
                    : estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
     }
 

@@ -113,11 +113,9 @@ class GroupEvaluator {
             return knows_finds() ? estimate_finds(per_replicate, known)
                                  : estimate_seen_or_bound(per_replicate, most);
         }
-        const double all = kFullyLit * results_.groups[group].area;
-        const bool is_all = std::all_of(
-            per_replicate.begin(), per_replicate.end(), [&](double lit) { return lit >= all; });
-        const double find = most / static_cast<double>(per_replicate.size());
-        return estimate_finds(per_replicate, {.more = is_all ? 0 : find, .less = find});
+        return estimate_sunlit_points(
+            per_replicate, results_.groups[group].area,
+            most / static_cast<double>(per_replicate.size()));
     }
 
     /// The most that all organs of a group can get.

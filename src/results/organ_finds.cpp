@@ -249,6 +249,14 @@ Estimate OrganFinds::estimate(
     return estimate_seen_or_bound(values, bound_ * unit * (is_absorbed ? absorptance_ : 1));
 }
 
+Estimate estimate_sunlit_points(std::span<const double> values, double all, double find) {
+    const bool is_all = std::all_of(
+        values.begin(), values.end(), [&](double lit) { return lit >= kFullyLit * all; });
+    Estimate lit = estimate_finds(values, {.more = is_all ? 0 : find, .less = find});
+    lit.high = is_all ? std::max(lit.high, all) : lit.high;
+    return lit;
+}
+
 namespace {
 
 /// A find, if what was found is so little that it may be a few of them; of many the replicates

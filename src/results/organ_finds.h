@@ -63,6 +63,13 @@ class OrganFinds {
     SingleFind on_either_;  ///< scattered light, whichever side
 };
 
+/// The estimate of what of an area is sunlit, from points on it.
+/// @param values  per replicate
+/// @param all  the whole area: where all points were lit it is no more, and no less to rounding
+/// @param find  what one point stands for
+[[nodiscard]] Estimate estimate_sunlit_points(
+    std::span<const double> values, double all, double find);
+
 /// What falls on both sides in a band.
 struct IncidentLight {
     std::vector<double> per_replicate;

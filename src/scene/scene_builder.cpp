@@ -104,7 +104,9 @@ void SceneBuilder::check_organs(const std::vector<OrganSpec>& organs) const {
 }
 
 Scene SceneBuilder::build() && {
-    return std::move(*this).build_after(nullptr);
+    Scene scene = std::move(*this).build_after(nullptr);
+    give_back_free_memory(scene.organs_.size());
+    return scene;
 }
 
 Scene SceneBuilder::build_after(KnownOverlaps* known) && {
@@ -165,7 +167,6 @@ Scene SceneBuilder::build_after(KnownOverlaps* known) && {
     scene.bounds_ = bounds;
     scene.orientation_ = orientation_;
     scene.length_unit_ = std::move(length_unit_);
-    give_back_free_memory(scene.organs_.size());
     return scene;
 }
 

@@ -168,8 +168,8 @@ class FromOrgans final : public Solver {
         std::uint64_t index,
         Scratch& scratch,
         Tally& tally) const {
-        if (OrganPoints::open_part(prepared_.scene().organs()[organ_index]) <= 0) {
-            return 0;
+        if (part_of_unit_[prepared_.scene().organs()[organ_index].first_region] <= 0) {
+            return 0;  // none of it is open
         }
         const Point point{
             organ_points_.place(

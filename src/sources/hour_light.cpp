@@ -21,12 +21,20 @@ struct Parts {
     double direct = 0, diffuse = 0;
 };
 
+/// What the beam brings to the horizontal, if it was measured.
+std::optional<double> beam_on_horizontal(const Reading& reading, double sine) {
+    return reading.beam_normal ? std::optional(*reading.beam_normal * sine) : std::nullopt;
+}
+
+/// Direct light on the horizontal, if the reading tells it.
+std::optional<double> direct_of(const Reading& reading, double sine) {
+    return reading.direct_horizontal ? reading.direct_horizontal
+                                     : beam_on_horizontal(reading, sine);
+}
+
 /// The parts, if the reading tells them.
 std::optional<Parts> parts_of(const Reading& reading, double sine) {
-    std::optional<double> direct = reading.direct_horizontal;
-    if (!direct && reading.beam_normal) {
-        direct = *reading.beam_normal * sine;
-    }
+    const std::optional<double> direct = direct_of(reading, sine);
     if (direct && reading.diffuse) {
         return Parts{*direct, *reading.diffuse};
     }
@@ -47,10 +55,8 @@ bool disagree(const Reading& reading, double sine, LightUnit unit, const Dayligh
         const double off = std::abs(a - b);
         return off > kPart * std::max(a, b) && spectra.from_global(off, unit) > kInstruments;
     };
-    const std::optional<double> beam =
-        reading.beam_normal ? std::optional(*reading.beam_normal * sine) : std::nullopt;
-    const std::optional<double> direct =
-        reading.direct_horizontal ? reading.direct_horizontal : beam;
+    const std::optional<double> beam = beam_on_horizontal(reading, sine);
+    const std::optional<double> direct = direct_of(reading, sine);
     return (beam && differ(*direct, *beam)) ||
            (reading.global && direct && reading.diffuse &&
             differ(*reading.global, *direct + *reading.diffuse));

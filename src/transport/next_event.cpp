@@ -72,12 +72,8 @@ double NextEvent::worth(std::size_t index, const Vec3& place) const {
 NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     const auto& lights = prepared_.lights();
     if (!share_ends_.empty()) {
-        const auto after = std::upper_bound(share_ends_.begin(), share_ends_.end() - 1, u);
-        const double before = after == share_ends_.begin() ? 0 : *(after - 1);
-        const double share = *after - before;
-        return {
-            &lights[static_cast<std::size_t>(after - share_ends_.begin())],
-            std::clamp((u - before) / share, 0.0, kBelowOne), share};
+        const IntervalPick share = pick_interval(share_ends_, u);
+        return {&lights[share.index], share.part, share.width};
     }
     if (lamps_.empty()) {
         const BoundSource& light = lights[prepared_.pick_light(u)];

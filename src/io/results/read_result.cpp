@@ -203,7 +203,7 @@ void rename_former_options(Node& document) {
         if (former != nullptr && text != nullptr && !check_option(*former, *text)) {
             RunSpec spec;
             former->set(spec, *text);
-            const OptionValue today = find_option(former->replaced_by)->get(spec);
+            const OptionValue today = option_of_today(*former).get(spec);
             member.key = std::string(former->replaced_by);
             member.node.value = std::get<std::string>(today);
         }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checks.h"
 #include "base/text.h"
 #include "io/numbers.h"
 
@@ -104,6 +105,17 @@ const Option* find_former_option(std::string_view key) {
     return find_in(former_option_table(), key);
 }
 
+const Option* find_stated_option(std::string_view key) {
+    const Option* option = find_option(key);
+    return option != nullptr ? option : find_former_option(key);
+}
+
+const Option& option_of_today(const Option& option) {
+    const Option* today = option.replaced_by.empty() ? &option : find_option(option.replaced_by);
+    ENSURE(today != nullptr);
+    return *today;
+}
+
 std::vector<std::string_view> option_keys() {
     std::vector<std::string_view> keys;
     for (const Option& option : option_table()) {
@@ -115,7 +127,7 @@ std::vector<std::string_view> option_keys() {
 std::string replacement_words(const Option& former, const OptionValue& value) {
     RunSpec spec;
     former.set(spec, value);
-    const OptionValue now = find_option(former.replaced_by)->get(spec);
+    const OptionValue now = option_of_today(former).get(spec);
     return fmt::format(
         "{} = {} is now {} = {}", former.key, option_toml(value), former.replaced_by,
         option_toml(now));

@@ -63,6 +63,10 @@ struct Option {
 /// The row of that key, or null.
 [[nodiscard]] const Option* find_option(std::string_view key);
 [[nodiscard]] const Option* find_former_option(std::string_view key);
+/// The row of that key, of today or former; or null.
+[[nodiscard]] const Option* find_stated_option(std::string_view key);
+/// The option that says today what this one did; itself if it still does.
+[[nodiscard]] const Option& option_of_today(const Option& option);
 
 /// The keys of the table of options, for suggestions.
 [[nodiscard]] std::vector<std::string_view> option_keys();

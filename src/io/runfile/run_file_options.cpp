@@ -70,11 +70,11 @@ Node option_node(const OptionValue& value) {
 
 /// What to do about a value that an option does not take: of a former one, to use that of today.
 std::string advice(const Option& option, const Fault& fault) {
-    const Option* today = find_option(option.replaced_by);
-    return today == nullptr
-               ? fault.suggestion
-               : fmt::format(
-                     "{} is now {}, which takes {}", option.key, today->key, domain_text(*today));
+    if (option.replaced_by.empty()) {
+        return fault.suggestion;
+    }
+    const Option& today = option_of_today(option);
+    return fmt::format("{} is now {}, which takes {}", option.key, today.key, domain_text(today));
 }
 
 /// Reads one option. @returns whether it is stated, with a value that it takes
@@ -105,13 +105,6 @@ bool read_option(TableReader& table, const Option& option, RunOptions& options) 
     return true;
 }
 
-/// The option that says today what this one did; itself if it still does.
-const Option& option_of_today(const Option& option) {
-    const Option* today = option.replaced_by.empty() ? &option : find_option(option.replaced_by);
-    ENSURE(today != nullptr);
-    return *today;
-}
-
 /// Reads a former option, which must not contradict that of today.
 void read_former_option(TableReader& table, const Option& former, RunOptions& options) {
     const Option& today = option_of_today(former);
@@ -123,12 +116,6 @@ void read_former_option(TableReader& table, const Option& former, RunOptions& op
             fmt::format("{} is the former name of {}", former.key, today.key),
             fmt::format("leave {} out", former.key));
     }
-}
-
-/// What an override sets: an option of today, or a former one.
-const Option* overridden(const Override& stated) {
-    const Option* option = find_option(stated.key);
-    return option != nullptr ? option : find_former_option(stated.key);
 }
 
 /// Sets an option; an override of the same option by its other name must have set the same.
@@ -176,7 +163,7 @@ void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter) {
     std::map<std::string_view, Override> set;  // by the option's key of today
     for (const Override& stated : overrides) {
-        const Option* option = overridden(stated);
+        const Option* option = find_stated_option(stated.key);
         if (option == nullptr) {
             reporter.faults.add(
                 {stated.place, fmt::format("there is no option '{}'", stated.key), "",

@@ -108,20 +108,21 @@ class RunSweep::State {
         std::size_t first = 0, points = 0;
     };
 
-    /// What an option of the run is called today ("run.method" for "run.trace_from"); other keys as
-    /// they are.
-    static std::string option_of_today(const std::string& path) {
+    /// The option of the run that is swept, by its name of today; null if it is none.
+    static const Option* swept_option(const SweptKey& key) {
         constexpr std::string_view kRun = "run.";
-        const Option* former =
-            path.starts_with(kRun) ? find_former_option(path.substr(kRun.size())) : nullptr;
-        return former == nullptr ? path : std::string(kRun) + std::string(former->replaced_by);
+        const std::string path = key.from_top();
+        const Option* stated =
+            path.starts_with(kRun) ? find_stated_option(path.substr(kRun.size())) : nullptr;
+        return stated == nullptr ? nullptr : &option_of_today(*stated);
     }
 
     /// A flag would undo a part of the sweep.
     void check_overrides() {
         for (const Override& stated : overrides_) {
+            const Option* option = find_stated_option(stated.key);
             for (const SweptKey& key : plan_.keys()) {
-                if (option_of_today(key.from_top()) == option_of_today("run." + stated.key)) {
+                if (option != nullptr && swept_option(key) == &option_of_today(*option)) {
                     reporter_.faults.add(
                         {stated.place, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),

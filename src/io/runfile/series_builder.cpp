@@ -1,6 +1,9 @@
 #include "io/runfile/series_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +31,24 @@ std::string_view unit_probably_meant(LightUnit unit, double ratio) {
     }
     return "is it in J m-2 a day (divide by 86400)?";
 }
+
+/// What is said of times with a note, after how many they are.
+constexpr std::array<std::pair<ReadingNote, std::string_view>, 5> kNotes{{
+    {ReadingNote::more_direct_than_global,
+     "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
+     "counts as direct"},
+    {ReadingNote::more_diffuse_than_global,
+     "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
+     "counts as diffuse"},
+    {ReadingNote::sun_too_low,
+     "times have direct light with the sun too low for it: it counts as diffuse"},
+    {ReadingNote::more_direct_than_outside,
+     "times have more direct light than the sun brings outside the atmosphere: all of it counts "
+     "as diffuse; check the unit, the clock and the place"},
+    {ReadingNote::parts_disagree,
+     "times have columns that disagree, by more than a tenth and 20 W m-2: of direct light "
+     "direct_horizontal counts, and global is taken to be the sum of direct and diffuse"},
+}};
 
 /// The lowest number of a reading.
 double lowest(const std::optional<Reading>& reading) {
@@ -72,26 +93,9 @@ void SeriesBuilder::add(const Interval& interval) {
 TimeSeries SeriesBuilder::finish() {
     close_gathered();
     series_.collapse = rules_.collapse;
-    warn(
-        noted_[ReadingNote::more_direct_than_global],
-        "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
-        "counts as direct");
-    warn(
-        noted_[ReadingNote::more_diffuse_than_global],
-        "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
-        "counts as diffuse");
-    warn(
-        noted_[ReadingNote::sun_too_low],
-        "times have direct light with the sun too low for it: it counts as "
-        "diffuse");
-    warn(
-        noted_[ReadingNote::more_direct_than_outside],
-        "times have more direct light than the sun brings outside the atmosphere: all of it counts "
-        "as diffuse; check the unit, the clock and the place");
-    warn(
-        noted_[ReadingNote::parts_disagree],
-        "times have columns that disagree, by more than a tenth and 20 W m-2: of direct light "
-        "direct_horizontal counts, and global is taken to be the sum of direct and diffuse");
+    for (const auto& [note, text] : kNotes) {
+        warn(noted_[note], text);
+    }
     warn_of_brightness();
     return std::move(series_);
 }

@@ -62,7 +62,7 @@ bool has_empty_part(std::string_view path) {
 }
 
 bool is_option(std::string_view key) {
-    return find_option(key) != nullptr || find_former_option(key) != nullptr;
+    return find_stated_option(key) != nullptr;
 }
 
 /// A key without a section is that of an option. @returns whether it is none, which is reported

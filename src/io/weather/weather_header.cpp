@@ -141,34 +141,32 @@ class ColumnFinder {
     /// The column of one of these names, whatever their case; nothing if there is none.
     std::optional<std::size_t> usual(std::initializer_list<std::string_view> usual_names) {
         for (const std::string_view wanted : usual_names) {
-            for (std::size_t i = 0; i < header_.names.size(); ++i) {
-                if (in_lower_case(header_.names[i]) == wanted) {
-                    refuse_twice(wanted);
-                    return i;
-                }
+            const auto is_wanted = [&](const std::string& name) {
+                return in_lower_case(name) == wanted;
+            };
+            if (const auto found = only(
+                    wanted, is_wanted, "it can't be told which is meant, whatever their case")) {
+                return found;
             }
         }
         return std::nullopt;
     }
 
-    /// @param usual_name  in lower case
-    void refuse_twice(std::string_view usual_name) {
-        const auto is_named = [&](const std::string& name) {
-            return in_lower_case(name) == usual_name;
-        };
-        if (std::count_if(header_.names.begin(), header_.names.end(), is_named) > 1) {
-            reporter_.fault(
-                line_, fmt::format("two columns are named {}", shown(usual_name)),
-                "it can't be told which is meant, whatever their case", "rename one of them");
+    /// The only column that is called so; a second one is a fault. Nothing if there is none.
+    template <typename IsNamed>
+    std::optional<std::size_t> only(
+        std::string_view called, const IsNamed& is_named, const char* why) {
+        const auto& names = header_.names;
+        const auto found = std::find_if(names.begin(), names.end(), is_named);
+        if (found == names.end()) {
+            return std::nullopt;
         }
-    }
-
-    void refuse_same(const std::string& name) {
-        if (std::count(header_.names.begin(), header_.names.end(), name) > 1) {
+        if (std::any_of(found + 1, names.end(), is_named)) {
             reporter_.fault(
-                line_, fmt::format("two columns are named {}", shown(name)),
-                "it can't be told which is meant", "rename one of them");
+                line_, fmt::format("two columns are named {}", shown(called)), why,
+                "rename one of them");
         }
+        return static_cast<std::size_t>(found - names.begin());
     }
 
     static std::string in_lower_case(std::string text) {
@@ -180,15 +178,15 @@ class ColumnFinder {
 
     /// The column that is stated to be there; nothing after a fault.
     std::optional<std::size_t> column(const std::string& name) {
-        const auto found = std::find(header_.names.begin(), header_.names.end(), name);
-        if (found == header_.names.end()) {
+        const auto found = only(
+            name, [&](const std::string& other) { return other == name; },
+            "it can't be told which is meant");
+        if (!found) {
             const std::vector<std::string_view> names(header_.names.begin(), header_.names.end());
             reporter_.fault(
                 line_, fmt::format("no column '{}'", name), "", did_you_mean(name, names));
-            return std::nullopt;
         }
-        refuse_same(name);
-        return static_cast<std::size_t>(found - header_.names.begin());
+        return found;
     }
 
     const WeatherColumns& columns_;
