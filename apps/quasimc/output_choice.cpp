@@ -8,7 +8,7 @@
 
 namespace {
 
-std::vector<std::string> words_of(std::string_view list) {
+std::vector<std::string> listed_words(std::string_view list) {
     std::vector<std::string> words;
     while (!list.empty()) {
         const std::size_t end = std::min(list.find(','), list.size());
@@ -40,8 +40,8 @@ void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
 
 void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
     quasimc::OutputSpec stated;
-    stated.quantities = words_of(choice.quantities);
-    stated.bands = words_of(choice.bands);
+    stated.quantities = listed_words(choice.quantities);
+    stated.bands = listed_words(choice.bands);
     quasimc::Faults wrong;
     quasimc::check_written(stated, run.scene.bands(), wrong);
     quasimc::Faults faults;

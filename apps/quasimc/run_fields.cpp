@@ -13,7 +13,7 @@
 
 namespace {
 
-std::string words_of(std::string_view name) {
+std::string with_blanks(std::string_view name) {
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
@@ -30,7 +30,7 @@ std::vector<ShownValues> values_of(const quasimc::RunFile& run, const Light& lig
             const quasimc::Band& band = run.scene.bands()[b];
             ShownValues values;
             values.key = fmt::format("{}_{}", entry.name, band.name);
-            values.name = fmt::format("{}, {}", words_of(entry.name), band.name);
+            values.name = fmt::format("{}, {}", with_blanks(entry.name), band.name);
             values.unit = quasimc::unit_of(entry, band, run.scene.length_unit());
             if (is_sum) {
                 values.unit = quasimc::summed_unit(values.unit).name;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -42,18 +45,35 @@ class LineScanner {
 /// Blanks within a line.
 inline constexpr std::string_view kBlanks = " \t\r\v\f";
 
+/// A set of characters; large files ask it for each of theirs.
+class Separators {
+  public:
+    constexpr Separators(std::string_view characters) {  // NOLINT(*-explicit-*): a text is one
+        for (const char c : characters) {
+            words_[index(c) / 64] |= std::uint64_t{1} << index(c) % 64;
+        }
+    }
+    constexpr Separators(const char* characters)  // NOLINT(*-explicit-*)
+        : Separators(std::string_view{characters}) {}
+    [[nodiscard]] constexpr bool has(char c) const {
+        return (words_[index(c) / 64] >> index(c) % 64 & 1) != 0;
+    }
+
+  private:
+    static constexpr std::size_t index(char c) { return static_cast<unsigned char>(c); }
+    std::array<std::uint64_t, 4> words_{};
+};
+
+inline constexpr Separators kBetweenWords = kBlanks;
+
 /// Takes the next word off a line, between `separators`; "" at its end.
 [[nodiscard]] inline std::string_view take_word(
-    std::string_view& line, std::string_view separators = kBlanks) {
-    const std::size_t begin = line.find_first_not_of(separators);
-    if (begin == std::string_view::npos) {
-        line = {};
-        return {};
-    }
-    line.remove_prefix(begin);
-    const std::string_view word = line.substr(0, line.find_first_of(separators));
-    line.remove_prefix(word.size());
-    return word;
+    std::string_view& line, const Separators& separators = kBetweenWords) {
+    const auto is_separator = [&](char c) { return separators.has(c); };
+    const auto begin = std::find_if_not(line.begin(), line.end(), is_separator);
+    const auto end = std::find_if(begin, line.end(), is_separator);
+    line.remove_prefix(static_cast<std::size_t>(end - line.begin()));
+    return {begin, end};
 }
 
 /// A word as a message shows it: not too long, nothing unprintable.

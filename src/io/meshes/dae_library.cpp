@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kDaeBlanks = " \t\r\n\v\f";
+constexpr Separators kDaeBlanks = " \t\r\n\v\f";
 
 }  // namespace
 

@@ -272,7 +272,7 @@ class OpfReader {
     std::vector<double> numbers() {
         std::vector<double> all;
         std::string_view text = scanner_.text();
-        constexpr std::string_view kSeparators = " \t\r\n\v\f";
+        constexpr Separators kSeparators = " \t\r\n\v\f";
         for (std::string_view word = take_word(text, kSeparators); !word.empty();
              word = take_word(text, kSeparators)) {
             const std::optional<double> number = parse_real(word);

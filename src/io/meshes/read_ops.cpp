@@ -92,7 +92,7 @@ class OpsReader {
 
     /// Between tabs, if there are any: names of files may hold blanks.
     static std::vector<std::string_view> fields_of(std::string_view line) {
-        const std::string_view separators = line.find('\t') == line.npos ? kBlanks : "\t";
+        const Separators separators = line.find('\t') == line.npos ? kBlanks : "\t";
         std::vector<std::string_view> fields;
         for (std::string_view word = take_word(line, separators); !word.empty();
              word = take_word(line, separators)) {

@@ -28,7 +28,10 @@ class PlyValues {
     [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
 
   private:
-    std::optional<double> next_word() { return parse_real(take_word(rest_, " \t\r\n\v\f")); }
+    std::optional<double> next_word() {
+        static constexpr Separators kWithLines = " \t\r\n\v\f";
+        return parse_real(take_word(rest_, kWithLines));
+    }
 
     template <typename T>
     std::optional<double> take() {

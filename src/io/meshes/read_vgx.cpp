@@ -18,7 +18,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kVgxSeparators = " \t\r\v\f;,";
+constexpr Separators kVgxSeparators = " \t\r\v\f;,";
 
 /// The columns that say what is drawn; the others, and Obj, are labels.
 constexpr std::array<std::string_view, 22> kVgxColumns{

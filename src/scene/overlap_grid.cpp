@@ -1,0 +1,195 @@
+#include "scene/overlap_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include "base/checks.h"
+#include "scene/overlap_search.h"
+
+namespace quasimc {
+namespace {
+
+/// A direction that normals of modelled organs are seldom symmetric about.
+constexpr Vec3 kGeneric{0.3518, 0.7143, 0.6049};
+
+/// Spreads the numbers of cubes evenly.
+std::uint64_t mixed(std::uint64_t cube) {
+    return (cube * 0x9e3779b97f4a7c15U) >> 40;
+}
+
+/// By the bits of the cubes' numbers: most cubes have few triangles, and comparing takes longer.
+void sort_by_cube(std::vector<OverlapEntry>& entries) {
+    boost::sort::spreadsort::integer_sort(
+        entries.begin(), entries.end(),
+        [](const OverlapEntry& e, unsigned shift) { return e.cube >> shift; },
+        [](const OverlapEntry& a, const OverlapEntry& b) { return a.cube < b.cube; });
+}
+
+}  // namespace
+
+TriangleExtent::TriangleExtent(const Triangle& t) : bounds(bounds_of(t)), size(size_of(bounds)) {}
+
+OverlapGrid::OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>& changed)
+    : triangles_(triangles), changed_(changed), passes_(triangles.instances().empty() ? 1 : 8) {
+    EXPECT(changed.empty() || passes_ == 1);
+    const Bounds bounds = bounds_of(triangles);
+    low_ = bounds.low;
+    size_ = size_of(bounds);
+}
+
+double OverlapGrid::thickness(double triangle_size) const {
+    return coplanar_tolerance(triangle_size, size_);
+}
+
+/// Calls visit(triangle, level, whether it is a native there) for all levels that triangles
+/// belong to and that are home to some.
+/// @param level_of  each triangle's home; negative: it belongs to none
+template <typename Visit>
+void OverlapGrid::for_each_entry(
+    std::span<const std::int16_t> level_of, const Homes& is_home, const Visit& visit) {
+    for (std::size_t i = 0; i < level_of.size(); ++i) {
+        for (int level = 0; level <= level_of[i]; ++level) {
+            if (is_home[static_cast<std::size_t>(level)]) {
+                visit(static_cast<std::uint32_t>(i), level, level == level_of[i]);
+            }
+        }
+    }
+}
+
+/// Calls visit(number of the cube) for each, as long as it returns true.
+template <typename Visit>
+void OverlapGrid::for_each_cube(const Cubes& cubes, int level, const Visit& visit) {
+    const auto& [first, count] = cubes;
+    for (std::uint64_t n = 0; n < cubes.number(); ++n) {
+        auto cube = static_cast<std::uint64_t>(level);
+        cube = cube << 20 | (first[0] + n % count[0]);
+        cube = cube << 20 | (first[1] + n / count[0] % count[1]);
+        cube = cube << 20 | (first[2] + n / count[0] / count[1]);
+        if (!visit(cube)) {
+            return;
+        }
+    }
+}
+
+int OverlapGrid::home_level(double triangle_size) const {
+    return std::clamp(std::ilogb(size_ / triangle_size) / 2, 0, kLevels - 1);
+}
+
+void OverlapGrid::enter_all(std::uint64_t pass) {
+    natives_.clear();
+    visitors_.clear();
+    std::vector<std::int16_t> level_of(triangles_.size(), -1);
+    std::array<bool, kLevels> is_home{};
+    // What is entered is counted first: growing lists would take several times the memory.
+    std::size_t natives = 0;
+    std::array<std::size_t, kLevels> visitors{};
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const Triangle t = triangles_[i];
+        const TriangleExtent extent(t);
+        // Slivers about as thin as the tolerance lie in no plane in particular.
+        constexpr double kThin = 8;
+        if (extent.size > 0 && height(t) > kThin * thickness(extent.size)) {
+            const int home = home_level(extent.size);
+            level_of[i] = static_cast<std::int16_t>(home);
+            is_home[static_cast<std::size_t>(home)] = true;
+            for (int level = 0; !is_partial() && level <= home; ++level) {
+                const std::uint64_t count = cubes_at(extent, level).number();
+                (level == home ? natives : visitors[static_cast<std::size_t>(level)]) += count;
+            }
+        }
+    }
+    if (is_partial()) {
+        mark_cubes(level_of, is_home);
+    } else {
+        reserve(natives, visitors, is_home);
+    }
+    for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool is_native) {
+        enter(i, level, is_native, pass);
+    });
+    sort_by_cube(natives_);
+    sort_by_cube(visitors_);
+}
+
+/// @param visitors  that there would be on each level
+void OverlapGrid::reserve(
+    std::size_t natives, const std::array<std::size_t, kLevels>& visitors, const Homes& is_home) {
+    constexpr double kUneven = 1.2;
+    const auto of_pass = [&](std::size_t count) {
+        return passes_ == 1
+                   ? count
+                   : static_cast<std::size_t>(
+                         kUneven * static_cast<double>(count) / static_cast<double>(passes_)) +
+                         64;
+    };
+    std::size_t all = 0;
+    for (std::size_t level = 0; level < kLevels; ++level) {
+        all += is_home[level] ? visitors[level] : 0;
+    }
+    natives_.reserve(of_pass(natives));
+    visitors_.reserve(of_pass(all));
+}
+
+/// Marks the cubes of the triangles that changed: what is in no such cube need not be entered.
+void OverlapGrid::mark_cubes(std::span<const std::int16_t> level_of, const Homes& is_home) {
+    marked_.assign(std::size_t{1} << kMarkBits, false);
+    for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool) {
+        if (changed_[i]) {
+            for_each_cube(
+                cubes_at(TriangleExtent(triangles_[i]), level), level, [&](std::uint64_t cube) {
+                    marked_[mark_of(cube)] = true;
+                    return true;
+                });
+        }
+    });
+}
+/// Where a cube is marked; cubes may share a place.
+std::uint64_t OverlapGrid::mark_of(std::uint64_t cube) {
+    return (cube * 0x9e3779b97f4a7c15U) >> (64 - kMarkBits);
+}
+bool OverlapGrid::is_marked(std::uint64_t cube) const {
+    return !is_partial() || marked_[mark_of(cube)];
+}
+
+OverlapGrid::Cubes OverlapGrid::cubes_at(const TriangleExtent& extent, int level) const {
+    const double blur = thickness(extent.size);
+    const double per_length = static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
+    const Vec3 low = extent.bounds.low - low_;
+    const Vec3 high = extent.bounds.high - low_;
+    const auto first = [&](double p) {
+        return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * per_length));
+    };
+    const auto count = [&](double from, double to) {
+        return static_cast<std::uint64_t>((to + blur) * per_length) + 1 - first(from);
+    };
+    return {
+        {first(low.x), first(low.y), first(low.z)},
+        {count(low.x, high.x), count(low.y, high.y), count(low.z, high.z)}};
+}
+void OverlapGrid::enter(std::uint32_t i, int level, bool is_native, std::uint64_t pass) {
+    const Triangle t = triangles_[i];
+    const TriangleExtent extent(t);
+    const Cubes cubes = cubes_at(extent, level);
+    bool is_wanted = false;
+    for_each_cube(cubes, level, [&](std::uint64_t cube) {
+        is_wanted = is_marked(cube);
+        return !is_wanted;
+    });
+    if (!is_wanted) {
+        return;
+    }
+    const double blur = thickness(extent.size);
+    OverlapEntry entry{0, 0, 0, i};
+    entry.facing = static_cast<float>(std::abs(dot(normalized(area_vector(t)), kGeneric)));
+    entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
+    for_each_cube(cubes, level, [&](std::uint64_t cube) {
+        entry.cube = cube;
+        if ((passes_ == 1 || mixed(cube) % passes_ == pass) && is_marked(cube)) {
+            (is_native ? natives_ : visitors_).push_back(entry);
+        }
+        return true;
+    });
+}
+
+}  // namespace quasimc

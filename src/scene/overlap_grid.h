@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/scene_geometry.h"
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// A triangle in a cube of the grids.
+struct OverlapEntry {
+    std::uint64_t cube;
+    float facing;  ///< |cos| of the angle between the normal and a generic direction
+    float blur;    ///< how much `facing` of a coplanar triangle may differ
+    std::uint32_t triangle;
+};
+
+/// What is known of a triangle by its place alone.
+struct TriangleExtent {
+    explicit TriangleExtent(const Triangle& t);
+    Bounds bounds;
+    double size;
+};
+
+/// The grids in which a search for overlaps looks: cubes, four times finer from level to level. A
+/// triangle is at home on the level whose cubes are at least twice its size, and visits the coarser
+/// ones.
+class OverlapGrid {
+  public:
+    /// @param changed  of each triangle; if not empty, only cubes are entered that hold one of
+    /// those
+    OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>& changed);
+
+    /// Copies of meshes take little memory: their cubes are looked at in several lots.
+    [[nodiscard]] std::uint64_t passes() const { return passes_; }
+
+    /// Goes through the triangles for one lot of cubes.
+    void enter_all(std::uint64_t pass);
+
+    /// Sorted by cubes.
+    [[nodiscard]] std::vector<OverlapEntry>& natives() { return natives_; }
+    [[nodiscard]] const std::vector<OverlapEntry>& visitors() const { return visitors_; }
+
+    /// How far from a triangle's plane is still in it.
+    [[nodiscard]] double thickness(double triangle_size) const;
+
+  private:
+    static constexpr int kLevels = 9;
+    static constexpr int kMarkBits = 20;
+    using Homes = std::array<bool, kLevels>;
+
+    /// The cubes of a level that a triangle's bounds reach into: the first, and how many along each
+    /// axis.
+    struct Cubes {
+        std::array<std::uint64_t, 3> first, count;
+        [[nodiscard]] std::uint64_t number() const { return count[0] * count[1] * count[2]; }
+    };
+
+    [[nodiscard]] bool is_partial() const { return !changed_.empty(); }
+    [[nodiscard]] int home_level(double triangle_size) const;
+    [[nodiscard]] Cubes cubes_at(const TriangleExtent& extent, int level) const;
+    [[nodiscard]] bool is_marked(std::uint64_t cube) const;
+    [[nodiscard]] static std::uint64_t mark_of(std::uint64_t cube);
+    template <typename Visit>
+    static void for_each_cube(const Cubes& cubes, int level, const Visit& visit);
+    template <typename Visit>
+    static void for_each_entry(
+        std::span<const std::int16_t> level_of, const Homes& is_home, const Visit& visit);
+    void reserve(
+        std::size_t natives,
+        const std::array<std::size_t, kLevels>& visitors,
+        const Homes& is_home);
+    void mark_cubes(std::span<const std::int16_t> level_of, const Homes& is_home);
+    void enter(std::uint32_t i, int level, bool is_native, std::uint64_t pass);
+
+    const SceneGeometry& triangles_;
+    const std::vector<bool>& changed_;
+    Vec3 low_;
+    double size_;
+    std::uint64_t passes_;
+    std::vector<bool> marked_;  // cubes, by mark_of()
+    std::vector<OverlapEntry> natives_, visitors_;
+};
+
+}  // namespace quasimc
