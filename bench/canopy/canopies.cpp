@@ -15,19 +15,28 @@
 #include "quasimc/file.h"
 #include "quasimc/run.h"
 #include "scenes.h"
+#include "solvers/suits_bundles.h"
 
 namespace quasimc::bench {
 namespace {
 
 constexpr double kMostTimesBest = 2;
-constexpr std::array kMethods{Method::light_tracing, Method::first_hits, Method::from_organs};
-constexpr std::array kMethodNames{"light_tracing", "first_hits", "from_organs"};
+constexpr std::array kMethods{
+    Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles};
+constexpr std::array kMethodNames{"light_tracing", "first_hits", "from_organs", "ray_bundles"};
+
+bool can_run(Method method, const Scene& scene) {
+    return method != Method::ray_bundles || is_matt(scene);
+}
+
+/// Of a method that can't be: more than any costs.
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// One method's run: CPU time, and relative variances of a replicate.
 struct Cost {
-    double seconds = 0;
-    double organ_variance = 0;  ///< median over organs and bands of the absorbed flux
-    double total_variance = 0;  ///< of what all organs absorb, mean over the bands
+    double seconds = 1;
+    double organ_variance = kNever;  ///< median over organs and bands of the absorbed flux
+    double total_variance = kNever;  ///< of what all organs absorb, mean over the bands
     [[nodiscard]] double of_organs() const { return seconds * organ_variance; }
     [[nodiscard]] double of_total() const { return seconds * total_variance; }
 };
@@ -98,20 +107,25 @@ std::vector<Cost> costs_of(
     const Scene& scene, const Sources& sources, RunSpec spec, int repeats, Simulator& simulator) {
     std::vector<Cost> costs(kMethods.size());
     std::vector<Result> results;
+    std::vector<std::size_t> methods;
     for (std::size_t i = 0; i < kMethods.size(); ++i) {
-        spec.method = kMethods[i];
-        results.push_back(run_and_time(scene, sources, spec, repeats, simulator, costs[i].seconds));
+        if (can_run(kMethods[i], scene)) {
+            spec.method = kMethods[i];
+            results.push_back(
+                run_and_time(scene, sources, spec, repeats, simulator, costs[i].seconds));
+            methods.push_back(i);
+        }
     }
-    for (std::size_t i = 0; i < kMethods.size(); ++i) {
-        costs[i].organ_variance = median_organ_variance(scene, results[i], results);
-        costs[i].total_variance = total_variance(results[i]);
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+        costs[methods[k]].organ_variance = median_organ_variance(scene, results[k], results);
+        costs[methods[k]].total_variance = total_variance(results[k]);
     }
     return costs;
 }
 
 /// How many times the least cost that of one is.
 double times_best(const std::vector<Cost>& costs, std::size_t i, double (Cost::*cost)() const) {
-    double best = std::numeric_limits<double>::infinity();
+    double best = kNever;
     for (const Cost& one : costs) {
         best = std::min(best, (one.*cost)());
     }
@@ -141,6 +155,10 @@ bool print_case(
     for (std::size_t i = 0; i < kMethods.size(); ++i) {
         const bool is_chosen = kMethods[i] == chosen;
         automatic = is_chosen ? i : automatic;
+        if (!can_run(kMethods[i], scene)) {
+            std::printf(" %25s ", "-");
+            continue;
+        }
         std::printf(
             " %9.2f %7.3f %7.4f%c", 1e3 * costs[i].seconds,
             100 * std::sqrt(costs[i].organ_variance), 100 * std::sqrt(costs[i].total_variance),
