@@ -18,7 +18,12 @@ FENCES = {
     "pybind11/": ["python/"],
     "embree3/": ["src/geometry/cast/embree.cpp", "bench/"],
     "embree4/": ["src/geometry/cast/embree.cpp", "bench/"],
-    "boost/": ["src/geometry/mesh/crossings.cpp", "src/sums/statistics.cpp", "tests/"],
+    "boost/": [
+        "src/geometry/mesh/crossings.cpp",
+        "src/scene/overlap_grid.cpp",
+        "src/sums/statistics.cpp",
+        "tests/",
+    ],
     "hwy/": [
         "src/geometry/raster/draw_span.cpp",
         "src/geometry/raster/triangle_block.cpp",

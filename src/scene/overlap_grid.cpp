@@ -6,6 +6,7 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include "base/checks.h"
+#include "scene/coplanar.h"
 #include "scene/overlap_search.h"
 
 namespace quasimc {
