@@ -1,8 +1,8 @@
 #include "geometry/raster/columns.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace quasimc {
 namespace {
@@ -23,12 +23,9 @@ bool is_in_view(
     return std::abs(dot(across, direction)) >= least_cosine * length(across);
 }
 
-/// Larger for what is deeper, and then for what is passed later.
-std::uint64_t key_of(float depth, std::uint32_t passed) {
-    constexpr std::uint32_t kSign = 0x80000000U;
-    const auto bits = std::bit_cast<std::uint32_t>(depth);
-    const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
-    return std::uint64_t{ordered} << 32U | passed;
+/// What a line passes in the first patch of a triangle, if light along it comes to the upper side.
+Columns::Passed first_passed(const ColumnTriangle& triangle) {
+    return (triangle.is_sensor ? Columns::kSensor : 0) | 2 * triangle.first_patch;
 }
 
 /// i modulo n, 0 <= result < n.
@@ -38,6 +35,51 @@ std::int64_t wrapped(std::int64_t i, std::int64_t n) {
     }
     const std::int64_t rest = i % n;
     return rest < 0 ? rest + n : rest;
+}
+
+/// Puts the smaller one first, without a branch: which one it is can't be foreseen.
+void put_in_order(std::uint64_t& a, std::uint64_t& b) {
+    const std::uint64_t smaller = std::min(a, b);
+    b = std::max(a, b);
+    a = smaller;
+}
+
+/// Sorts what a line passes: mostly few.
+void sort_keys(std::uint64_t* keys, std::uint32_t count) {
+    constexpr std::uint32_t kMany = 32;
+    switch (count) {
+        case 0:
+        case 1:
+            break;
+        case 2:
+            put_in_order(keys[0], keys[1]);
+            break;
+        case 3:
+            put_in_order(keys[0], keys[1]);
+            put_in_order(keys[1], keys[2]);
+            put_in_order(keys[0], keys[1]);
+            break;
+        case 4:
+            put_in_order(keys[0], keys[1]);
+            put_in_order(keys[2], keys[3]);
+            put_in_order(keys[0], keys[2]);
+            put_in_order(keys[1], keys[3]);
+            put_in_order(keys[1], keys[2]);
+            break;
+        default:
+            if (count > kMany) {
+                std::sort(keys, keys + count);
+                break;
+            }
+            for (std::uint32_t i = 1; i < count; ++i) {
+                const std::uint64_t next = keys[i];
+                std::uint32_t at = i;
+                for (; at > 0 && next < keys[at - 1]; --at) {
+                    keys[at] = keys[at - 1];
+                }
+                keys[at] = next;
+            }
+    }
 }
 
 }  // namespace
@@ -52,6 +94,8 @@ ColumnTriangles column_triangles(
         const std::size_t lane = triangles.each.size() % kBlockLanes;
         if (lane == 0) {
             triangles.corners.push_back({});
+            triangles.patches.push_back({});
+            triangles.plain.push_back(0);
         }
         triangles.corners.back().set(lane, *scene.mesh, i);
         triangles.each.push_back(
@@ -60,6 +104,11 @@ ColumnTriangles column_triangles(
              .is_sensor = scene.role(i) == VisibilityRole::sensor,
              .least_cosine = least_cosines.empty() ? 0 : least_cosines[i],
              .cut = patches.cut_of(i)});
+        const ColumnTriangle& triangle = triangles.each.back();
+        triangles.patches.back().parts[lane] = std::ldexp(1.0, triangle.level);
+        triangles.patches.back().passed[lane] = first_passed(triangle);
+        const bool is_plain = triangle.cut == nullptr && !(triangle.least_cosine > 0);
+        triangles.plain.back() |= static_cast<std::uint8_t>(is_plain ? 1U << lane : 0);
     }
     return triangles;
 }
@@ -147,16 +196,38 @@ void Columns::draw_block(const ColumnTriangles& triangles, std::size_t block) {
         return;
     }
     const ColumnTriangle* each = &triangles.each[block * kBlockLanes];
+    // Light comes to the lower side if the corners turn to the left, seen along it.
+    BlockPatches patches = triangles.patches[block];
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        patches.passed[lane] |= (spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+    }
+    const std::uint32_t plain = triangles.plain[block];
     while (loops_.next(grid_, spans_)) {
+        std::size_t places = 0;
         spans_.for_each([&](std::size_t lane, std::size_t span) {
             const ColumnTriangle& triangle = each[lane];
-            if (!(triangle.least_cosine > 0) ||
+            const auto count = static_cast<std::uint32_t>(spans_.last[span] - spans_.first[span]);
+            if ((plain >> lane & 1U) != 0) {
+                places += count;
+            } else if (
+                !(triangle.least_cosine > 0) ||
                 is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
                 draw_span(triangle, lane, span);
-                counts_[block * kBlockLanes + lane] +=
-                    static_cast<std::uint32_t>(spans_.last[span] - spans_.first[span]);
+            } else {
+                return;
             }
+            counts_[block * kBlockLanes + lane] += count;
         });
+        reserve(places);
+        size_ += loops_.place(
+            grid_, spans_, patches, plain, {lines_.data() + size_, keys_.data() + size_});
+    }
+}
+
+void Columns::reserve(std::size_t more) {
+    if (keys_.size() < size_ + more) {
+        lines_.resize(2 * size_ + more);
+        keys_.resize(lines_.size());
     }
 }
 
@@ -173,18 +244,13 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
     const double low = spans_.low_depth[lane], high = spans_.high_depth[lane];
     // Light comes to the lower side if the corners turn to the left, seen along it.
     const Passed lower = (spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
-    const Passed first_passed =
-        (triangle.is_sensor ? kSensor : 0) | (2 * triangle.first_patch + lower);
+    const Passed passed = first_passed(triangle) | lower;
     const auto first = static_cast<std::int64_t>(spans_.first[span]);
     const auto last = static_cast<std::int64_t>(spans_.last[span]);
     const auto row_begin = static_cast<std::int64_t>(spans_.in_row[span]) * grid_.columns;
     std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
     const auto count = static_cast<std::size_t>(last - first);
-    if (fragments_.size() < size_ + count) {
-        fragments_.resize(2 * size_ + count);
-    }
-    Fragment* to = fragments_.data() + size_;
-    size_ += count;
+    reserve(count);
     for (std::int64_t column = first; column < last; ++column) {
         const double x = static_cast<double>(column) + shift;
         const double depth = std::clamp(z + of_depth.by_x * x, low, high);
@@ -195,9 +261,8 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
             part = Patches::part(triangle.level, at_u, at_v);
             part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
         }
-        *to++ = {
-            static_cast<std::uint32_t>(row_begin + line), static_cast<float>(depth),
-            first_passed + 2 * part};
+        lines_[size_] = static_cast<std::uint32_t>(row_begin + line);
+        keys_[size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
         ++line;
         line = line == grid_.columns && grid_.repeats_x ? 0 : line;
     }
@@ -206,64 +271,45 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
 /// By line, and along each by depth.
 void Columns::sort_lines() {
     const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
-    const std::span<const Fragment> fragments = std::span(fragments_).first(size_);
     if (passed_.size() < size_) {
-        passed_.resize(fragments_.size());
-        sorted_.resize(fragments_.size());
+        passed_.resize(keys_.size());
+        sorted_.resize(keys_.size());
     }
     if (lines > kSparse * size_ + kSparse) {
         sort_sparse_lines();
         return;
     }
     first_.assign(lines + 1, 0);
-    for (const Fragment& f : fragments) {
-        ++first_[f.line];
+    for (std::size_t i = 0; i < size_; ++i) {
+        ++first_[lines_[i]];
     }
     std::uint32_t end = 0;
     for (std::uint32_t& first : first_) {
         end += first;
         first = end;
     }
-    for (const Fragment& f : fragments) {
-        sorted_[--first_[f.line]] = key_of(f.depth, f.passed);
+    for (std::size_t i = 0; i < size_; ++i) {
+        sorted_[--first_[lines_[i]]] = keys_[i];
     }
     for (std::size_t line = 0; line < lines; ++line) {
-        sort_line(first_[line], first_[line + 1]);
+        sort_keys(sorted_.data() + first_[line], first_[line + 1] - first_[line]);
     }
-}
-
-/// Few lie on a line.
-void Columns::sort_line(std::uint32_t first, std::uint32_t end) {
-    constexpr std::uint32_t kMany = 32;
-    std::uint64_t* const from = sorted_.data();
-    if (end - first > kMany) {
-        std::sort(from + first, from + end);
-    } else {
-        for (std::uint32_t i = first + 1; i < end; ++i) {
-            const std::uint64_t next = from[i];
-            std::uint32_t at = i;
-            for (; at > first && next < from[at - 1]; --at) {
-                from[at] = from[at - 1];
-            }
-            from[at] = next;
-        }
-    }
-    for (std::uint32_t i = first; i < end; ++i) {
-        passed_[i] = static_cast<Passed>(from[i]);
+    for (std::size_t i = 0; i < size_; ++i) {
+        passed_[i] = static_cast<Passed>(sorted_[i]);
     }
 }
 
 void Columns::sort_sparse_lines() {
-    const auto end = fragments_.begin() + static_cast<std::ptrdiff_t>(size_);
-    std::sort(fragments_.begin(), end, [](const Fragment& a, const Fragment& b) {
-        return a.line != b.line ? a.line < b.line
-                                : key_of(a.depth, a.passed) < key_of(b.depth, b.passed);
+    std::vector<std::uint32_t> order(size_);
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return lines_[a] != lines_[b] ? lines_[a] < lines_[b] : keys_[a] < keys_[b];
     });
     for (std::size_t i = 0; i < size_; ++i) {
-        if (i == 0 || fragments_[i].line != fragments_[i - 1].line) {
+        if (i == 0 || lines_[order[i]] != lines_[order[i - 1]]) {
             first_.push_back(static_cast<std::uint32_t>(i));
         }
-        passed_[i] = fragments_[i].passed;
+        passed_[i] = static_cast<Passed>(keys_[order[i]]);
     }
     first_.push_back(static_cast<std::uint32_t>(size_));
 }

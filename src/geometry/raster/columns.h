@@ -24,6 +24,8 @@ struct ColumnTriangle {
 /// Triangles in blocks, the last one filled up with what nobody sees.
 struct ColumnTriangles {
     std::vector<TriangleBlock> corners;
+    std::vector<BlockPatches> patches;
+    std::vector<std::uint8_t> plain;  ///< by block, a bit for each lane: neither cut nor narrow
     std::vector<ColumnTriangle> each;
 };
 
@@ -78,18 +80,13 @@ class Columns {
     }
 
   private:
-    struct Fragment {
-        std::uint32_t line;
-        float depth;
-        Passed passed;
-    };
-
     void set_grid(const ProjectedScene& scene, const Spec& spec);
     void set_square_rows(const ProjectionPlane& plane, const Spec& spec, double lines);
     void draw_block(const ColumnTriangles& triangles, std::size_t block);
     void draw_span(const ColumnTriangle& triangle, std::size_t lane, std::size_t span);
+    /// Makes room for so many places more.
+    void reserve(std::size_t more);
     void sort_lines();
-    void sort_line(std::uint32_t first, std::uint32_t end);
     void sort_sparse_lines();
 
     SpanLoops loops_ = best_span_loops();
@@ -98,10 +95,12 @@ class Columns {
     Vec3 direction_;
     bool is_turned_ = false;  // grid and direction are no right-handed frame
 
-    BlockSpans spans_{};               // of the triangles at hand
-    std::vector<Fragment> fragments_;  // the first size_
+    BlockSpans spans_{};  // of the triangles at hand
+    /// Where lines pass something, the first size_: the line, and depth_key().
+    std::vector<std::uint32_t> lines_;
+    std::vector<std::uint64_t> keys_;
     std::size_t size_ = 0;
-    std::vector<std::uint64_t> sorted_;  // depth, and what is passed there
+    std::vector<std::uint64_t> sorted_;  // keys line by line
     std::vector<std::uint32_t> first_;
     std::vector<Passed> passed_;
     std::vector<std::uint32_t> counts_;

@@ -193,8 +193,129 @@ bool next_rows(const RasterGrid& grid, BlockSpans& spans) {
     return most > 0;
 }
 
+/// A number on the lines of a row, at these columns of the grid.
+struct OnRow {
+    Vector start, by_x;
+
+    OnRow(const BlockGradient& gradient, std::size_t lane, Vector y)
+        : start(hn::Add(
+              hn::Load(kNumbers, gradient.at + lane),
+              hn::Mul(hn::Load(kNumbers, gradient.by_y + lane), y))),
+          by_x(hn::Load(kNumbers, gradient.by_x + lane)) {}
+
+    [[nodiscard]] Vector at(Vector x) const { return hn::Add(start, hn::Mul(by_x, x)); }
+};
+
+/// The part of a triangle in which a place lies, as Patches::part(). @param n  parts along a side
+Vector part_at(Vector u, Vector v, Vector n) {
+    const auto zero = hn::Zero(kNumbers);
+    const auto one = hn::Set(kNumbers, 1.0);
+    const auto clamped = [&](Vector x, Vector most) {
+        return hn::Min(hn::Floor(hn::Max(x, zero)), most);
+    };
+    const auto along = hn::Mul(u, n);
+    const auto across = hn::Mul(v, n);
+    const auto last = hn::Sub(n, one);
+    const auto j = clamped(across, last);
+    const auto i = clamped(along, hn::Sub(last, j));
+    const auto rest = hn::Sub(hn::Add(hn::Sub(along, i), across), j);
+    const auto is_turned = hn::And(hn::Gt(rest, one), hn::Lt(hn::Add(i, j), last));
+    const auto before = hn::Mul(j, hn::Sub(hn::Add(n, n), j));
+    return hn::Add(hn::Add(before, hn::Add(i, i)), hn::IfThenElse(is_turned, one, zero));
+}
+
+using Depths = hn::Rebind<float, Numbers>;
+using Wholes = hn::Rebind<std::int32_t, Numbers>;
+using Words = hn::Rebind<std::uint32_t, Numbers>;
+
+/// As depth_key() has it, the upper half.
+hn::Vec<Words> ordered_bits(Vector depth) {
+    const auto bits = hn::BitCast(Words(), hn::DemoteTo(Depths(), depth));
+    const auto sign = hn::Set(Words(), 0x80000000U);
+    const auto is_negative = hn::Eq(hn::And(bits, sign), sign);
+    return hn::IfThenElse(is_negative, hn::Not(bits), hn::Or(bits, sign));
+}
+
+hn::Vec<Words> to_words(Vector whole) {
+    return hn::BitCast(Words(), hn::DemoteTo(Wholes(), whole));
+}
+
+/// Spans of some lanes, and what is computed of a column of each.
+struct SpanPlaces {
+    alignas(64) std::uint32_t lines[kBlockLanes], depths[kBlockLanes], passed[kBlockLanes];
+
+    /// Appends those of the lanes whose bit is set.
+    std::size_t append(std::uint32_t lanes, std::size_t size, const LinePlaces& to) const {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            to.lines[size] = lines[lane];
+            to.keys[size] = std::uint64_t{depths[lane]} << 32U | passed[lane];
+            ++size;
+        }
+        return size;
+    }
+};
+
+/// The places on one row of some lanes. @param lanes  those wanted, bit 0 the first of these
+std::size_t place_row(
+    const RasterGrid& grid,
+    const BlockSpans& spans,
+    const BlockPatches& patches,
+    std::size_t row,
+    std::size_t lane,
+    std::uint32_t lanes,
+    std::size_t size,
+    const LinePlaces& to) {
+    const std::size_t at = row * kBlockLanes + lane;
+    const auto y = hn::Load(kNumbers, spans.y + at);
+    const auto shift = hn::Load(kNumbers, spans.shift + at);
+    const auto last = hn::Load(kNumbers, spans.last + at);
+    const OnRow depth(spans.depth, lane, y), u(spans.u, lane, y), v(spans.v, lane, y);
+    const auto low = hn::Load(kNumbers, spans.low_depth + lane);
+    const auto high = hn::Load(kNumbers, spans.high_depth + lane);
+    const auto n = hn::Load(kNumbers, patches.parts + lane);
+    const auto first_passed = hn::Load(Words(), patches.passed + lane);
+    const auto columns = static_cast<double>(grid.columns);
+    const auto begin = hn::Mul(hn::Load(kNumbers, spans.in_row + at), hn::Set(kNumbers, columns));
+    auto column = hn::Load(kNumbers, spans.first + at);
+    SpanPlaces places;
+    while (lanes != 0) {
+        const auto x = hn::Add(column, shift);
+        const auto part = part_at(u.at(x), v.at(x), n);
+        const auto in_grid = grid.repeats_x ? wrapped(column, columns) : column;
+        hn::Store(to_words(hn::Add(begin, in_grid)), Words(), places.lines + lane);
+        hn::Store(
+            ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(), places.depths + lane);
+        hn::Store(
+            hn::Add(first_passed, to_words(hn::Add(part, part))), Words(), places.passed + lane);
+        size = places.append(lanes << lane, size, to);
+        column = hn::Add(column, hn::Set(kNumbers, 1.0));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(kNumbers, hn::Lt(column, last), bits);
+        lanes &= bits[0];
+    }
+    return size;
+}
+
+std::size_t place_spans(
+    const RasterGrid& grid,
+    const BlockSpans& spans,
+    const BlockPatches& patches,
+    std::uint32_t wanted,
+    const LinePlaces& to) {
+    const std::uint32_t all = (1U << hn::Lanes(kNumbers)) - 1;
+    std::size_t size = 0;
+    for (std::size_t row = 0; row < spans.rows; ++row) {
+        for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
+            const std::uint32_t lanes = (spans.covered[row] & wanted) >> lane & all;
+            size = place_row(grid, spans, patches, row, lane, lanes, size, to);
+        }
+    }
+    return size;
+}
+
 SpanLoops span_loops() {
-    return {&set_block, &next_rows};
+    return {&set_block, &next_rows, &place_spans};
 }
 
 }  // namespace

@@ -73,6 +73,27 @@ struct alignas(64) BlockSpans {
     }
 };
 
+/// How the triangles of a block are cut into patches, by lane.
+struct alignas(64) BlockPatches {
+    double parts[kBlockLanes];          ///< along each side: 2^level
+    std::uint32_t passed[kBlockLanes];  ///< what a line passes in the first of them
+};
+
+/// Places where lines pass triangles, in no order: the line, and a key that is larger for what is
+/// deeper and tells what is passed there (depth_key()).
+struct LinePlaces {
+    std::uint32_t* lines;
+    std::uint64_t* keys;
+};
+
+/// Larger for what is deeper, and then for what is passed later.
+[[nodiscard]] inline std::uint64_t depth_key(float depth, std::uint32_t passed) {
+    constexpr std::uint32_t kSign = 0x80000000U;
+    const auto bits = std::bit_cast<std::uint32_t>(depth);
+    const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
+    return std::uint64_t{ordered} << 32U | passed;
+}
+
 /// The loops over a block, compiled for a vector unit.
 struct SpanLoops {
     /// Sets all but the spans. False if no triangle touches a row.
@@ -80,6 +101,14 @@ struct SpanLoops {
     /// Finds the spans of the next kBlockRows rows of each triangle; false if there are no more
     /// rows.
     bool (*next)(const RasterGrid& grid, BlockSpans& spans);
+    /// Writes the places on the spans at hand of the lanes whose bit is set in `wanted`. There must
+    /// be room for all. @returns how many
+    std::size_t (*place)(
+        const RasterGrid& grid,
+        const BlockSpans& spans,
+        const BlockPatches& patches,
+        std::uint32_t wanted,
+        const LinePlaces& to);
 };
 
 /// Those for the vector unit of this machine. All variants compute the same bits.
