@@ -5,6 +5,7 @@
 //     ./dev bench --quick              a fast look, rough numbers
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
 //     ./dev bench bars --cases bundles what ray bundles are held to
+//     ./dev bench bundles --cases NIR errors and times of ray bundles
 //     ./dev bench canopies --files A B on the scenes of run files too; status 1 above the bar
 
 #include <algorithm>
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
         {"bars", print_bars},
         {"planner", print_planner},
         {"canopies", [&](const Effort& effort) { is_held = print_canopies(effort, files, words); }},
+        {"bundles", print_bundles},
         {"coverage", print_coverage},
         {"agreement", print_agreement},
         {"ratio", print_band_ratio},
@@ -49,7 +51,8 @@ int main(int argc, char** argv) {
     std::uint64_t plain_paths = 0;
     app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
     app.add_option("--files", files, "canopies: run files whose scenes are looked at too");
-    app.add_option("--cases", words, "bars, canopies: only cases whose name holds these words");
+    app.add_option(
+        "--cases", words, "bars, bundles, canopies: only cases whose name holds these words");
     CLI11_PARSE(app, argc, argv);
 
     Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000, 5000, ""} : Effort{};

@@ -29,6 +29,8 @@ void print_planner(const Effort& effort);
 /// @param words  that the name of a case, "maize, sun at 90", must hold
 [[nodiscard]] bool print_canopies(
     const Effort& effort, const std::vector<std::string>& files, const std::string& words);
+/// Errors and times of ray bundles, by leaves, light and paths.
+void print_bundles(const Effort& effort);
 /// How often 95 % intervals hold the truth.
 void print_coverage(const Effort& effort);
 /// Whether every way of tracing agrees with plain Monte Carlo tracing on scenes of many kinds.

@@ -127,7 +127,7 @@ Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i) {
 }
 
 std::uint64_t BundleExchange::exchange(
-    const BundleGroup& group, unsigned threads, PatchLight& light, const OnEscape& on_escape) {
+    const BundleGroup& group, unsigned threads, PatchLight& light, const Tell& tell) {
     while (columns_.size() < std::max(threads, 1U)) {
         columns_.push_back(std::make_unique<Columns>());
     }
@@ -147,8 +147,7 @@ std::uint64_t BundleExchange::exchange(
         // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine law.
         const double weight = 2 * lines.line_area() / group.directions;
         exchange_along(
-            lines, bundle_direction(group, static_cast<std::uint32_t>(block)), weight, light,
-            on_escape);
+            lines, bundle_direction(group, static_cast<std::uint32_t>(block)), weight, light, tell);
         stretches += lines.size();
     };
     ordered_blocks(group.directions, threads, draw, exchange);
@@ -160,7 +159,7 @@ void BundleExchange::exchange_along(
     const Vec3& direction,
     double weight,
     PatchLight& light,
-    const OnEscape& on_escape) {
+    const Tell& tell) {
     light.count_lines(lines.counts(), weight);
     forwards_.assign(light.columns(), 0);
     backwards_.assign(light.columns(), 0);
@@ -191,9 +190,12 @@ void BundleExchange::exchange_along(
         default:
             exchange.template operator()<0>();
     }
-    if (on_escape) {
-        on_escape(direction, forwards_);
-        on_escape(-1 * direction, backwards_);
+    if (tell.on_escape) {
+        tell.on_escape(direction, forwards_);
+        tell.on_escape(-1 * direction, backwards_);
+    }
+    if (tell.on_lines) {
+        tell.on_lines(lines, direction, weight);
     }
 }
 

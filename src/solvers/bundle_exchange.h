@@ -36,13 +36,19 @@ class BundleExchange {
 
     /// Light that leaves the scene: its direction, and flux in each column of PatchLight.
     using OnEscape = std::function<void(const Vec3& direction, std::span<const double> flux)>;
+    /// The lines of a direction, and the flux that one of them takes from a patch of exitance 1.
+    using OnLines = std::function<void(const Columns& lines, const Vec3& direction, double weight)>;
+    /// Who is told what becomes of lines, direction by direction in their order; or nobody.
+    struct Tell {
+        OnEscape on_escape;
+        OnLines on_lines;
+    };
 
     /// Lets the exitance go along all lines, and adds it to the light incident on what it meets.
     /// @returns stretches of lines along which light went
-    /// @param threads    at most; the same light comes of any number
-    /// @param on_escape  nothing: nobody is told
+    /// @param threads  at most; the same light comes of any number
     std::uint64_t exchange(
-        const BundleGroup& group, unsigned threads, PatchLight& light, const OnEscape& on_escape);
+        const BundleGroup& group, unsigned threads, PatchLight& light, const Tell& tell);
 
   private:
     void exchange_along(
@@ -50,7 +56,7 @@ class BundleExchange {
         const Vec3& direction,
         double weight,
         PatchLight& light,
-        const OnEscape& on_escape);
+        const Tell& tell);
 
     const PatchScene& patches_;
     const ProjectedScene& seen_;

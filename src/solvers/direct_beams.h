@@ -47,6 +47,7 @@ class DirectBeams {
 
     [[nodiscard]] const ProjectedScene& scene() const { return scene_; }
     [[nodiscard]] const SkyDirections& skies() const { return skies_; }
+    [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
     /// The tasks of a round; tells the sums what each of their finds brings at most.

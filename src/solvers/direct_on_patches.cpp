@@ -52,13 +52,13 @@ DirectOnPatches::DirectOnPatches(
       beams_(beams) {}
 
 void DirectOnPatches::find(
-    const Task& task, Scratch& scratch, PatchLight& light, Tally& tally) const {
+    const Task& task, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const {
     const std::uint64_t blocks =
         task.tasks.empty() ? 0 : task.tasks.back().first_block + task.tasks.back().blocks;
     for (std::uint64_t block = 0; block < blocks; ++block) {
         const Work work =
             DirectBeams::work_of(task.tasks, task.round, task.units, task.replicate, block);
-        work.task.is_sky ? find_by_pixels(work, scratch, light, tally)
+        work.task.is_sky ? find_by_pixels(work, scratch, light, open, tally)
                          : find_by_lines(work, scratch, light, tally);
     }
     const TracedLights& traced = beams_.traced();
@@ -110,7 +110,7 @@ void DirectOnPatches::lay_line(
 }
 
 void DirectOnPatches::find_by_pixels(
-    const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const {
+    const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const {
     const Stream placing = beams_.stream_of(work, 0);
     const std::array<double, 3> lattice = beams_.placing_of(placing, 0);
     const SkyDirections& skies = beams_.skies();
@@ -138,6 +138,7 @@ void DirectOnPatches::find_by_pixels(
             lay_pixels(from.direction, scratch.beams.pixels, lit_bands(weights), light);
         }
         beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
+        open.add_seen(scratch.beams.pixels, from, work.task.count);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solvers/direct_beams.h"
+#include "solvers/open_sides.h"
 #include "solvers/patch_light.h"
 
 namespace quasimc {
@@ -24,8 +25,9 @@ class DirectOnPatches {
         const SumUnits& units;
         std::uint32_t replicate = 0;
     };
-    /// Adds all direct light of a replicate.
-    void find(const Task& task, Scratch& scratch, PatchLight& light, Tally& tally) const;
+    /// Adds all direct light of a replicate. What looks for it along skies sees how open sides are.
+    void find(
+        const Task& task, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const;
 
   private:
     using Work = DirectBeams::Work;
@@ -33,7 +35,8 @@ class DirectOnPatches {
 
     void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
     void lay_line(const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const;
-    void find_by_pixels(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
+    void find_by_pixels(
+        const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const;
     void score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const;
     void lay_pixels(
         const Vec3& direction,

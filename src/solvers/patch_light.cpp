@@ -167,6 +167,8 @@ PatchLight::PatchLight(const PatchScene& scene)
       found_areas_(scene.surfaces.size()),
       region_areas_(scene.prepared.scene().regions().size()),
       corrections_(region_areas_.size(), 1),
+      met_areas_(region_areas_.size()),
+      is_corrected_(region_areas_.size()),
       parents_(Patches::kFinest + 1) {
     for (const PatchScene::Surface& surface : scene.surfaces) {
         region_areas_[surface.region] += surface.is_sensor ? 0 : surface.area;
@@ -188,15 +190,16 @@ void PatchLight::count_lines(std::span<const std::uint32_t> lines, double weight
 }
 
 void PatchLight::correct_areas(double lines_per_area) {
-    std::vector<double> found(corrections_.size());
+    std::fill(met_areas_.begin(), met_areas_.end(), 0);
     for (std::size_t i = 0; i < found_areas_.size(); ++i) {
-        found[scene_.surfaces[i].region] += found_areas_[i];
+        met_areas_[scene_.surfaces[i].region] += found_areas_[i];
     }
     std::fill(found_areas_.begin(), found_areas_.end(), 0);
-    for (std::size_t region = 0; region < found.size(); ++region) {
-        const bool is_met = region_areas_[region] * lines_per_area >= kFewestMeetings;
+    for (std::size_t region = 0; region < met_areas_.size(); ++region) {
+        is_corrected_[region] =
+            region_areas_[region] * lines_per_area >= kFewestMeetings && met_areas_[region] > 0;
         corrections_[region] =
-            is_met && found[region] > 0 ? region_areas_[region] / found[region] : 1;
+            is_corrected_[region] ? region_areas_[region] / met_areas_[region] : 1;
     }
 }
 

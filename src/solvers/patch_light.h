@@ -113,6 +113,12 @@ class PatchLight {
     /// @param lines_per_area  of the bundles, in the mean. Regions that are met seldom are left as
     ///        they are
     void correct_areas(double lines_per_area);
+    /// The factor, and whether the region is met so often that it is one.
+    [[nodiscard]] double correction(std::uint32_t region) const { return corrections_[region]; }
+    [[nodiscard]] bool is_corrected(std::uint32_t region) const { return is_corrected_[region]; }
+    /// Of a region but for its sensors, the true area, and what the last lines found of it.
+    [[nodiscard]] double area_of(std::uint32_t region) const { return region_areas_[region]; }
+    [[nodiscard]] double area_met(std::uint32_t region) const { return met_areas_[region]; }
 
     /// Of a side of a region, what collect() found, [column].
     [[nodiscard]] std::span<const double> sum(std::uint32_t region, SurfaceSide side) const {
@@ -144,6 +150,8 @@ class PatchLight {
     std::vector<double> found_areas_;                  // by surface, in this step
     std::vector<double> region_areas_;                 // but for sensors
     std::vector<double> corrections_;                  // by region, of what came in this step
+    std::vector<double> met_areas_;                    // by region, in this step
+    std::vector<bool> is_corrected_;                   // by region
     std::vector<std::vector<std::uint32_t>> parents_;  // by level and part
 };
 

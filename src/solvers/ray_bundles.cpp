@@ -93,6 +93,7 @@ class RayBundles final : public Solver {
         std::uint64_t cut = 0;  // which one the rest is made for
         std::unique_ptr<PatchLight> light;
         std::unique_ptr<BundleExchange> exchange;
+        std::unique_ptr<OpenSides> open;
     };
 
     /// Patches become finer with the paths of all rounds: their error falls as that of lines does.
@@ -114,17 +115,19 @@ class RayBundles final : public Solver {
         if (scratch.cut != cuts_) {
             scratch.light = make_light();
             scratch.exchange = std::make_unique<BundleExchange>(cut_->scene, beams_.scene());
+            scratch.open = std::make_unique<OpenSides>(cut_->scene, beams_.skies());
             scratch.cut = cuts_;
         }
         PatchLight& light = *scratch.light;
         light.clear();
-        cut_->direct.find(task, scratch.direct, light, tally);
+        scratch.open->clear();
+        cut_->direct.find(task, scratch.direct, light, *scratch.open, tally);
         Flow flow(light.columns());
         std::uint64_t stretches = 0;
-        const auto exchange = [&](const BundleGroup& group,
-                                  const BundleExchange::OnEscape& on_escape) {
+        const auto exchange = [&](const BundleGroup& group, const OnEscape& on_escape) {
             throw_if_stopped(input_.stop);
-            stretches += scratch.exchange->exchange(group, threads(), light, on_escape);
+            stretches += scratch.exchange->exchange(
+                group, threads(), light, {on_escape, looking_at(*scratch.open)});
             light.correct_areas(group.directions / (2 * group.line_area));
         };
         const std::vector<double> first = light.scatter(true);
@@ -135,12 +138,16 @@ class RayBundles final : public Solver {
             light.keep();
             exchange(budget.of_order(left, key_of(task, order)), {});
             left = light.scatter(false);
+            if (order == 1) {
+                scratch.open->choose_sides(light);
+            }
         }
         for (std::size_t c = 0; c < left.size(); ++c) {
             flow.cut_off[c] = to_fixed(left[c]);
         }
         if (order > 1) {
             light.send_all_kept();
+            scratch.open->forget_ends();
             exchange(
                 budget.of_all(key_of(task, order)),
                 [&](const Vec3& direction, std::span<const double> flux) {
@@ -151,8 +158,20 @@ class RayBundles final : public Solver {
                 flow.escaped[c] += signed_fixed(passed_by[c]);
             }
         }
-        add_sums(light, flow, tally);
+        add_sums(light, *scratch.open, flow, tally);
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));
+    }
+
+    using OnEscape = BundleExchange::OnEscape;
+
+    /// What looks at the ends of lines, where the sky is looked at for direct light.
+    [[nodiscard]] BundleExchange::OnLines looking_at(OpenSides& open) const {
+        if (!beams_.looks_at_skies()) {
+            return {};
+        }
+        return [&open](const Columns& lines, const Vec3& direction, double weight) {
+            open.add_ends(lines, direction, weight);
+        };
     }
 
     [[nodiscard]] std::unique_ptr<PatchLight> make_light() const {
@@ -204,7 +223,8 @@ class RayBundles final : public Solver {
     }
 
     /// What went out is what came to surfaces, escaped or was cut off: exactly.
-    void add_sums(const PatchLight& light, const Flow& flow, Tally& tally) const {
+    void add_sums(
+        const PatchLight& light, const OpenSides& open, const Flow& flow, Tally& tally) const {
         const SumLayout& layout = tally.layout();
         const std::size_t bands = input_.prepared.bands();
         std::vector<std::int64_t> out(light.columns());
@@ -212,9 +232,10 @@ class RayBundles final : public Solver {
             const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 const std::span<const double> sum = light.sum(region, side);
+                const double correction = open.correction(region, side, light);
                 for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t fine = to_fixed(sum[b]);
-                    const std::int64_t coarse = to_fixed(sum[bands + b]);
+                    const std::int64_t fine = to_fixed(correction * sum[b]);
+                    const std::int64_t coarse = to_fixed(correction * sum[bands + b]);
                     tally.add(layout.scattered(region, side) + b, fine);
                     tally.add(layout.coarse_scattered(region, side) + b, coarse);
                     out[b] += is_opaque ? fine : 0;

@@ -80,6 +80,14 @@ void SkyDirections::for_each_sky(std::uint32_t count, const Visit& visit) const 
     }
 }
 
+double SkyDirections::density(const Vec3& direction) const {
+    double density = 0;
+    for (const BoundSource* sky : skies_) {
+        density += sky->source_sampler->density(direction) * sky->probability / probability_;
+    }
+    return density;
+}
+
 DrawnDirection SkyDirections::direction(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) const {
     DrawnDirection drawn;

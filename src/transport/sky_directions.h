@@ -44,6 +44,9 @@ class SkyDirections {
     [[nodiscard]] DrawnDirection direction(
         std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) const;
 
+    /// The density with which all skies together draw a direction, of very many.
+    [[nodiscard]] double density(const Vec3& direction) const;
+
   private:
     /// Calls `visit(sky, first, last)` with the directions that each draws.
     template <typename Visit>

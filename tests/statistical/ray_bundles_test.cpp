@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -182,6 +183,51 @@ TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
         const Result plain = run(scene, sources, plain_spec);
         expect_same(scene, own, plain, .05);
     }
+}
+
+/// Skies that are bright in places, and dark elsewhere: how open leaves are is seen along
+/// directions that they draw, and counts where they draw hardly any as well.
+TEST(RayBundles, AgreeWithLightTracingUnderPatchySkies) {
+    constexpr double kQuarter = std::numbers::pi / 2;
+    const auto patchy = [](const Vec3& to_light) {
+        return to_light.x > 0 && to_light.y > 0 ? 20.0 : 0.01;
+    };
+    const auto half = [](const Vec3& to_light) { return to_light.y > 0 ? 1.0 : 0.0; };
+    const Scene scene = make_stand();
+    const Sources sources{
+        make_sky("patchy", {patchy, {0, kQuarter}, {}, InsideCells::constant}, {1, 1}),
+        make_sky("half", {half, {0, 2 * kQuarter}, {}, InsideCells::constant}, {0, 1})};
+    RunSpec plain = spec_of(Method::light_tracing, 1 << 14);
+    plain.seed = 2;
+    const Result own = run(scene, sources, bundles(1 << 12));
+    expect_same(scene, own, run(scene, sources, plain), .05);
+}
+
+/// Two fifths of the variance were how many lines happen to meet the sky: where all surroundings
+/// are about equally bright, how much of them a side sees is what matters, and that is known.
+TEST(RayBundles, KnowHowOpenLeavesAreToTheSky) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .45, .45));
+    builder.add_material(matt("soil", .5, 0));
+    add_leaves(builder, random_leaves(100, .2, 1, 3));
+    builder.set_ground(ground("soil"));
+    builder.set_cell({.along_x = true, .along_y = true});
+    const Scene scene = std::move(builder).build();
+    const Sources sources{sky({1})};
+    const RunSpec spec = bundles(1 << 12);
+    const Sums sums = Simulator().sums(scene, sources, spec, 0);
+    const Result fine = evaluate_run(sums, scene, spec, sources);
+    const Result coarse = evaluate_run(coarser_sums(sums), scene, spec, sources);
+    double squares = 0, mean = 0;
+    for (std::size_t i = 0; i < fine.organs(); ++i) {
+        const Estimate& e = fine.at(i, Quantity::absorbed_flux_density, 0);
+        const double patches = e.mean - coarse.at(i, Quantity::absorbed_flux_density, 0).mean;
+        squares += e.standard_error * e.standard_error - patches * patches;
+        mean += e.mean;
+    }
+    const auto organs = static_cast<double>(fine.organs());
+    // .0028 if lines alone tell how open leaves are.
+    EXPECT_LT(std::sqrt(squares / organs), .0024 * mean / organs);
 }
 
 /// A control: leaves that scatter a little more are told apart.

@@ -1,0 +1,140 @@
+// What ray bundles leave of errors, and in what time: the table of docs/theory/ray-bundles.md.
+// Errors are those of one replicate: root of the mean variance over leaves, over the mean.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "parts.h"
+#include "results/patch_error.h"
+#include "scenes.h"
+
+namespace quasimc::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+constexpr int kTimings = 3;
+
+/// Relative to all light that leaves get.
+struct Errors {
+    double all = 0, patches = 0;  ///< the error, and what of it is that of patches
+    double direct = 0, scattered = 0;
+};
+
+/// Squares over leaves of a quantity's error in one replicate, where it is known, and of the error
+/// of patches, which all replicates have in common.
+struct Squares {
+    double noise = 0, patches = 0;
+};
+
+Squares squares_of(const Result& fine, const Result& coarse, Quantity quantity, double replicates) {
+    Squares sum;
+    for (std::size_t i = 0; i < fine.organs(); ++i) {
+        const Estimate& e = fine.at(i, quantity, 0);
+        const double difference = e.mean - coarse.at(i, quantity, 0).mean;
+        if (std::isfinite(e.standard_error)) {
+            sum.patches += difference * difference;
+            sum.noise +=
+                (e.standard_error * e.standard_error - difference * difference) * replicates;
+        }
+    }
+    return sum;
+}
+
+double mean_of(const Result& result, Quantity quantity) {
+    double sum = 0;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        sum += result.at(i, quantity, 0).mean;
+    }
+    return sum / static_cast<double>(result.organs());
+}
+
+Errors errors_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    const Sums sums = Simulator().sums(scene, sources, spec, 0);
+    const Result coarse = evaluate_run(coarser_sums(sums), scene, spec, sources);
+    const Result fine = evaluate_run(sums, scene, spec, sources);
+    const double incident =
+        mean_of(fine, Quantity::incident_direct) + mean_of(fine, Quantity::incident_scattered);
+    const auto share = [&](double squares, double mean) {
+        return std::sqrt(squares / static_cast<double>(fine.organs())) / mean;
+    };
+    const auto of_part = [&](Quantity quantity) {
+        const Squares part = squares_of(fine, coarse, quantity, spec.replicates);
+        return share(part.noise + part.patches, incident);
+    };
+    const Squares all = squares_of(fine, coarse, Quantity::absorbed_flux_density, spec.replicates);
+    const double absorbed = mean_of(fine, Quantity::absorbed_flux_density);
+    return {
+        share(all.noise + all.patches, absorbed), share(all.patches, absorbed),
+        of_part(Quantity::incident_direct), of_part(Quantity::incident_scattered)};
+}
+
+/// CPU seconds of a replicate.
+double time_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    std::vector<double> seconds;
+    while (seconds.size() < kTimings) {
+        seconds.push_back(run(scene, sources, spec).trace_cpu_seconds / spec.replicates);
+    }
+    return median(seconds);
+}
+
+struct Case {
+    std::uint32_t leaves;
+    const char* waveband;
+    double albedo;
+    Light light;
+    const char* light_name;
+};
+
+void print_case(const Case& one, std::uint64_t paths, const Effort& effort) {
+    const std::string name =
+        fmt::format("{} leaves, {}, {}, {} paths", one.leaves, one.waveband, one.light_name, paths);
+    if (name.find(effort.cases) == std::string::npos) {
+        return;
+    }
+    const Scene scene = make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = kSeed});
+    const Sources sources = make_light(one.light, 1);
+    RunSpec spec;
+    spec.method = Method::ray_bundles;
+    spec.sampler = "sobol";
+    spec.paths = paths;
+    spec.replicates = effort.replicates;
+    spec.threads = 1;
+    const Errors errors = errors_of(scene, sources, spec);
+    const double seconds = time_of(scene, sources, spec);
+    std::printf(
+        "  %-42s error %6.3f %% (patches %5.3f, direct %6.3f, scattered %6.3f), %8.2f ms, "
+        "1 / (error^2 s) %8.3g\n",
+        name.c_str(), 100 * errors.all, 100 * errors.patches, 100 * errors.direct,
+        100 * errors.scattered, 1e3 * seconds, 1 / (errors.all * errors.all * seconds));
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+void print_bundles(const Effort& effort) {
+    std::printf("\n== Ray bundles: error of a leaf and CPU time of a replicate\n");
+    constexpr double kPar = 0.2, kNir = 0.9;
+    constexpr Case kCases[]{
+        {500, "PAR", kPar, Light::sun, "sun"},
+        {500, "PAR", kPar, Light::overcast, "overcast"},
+        {500, "NIR", kNir, Light::sun, "sun"},
+        {500, "NIR", kNir, Light::overcast, "overcast"},
+        {500, "NIR", kNir, Light::sky, "sky"},
+        {10000, "PAR", kPar, Light::sun, "sun"},
+        {10000, "PAR", kPar, Light::overcast, "overcast"},
+        {10000, "NIR", kNir, Light::sun, "sun"},
+        {10000, "NIR", kNir, Light::overcast, "overcast"},
+    };
+    for (const Case& one : kCases) {
+        for (std::uint64_t paths = 4096; paths <= 16 * effort.paths; paths *= 4) {
+            print_case(one, paths, effort);
+        }
+    }
+}
+
+}  // namespace quasimc::bench
