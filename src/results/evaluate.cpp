@@ -174,7 +174,7 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
     result.rays = count_rays(sums);
     if (has_two_levels(sums)) {
-        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), result);
+        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, result);
     }
     return result;
 }

@@ -62,14 +62,70 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
-/// The same with the error of patches. @param coarse  of sums with two levels of patches, that of
-/// the coarser; else null
-Estimate absorbed_flux(const OrganReader& reader, const OrganReader* coarse, std::size_t band) {
-    const Estimate estimate = absorbed_flux(reader, band);
-    return coarse == nullptr
-               ? estimate
-               : with_patch_error(estimate, estimate.mean - absorbed_flux(*coarse, band).mean);
+/// What organs absorb on the two levels of patches, per band: the same on any number of threads.
+std::vector<PatchErrorPool> pool_of(
+    const Sums& fine, const Sums& coarse, const Scene& scene, const EvaluationSpec& spec) {
+    const std::size_t bands = fine.layout.bands;
+    std::vector<std::vector<PatchErrorPool>> of_block(blocks_of(scene));
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        std::vector<PatchErrorPool>& pools = of_block[first / kOrgansPerBlock];
+        pools.resize(bands);
+        for (std::size_t i = first; i < last; ++i) {
+            const Organ& organ = scene.organs()[i];
+            if (!is_pooled(organ)) {
+                continue;
+            }
+            std::vector<double> flux(bands), other(bands);
+            add_absorbed(OrganReader(fine, scene, spec, organ), flux);
+            add_absorbed(OrganReader(coarse, scene, spec, organ), other);
+            for (std::size_t b = 0; b < bands; ++b) {
+                pools[b].add(flux[b], flux[b] - other[b], organ.area);
+            }
+        }
+    });
+    std::vector<PatchErrorPool> all(bands);
+    for (const std::vector<PatchErrorPool>& pools : of_block) {
+        for (std::size_t b = 0; b < pools.size(); ++b) {
+            all[b].differences += pools[b].differences;
+            all[b].means += pools[b].means;
+        }
+    }
+    return all;
 }
+
+/// What organs absorb with the error of patches, where sums have two levels.
+class AbsorbedByOrgans {
+  public:
+    AbsorbedByOrgans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
+        : sums_(sums), scene_(scene), spec_(spec), has_two_(has_two_levels(sums)) {
+        if (has_two_) {
+            coarse_ = coarser_sums(sums);
+            pools_ = pool_of(sums_, coarse_, scene_, spec_);
+        }
+    }
+
+    /// Of an organ, [band].
+    void find(const Organ& organ, std::vector<Estimate>& absorbed) const {
+        const OrganReader reader(sums_, scene_, spec_, organ);
+        const OrganReader other(coarse_, scene_, spec_, organ);
+        for (std::size_t b = 0; b < absorbed.size(); ++b) {
+            absorbed[b] = absorbed_flux(reader, b);
+            if (has_two_) {
+                const double own = absorbed[b].mean - absorbed_flux(other, b).mean;
+                absorbed[b] = with_patch_error(
+                    absorbed[b], is_pooled(organ) ? pools_[b].shrunk(absorbed[b].mean, own) : own);
+            }
+        }
+    }
+
+  private:
+    const Sums& sums_;
+    const Scene& scene_;
+    const EvaluationSpec& spec_;
+    bool has_two_;
+    Sums coarse_;
+    std::vector<PatchErrorPool> pools_;
+};
 
 /// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
 /// any light is. Where nothing was found, if what may be there is little beside what others get.
@@ -113,8 +169,7 @@ ErrorSpread spread_of(std::vector<double> errors) {
 RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     const std::size_t bands = sums.layout.bands;
-    const bool has_two = has_two_levels(sums);
-    const Sums coarse = has_two ? coarser_sums(sums) : Sums{};
+    const AbsorbedByOrgans light(sums, scene, spec);
     const std::vector<double> usual =
         target > 0 ? usual_flux(sums, scene, spec) : std::vector<double>();
     std::atomic<std::size_t> reached{0};
@@ -128,11 +183,7 @@ RoundErrors errors_so_far(
                 ++reached;
                 continue;
             }
-            const OrganReader reader(sums, scene, spec, organ);
-            const OrganReader other(coarse, scene, spec, organ);
-            for (std::size_t b = 0; b < bands; ++b) {
-                absorbed[b] = absorbed_flux(reader, has_two ? &other : nullptr, b);
-            }
+            light.find(organ, absorbed);
             if (!organ.is_ground) {
                 const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);
                 std::transform(absorbed.begin(), absorbed.end(), at, relative_error);
