@@ -101,16 +101,21 @@ function binsOf(numbers, bins, { low, high }, isIn) {
   return result;
 }
 
-/** How many of the organs shown have which value. @param acts, @returns  see addBars */
-export function drawHistogram(parent, { numbers, isShown, title }, acts) {
-  const ends = endsOf(numbers);
-  const { low, high } = ends;
+/**
+ * How many of the organs shown have which value. The last bar has all that is far beyond the usual too, so that a few
+ * organs do not press all others into one bar.
+ * @param usual  what few exceed  @param acts, @returns  see addBars
+ */
+export function drawHistogram(parent, { numbers, isShown, title, usual }, acts) {
+  const { low, high } = endsOf(numbers);
   if (!(high >= low)) {
     parent.textContent = "No organ has this number.";
     return kNoBars;
   }
   const bins = 24;
-  const width = (high - low) / bins;
+  const isOpen = usual > low && high > low + 1.5 * (usual - low);
+  const ends = { low, high: isOpen ? low + ((usual - low) * bins) / (bins - 2) : high };
+  const width = (ends.high - low) / bins;
   const all = new Array(bins).fill(0);
   const shown = new Array(bins).fill(0);
   const binOf = binsOf(numbers, bins, ends, () => true);
@@ -122,14 +127,17 @@ export function drawHistogram(parent, { numbers, isShown, title }, acts) {
     }
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Histogram", [low, high > low ? high : low + 1], [0, Math.max(...all)], title,
-      Number.isInteger);
+    const { svg, x, y } = start(parent, "Histogram", [low, ends.high > low ? ends.high : low + 1], [0, Math.max(...all)],
+      title, Number.isInteger);
+    if (isOpen) {
+      add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `the last bar: up to ${short(high)}`);
+    }
     const bars = [];
     for (let bin = 0; bin < bins; ++bin) {
       const from = low + bin * width;
       const to = bin === bins - 1 ? high : from + width;
       const place = (count) => ({
-        x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
+        x: x(from), width: Math.max(2, x(from + width) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
       });
       if (all[bin] > 0) {
         add(svg, "rect", { class: "all", ...place(all[bin]) });
@@ -201,10 +209,10 @@ export function drawConvergence(parent, rounds) {
     const anchor = i + 1 === known.length ? "end" : "middle";
     add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
   });
-  for (const [key, name] of [["worst_error", "worst organ"], ["median_error", "median"]]) {
+  for (const [key, name, below] of [["worst_error", "worst organ", -6], ["median_error", "median", 16]]) {
     const places = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
     add(svg, "polyline", { class: `error ${key}`, fill: "none", points: places.map((place) => place.join(",")).join(" ") });
     places.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
-    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] - 6 }, name);
+    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] + below }, name);
   }
 }

@@ -47,7 +47,7 @@ LiveFrame make_frame(
     LiveFrame frame;
     frame.label = std::move(label);
     frame.scene = scene;
-    frame.suns = {{0, 0, 1}};
+    frame.sources = {make_directional_source("sun", {0, 0, -1}, {1, 1})};
     frame.results = std::make_shared<const std::vector<Result>>(std::move(results));
     return frame;
 }
