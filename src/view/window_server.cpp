@@ -68,6 +68,8 @@ class Connection {
         return {socket_.get(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
     }
     [[nodiscard]] bool has_asked() const { return !head_.empty(); }
+    /// Whether its answer is on its way, whole: what is left is to wait for the other side.
+    [[nodiscard]] bool is_answered() const { return is_leaving_; }
     [[nodiscard]] bool is_late() const { return Clock::now() > deadline_; }
 
     /// Goes on as far as it can without waiting. @returns whether there is more to do
@@ -188,7 +190,7 @@ class WindowServer::State {
         for (const Connection& each : connections_) {
             waits.push_back(each.waits_for());
         }
-        const bool is_open = has_room() || find_waiting() != connections_.end();
+        const bool is_open = has_room() || find_idle() != connections_.end();
         waits.push_back({wake_.get(), POLLIN, 0});
         waits.push_back({listener_.get(), static_cast<short>(is_open ? POLLIN : 0), 0});
         constexpr int kMilliseconds = 200;
@@ -219,18 +221,24 @@ class WindowServer::State {
   private:
     [[nodiscard]] bool has_room() const { return connections_.size() < limits_.connections; }
 
-    /// The oldest connection that has not asked for anything yet.
-    [[nodiscard]] std::vector<Connection>::iterator find_waiting() {
-        return std::find_if(connections_.begin(), connections_.end(), [](const Connection& each) {
-            return !each.has_asked();
-        });
+    /// The oldest connection that has its answer, or else that has not asked for anything yet.
+    [[nodiscard]] std::vector<Connection>::iterator find_idle() {
+        const auto first = [this](bool (Connection::*is)() const, bool wanted) {
+            return std::find_if(
+                connections_.begin(), connections_.end(),
+                [=](const Connection& each) { return (each.*is)() == wanted; });
+        };
+        const auto answered = first(&Connection::is_answered, true);
+        return answered != connections_.end() ? answered : first(&Connection::has_asked, false);
     }
 
-    /// Where there is no room, who keeps silent makes it.
+    /// Where there is no room, who has an answer or keeps silent makes it. What a connection has
+    /// said before it is accepted is read at once: those that come together with many others are
+    /// not taken for silent.
     void accept_all() {
         for (std::size_t i = 0; i < limits_.connections; ++i) {
-            const auto silent = find_waiting();
-            if (!has_room() && silent == connections_.end()) {
+            const auto idle = find_idle();
+            if (!has_room() && idle == connections_.end()) {
                 return;
             }
             Socket socket(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
@@ -238,9 +246,12 @@ class WindowServer::State {
                 return;
             }
             if (!has_room()) {
-                connections_.erase(silent);
+                connections_.erase(idle);
             }
             connections_.emplace_back(std::move(socket), limits_);
+            if (!connections_.back().go_on(site_)) {
+                connections_.pop_back();
+            }
         }
     }
 
