@@ -310,16 +310,18 @@ TEST_F(WindowServerTest, AnswersInAFloodOfRequestsThatItRefuses) {
             }
         });
     }
-    int answered = 0;
-    constexpr int kAsked = 200;
-    for (int i = 0; i < kAsked; ++i) {
-        answered += ask(request("values-0")).ends_with("first") ? 1 : 0;
+    std::vector<std::string> others;  // than the answer
+    for (int i = 0; i < 200; ++i) {
+        const std::string answer = ask(request("values-0"));
+        if (!answer.ends_with("first")) {
+            others.push_back(answer);
+        }
     }
     is_over = true;
     for (std::thread& flood : floods) {
         flood.join();
     }
-    EXPECT_EQ(answered, kAsked);
+    EXPECT_EQ(others, std::vector<std::string>());
 }
 
 TEST_F(WindowServerTest, RefusesAPortThatIsTaken) {
