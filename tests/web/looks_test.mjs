@@ -199,6 +199,55 @@ async function checkPrint(page) {
   await page.emulateMedia({ media: "screen" });
 }
 
+/** A run under a sun from above. @param leaves  [name, corners] */
+function sunnyRun(leaves) {
+  const organs = leaves.map(([name, corners]) => `[[organ]]
+name = "${name}"
+material = "leaf"
+shape = "triangle"
+corners = ${JSON.stringify(corners)}
+`);
+  return `bands = ["PAR"]
+irradiance_unit = "W m-2"
+[run]
+paths = 256
+[output]
+json = "run.json"
+[[source]]
+type = "directional"
+name = "sun"
+direction = [0, 0, -1]
+irradiance_facing = 1
+[[material]]
+name = "leaf"
+reflectance = 0.1
+transmittance = 0.1
+${organs.join("")}`;
+}
+
+/** Charts of a single organ, and of one that is far brighter than all others, show what there is. */
+async function checkOddCharts(page) {
+  const show = async (leaves) => {
+    writeFileSync(path.join(folder, "run.toml"), sunnyRun(leaves));
+    run("run", "run.toml", "--quiet");
+    run("report", "run.json", "-o", "run.html");
+    await page.goto(pathToFileURL(path.join(folder, "run.html")).href);
+    await page.waitForSelector("html[data-state=ready]");
+  };
+  await show([["only", [[-1, -1, 1], [1, -1, 1], [0, 1, 1]]]]);
+  for (const chart of ["#histogram", "#profile"]) {
+    assert.equal(await page.locator(`${chart} .bar`).count(), 1);
+    const { width, height } = await page.locator(`${chart} .bar`).boundingBox();
+    assert.ok(width > 100 && height > 50, `${chart}: ${width} x ${height}`);
+  }
+  const steep = (x) => [[x, 0, 0], [x + 0.02 * (1 + x / 5), 0, 9], [x, 9, 0]];
+  await show([...[0, 2, 4, 6].map((x) => [`steep ${x}`, steep(x)]), ["bright", [[-3, 0, 0], [-2.9, 0, 0], [-3, 0.1, 0]]]]);
+  assert.match(await page.locator("#histogram").textContent(), /the last bar: up to 0\.[4-9]/);
+  const labels = await page.locator("#histogram .bar").evaluateAll((bars) => bars.map((bar) => bar.getAttribute("aria-label")));
+  assert.ok(labels.length > 3, `those that are alike are told apart: ${labels}`);
+  assert.match(labels.at(-1), / to 0\.[4-9][^:]*: 1 of 1 organs$/);
+}
+
 const browser = await chromium.launch({
   executablePath,
   args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
@@ -217,6 +266,7 @@ try {
   await checkColours(page);
   await checkLights(page);
   await checkPrint(page);
+  await checkOddCharts(page);
   assert.deepEqual(faults, []);
 } finally {
   await browser.close();

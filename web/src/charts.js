@@ -89,6 +89,12 @@ function keepingFocus(parent, draw) {
 
 const kNoBars = () => null;
 
+/** Ends of an axis: those of numbers, or about the one number that all are. */
+function widened(low, high) {
+  const about = 0.1 * Math.abs(low) || 0.5;
+  return high > low ? { low, high } : { low: low - about, high: low + about };
+}
+
 /** Of each number its bin, one of `bins` between the ends; -1 of what is left out. */
 function binsOf(numbers, bins, { low, high }, isIn) {
   const width = (high - low) / bins;
@@ -112,10 +118,10 @@ export function drawHistogram(parent, { numbers, isShown, title, usual }, acts) 
     parent.textContent = "No organ has this number.";
     return kNoBars;
   }
-  const bins = 24;
+  const bins = high > low ? 24 : 1;
   const isOpen = usual > low && high > low + 1.5 * (usual - low);
-  const ends = { low, high: isOpen ? low + ((usual - low) * bins) / (bins - 2) : high };
-  const width = (ends.high - low) / bins;
+  const ends = isOpen ? { low, high: low + ((usual - low) * bins) / (bins - 2) } : widened(low, high);
+  const width = (ends.high - ends.low) / bins;
   const all = new Array(bins).fill(0);
   const shown = new Array(bins).fill(0);
   const binOf = binsOf(numbers, bins, ends, () => true);
@@ -127,15 +133,15 @@ export function drawHistogram(parent, { numbers, isShown, title, usual }, acts) 
     }
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Histogram", [low, ends.high > low ? ends.high : low + 1], [0, Math.max(...all)],
+    const { svg, x, y } = start(parent, "Histogram", [ends.low, ends.high], [0, Math.max(...all)],
       title, Number.isInteger);
     if (isOpen) {
       add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `the last bar: up to ${short(high)}`);
     }
     const bars = [];
     for (let bin = 0; bin < bins; ++bin) {
-      const from = low + bin * width;
-      const to = bin === bins - 1 ? high : from + width;
+      const from = ends.low + bin * width;
+      const to = bin === bins - 1 ? Math.max(high, ends.high) : from + width;
       const place = (count) => ({
         x: x(from), width: Math.max(2, x(from + width) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
       });
@@ -154,9 +160,10 @@ export function drawHistogram(parent, { numbers, isShown, title, usual }, acts) 
  * @param acts, @returns  see addBars
  */
 export function drawProfile(parent, { numbers, isShown, title, heights, areas }, acts) {
-  const ends = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
+  const known = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
+  const layers = known.high > known.low ? 12 : 1;
+  const ends = widened(known.low, known.high);
   const { low, high } = ends;
-  const layers = high > low ? 12 : 1;
   const thick = (high - low) / layers;
   const layerOf = binsOf(heights, layers, ends,
     (organ) => areas[organ] > 0 && isShown[organ] === 1 && Number.isFinite(numbers[organ]));
@@ -169,18 +176,18 @@ export function drawProfile(parent, { numbers, isShown, title, heights, areas },
     }
   });
   const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
-  const known = means.filter(Number.isFinite);
-  if (known.length === 0) {
+  const told = means.filter(Number.isFinite);
+  if (told.length === 0) {
     parent.textContent = "No organ is shown that has this number.";
     return kNoBars;
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...known), Math.max(0, ...known) || 1],
-      [low, high > low ? high : low + 1], title);
+    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...told), Math.max(0, ...told) || 1],
+      [low, high], title);
     const bars = means.map((mean, bin) => {
       const from = low + bin * thick;
       const to = bin === layers - 1 ? high : from + thick;
-      const top = y(to || from + 1);
+      const top = y(to);
       const place = {
         x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
       };

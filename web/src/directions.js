@@ -110,7 +110,7 @@ function makeDome(middle, size, sky) {
  */
 export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasSky) {
   const group = new Group();
-  const size = 1.15 * radius;
+  const size = 1.1 * radius; // such that all of it is seen where the scene is seen whole
   const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
   const addSign = (draw, color, place) => {
     const sprite = sign(draw, color);
@@ -123,17 +123,17 @@ export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasS
     const angle = (i * Math.PI) / 36;
     ring.push(at([Math.cos(angle), Math.sin(angle), 0], size));
   }
-  group.add(line(ring, kGrey, LineLoop), line([at(north, 0.92 * size), at(north, 1.08 * size)], kGrey));
-  addSign(drawNorth, kGrey, at(north, 1.16 * size));
+  group.add(line(ring, kGrey, LineLoop), line([at(north, 0.92 * size), at(north, 1.04 * size)], kGrey));
+  addSign(drawNorth, kGrey, at(north, 1.12 * size));
   for (const sun of suns.slice(0, 24)) {
-    group.add(line([at(sun, 0.85 * size), at(sun, 1.25 * size)], kSun));
-    addSign(drawSun, kSun, at(sun, 1.33 * size));
+    group.add(line([at(sun, 0.8 * size), at(sun, size)], kSun));
+    addSign(drawSun, kSun, at(sun, 1.06 * size));
   }
   for (const lamp of lamps.slice(0, 100)) {
     const place = new Vector3(...lamp);
     const far = place.distanceTo(middle);
     // One that is far away is shown where it shines from.
-    addSign(drawLamp, kSun, far <= 2 * size ? place : place.sub(middle).multiplyScalar((1.33 * size) / far).add(middle));
+    addSign(drawLamp, kSun, far <= 2 * size ? place : place.sub(middle).multiplyScalar((1.1 * size) / far).add(middle));
   }
   if (hasSky && sky) {
     group.add(makeDome(middle, size, sky));

@@ -88,7 +88,7 @@ class Page {
     document.title = `${json.title} — QuasiMC`;
     $("title").textContent = json.title;
     $("subtitle").textContent =
-      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.shape.triangles} triangles — ${json.program}`;
+      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.shape.triangles} triangle${run.shape.triangles === 1 ? "" : "s"} — ${json.program}`;
     fill($("column"), run.columns.map((column) => [column.number, run.columnName(column.number)]));
     $("column").value = this.column;
     if (this.labels !== json.organs.labels) {
@@ -354,6 +354,13 @@ class Page {
     return `${withError(mean[organ], error[organ])}${unit ? ` ${unit}` : ""}`;
   }
 
+  /** What is told of an organ: all, but of very many bands only that which is shown. */
+  #toldColumns() {
+    const kMost = 60;
+    const { columns } = this.run;
+    return columns.length <= kMost ? columns : columns.filter(({ band }) => !band || band === this.kind.band);
+  }
+
   async showOrgan(organ) {
     const panel = $("organ");
     if (organ === null) {
@@ -361,7 +368,8 @@ class Page {
       return;
     }
     const { run, time } = this;
-    const all = await Promise.all(run.columns.map((column) => run.values(time, column.number)));
+    const columns = this.#toldColumns();
+    const all = await Promise.all(columns.map((column) => run.values(time, column.number)));
     if ((this.chosen ?? this.hovered) !== organ || time !== this.time) {
       return; // another one meanwhile
     }
@@ -372,7 +380,7 @@ class Page {
     const about = [`id ${run.idOf(organ)}`, `area ${short(run.shape.areas[organ])} ${unit}²`,
       `middle at height ${short(run.shape.heights[organ])} ${unit}`, ...labels,
       ...this.bars.filter(Boolean).map((bar) => `in the bar ${bar}`)];
-    const rows = run.columns.flatMap((column, i) => (all[i] ? [[
+    const rows = columns.flatMap((column, i) => (all[i] ? [[
       run.columnName(column.number),
       { number: withError(all[i].mean[organ], all[i].error[organ]) },
       { number: `${short(all[i].low[organ])} … ${short(all[i].high[organ])}` },
