@@ -110,12 +110,12 @@ function binsOf(numbers, bins, { low, high }, isIn) {
 /**
  * How many of the organs shown have which value. The last bar has all that is far beyond the usual too, so that a few
  * organs do not press all others into one bar.
- * @param usual  what few exceed  @param acts, @returns  see addBars
+ * @param usual  what few exceed  @param absent  why there are no numbers, if there should be  @param acts, @returns  see addBars
  */
-export function drawHistogram(parent, { numbers, isShown, title, usual }, acts) {
+export function drawHistogram(parent, { numbers, isShown, title, usual, absent }, acts) {
   const { low, high } = endsOf(numbers);
   if (!(high >= low)) {
-    parent.textContent = "No organ has this number.";
+    parent.textContent = absent || "No organ has this number.";
     return kNoBars;
   }
   const bins = high > low ? 24 : 1;

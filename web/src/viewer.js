@@ -417,6 +417,7 @@ class Page {
     }
     const n = run.count;
     const nothing = () => new Float32Array(n).fill(NaN);
+    this.absent = values === null && run.has(time, column) ? "The program ended before these numbers were read." : "";
     this.values = values ?? { mean: nothing(), error: nothing(), low: nothing(), high: nothing() };
     this.numbers = this.#numbersOf(this.values);
     const what = `${column} ${$("aspect").value}`;
@@ -456,7 +457,7 @@ class Page {
     this.markBars = [];
     this.#point(null);
     const onPoint = (organs, label) => this.#point(organs, label);
-    const markInHistogram = drawHistogram($("histogram"), { numbers, isShown, title: this.columnTitle(), usual: this.scale.high }, {
+    const markInHistogram = drawHistogram($("histogram"), { numbers, isShown, title: this.columnTitle(), usual: this.scale.high, absent: this.absent }, {
       onPoint,
       onRange: (from, to) => {
         const isSame = this.range[0] !== null && this.range[1] !== null;
