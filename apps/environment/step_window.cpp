@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "io/results/window_head.h"
-#include "io/results/window_scene.h"
 #include "view/page.h"
 
 namespace {
@@ -26,11 +25,6 @@ std::string head_of(const quasimc::SeenStep& step) {
     const auto band = static_cast<std::size_t>(lit - results.begin());
     return quasimc::window_light_head(
         is_together ? bands : bands.subspan(band, 1), step.light->scene->length_unit(), *lit);
-}
-
-std::vector<quasimc::Vec3> suns_of(const quasimc::Lighting& lighting) {
-    return lighting.sources.empty() ? std::vector<quasimc::Vec3>()
-                                    : quasimc::suns_among(lighting.sources.front());
 }
 
 }  // namespace
@@ -67,11 +61,12 @@ void StepWindow::show(const quasimc::SeenStep& step) {
         .bands = step.specification.bands,
         .title = "A plant that grows",
         .grows = true});
+    const auto& lighting = step.lighting.sources;
     window_->add(
         {.label = fmt::format("step {}", step.step),
          .scene = scene,
          .results = {step.light, &step.light->results},
-         .suns = suns_of(step.lighting),
+         .sources = lighting.empty() ? quasimc::Sources() : lighting.front(),
          .head = head_of(step)});
     window_->tell(fmt::format("after step {}: the plant grows", step.step));
 }

@@ -24,6 +24,7 @@ std::vector<quasimc::Estimate> absorbed(const Light& light, std::size_t organs) 
 RunPicture::RunPicture(const quasimc::RunFile& run, std::string path, std::string place)
     : run_(&run), path_(std::move(path)) {
     require_pictures(place);
+    check_picture_name(place, path_);
 }
 
 void RunPicture::add_moment(const quasimc::Result& result) {

@@ -10,7 +10,6 @@
 
 #include "interrupt.h"
 #include "io/results/window_head.h"
-#include "io/results/window_scene.h"
 #include "progress.h"
 #include "show_values.h"
 #include "view/page.h"
@@ -68,7 +67,7 @@ void RunWindow::add(std::size_t moment, quasimc::Result result) {
     quasimc::LiveFrame frame{
         .label = label_of(moment),
         .scene = scene_,
-        .suns = quasimc::suns_among(sources),
+        .sources = sources,
         .head = quasimc::window_light_head(*run_, result)};
     std::vector<quasimc::Result> results;
     results.push_back(std::move(result));

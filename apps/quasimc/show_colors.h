@@ -39,6 +39,15 @@ void color_by_value(
 [[nodiscard]] std::unique_ptr<quasimc::Canvas> make_canvas(
     const std::string& path, std::size_t width, std::size_t height);
 
+/// A name may do without an ending, as that of a pipe does.
+/// @param place  for the message
+/// @param endings  that a picture may have, in small letters
+/// @throws quasimc::InputError  if the name promises something else
+void check_picture_name(
+    const std::string& place,
+    const std::string& path,
+    const std::vector<std::string>& endings = {".png", ".svg"});
+
 /// @throws quasimc::InputError  if the program was built without pictures
 /// @param place  for the message
 void require_pictures(const std::string& place);

@@ -189,6 +189,7 @@ void check_usage(const ShowArguments& arguments) {
 
 Exit show(const ShowArguments& arguments) {
     require_pictures("show");
+    check_picture_name("-o", arguments.output);
     const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
     Faults faults;
     quasimc::ScenePicture picture;

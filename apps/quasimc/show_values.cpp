@@ -106,15 +106,26 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
 }
 
 [[noreturn]] void refuse_missing(
-    const std::string& path, const ValueChoice& choice, const ShownValues& values) {
-    if (!choice.time.empty() || !choice.day.empty()) {
-        const bool is_time = !choice.time.empty();
+    const RunFile& run,
+    const std::string& path,
+    const ValueChoice& choice,
+    const ShownValues& values) {
+    const auto refuse = [&](const char* kind, const std::string& asked, const std::string& first,
+                            const std::string& last) {
         throw quasimc::InputError(
-            {{is_time ? "--time" : "--day",
-              fmt::format(
-                  "{} has no {} of a {} that begins '{}'", path, values.name,
-                  is_time ? "time" : "day", is_time ? choice.time : choice.day),
-              "times without light are left out", "give it as the file does: 2024-06-21T12:00"}});
+            {{fmt::format("--{}", kind),
+              fmt::format("{} has no {} of a {} that begins '{}'", path, values.name, kind, asked),
+              fmt::format("{}s without light are left out", kind),
+              first == last ? fmt::format("there is {}", first)
+                            : fmt::format("there are {} to {}", first, last)}});
+    };
+    if (!choice.time.empty()) {
+        const auto& notes = run.series->notes;
+        refuse("time", choice.time, notes.front().time, notes.back().time);
+    }
+    if (!choice.day.empty()) {
+        const auto& days = run.series->days;
+        refuse("day", choice.day, days.front(), days.back());
     }
     throw quasimc::InputError(
         {{path, fmt::format("holds no {}", values.name),
@@ -154,7 +165,7 @@ std::vector<ShownValues> find_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     ShownValues sought;
     static_cast<void>(query_of(shown.run, choice, sought));
-    refuse_missing(path, choice, sought);
+    refuse_missing(shown.run, path, choice, sought);
 }
 
 }  // namespace
@@ -242,7 +253,7 @@ ShownCourse read_shown_course(
         course.unit = quasimc::unit_of(*entry, band, shown.run.scene.length_unit());
     }
     if (course.times.empty()) {
-        refuse_missing(path, choice, values);
+        refuse_missing(shown.run, path, choice, values);
     }
     return course;
 }

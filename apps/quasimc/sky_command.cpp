@@ -197,10 +197,12 @@ std::shared_ptr<const quasimc::Source> sky_of(
 Exit show_sky(const SkyArguments& arguments) {
     if (!arguments.png.empty()) {
         require_pictures("--png");
+        check_picture_name("--png", arguments.png, {".png"});
     }
     quasimc::Faults faults;
     const auto place = place_of(arguments, faults);
-    const auto time = quasimc::parse_civil_time(arguments.time, std::nullopt, "--time", faults);
+    const auto time = quasimc::parse_civil_time(
+        arguments.time, std::nullopt, "--time", faults, quasimc::OffsetKey::none);
     faults.throw_if_any();
     const quasimc::SunPosition sun = quasimc::sun_position(*place, *time, arguments.delta_t_s);
     const Vec3 to_sun = quasimc::Orientation().towards(sun.azimuth_deg, sun.elevation_deg);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/results/json_stream.h"
+#include "io/results/window_lights.h"
 #include "io/results/window_scene.h"
 #include "io/results/window_shape.h"
 #include "view/window_names.h"
@@ -114,8 +115,7 @@ std::string light_json(const LiveFrame& frame) {
     JsonStream json;
     json.begin_object(kWindowLayout);
     json.text("label", frame.label);
-    json.key("suns");
-    json_vectors(json, frame.suns);
+    json_lights(json, window_lights(frame.sources), window_middle(*frame.scene->scene));
     json.key("head");
     json.raw(frame.head);
     json.key("values");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "quasimc/result.h"
+#include "quasimc/source.h"
 #include "scene/scene.h"
 #include "view/window_site.h"
 
@@ -34,8 +35,8 @@ struct LiveFrame {
     std::shared_ptr<const LiveScene> scene = nullptr;
     /// Of all bands together, or of each by itself; one without values has no light.
     std::shared_ptr<const std::vector<Result>> results = nullptr;
-    std::vector<Vec3> suns = {};  ///< unit vectors towards them, z up
-    std::string head = "{}";      ///< JSON: method, energy and the like, as a result has them
+    Sources sources = {};     ///< of this light
+    std::string head = "{}";  ///< JSON: method, energy and the like, as a result has them
 };
 
 /// How much of a run the window keeps: its newest frames.

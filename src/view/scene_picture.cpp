@@ -57,6 +57,18 @@ void draw_arrow(
     }
 }
 
+/// A place for a letter as near as possible to `at` that leaves the marks of suns free.
+PixelPlace beside_suns(PixelPlace at, const std::vector<PixelPlace>& suns, double room) {
+    for (const PixelPlace& sun : suns) {
+        const double dx = at.x - sun.x, dy = at.y - sun.y, far = std::hypot(dx, dy);
+        if (far < room) {
+            at = far > 0 ? PixelPlace{sun.x + room * dx / far, sun.y + room * dy / far}
+                         : PixelPlace{sun.x, sun.y + room};
+        }
+    }
+    return at;
+}
+
 /// The north, the vertical and the suns as they are seen: as arrows in a circle.
 void draw_directions(
     Canvas& canvas,
@@ -72,9 +84,15 @@ void draw_directions(
         const Vec3 seen = camera.seen(direction);
         return PixelPlace{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
     };
+    constexpr std::size_t kMostSuns = 40;
+    std::vector<PixelPlace> suns;
+    for (const Vec3& sun : picture.to_suns) {
+        suns.push_back(place(sun, 0.9));
+    }
+    suns.resize(suns.size() <= kMostSuns ? suns.size() : 0);
     const auto arrow = [&](const Vec3& direction, const char* name, const Rgb& color) {
         draw_arrow(canvas, middle, place(direction, 0.8), color, s);
-        const PixelPlace at = place(direction, 1.22);
+        const PixelPlace at = beside_suns(place(direction, 1.22), suns, 15 * s);
         const Vec3 seen = camera.seen(direction);
         if (std::hypot(seen.x, seen.y) > 0.2) {
             canvas.text(
@@ -84,13 +102,10 @@ void draw_directions(
     };
     arrow({0, 0, 1}, "up", kFaint);
     arrow(scene.orientation().towards(0, 0), "N", kDark);
-    constexpr std::size_t kMostSuns = 40;
-    if (picture.to_suns.size() <= kMostSuns) {
-        for (const Vec3& sun : picture.to_suns) {
-            canvas.disk(place(sun, 0.9), 5 * s, kSunMark);
-        }
+    for (const PixelPlace& sun : suns) {
+        canvas.disk(sun, 5 * s, kSunMark);
     }
-    if (!picture.to_suns.empty() && picture.to_suns.size() <= kMostSuns) {
+    if (!suns.empty()) {
         canvas.disk({middle.x - 22 * s, layout.height - 12 * s}, 5 * s, kSunMark);
         canvas.text(
             {middle.x - 12 * s, layout.height - 8 * s}, "sun", {.size = 12 * s, .color = kFaint});

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -58,16 +59,24 @@ bool can_be_tried_again() {
     return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
 }
 
+constexpr double kTimeToBegin = 0.1;  // seconds: who connects has something to ask
+
 /// One request and its answer.
 class Connection {
   public:
     Connection(Socket socket, const ServerLimits& limits)
-        : socket_(std::move(socket)), limits_(&limits), deadline_(after(limits.request_seconds)) {}
+        : socket_(std::move(socket)),
+          limits_(&limits),
+          deadline_(after(limits.request_seconds)),
+          silent_from_(after(kTimeToBegin)) {}
 
     [[nodiscard]] pollfd waits_for() const {
         return {socket_.get(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
     }
-    [[nodiscard]] bool has_asked() const { return !head_.empty(); }
+    /// Whether it has had time to ask for something, and has not.
+    [[nodiscard]] bool is_silent() const { return head_.empty() && Clock::now() > silent_from_; }
+    /// Whether its answer is on its way, whole: what is left is to wait for the other side.
+    [[nodiscard]] bool is_answered() const { return is_leaving_; }
     [[nodiscard]] bool is_late() const { return Clock::now() > deadline_; }
 
     /// Goes on as far as it can without waiting. @returns whether there is more to do
@@ -131,7 +140,7 @@ class Connection {
 
     Socket socket_;
     const ServerLimits* limits_;
-    Clock::time_point deadline_;
+    Clock::time_point deadline_, silent_from_;
     std::string request_, head_;
     std::string_view body_;
     std::shared_ptr<const std::string> owner_;  // of the body
@@ -182,17 +191,18 @@ class WindowServer::State {
 
     [[nodiscard]] std::string address() const { return site_.address(); }
 
-    /// One look at all connections; waits a fifth of a second for something to happen.
+    /// One look at all connections; waits a fifth of a second for something to happen, less where
+    /// others wait for room.
     void step() {
         std::vector<pollfd> waits;
         for (const Connection& each : connections_) {
             waits.push_back(each.waits_for());
         }
-        const bool is_open = has_room() || find_waiting() != connections_.end();
+        const bool is_open = has_room() || find_idle() != connections_.end();
         waits.push_back({wake_.get(), POLLIN, 0});
         waits.push_back({listener_.get(), static_cast<short>(is_open ? POLLIN : 0), 0});
-        constexpr int kMilliseconds = 200;
-        if (poll(waits.data(), waits.size(), kMilliseconds) < 0) {
+        const int milliseconds = is_open ? 200 : 20;
+        if (poll(waits.data(), waits.size(), milliseconds) < 0) {
             return;
         }
         std::vector<Connection> going;
@@ -219,18 +229,22 @@ class WindowServer::State {
   private:
     [[nodiscard]] bool has_room() const { return connections_.size() < limits_.connections; }
 
-    /// The oldest connection that has not asked for anything yet.
-    [[nodiscard]] std::vector<Connection>::iterator find_waiting() {
-        return std::find_if(connections_.begin(), connections_.end(), [](const Connection& each) {
-            return !each.has_asked();
-        });
+    /// The oldest connection that has its answer, or else that keeps silent.
+    [[nodiscard]] std::vector<Connection>::iterator find_idle() {
+        const auto first = [this](bool (Connection::*is)() const) {
+            return std::find_if(connections_.begin(), connections_.end(), std::mem_fn(is));
+        };
+        const auto answered = first(&Connection::is_answered);
+        return answered != connections_.end() ? answered : first(&Connection::is_silent);
     }
 
-    /// Where there is no room, who keeps silent makes it.
+    /// Where there is no room, who has an answer or keeps silent makes it. What a connection has
+    /// said before it is accepted is read at once: those that come together with many others are
+    /// not taken for silent.
     void accept_all() {
         for (std::size_t i = 0; i < limits_.connections; ++i) {
-            const auto silent = find_waiting();
-            if (!has_room() && silent == connections_.end()) {
+            const auto idle = find_idle();
+            if (!has_room() && idle == connections_.end()) {
                 return;
             }
             Socket socket(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
@@ -238,9 +252,12 @@ class WindowServer::State {
                 return;
             }
             if (!has_room()) {
-                connections_.erase(silent);
+                connections_.erase(idle);
             }
             connections_.emplace_back(std::move(socket), limits_);
+            if (!connections_.back().go_on(site_)) {
+                connections_.pop_back();
+            }
         }
     }
 

@@ -9,7 +9,7 @@ namespace quasimc {
 
 /// How much a server bears.
 struct ServerLimits {
-    std::size_t connections = 64;  ///< at a time; one more ends the oldest that has asked nothing
+    std::size_t connections = 64;      ///< at a time; one more ends the oldest that is idle
     std::size_t request_bytes = 8192;  ///< up to the empty line
     double request_seconds = 5;        ///< for all of a request
     double idle_seconds = 30;          ///< without taking a byte of the answer

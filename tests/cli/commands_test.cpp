@@ -409,6 +409,7 @@ TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("--place: '95' is no place"), std::string::npos);
     EXPECT_NE(outcome.err.find("--time: '2024-06-21T12:00' has no time zone"), std::string::npos);
+    EXPECT_EQ(outcome.err.find("utc_offset_hours"), std::string::npos) << "it has no such option";
     EXPECT_EQ(run({"sky", "--place", "50,8"}).status, 2);
     EXPECT_EQ(
         run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);

@@ -140,6 +140,10 @@ async function checkGrowth(context) {
     await page.waitForSelector("html[data-ended]");
     assert.match(await page.locator("#progress").textContent(), /has ended/);
     await checkStep(page, kLastSteps + 1, lights[kLastSteps + 1]);
+    // What had not been read by then can't be had; the page says so.
+    await page.locator("#time").fill("2");
+    await page.selectOption("#column", { index: 3 });
+    await page.waitForFunction(() => /ended before these numbers/.test(document.querySelector("#histogram").textContent));
     await page.close();
   } finally {
     growth.process.kill("SIGKILL");

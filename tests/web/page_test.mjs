@@ -126,11 +126,17 @@ async function checkNumbers(page, result) {
 async function checkFilters(page) {
   const shown = () => page.locator("#shown").textContent();
   assert.match(await shown(), /^3 of 3/);
-  await page.selectOption("#key", "kind");
-  await page.selectOption("#values", { label: "stem" });
-  assert.match(await shown(), /^1 of 3/);
+  const values = (key) => page.getByRole("listbox", { name: key });
+  await values("kind").selectOption("stem");
+  assert.match(await shown(), /^1 of 3 organs shown, kind stem$/);
   const tip = await hoverMiddle(page);
   assert.ok(tip.startsWith("lower: "), `filtered by kind, yet: ${tip}`);
+  // Of several labels all must hold.
+  await values("kind").selectOption(["stem", "blade"]);
+  assert.match(await shown(), /^2 of 3/);
+  await values("plant").selectOption(kTrick);
+  assert.match(await shown(), /^1 of 3/);
+  assert.ok((await hoverMiddle(page)).startsWith("upper "));
   await page.getByRole("button", { name: "Show all again" }).click();
   assert.match(await shown(), /^3 of 3/);
   await page.locator("#ground").uncheck();

@@ -89,6 +89,12 @@ function keepingFocus(parent, draw) {
 
 const kNoBars = () => null;
 
+/** Ends of an axis: those of numbers, or about the one number that all are. */
+function widened(low, high) {
+  const about = 0.1 * Math.abs(low) || 0.5;
+  return high > low ? { low, high } : { low: low - about, high: low + about };
+}
+
 /** Of each number its bin, one of `bins` between the ends; -1 of what is left out. */
 function binsOf(numbers, bins, { low, high }, isIn) {
   const width = (high - low) / bins;
@@ -101,16 +107,21 @@ function binsOf(numbers, bins, { low, high }, isIn) {
   return result;
 }
 
-/** How many of the organs shown have which value. @param acts, @returns  see addBars */
-export function drawHistogram(parent, { numbers, isShown, title }, acts) {
-  const ends = endsOf(numbers);
-  const { low, high } = ends;
+/**
+ * How many of the organs shown have which value. The last bar has all that is far beyond the usual too, so that a few
+ * organs do not press all others into one bar.
+ * @param usual  what few exceed  @param absent  why there are no numbers, if there should be  @param acts, @returns  see addBars
+ */
+export function drawHistogram(parent, { numbers, isShown, title, usual, absent }, acts) {
+  const { low, high } = endsOf(numbers);
   if (!(high >= low)) {
-    parent.textContent = "No organ has this number.";
+    parent.textContent = absent || "No organ has this number.";
     return kNoBars;
   }
-  const bins = 24;
-  const width = (high - low) / bins;
+  const bins = high > low ? 24 : 1;
+  const isOpen = usual > low && high > low + 1.5 * (usual - low);
+  const ends = isOpen ? { low, high: low + ((usual - low) * bins) / (bins - 2) } : widened(low, high);
+  const width = (ends.high - ends.low) / bins;
   const all = new Array(bins).fill(0);
   const shown = new Array(bins).fill(0);
   const binOf = binsOf(numbers, bins, ends, () => true);
@@ -122,14 +133,17 @@ export function drawHistogram(parent, { numbers, isShown, title }, acts) {
     }
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Histogram", [low, high > low ? high : low + 1], [0, Math.max(...all)], title,
-      Number.isInteger);
+    const { svg, x, y } = start(parent, "Histogram", [ends.low, ends.high], [0, Math.max(...all)],
+      title, Number.isInteger);
+    if (isOpen) {
+      add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `the last bar: up to ${short(high)}`);
+    }
     const bars = [];
     for (let bin = 0; bin < bins; ++bin) {
-      const from = low + bin * width;
-      const to = bin === bins - 1 ? high : from + width;
+      const from = ends.low + bin * width;
+      const to = bin === bins - 1 ? Math.max(high, ends.high) : from + width;
       const place = (count) => ({
-        x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
+        x: x(from), width: Math.max(2, x(from + width) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
       });
       if (all[bin] > 0) {
         add(svg, "rect", { class: "all", ...place(all[bin]) });
@@ -146,9 +160,10 @@ export function drawHistogram(parent, { numbers, isShown, title }, acts) {
  * @param acts, @returns  see addBars
  */
 export function drawProfile(parent, { numbers, isShown, title, heights, areas }, acts) {
-  const ends = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
+  const known = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
+  const layers = known.high > known.low ? 12 : 1;
+  const ends = widened(known.low, known.high);
   const { low, high } = ends;
-  const layers = high > low ? 12 : 1;
   const thick = (high - low) / layers;
   const layerOf = binsOf(heights, layers, ends,
     (organ) => areas[organ] > 0 && isShown[organ] === 1 && Number.isFinite(numbers[organ]));
@@ -161,18 +176,18 @@ export function drawProfile(parent, { numbers, isShown, title, heights, areas },
     }
   });
   const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
-  const known = means.filter(Number.isFinite);
-  if (known.length === 0) {
+  const told = means.filter(Number.isFinite);
+  if (told.length === 0) {
     parent.textContent = "No organ is shown that has this number.";
     return kNoBars;
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...known), Math.max(0, ...known) || 1],
-      [low, high > low ? high : low + 1], title);
+    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...told), Math.max(0, ...told) || 1],
+      [low, high], title);
     const bars = means.map((mean, bin) => {
       const from = low + bin * thick;
       const to = bin === layers - 1 ? high : from + thick;
-      const top = y(to || from + 1);
+      const top = y(to);
       const place = {
         x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
       };
@@ -201,10 +216,10 @@ export function drawConvergence(parent, rounds) {
     const anchor = i + 1 === known.length ? "end" : "middle";
     add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
   });
-  for (const [key, name] of [["worst_error", "worst organ"], ["median_error", "median"]]) {
+  for (const [key, name, below] of [["worst_error", "worst organ", -6], ["median_error", "median", 16]]) {
     const places = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
     add(svg, "polyline", { class: `error ${key}`, fill: "none", points: places.map((place) => place.join(",")).join(" ") });
     places.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
-    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] - 6 }, name);
+    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] + below }, name);
   }
 }

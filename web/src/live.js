@@ -55,11 +55,11 @@ export class LiveRun {
     const key = `${number}-${version}`;
     if (!this.frames.has(key)) {
       this.frames.set(key, Promise.all([this.#scene(scene), readJson(`light-${key}`)]).then(([shape, light]) => {
-        const { label, suns, values } = light;
+        const { label, suns, lamps, sky, values } = light;
         const json = {
           ...shape.json,
           head: { ...shape.json.head, ...light.head },
-          times: [{ part: "", index: 0, label, suns, values }],
+          times: [{ part: "", index: 0, label, suns, lamps, sky, values }],
         };
         return new RunData(json, this.colorMaps, shape.triangles,
           (column) => valuesOrNothing(`values-${key}-${column}`));

@@ -7,7 +7,7 @@ export function short(value) {
   }
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-3 || size >= 1e6)) {
-    return value.toExponential(3);
+    return value.toExponential(3).replace(/\.?0*e/, "e");
   }
   return String(Number(value.toPrecision(4)));
 }

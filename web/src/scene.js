@@ -268,12 +268,12 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** Horizon, north and suns; suns are unit vectors towards them. */
-  showDirections(suns, isShown) {
+  /** Horizon, north and where light comes from. @param lights  see makeDirections  @param hasSky  see there */
+  showDirections(lights, isShown, hasSky) {
     this.scene.remove(this.directions);
     disposeDirections(this.directions);
     const base = this.#middle().setZ(this.low.z);
-    this.directions = isShown ? makeDirections(base, this.radius, this.run.json.north, suns) : new Group();
+    this.directions = isShown ? makeDirections(base, this.radius, this.run.json.north, lights, hasSky) : new Group();
     this.scene.add(this.directions);
     this.changed(false);
   }
@@ -283,12 +283,15 @@ export class SceneWindow {
     this.isPictureOld ||= moves;
     if (!this.isAsked) {
       this.isAsked = true;
-      this.budget.whenReady(() => requestAnimationFrame(() => this.draw()));
+      this.budget.whenReady(() => requestAnimationFrame(() => {
+        this.isAsked = false;
+        this.draw();
+      }));
     }
   }
 
   draw() {
-    this.isAsked = false;
+    this.hasDrawn = true;
     const far = this.camera.position.distanceTo(this.controls.target);
     this.camera.near = Math.max(far - 3 * this.radius, far / 500);
     this.camera.far = far + 3 * this.radius;
@@ -300,6 +303,13 @@ export class SceneWindow {
     this.renderer.setScissorTest(false);
     this.mesh.geometry = this.organs.colored.geometry;
     this.budget.drawn();
+  }
+
+  /** All that is seen now, as an address of its own. */
+  pictureUrl() {
+    this.budget.isMoving = false;
+    this.draw();
+    return this.canvas.toDataURL();
   }
 
   /** What stands side by side, and how much darker it is where it is seen edge-on. */
@@ -337,8 +347,11 @@ export class SceneWindow {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     const known = this.renderer.getSize(new Vector2());
     if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
-      this.renderer.setSize(width, height, false);
+      this.renderer.setSize(width, height, false); // which clears what is seen
       this.#setAspect();
+      if (this.hasDrawn) {
+        this.draw();
+      }
       this.changed();
     }
   }

@@ -14,6 +14,11 @@ export function make(name, text, attributes = {}) {
   return made;
 }
 
+/** Gives a list of choices its entries. @param entries  of [value, text] */
+export function fill(select, entries) {
+  select.replaceChildren(...entries.map(([value, text]) => make("option", text, { value })));
+}
+
 /** @param rows  lists of texts, numbers as {number: text}, or nodes */
 export function table(caption, heads, rows) {
   const made = make("table");
@@ -85,6 +90,15 @@ function groupTables(groups, bands, unitOf) {
   });
 }
 
+/** What to do for totals of labels that the run has not summed: their errors do not follow from those of organs. */
+function missingGroups(run, groups) {
+  const kMost = 100; // values of a label that groups are made of
+  const keys = Object.entries(run.json.organs.labels)
+    .filter(([key, { values }]) => values.length <= kMost && !groups.some(({ by }) => by === key)).map(([key]) => key);
+  return keys.length === 0 ? [] : [make("p",
+    `For the totals of a label with their errors the run must sum them: groups = ${JSON.stringify(keys)} in [run].`)];
+}
+
 /** How errors fell, round by round. */
 function convergenceNodes(rounds) {
   const percent = (x) => ({ number: Number.isFinite(x) ? `${short(100 * x)} %` : "—" });
@@ -150,7 +164,7 @@ export function drawReport(parent, run, time, worst, unitOf) {
     section(`Energy${of}`, energyTable(now.energy, now.escaped_is_remainder ?? head.escaped_is_remainder));
   }
   if (now.groups?.length > 0) {
-    section(`Groups of organs${of}`, ...groupTables(now.groups, bands, unitOf));
+    section(`Groups of organs${of}`, ...groupTables(now.groups, bands, unitOf), ...missingGroups(run, now.groups));
   }
   section(`Organs that are known worst${of}`, worst);
   section("Files and settings", ...settingsTables(head));

@@ -2,21 +2,18 @@
 
 import { drawHistogram, drawProfile } from "./charts.js";
 import { RunData } from "./data.js";
+import { fillLabels, organsPassing, wantedLabels } from "./filters.js";
 import { Follower, LiveRun, isLive } from "./live.js";
 import { plantColors } from "./plant.js";
 import { colorsOf, scaleOf, short, ticks, withError } from "./numbers.js";
 import { SceneWindow, makeRenderer } from "./scene.js";
-import { drawReport, make, table } from "./tables.js";
+import { drawReport, fill, make, table } from "./tables.js";
 import { worstOrgans } from "./worst.js";
 
 const $ = (id) => document.getElementById(id);
 const kViews = [
   ["Oblique", 200, 25], ["Front", 180, 0], ["Back", 0, 0], ["Right", 90, 0], ["Left", 270, 0], ["Top", 180, 90],
 ];
-
-function fill(select, entries) {
-  select.replaceChildren(...entries.map(([value, text]) => make("option", text, { value })));
-}
 
 class Page {
   /**
@@ -91,14 +88,13 @@ class Page {
     document.title = `${json.title} — QuasiMC`;
     $("title").textContent = json.title;
     $("subtitle").textContent =
-      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.shape.triangles} triangles — ${json.program}`;
+      `${run.count} organ${run.count === 1 ? "" : "s"}, ${run.shape.triangles} triangle${run.shape.triangles === 1 ? "" : "s"} — ${json.program}`;
     fill($("column"), run.columns.map((column) => [column.number, run.columnName(column.number)]));
     $("column").value = this.column;
-    const keys = Object.keys(json.organs.labels);
-    const key = $("key").value;
-    $("key-label").hidden = keys.length === 0;
-    fill($("key"), [["", "any"], ...keys.map((name) => [name, name])]);
-    $("key").value = keys.includes(key) ? key : "";
+    if (this.labels !== json.organs.labels) {
+      this.labels = json.organs.labels;
+      fillLabels($("labels"), this.labels);
+    }
     $("ground-label").hidden = json.organs.ground.length === 0;
     const most = Math.min(run.count, 1000);
     $("organ-names").replaceChildren(
@@ -179,17 +175,20 @@ class Page {
       this.#useTime();
       this.update();
     });
-    on("key", "change", () => this.#useKey());
-    for (const id of ["values", "from", "to", "ground"]) {
+    for (const id of ["labels", "from", "to", "ground"]) {
       on(id, "input", () => this.paint());
     }
     on("find", "change", () => this.#find());
     on("cut", "change", () => this.#cut());
     on("cut-at", "input", () => this.#cut());
     on("beside", "change", () => this.#showPlant());
-    on("directions", "change", () => this.#showDirections());
+    for (const id of ["directions", "sky"]) {
+      on(id, "change", () => this.#showDirections());
+    }
     on("reset", "click", () => this.#reset());
     $("controls").addEventListener("submit", (event) => event.preventDefault());
+    // Paper takes a picture: what graphics hold is gone by then.
+    addEventListener("beforeprint", () => ($("printed").src = this.window?.pictureUrl() ?? ""));
     this.#listenToCanvas();
   }
 
@@ -234,20 +233,13 @@ class Page {
     $("to").value = "";
   }
 
-  #useKey() {
-    const key = this.run.json.organs.labels[$("key").value];
-    $("label-values").hidden = !key;
-    fill($("values"), (key?.values ?? []).map((value, i) => [i, value]));
-    this.paint();
-  }
-
   #reset() {
     this.#forgetRange();
     this.layer = null;
-    $("key").value = "";
+    $("labels").querySelectorAll("option").forEach((option) => (option.selected = false));
     $("ground").checked = true;
     $("cut").value = "";
-    this.#useKey();
+    this.paint();
     this.#cut();
     this.choose(null);
   }
@@ -304,7 +296,9 @@ class Page {
   }
 
   #showDirections() {
-    this.window?.showDirections(this.run.json.times[this.time].suns, $("directions").checked);
+    const lights = this.run.json.times[this.time];
+    $("sky-label").hidden = !this.run.json.times.some(({ sky }) => sky);
+    this.window?.showDirections(lights, $("directions").checked, $("sky").checked);
   }
 
   #hover(x, y) {
@@ -360,6 +354,13 @@ class Page {
     return `${withError(mean[organ], error[organ])}${unit ? ` ${unit}` : ""}`;
   }
 
+  /** What is told of an organ: all, but of very many bands only that which is shown. */
+  #toldColumns() {
+    const kMost = 60;
+    const { columns } = this.run;
+    return columns.length <= kMost ? columns : columns.filter(({ band }) => !band || band === this.kind.band);
+  }
+
   async showOrgan(organ) {
     const panel = $("organ");
     if (organ === null) {
@@ -367,7 +368,8 @@ class Page {
       return;
     }
     const { run, time } = this;
-    const all = await Promise.all(run.columns.map((column) => run.values(time, column.number)));
+    const columns = this.#toldColumns();
+    const all = await Promise.all(columns.map((column) => run.values(time, column.number)));
     if ((this.chosen ?? this.hovered) !== organ || time !== this.time) {
       return; // another one meanwhile
     }
@@ -378,7 +380,7 @@ class Page {
     const about = [`id ${run.idOf(organ)}`, `area ${short(run.shape.areas[organ])} ${unit}²`,
       `middle at height ${short(run.shape.heights[organ])} ${unit}`, ...labels,
       ...this.bars.filter(Boolean).map((bar) => `in the bar ${bar}`)];
-    const rows = run.columns.flatMap((column, i) => (all[i] ? [[
+    const rows = columns.flatMap((column, i) => (all[i] ? [[
       run.columnName(column.number),
       { number: withError(all[i].mean[organ], all[i].error[organ]) },
       { number: `${short(all[i].low[organ])} … ${short(all[i].high[organ])}` },
@@ -390,24 +392,10 @@ class Page {
 
   /** Which organs pass the filters: a number for each, 0 for those that do not. */
   #filtered() {
-    const { run, numbers, layer } = this;
     const bound = (id) => ($(id).value === "" || !Number.isFinite(Number($(id).value)) ? null : Number($(id).value));
     this.range = [bound("from"), bound("to")];
-    const [from, to] = this.range;
-    const hasGround = $("ground").checked;
-    const label = run.json.organs.labels[$("key").value];
-    const wanted = new Set([...$("values").selectedOptions].map((option) => Number(option.value)));
-    const { heights } = run.shape;
-    const passes = (organ) =>
-      (hasGround || !run.isGround[organ]) &&
-      (!label || wanted.size === 0 || wanted.has(label.of[organ])) &&
-      (!layer || (heights[organ] >= layer[0] && heights[organ] <= layer[1])) &&
-      (from === null || numbers[organ] >= from) && (to === null || numbers[organ] <= to);
-    const shown = new Uint8Array(run.count);
-    for (let organ = 0; organ < run.count; ++organ) {
-      shown[organ] = passes(organ) ? 1 : 0;
-    }
-    return shown;
+    return organsPassing(this.run, this.numbers,
+      { wanted: wantedLabels($("labels")), layer: this.layer, range: this.range, hasGround: $("ground").checked });
   }
 
   /** The numbers that colours tell. */
@@ -429,6 +417,7 @@ class Page {
     }
     const n = run.count;
     const nothing = () => new Float32Array(n).fill(NaN);
+    this.absent = values === null && run.has(time, column) ? "The program ended before these numbers were read." : "";
     this.values = values ?? { mean: nothing(), error: nothing(), low: nothing(), high: nothing() };
     this.numbers = this.#numbersOf(this.values);
     const what = `${column} ${$("aspect").value}`;
@@ -456,7 +445,8 @@ class Page {
     const count = this.isShown.reduce((sum, one) => sum + one, 0);
     const map = this.run.colorMaps[$("map").value];
     this.window?.paint(colorsOf(this.numbers, this.isShown, this.scale, map));
-    $("shown").textContent = `${count} of ${this.run.count} organs shown` +
+    const labels = [...wantedLabels($("labels"))].map(([key, values]) => `, ${key} ${[...values].join(", ")}`).join("");
+    $("shown").textContent = `${count} of ${this.run.count} organs shown${labels}` +
       (this.layer ? `, height ${short(this.layer[0])} to ${short(this.layer[1])} ${this.run.json.unit}` : "");
     this.#drawCharts();
   }
@@ -467,7 +457,7 @@ class Page {
     this.markBars = [];
     this.#point(null);
     const onPoint = (organs, label) => this.#point(organs, label);
-    const markInHistogram = drawHistogram($("histogram"), { numbers, isShown, title: this.columnTitle() }, {
+    const markInHistogram = drawHistogram($("histogram"), { numbers, isShown, title: this.columnTitle(), usual: this.scale.high, absent: this.absent }, {
       onPoint,
       onRange: (from, to) => {
         const isSame = this.range[0] !== null && this.range[1] !== null;

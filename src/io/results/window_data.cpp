@@ -5,6 +5,7 @@
 
 #include "io/results/json_stream.h"
 #include "io/results/read_columns.h"
+#include "io/results/window_lights.h"
 #include "io/results/window_scene.h"
 #include "io/results/window_shape.h"
 #include "quasimc/error.h"
@@ -12,14 +13,14 @@
 namespace quasimc {
 namespace {
 
-/// Towards the suns of a time.
-std::vector<Vec3> suns_at(const RunFile& run, const ResultTime& time) {
+/// Of a time; a sum over times has none of its own.
+WindowLights lights_at(const RunFile& run, const ResultTime& time) {
     if (!run.series) {
-        return suns_among(run.sources);
+        return window_lights(run.sources);
     }
     for (std::size_t i = 0; time.part == "moments" && i < run.series->notes.size(); ++i) {
         if (run.series->notes[i].time == time.label) {
-            return suns_among(run.series->time_steps[i].sources);
+            return window_lights(run.series->time_steps[i].sources);
         }
     }
     return {};
@@ -39,8 +40,7 @@ void json_times(
         json.text("part", time.part);
         json.count("index", time.index);
         json.text("label", time.label);
-        json.key("suns");
-        json_vectors(json, suns_at(run, time));
+        json_lights(json, lights_at(run, time), window_middle(run.scene));
         json.key("values");
         json.begin_list(kWindowLayout);
         for (const OrganColumn& column : time.columns) {

@@ -32,17 +32,13 @@ void json_list(JsonStream& json, std::string_view key, const List& list, const W
     json.end_list();
 }
 
-void json_vector(JsonStream& json, const Vec3& v) {
+void json_vector(JsonStream& json, std::string_view key, const Vec3& v) {
+    json.key(key);
     json.begin_list(kWindowLayout);
     for (const double x : {v.x, v.y, v.z}) {
         json.number(x);
     }
     json.end_list();
-}
-
-void json_vector(JsonStream& json, std::string_view key, const Vec3& v) {
-    json.key(key);
-    json_vector(json, v);
 }
 
 /// A key of labels: its values, and which of them each organ has, -1 for none.
@@ -163,24 +159,6 @@ void json_window_scene(
         json.text("sum_unit", column.sum_unit);
         json.end_object();
     });
-}
-
-std::vector<Vec3> suns_among(const Sources& sources) {
-    std::vector<Vec3> suns;
-    for (const auto& source : sources) {
-        if (source->is_sun()) {
-            suns.push_back(source->illuminate({}, 0.5, 0.5).to_light);
-        }
-    }
-    return suns;
-}
-
-void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors) {
-    json.begin_list(kWindowLayout);
-    for (const Vec3& vector : vectors) {
-        json_vector(json, vector);
-    }
-    json.end_list();
 }
 
 }  // namespace quasimc

@@ -6,7 +6,6 @@
 #include "io/results/json_stream.h"
 #include "quasimc/result.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 
@@ -30,11 +29,5 @@ struct WindowColumn {
 /// (docs/develop/decisions/window-server.md).
 void json_window_scene(
     JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns);
-
-/// Unit vectors towards the suns among sources, z up.
-[[nodiscard]] std::vector<Vec3> suns_among(const Sources& sources);
-
-/// A list of vectors.
-void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors);
 
 }  // namespace quasimc

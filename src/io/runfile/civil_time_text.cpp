@@ -112,7 +112,8 @@ std::optional<CivilTime> parse_civil_time(
     std::string_view text,
     std::optional<double> utc_offset_hours,
     std::string_view where,
-    Faults& faults) {
+    Faults& faults,
+    OffsetKey key) {
     CivilTime time;
     Cursor cursor(trimmed(text));
     std::optional<double> offset = utc_offset_hours;
@@ -130,7 +131,9 @@ std::optional<CivilTime> parse_civil_time(
         faults.add(
             {std::string(where), shown(text) + " has no time zone",
              "clocks differ from place to place",
-             "add the offset to UTC, +02:00 or Z, or give utc_offset_hours"});
+             key == OffsetKey::none
+                 ? "add the offset to UTC, +02:00 or Z"
+                 : "add the offset to UTC, +02:00 or Z, or give utc_offset_hours"});
         return std::nullopt;
     }
     time.utc_offset_hours = *offset;

@@ -24,7 +24,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     Faults faults;
     const std::string where =
         fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
-    const auto time = parse_civil_time(*text, std::nullopt, where, faults);
+    const auto time = parse_civil_time(*text, std::nullopt, where, faults, OffsetKey::none);
     if (!time) {
         table.reporter().faults.add(faults);
         return std::nullopt;

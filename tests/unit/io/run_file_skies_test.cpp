@@ -91,6 +91,8 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
         return faults_of(with_sources(source + sky("cie_overcast")));
     };
     EXPECT_TRUE(mentions(faults_with_time("2024-06-21T12:00:00"), "has no time zone"));
+    EXPECT_FALSE(mentions(faults_with_time("2024-06-21T12:00:00"), "utc_offset_hours"))
+        << "a sun has no such key";
     EXPECT_TRUE(mentions(faults_with_time("'2023-02-29T12:00Z'"), "month 2 of 2023 has 28 days"));
     EXPECT_TRUE(
         mentions(faults_with_time("'2024-06-21T12:00+15:00'"), "its time zone is 15 h from UTC"));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "io/results/window_shape.h"
 #include "scene/scene_builder.h"
 
 namespace quasimc::test {
@@ -47,7 +48,7 @@ LiveFrame make_frame(
     LiveFrame frame;
     frame.label = std::move(label);
     frame.scene = scene;
-    frame.suns = {{0, 0, 1}};
+    frame.sources = {make_directional_source("sun", {0, 0, -1}, {1, 1})};
     frame.results = std::make_shared<const std::vector<Result>>(std::move(results));
     return frame;
 }
@@ -117,6 +118,34 @@ TEST(LiveWindow, GivesWhatAFrameHolds) {
           "scene-2", "scene-", "shape-01x", "light-1", "live-", "data", ""}) {
         EXPECT_FALSE(window.file(name)) << name;
     }
+}
+
+TEST(LiveWindow, TellsWhereLightComesFrom) {
+    LiveWindow window;
+    LiveFrame frame = make_frame("", make_scene(), {make_result(2)});
+    window.add(frame);
+    EXPECT_EQ(json_of(window, "light-1-1")["lamps"], Json::array());
+    EXPECT_EQ(json_of(window, "light-1-1")["sky"], "");
+    // Nine times as bright where x is positive: three times the digit.
+    SkyShape shape;
+    shape.radiance = [](const Vec3& d) { return d.x > 0 ? 9.0 : 1.0; };
+    LampSpec lamp;
+    lamp.name = "lamp";
+    lamp.position = {1, 2, 3};
+    lamp.flux = {1, 1};
+    frame.sources.push_back(make_sky("sky", shape, {1, 0}));
+    frame.sources.push_back(make_lamp(std::move(lamp)));
+    window.add(frame);
+    const Json light = json_of(window, "light-2-2");
+    const Vec3 middle = window_middle(*frame.scene->scene);
+    EXPECT_NEAR(light["lamps"][0][0], 1 - middle.x, 1e-9);
+    EXPECT_NEAR(light["lamps"][0][1], 2 - middle.y, 1e-9);
+    EXPECT_NEAR(light["lamps"][0][2], 3 - middle.z, 1e-9);
+    const std::string sky = light["sky"];
+    const std::string ring = std::string(9, '/') + std::string(18, 'V') + std::string(9, '/');
+    ASSERT_EQ(sky.size(), 9 * 36U);
+    EXPECT_EQ(sky.substr(0, 36), ring);
+    EXPECT_EQ(sky.substr(8 * std::size_t{36}), ring) << "up to the zenith";
 }
 
 TEST(LiveWindow, ShowsBandsThatWereTracedByThemselves) {

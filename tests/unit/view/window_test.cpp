@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -292,6 +293,35 @@ TEST_F(WindowServerTest, AnswersWhileAHundredConnectionsKeepSilent) {
         silent.back()->say(request("shape"));
     }
     EXPECT_TRUE(ask(request("values-1")).ends_with("second"));
+}
+
+TEST_F(WindowServerTest, AnswersInAFloodOfRequestsThatItRefuses) {
+    std::atomic<bool> is_over{false};
+    std::vector<std::thread> floods;
+    for (int i = 0; i < 3; ++i) {
+        floods.emplace_back([&] {
+            std::deque<Client> open;  // none is closed before its answer, most are long after
+            while (!is_over) {
+                open.emplace_back(port());
+                open.back().say("GET / HTTP/1.1\r\n\r\n");
+                if (open.size() > 30) {
+                    open.pop_front();
+                }
+            }
+        });
+    }
+    std::vector<std::string> others;  // than the answer
+    for (int i = 0; i < 200; ++i) {
+        const std::string answer = ask(request("values-0"));
+        if (!answer.ends_with("first")) {
+            others.push_back(answer);
+        }
+    }
+    is_over = true;
+    for (std::thread& flood : floods) {
+        flood.join();
+    }
+    EXPECT_EQ(others, std::vector<std::string>());
 }
 
 TEST_F(WindowServerTest, RefusesAPortThatIsTaken) {

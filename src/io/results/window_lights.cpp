@@ -1,0 +1,96 @@
+#include "io/results/window_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/vec3.h"
+#include "io/results/window_scene.h"
+
+namespace quasimc {
+namespace {
+
+constexpr int kRings = 9, kSectors = 36;
+
+bool is_sky(const Source& source) {
+    return source.traits().at_infinity && source.traits().extended;
+}
+
+/// Radiances of all skies together, of all bands, by cells.
+std::vector<double> sky_cells(const Sources& sources) {
+    std::vector<double> cells(std::size_t{kRings} * kSectors);
+    for (const auto& source : sources) {
+        if (!is_sky(*source)) {
+            continue;
+        }
+        const auto spectrum = source->spectrum();
+        const double all = std::accumulate(spectrum.begin(), spectrum.end(), 0.0);
+        for (int i = 0; i < kRings * kSectors; ++i) {
+            const double elevation = (i / kSectors + 0.5) * std::numbers::pi / 2 / kRings;
+            const double azimuth = (i % kSectors + 0.5) * 2 * std::numbers::pi / kSectors;
+            cells[static_cast<std::size_t>(i)] +=
+                all * source->radiance(
+                          {std::cos(elevation) * std::cos(azimuth),
+                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
+        }
+    }
+    return cells;
+}
+
+std::string sky_digits(const std::vector<double>& cells) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const double most = *std::max_element(cells.begin(), cells.end());
+    if (!(most > 0)) {
+        return {};
+    }
+    std::string digits;
+    for (const double cell : cells) {
+        const double part = std::sqrt(std::clamp(cell / most, 0.0, 1.0));
+        digits += kDigits[static_cast<std::size_t>(std::lround(part * 63))];
+    }
+    return digits;
+}
+
+}  // namespace
+
+WindowLights window_lights(const Sources& sources) {
+    WindowLights lights;
+    for (const auto& source : sources) {
+        if (source->is_sun()) {
+            lights.suns.push_back(source->illuminate({}, 0.5, 0.5).to_light);
+        } else if (source->is_lamp()) {
+            const Illumination seen = source->illuminate({}, 0.5, 0.5);
+            lights.lamps.push_back(seen.distance * seen.to_light);
+        }
+    }
+    lights.sky = sky_digits(sky_cells(sources));
+    return lights;
+}
+
+void json_lights(JsonStream& json, const WindowLights& lights, const Vec3& middle) {
+    json.key("suns");
+    json_vectors(json, lights.suns);
+    std::vector<Vec3> lamps;
+    for (const Vec3& lamp : lights.lamps) {
+        lamps.push_back(lamp - middle);
+    }
+    json.key("lamps");
+    json_vectors(json, lamps);
+    json.text("sky", lights.sky);
+}
+
+void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors) {
+    json.begin_list(kWindowLayout);
+    for (const Vec3& vector : vectors) {
+        json.begin_list(kWindowLayout);
+        for (const double x : {vector.x, vector.y, vector.z}) {
+            json.number(x);
+        }
+        json.end_list();
+    }
+    json.end_list();
+}
+
+}  // namespace quasimc
