@@ -14,6 +14,7 @@
 #include "parts.h"
 #include "quasimc/file.h"
 #include "quasimc/run.h"
+#include "run/plan_run.h"
 #include "scenes.h"
 #include "solvers/suits_bundles.h"
 
@@ -85,17 +86,26 @@ double total_variance(const Result& result) {
     return sum / static_cast<double>(result.bands) * result.replicates;
 }
 
-/// The run of a method; times are the least of several, for the machine has other things to do.
+/// The run of a method; times are the least of several, for the machine has other things to do. One
+/// that takes long has fewer replicates: what is so slow need not be known well.
 Result run_and_time(
     const Scene& scene,
     const Sources& sources,
-    const RunSpec& spec,
+    RunSpec spec,
     int repeats,
     Simulator& simulator,
     double& seconds) {
+    constexpr std::uint32_t kFewestReplicates = 4;
+    constexpr double kMostSeconds = 10, kLong = 2;
+    const std::uint32_t wanted = spec.replicates;
+    spec.replicates = kFewestReplicates;
     Result result = simulator.run(scene, sources, spec);
+    const double most = kMostSeconds / result.trace_cpu_seconds * kFewestReplicates;
+    if (most > 2 * kFewestReplicates) {
+        spec.replicates = static_cast<std::uint32_t>(std::min<double>(wanted, most));
+        result = simulator.run(scene, sources, spec);
+    }
     seconds = result.trace_cpu_seconds;
-    constexpr double kLong = 2;
     for (int i = 1; i < repeats && seconds < kLong; ++i) {
         seconds = std::min(seconds, simulator.run(scene, sources, spec).trace_cpu_seconds);
     }
@@ -148,7 +158,8 @@ bool print_case(
         std::max(effort.replicates, scene.organs().size() < kFewOrgans ? kOfFewOrgans : 0);
     spec.threads = 1;
     spec.method = Method::automatic;
-    const Method chosen = plan_method(scene, light.sources, spec).method;
+    KeptCaster caster;
+    const Method chosen = plan_run(scene, light.sources, spec, caster, {}).method;
     const std::vector<Cost> costs = costs_of(scene, light.sources, spec, effort.repeats, simulator);
     std::size_t automatic = 0;
     std::printf("  %-14s", light.name.c_str());

@@ -1,5 +1,8 @@
 #include "run/plan_run.h"
 
+#include "solvers/sampling_budget.h"
+#include "transport/prepared_scene.h"
+
 namespace quasimc {
 
 ChosenMethod plan_run(
@@ -9,7 +12,10 @@ ChosenMethod plan_run(
     KeptCaster& caster,
     const std::stop_token& stop) {
     return plan_method(scene, sources, spec, [&] {
-        return caster.caster_for(scene, spec.engine, stop)->crossings(stop).gave_up;
+        const auto ready = caster.caster_for(scene, spec.engine, stop);
+        return ready->crossings(stop).gave_up ||
+               (scene.cell().periodic() &&
+                bundles_trace_suns_alone({scene, sources, spec.window, ready, stop}, spec.paths));
     });
 }
 

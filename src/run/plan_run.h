@@ -10,7 +10,8 @@
 
 namespace quasimc {
 
-/// plan_method(), which asks the caster whether so many surfaces cross that bundles can't be used.
+/// plan_method(), which asks the caster whether so many surfaces cross that bundles can't be used,
+/// and what lines across an endless stand cost under its suns.
 /// @throws StopRequested, InputError  as KeptCaster does
 [[nodiscard]] ChosenMethod plan_run(
     const Scene& scene,

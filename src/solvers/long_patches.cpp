@@ -1,7 +1,10 @@
 #include "solvers/long_patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "scene/lint.h"
 #include "solvers/bundle_budget.h"
@@ -15,10 +18,35 @@ constexpr double kLongTriangle = 12;
 /// A patch is long beside its organ's width if it is longer than this part of it.
 constexpr double kOfWidth = 0.75;
 /// Of an organ's area, what may lie in long patches; of all surfaces, what may lie in flat organs
-/// that have them: what goes to and fro between these is little.
-constexpr double kMostOfOrgan = 0.05, kMostOfScene = 0.15;
+/// that have them, and in closed ones, as stems are: what goes to and fro between these is little.
+constexpr double kMostOfOrgan = 0.05, kMostOfScene = 0.15, kMostClosed = 0.25;
 /// Organs of which the normals agree so well are flat: they send themselves next to no light.
 constexpr double kFlat = 0.9;
+
+using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
+
+Edge edge_of(const Vec3& a, const Vec3& b) {
+    return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
+}
+
+/// Whether every edge is one of two triangles that run along it in opposite ways: no light gets in.
+bool is_closed(const Scene& scene, const Organ& organ) {
+    std::map<Edge, int> open;
+    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+        const Triangle t = scene.triangles()[organ.first_triangle + i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& a = t[k];
+            const Vec3& b = t[(k + 1) % 3];
+            const auto other = open.find(edge_of(b, a));
+            if (other == open.end()) {
+                ++open[edge_of(a, b)];
+            } else if (--other->second == 0) {
+                open.erase(other);
+            }
+        }
+    }
+    return open.empty();
+}
 
 double longest_edge(const Triangle& t) {
     return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
@@ -67,19 +95,30 @@ class Shape {
 
 /// Those that matter.
 std::vector<const Organ*> organs_of_long_patches(const Scene& scene, const PatchSize& size) {
-    std::vector<const Organ*> bodies, flat;
-    double in_flat = 0;
+    std::vector<const Organ*> found, flat, closed;
+    double in_flat = 0, in_closed = 0;
     for (const Organ& organ : scene.organs()) {
         const Shape shape(scene, organ, size.part * size.area);
-        if (organ.area > 0 && shape.has_long_patches()) {
-            (shape.is_flat() ? flat : bodies).push_back(&organ);
-            in_flat += shape.is_flat() ? organ.area : 0;
+        if (!(organ.area > 0) || !shape.has_long_patches()) {
+            continue;
+        }
+        if (shape.is_flat()) {
+            flat.push_back(&organ);
+            in_flat += organ.area;
+        } else if (is_closed(scene, organ)) {
+            closed.push_back(&organ);
+            in_closed += organ.area;
+        } else {
+            found.push_back(&organ);
         }
     }
     if (in_flat > kMostOfScene * size.area) {
-        bodies.insert(bodies.end(), flat.begin(), flat.end());
+        found.insert(found.end(), flat.begin(), flat.end());
     }
-    return bodies;
+    if (in_closed > kMostClosed * size.area) {
+        found.insert(found.end(), closed.begin(), closed.end());
+    }
+    return found;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/raster/scan_lines.h"
+#include "solvers/organ_shares.h"
 
 namespace quasimc {
 namespace {
@@ -11,13 +12,25 @@ namespace {
 /// Where all bands scatter most of the light, its noise is in the paths: fewer lines and pixels,
 /// which leaves time for more of them (the first scattering is split, as it were).
 constexpr SamplingDensity kDarkDensity{
-    .paths_per_line = 80, .pixels_per_path = 40, .pixels_per_root = 640};
+    .paths_per_line = 80,
+    .pixels_per_path = 40,
+    .pixels_per_root = 640,
+    .cuts_per_path = 10,
+    .paths_per_look = 4};
 constexpr SamplingDensity kBrightDensity{
-    .paths_per_line = 160, .pixels_per_path = 10, .pixels_per_root = 640};
+    .paths_per_line = 160,
+    .pixels_per_path = 10,
+    .pixels_per_root = 640,
+    .cuts_per_path = 10,
+    .paths_per_look = 4};
 /// Errors of lines fall with the third power of their number, those of bundles with the square root
-/// of theirs, at every albedo.
+/// of theirs, at every albedo. For a path bundles take several times as long, and lines may too.
 constexpr SamplingDensity kBundleDensity{
-    .lines_per_root = 12.8, .pixels_per_path = 160, .pixels_per_root = 320};
+    .lines_per_root = 12.8,
+    .pixels_per_path = 160,
+    .pixels_per_root = 320,
+    .cuts_per_path = 160,
+    .paths_per_look = 2};
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
@@ -48,10 +61,10 @@ std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
     return std::max(of_many, kFewestOfFew / std::max(beams, 1U));
 }
 
-/// What lines may cost for each path of a sun. Where they would cost more there are fewer of them;
-/// where too few are left, or where so many triangles are projected for so few paths, the sun is
-/// traced from itself, which then leaves the smaller errors for its time (docs/theory/choosing.md).
-constexpr double kMostCutsPerPath = 10, kMostTrianglesPerPath = 20;
+/// Triangles that are projected for each path of a sun. Where they would be more, or where lines
+/// would cut so much that too few of them are left, the sun is traced from itself, which then
+/// leaves the smaller errors for its time (docs/theory/choosing.md).
+constexpr double kMostTrianglesPerPath = 20;
 /// Of few organs each has many paths, and lines bring less: for each organ at most so many.
 constexpr double kMostTrianglesPerPathOfOrgan = 2;
 /// Lines of a sun that are too few, but where it is one of many: of an endless stand at 1 degree 37
@@ -127,10 +140,25 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
                                          : sampler.draw_direction(0.5, 0.5).direction);
             const double own = light.probability * paths;
             const VisibilityTask task = lines_of(i, own);
-            has_lines_[i] = triangles <= most_triangles * own &&
-                            task.beams * task.count * cuts_per_line_[i] <= kMostCutsPerPath * own;
+            has_lines_[i] =
+                triangles <= most_triangles * own &&
+                task.beams * task.count * cuts_per_line_[i] <= density_.cuts_per_path * own &&
+                are_close(task, paths);
         }
     }
+}
+
+bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
+    const BoundSource& light = prepared_.lights()[task.light];
+    if (task.count >= usual_lines(task.light, light.probability * paths)) {
+        return true;
+    }
+    const Round round{.count = static_cast<std::uint64_t>(paths)};
+    const double organ = std::sqrt(median_measured_area(prepared_.scene()));
+    // Of an organ that no line finds lit, twice the distance of lines may be
+    // (theory/statistics.md).
+    return light_per_look(task, round) * std::min(organ, 2 * spacing(task)) <=
+           density_.paths_per_look;
 }
 
 bool SamplingBudget::traces_suns() const {
@@ -190,27 +218,35 @@ double SamplingBudget::spacing(const VisibilityTask& task) const {
     return length(prepared_.projection().entry_box().bounds.size()) / task.count;
 }
 
-VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
+std::uint32_t SamplingBudget::usual_lines(std::size_t light, double paths) const {
     const std::uint32_t beams = beams_of(prepared_.lights()[light]);
     const bool is_disk = beams > 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double usual = density_.paths_per_line > 0 ? paths / density_.paths_per_line
                                                      : density_.lines_per_root * std::sqrt(paths);
     const double lines = usual * (is_disk ? 2 : 1) / beams;
-    std::uint32_t count = std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+    return std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+}
+
+VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
+    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
+    std::uint32_t count = usual_lines(light, paths);
     const double cuts = beams * cuts_per_line_[light];
-    if (count * cuts > kMostCutsPerPath * paths) {
-        const auto cheap = static_cast<std::uint32_t>(kMostCutsPerPath * paths / cuts);
+    if (count * cuts > density_.cuts_per_path * paths) {
+        const auto cheap = static_cast<std::uint32_t>(density_.cuts_per_path * paths / cuts);
         const std::uint32_t fewest = std::max(kFewestOfMany, kFewestWhereCostly / beams);
         count = std::min(count, std::max(fewest, cheap));
     }
-    return {.beams = beams, .count = count, .blocks = ScanLines::strips(count)};
+    return {
+        .light = static_cast<std::uint32_t>(light),
+        .beams = beams,
+        .count = count,
+        .blocks = ScanLines::strips(count)};
 }
 
 void SamplingBudget::add_beams(
     std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const {
     VisibilityTask task = lines_of(light, paths);
-    task.light = light;
     for (; task.beam < task.beams; ++task.beam) {
         tasks.push_back(task);
     }
@@ -236,6 +272,23 @@ double SamplingBudget::pixels_for(double paths) const {
     const double pixels =
         std::max(density_.pixels_per_root * std::sqrt(triangles), kFewestPerTriangle * triangles);
     return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
+}
+
+bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {
+    const std::vector<BoundSource>& lights = prepared.lights();
+    if (lights.empty() || !std::all_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+            return light.source->is_sun();
+        })) {
+        return false;
+    }
+    const ProjectedScene seen{
+        &prepared.caster().mesh(),
+        prepared.projection().cell(),
+        {},
+        prepared.projection().outline(),
+        nullptr};
+    return SamplingBudget(prepared, SkyDirections(prepared), seen, paths, ScatteredBy::bundles)
+        .traces_suns();
 }
 
 std::uint32_t task_of_block(const std::vector<VisibilityTask>& tasks, std::uint64_t block) {

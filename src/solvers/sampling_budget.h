@@ -34,6 +34,9 @@ struct SamplingDensity {
     double lines_per_root = 0;  ///< of the number of paths
     double pixels_per_path = 0;
     double pixels_per_root = 0;  ///< of the number of triangles, along each direction of a sky
+    double cuts_per_path = 0;    ///< images of triangles that the lines of a sun may cut
+    /// Paths' light that a line may bring a typical organ where cuts leave fewer lines than usual.
+    double paths_per_look = 0;
 };
 
 /// How much is looked at for how many paths. Direct light and scattered light each have their
@@ -79,8 +82,13 @@ class SamplingBudget {
   private:
     void set_lines(const LineCost& cost, double paths);
     [[nodiscard]] bool are_skies_cheap(double paths) const;
+    /// Lines of each beam of a sun, were it not for what they cut.
+    [[nodiscard]] std::uint32_t usual_lines(std::size_t light, double paths) const;
     /// Beams of a sun, and lines of each.
     [[nodiscard]] VisibilityTask lines_of(std::size_t light, double paths) const;
+    /// Whether the lines of a sun are as many as usual, or so close together that what one of them
+    /// may bring an organ is no more than some paths do.
+    [[nodiscard]] bool are_close(const VisibilityTask& task, double paths) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
     void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
     [[nodiscard]] double pixels_for(double paths) const;
@@ -93,6 +101,12 @@ class SamplingBudget {
     std::vector<bool> has_lines_;        // by light
     bool sees_skies_ = false;
 };
+
+/// Whether suns shine alone and bundles would not find the direct light of one of them along lines:
+/// its light then lies on patches in spots of single paths, and what these scatter is better
+/// traced.
+/// @param paths  of the first round
+[[nodiscard]] bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths);
 
 /// The task that a block belongs to: its place in the list. @param block  less than the end of the
 /// last task's blocks

@@ -256,46 +256,63 @@ struct SpanPlaces {
     }
 };
 
-/// The places on one row of some lanes. @param lanes  those wanted, bit 0 the first of these
-std::size_t place_row(
-    const RasterGrid& grid,
-    const BlockSpans& spans,
-    const BlockPatches& patches,
-    std::size_t row,
-    std::size_t lane,
-    std::uint32_t lanes,
-    std::size_t size,
-    const LinePlaces& to) {
-    const std::size_t at = row * kBlockLanes + lane;
-    const auto y = hn::Load(kNumbers, spans.y + at);
-    const auto shift = hn::Load(kNumbers, spans.shift + at);
-    const auto last = hn::Load(kNumbers, spans.last + at);
-    const OnRow depth(spans.depth, lane, y), u(spans.u, lane, y), v(spans.v, lane, y);
-    const auto low = hn::Load(kNumbers, spans.low_depth + lane);
-    const auto high = hn::Load(kNumbers, spans.high_depth + lane);
-    const auto n = hn::Load(kNumbers, patches.parts + lane);
-    const auto first_passed = hn::Load(Words(), patches.passed + lane);
-    const auto columns = static_cast<double>(grid.columns);
-    const auto begin = hn::Mul(hn::Load(kNumbers, spans.in_row + at), hn::Set(kNumbers, columns));
-    auto column = hn::Load(kNumbers, spans.first + at);
-    SpanPlaces places;
-    while (lanes != 0) {
-        const auto x = hn::Add(column, shift);
-        const auto part = part_at(u.at(x), v.at(x), n);
-        const auto in_grid = grid.repeats_x ? wrapped(column, columns) : column;
-        hn::Store(to_words(hn::Add(begin, in_grid)), Words(), places.lines + lane);
-        hn::Store(
-            ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(), places.depths + lane);
-        hn::Store(
-            hn::Add(first_passed, to_words(hn::Add(part, part))), Words(), places.passed + lane);
-        size = places.append(lanes << lane, size, to);
-        column = hn::Add(column, hn::Set(kNumbers, 1.0));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(kNumbers, hn::Lt(column, last), bits);
-        lanes &= bits[0];
+/// Writes the places on rows of a block, one after the other.
+class RowPlaces {
+  public:
+    RowPlaces(
+        const RasterGrid& grid,
+        const BlockSpans& spans,
+        const BlockPatches& patches,
+        const LinePlaces& to)
+        : grid_(grid), spans_(spans), patches_(patches), to_(to) {}
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// Those on one row of some lanes. @param lanes  those wanted, bit 0 the first of these
+    void add(std::size_t row, std::size_t lane, std::uint32_t lanes) {
+        if (lanes == 0) {
+            return;
+        }
+        const std::size_t at = row * kBlockLanes + lane;
+        const auto y = hn::Load(kNumbers, spans_.y + at);
+        const auto shift = hn::Load(kNumbers, spans_.shift + at);
+        const auto last = hn::Load(kNumbers, spans_.last + at);
+        const OnRow depth(spans_.depth, lane, y), u(spans_.u, lane, y), v(spans_.v, lane, y);
+        const auto low = hn::Load(kNumbers, spans_.low_depth + lane);
+        const auto high = hn::Load(kNumbers, spans_.high_depth + lane);
+        const auto n = hn::Load(kNumbers, patches_.parts + lane);
+        const auto first_passed = hn::Load(Words(), patches_.passed + lane);
+        const auto columns = static_cast<double>(grid_.columns);
+        const auto begin =
+            hn::Mul(hn::Load(kNumbers, spans_.in_row + at), hn::Set(kNumbers, columns));
+        auto column = hn::Load(kNumbers, spans_.first + at);
+        SpanPlaces places;
+        while (lanes != 0) {
+            const auto x = hn::Add(column, shift);
+            const auto part = part_at(u.at(x), v.at(x), n);
+            const auto in_grid = grid_.repeats_x ? wrapped(column, columns) : column;
+            hn::Store(to_words(hn::Add(begin, in_grid)), Words(), places.lines + lane);
+            hn::Store(
+                ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(),
+                places.depths + lane);
+            hn::Store(
+                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(),
+                places.passed + lane);
+            size_ = places.append(lanes << lane, size_, to_);
+            column = hn::Add(column, hn::Set(kNumbers, 1.0));
+            std::uint8_t bits[8] = {};
+            hn::StoreMaskBits(kNumbers, hn::Lt(column, last), bits);
+            lanes &= bits[0];
+        }
     }
-    return size;
-}
+
+  private:
+    const RasterGrid& grid_;
+    const BlockSpans& spans_;
+    const BlockPatches& patches_;
+    LinePlaces to_;
+    std::size_t size_ = 0;
+};
 
 std::size_t place_spans(
     const RasterGrid& grid,
@@ -304,14 +321,13 @@ std::size_t place_spans(
     std::uint32_t wanted,
     const LinePlaces& to) {
     const std::uint32_t all = (1U << hn::Lanes(kNumbers)) - 1;
-    std::size_t size = 0;
+    RowPlaces places(grid, spans, patches, to);
     for (std::size_t row = 0; row < spans.rows; ++row) {
         for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
-            const std::uint32_t lanes = (spans.covered[row] & wanted) >> lane & all;
-            size = place_row(grid, spans, patches, row, lane, lanes, size, to);
+            places.add(row, lane, (spans.covered[row] & wanted) >> lane & all);
         }
     }
-    return size;
+    return places.size();
 }
 
 SpanLoops span_loops() {

@@ -149,6 +149,16 @@ TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     EXPECT_EQ(run(scene, {sun(0, {1})}, spec).chosen.method, Method::first_hits);
 }
 
+/// A sun that grazes an endless stand is traced from itself, and what its spots scatter too.
+TEST(Planner, ARunTakesAnotherMethodWhereSunsAloneGrazeAnEndlessStand) {
+    const Scene scene = make_stand({.cell = kField});
+    const RunSpec spec = spec_of(Method::automatic, 1024);
+    ASSERT_EQ(plan_method(scene, {sun(89.95, {1})}, spec).method, Method::ray_bundles);
+    EXPECT_EQ(run(scene, {sun(89.95, {1})}, spec).chosen.method, Method::first_hits);
+    EXPECT_EQ(run(scene, {sun(20, {1})}, spec).chosen.method, Method::ray_bundles);
+    EXPECT_EQ(run(scene, {sun(89.95, {1}), sky({1})}, spec).chosen.method, Method::ray_bundles);
+}
+
 TEST(Planner, TracesLampsFromThemselves) {
     const StandSpec bright{.leaf = matt("leaf", .4, .4)};
     EXPECT_EQ(plan(bright, {lamp()}).method, Method::light_tracing);

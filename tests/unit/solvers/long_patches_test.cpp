@@ -92,6 +92,24 @@ TEST(LongPatches, MayBeThoseOfAFewNeedles) {
     EXPECT_TRUE(has_long(60));
 }
 
+/// Of closed stems amid leaves a quarter of all surfaces may be: no light gets into them.
+TEST(LongPatches, MayBeThoseOfClosedStems) {
+    const auto has_long = [](double radius, bool closed) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        add_leaves(builder, random_leaves(50, .3, 1, 5));
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 base{.25 * i, .5, 0};
+            builder.add_organ(
+                organ("", "leaf", make_cylinder(base, {0, 0, 2}, radius, radius, 8, closed)));
+        }
+        return has_long_patches(std::move(builder).build());
+    };
+    EXPECT_FALSE(has_long(.01, true));
+    EXPECT_TRUE(has_long(.01, false));
+    EXPECT_TRUE(has_long(.1, true));
+}
+
 TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
     RunSpec spec;
     EXPECT_TRUE(lint_bundles(tubes(1), spec).empty());
