@@ -167,7 +167,8 @@ TEST_F(ShowCommand, WritesUnderNoNameThatPromisesSomethingElse) {
         {"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--png", "p.svg"},
         "--png: 'p.svg' " + words + ".svg); let it end in .png");
     EXPECT_EQ(run({"show", "out.json", "-o", "P.PNG", "--size", "64x64"}).status, 0);
-    EXPECT_EQ(run({"show", "out.json", "-o", "v1.2/p", "--size", "64x64"}).status, 1) << "no folder";
+    EXPECT_EQ(run({"show", "out.json", "-o", "v1.2/p", "--size", "64x64"}).status, 1)
+        << "no folder";
     EXPECT_EQ(run({"show", "out.json", "-o", "plain", "--size", "64x64"}).status, 0);
     EXPECT_TRUE(folder_.read("plain").starts_with("\x89PNG"));
 }

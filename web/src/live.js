@@ -76,7 +76,7 @@ export class LiveRun {
  */
 export class Follower {
   constructor(live, show, tell) {
-    Object.assign(this, { live, show, tell, isFollowing: true, shown: null });
+    Object.assign(this, { live, show, tell, isFollowing: true, shown: null, turn: Promise.resolve() });
   }
 
   /** Returns when the run has ended, or the program is gone. */
@@ -102,14 +102,23 @@ export class Follower {
   async select(index) {
     const { frames } = this.live.state;
     this.isFollowing = index >= frames.length - 1;
-    await this.#showFrame(frames[index]);
+    this.asked = index;
+    await this.#inTurn(() => (this.asked === index ? frames[index] : null)); // the slider may have gone on
   }
 
   async #showNews() {
-    const { frames } = this.live.state;
-    const own = frames.find((frame) => frame.number === this.shown?.number);
-    const wanted = this.isFollowing ? frames.at(-1) : own ?? this.shown;
-    await this.#showFrame(wanted);
+    await this.#inTurn(() => {
+      const { frames } = this.live.state;
+      const own = frames.find((frame) => frame.number === this.shown?.number);
+      return this.isFollowing ? frames.at(-1) : own ?? this.shown;
+    });
+  }
+
+  /** One frame after the other: a frame that is being read is not told of as shown. */
+  #inTurn(choose) {
+    const shown = this.turn.then(() => this.#showFrame(choose()));
+    this.turn = shown.catch(() => {});
+    return shown;
   }
 
   async #showFrame(frame) {

@@ -27,8 +27,9 @@ std::vector<double> sky_cells(const Sources& sources) {
         const auto spectrum = source->spectrum();
         const double all = std::accumulate(spectrum.begin(), spectrum.end(), 0.0);
         for (int i = 0; i < kRings * kSectors; ++i) {
-            const double elevation = (i / kSectors + 0.5) * std::numbers::pi / 2 / kRings;
-            const double azimuth = (i % kSectors + 0.5) * 2 * std::numbers::pi / kSectors;
+            const int ring = i / kSectors, sector = i % kSectors;
+            const double elevation = (ring + 0.5) * std::numbers::pi / 2 / kRings;
+            const double azimuth = (sector + 0.5) * 2 * std::numbers::pi / kSectors;
             cells[static_cast<std::size_t>(i)] +=
                 all * source->radiance(
                           {std::cos(elevation) * std::cos(azimuth),
