@@ -58,9 +58,11 @@ if(QUASIMC_BUILD_FUZZ)
         message(FATAL_ERROR "QUASIMC_BUILD_FUZZ needs clang++ (libFuzzer); "
                             "use the preset asan, or -DCMAKE_CXX_COMPILER=clang++")
     endif()
-    target_compile_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
     target_link_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# Of what nobody waits for.
+set(QUASIMC_COLD_OPTIMIZATION $<$<CONFIG:Release>:-O1>)
 
 # quasimc_unity(<target> modules|tests): compiles the target's sources joined into a few files, if
 # QUASIMC_UNITY says so of its kind.  Most of the time of a compiler goes into headers, which are

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All that continuous integration does, in its order, stopping at the first failure: a quarter of an
-# hour on two processors.  With --full what takes longer as well: clang-tidy over all files and with
+# All that continuous integration does, in its order, stopping at the first failure (how long it takes:
+# docs/develop/testing.md).  With --full what takes longer as well: clang-tidy over all files and with
 # its analyzer, the tests that are labelled "long", threads outside the library's core, longer fuzzing.
 #   tools/check.sh                      every step
 #   tools/check.sh format tidy          these steps
@@ -84,9 +84,13 @@ sanitized() {
     ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@"
 }
 
-# Slow tests are statistics, and prove no more under a sanitizer than the quick ones do.
+# Slow tests are statistics, and prove no more under a sanitizer than the quick ones do. What the
+# programs do, the tests of their modules do in one process.
 step_asan() {
-    sanitized asan quick -LE slow -E '_NOT_BUILT$'
+    sanitized asan quick -LE '^(slow|processes)$' -E '_NOT_BUILT$'
+    if [[ -n $full ]]; then
+        sanitized asan processes -L '^processes$'
+    fi
 }
 
 step_tsan() {
@@ -103,7 +107,7 @@ fuzz_one() {
     local seeds=tests/fuzz/corpus/$name
     [[ -d $seeds ]] || seeds=tests/fuzz/corpus
     mkdir -p "build/asan/corpus/$name"
-    "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-3}" -timeout=10 -rss_limit_mb=2048 \
+    "$fuzzer" -max_total_time="${QUASIMC_FUZZ_SECONDS:-2}" -timeout=10 -rss_limit_mb=2048 \
         -print_final_stats=0 -verbosity=0 \
         "build/asan/corpus/$name" "$seeds"
 }

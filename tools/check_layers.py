@@ -91,7 +91,7 @@ def read_links(root, layers):
         every[module], public[module] = set(), set()
         scope = None
         for word in re.findall(r"[\w+.]+", re.sub(r"#.*", "", path.read_text())):
-            if word in ("NAME", "SOURCES", "PUBLIC", "PRIVATE", "DEFINITIONS"):
+            if word in ("NAME", "SOURCES", "COLD", "PUBLIC", "PRIVATE", "DEFINITIONS"):
                 scope = word
             elif word in layers and scope in ("PUBLIC", "PRIVATE"):
                 every[module].add(word)

@@ -208,5 +208,8 @@ struct EvaluationSpec {
 /// @param sums  of at least one path
 /// @param scene  that they were computed for
 [[nodiscard]] Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+/// The same of sums that nobody needs any more. Memory of theirs is given back while the result
+/// grows, so that there is never all of both.
+[[nodiscard]] Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec);
 
 }  // namespace quasimc

@@ -203,6 +203,9 @@ class ExactBins {
     [[nodiscard]] std::span<std::int64_t> shared() { return low_; }
     void settle();
 
+    /// Makes the bins from `first` up to `last` 0, which most of their memory is not needed for.
+    void clear(std::size_t first, std::size_t last);
+
     friend bool operator==(const ExactBins& a, const ExactBins& b);
 
   private:

@@ -1,9 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#endif
+#ifdef __linux__
+
+#include <sys/mman.h>
 #endif
 
 namespace quasimc {
@@ -18,6 +25,29 @@ inline void give_back_free_memory([[maybe_unused]] std::size_t organs) {
         malloc_trim(0);
     }
 #endif
+}
+
+/// Makes numbers 0. Whole pages of them are given back to the system, which has them again, as
+/// zeros, when they are asked for.
+/// @param numbers  of memory of this process alone, as the standard library has it
+inline void clear_pages(std::span<std::int64_t> numbers) {
+    std::int64_t* begin = numbers.data();
+    std::int64_t* end = begin + numbers.size();
+#ifdef __linux__
+    constexpr std::uintptr_t kPage = 1 << 16;  // a multiple of the size of a page
+    const auto up = [](std::uintptr_t address) { return (address + kPage - 1) / kPage * kPage; };
+    const auto from = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t first = up(from);
+    const std::uintptr_t last = reinterpret_cast<std::uintptr_t>(end) / kPage * kPage;
+    if (first < last) {
+        std::int64_t* const pages = begin + (first - from) / sizeof(std::int64_t);
+        if (madvise(pages, last - first, MADV_DONTNEED) == 0) {
+            std::fill(begin, pages, 0);
+            begin = pages + (last - first) / sizeof(std::int64_t);
+        }
+    }
+#endif
+    std::fill(begin, end, 0);
 }
 
 }  // namespace quasimc

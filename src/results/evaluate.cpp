@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/checks.h"
@@ -19,18 +20,25 @@
 namespace quasimc {
 namespace {
 
+/// What is evaluated.
+struct Given {
+    const Sums& sums;
+    const Scene& scene;
+    const EvaluationSpec& spec;
+    const LightLimits& limits;
+};
+
 /// Turns the sums of one organ after the other into estimates.
 class OrganEvaluator {
   public:
-    OrganEvaluator(
-        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const LightLimits& limits)
-        : sums_(sums),
-          scene_(scene),
-          spec_(spec),
-          limits_(limits),
-          most_(limits.none()),
-          values_(sums.replicates.size()),
-          incident_(sums.layout.bands, {values_, {}}) {
+    explicit OrganEvaluator(const Given& given)
+        : sums_(given.sums),
+          scene_(given.scene),
+          spec_(given.spec),
+          limits_(given.limits),
+          most_(limits_.none()),
+          values_(given.sums.replicates.size()),
+          incident_(given.sums.layout.bands, {values_, {}}) {
         samples_.fill(values_);
     }
 
@@ -125,6 +133,63 @@ class OrganEvaluator {
     std::vector<IncidentLight> incident_;  // per band, per area
 };
 
+/// Fills in all organs.
+/// @param is_done  (first, last) is called when the sums of these organs are read no more
+/// @param finds  gets what a find changes in the totals
+template <typename IsDone>
+void evaluate_organs(const Given& given, const IsDone& is_done, TotalFinds& finds, Result& result) {
+    constexpr std::size_t kOrgansPerStep = 1 << 15;
+    const std::size_t organs = given.scene.organs().size();
+    const std::size_t values = kQuantities * result.bands;
+    const bool has_sun = given.sums.units.sunlit_area > 0;
+    result.values.reserve(organs * values);
+    result.ratio_values.reserve(organs * result.ratios);
+    result.sunlit_fraction.reserve(has_sun ? organs : 0);
+    for (std::size_t begin = 0; begin < organs; begin += kOrgansPerStep) {
+        const std::size_t end = std::min(organs, begin + kOrgansPerStep);
+        result.values.resize(end * values);
+        result.ratio_values.resize(end * result.ratios);
+        result.sunlit_fraction.resize(has_sun ? end : 0);
+        for_each_block(begin, end, given.spec.threads, [&](std::size_t first, std::size_t last) {
+            OrganEvaluator evaluator(given);
+            std::vector<TotalFind> own(result.bands);
+            for (std::size_t i = first; i < last; ++i) {
+                evaluator.evaluate(i, result, own);
+            }
+            finds.include(own);
+        });
+        is_done(begin, end);
+    }
+}
+
+/// As evaluate(), but that it tells of the sums that are read no more.
+template <typename IsDone>
+Result evaluate_sums(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const IsDone& is_done) {
+    EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
+    Result result;
+    result.bands = sums.layout.bands;
+    result.ratios = spec.ratios.size();
+    const LightLimits limits(scene, spec, sums.emitted_flux);
+    // All that reads the sums of many organs comes before these are given back.
+    result.groups = evaluate_groups(sums, scene, spec, limits);
+    const BandFlows flows = read_flows(sums, scene);
+    result.budget = evaluate_budget(flows);
+    result.canopy = evaluate_canopy(flows, sums, scene, spec);
+    result.detectors = evaluate_detectors(sums, scene);
+    result.rays = count_rays(sums);
+    TotalFinds finds(result.bands);
+    evaluate_organs({sums, scene, spec, limits}, is_done, finds, result);
+    tell_errors_of_totals(sums, scene, finds, result);
+    result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
+    result.paths = sums.paths;
+    result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
+    if (has_two_levels(sums)) {
+        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, result);
+    }
+    return result;
+}
+
 }  // namespace
 
 const std::array<QuantityEntry, kQuantities>& quantity_table() {
@@ -145,38 +210,22 @@ const std::array<QuantityEntry, kQuantities>& quantity_table() {
 }
 
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
-    const std::size_t organs = scene.organs().size();
-    Result result;
-    result.bands = sums.layout.bands;
-    result.ratios = spec.ratios.size();
-    result.values.resize(organs * kQuantities * result.bands);
-    result.ratio_values.resize(organs * result.ratios);
-    result.sunlit_fraction.resize(sums.units.sunlit_area > 0 ? organs : 0);
-    const LightLimits limits(scene, spec, sums.emitted_flux);
-    TotalFinds finds(result.bands);
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        OrganEvaluator evaluator(sums, scene, spec, limits);
-        std::vector<TotalFind> own(result.bands);
-        for (std::size_t i = first; i < last; ++i) {
-            evaluator.evaluate(i, result, own);
-        }
-        finds.include(own);
-    });
-    result.groups = evaluate_groups(sums, scene, spec, limits);
-    const BandFlows flows = read_flows(sums, scene);
-    result.budget = evaluate_budget(flows);
-    result.canopy = evaluate_canopy(flows, sums, scene, spec);
-    tell_errors_of_totals(sums, scene, finds, result);
-    result.detectors = evaluate_detectors(sums, scene);
-    result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
-    result.paths = sums.paths;
-    result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
-    result.rays = count_rays(sums);
-    if (has_two_levels(sums)) {
-        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, result);
+    return evaluate_sums(sums, scene, spec, [](std::size_t, std::size_t) {});
+}
+
+Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec) {
+    Sums own = std::move(sums);
+    if (has_two_levels(own)) {
+        return evaluate(std::as_const(own), scene, spec);
     }
-    return result;
+    return evaluate_sums(own, scene, spec, [&](std::size_t first, std::size_t last) {
+        const std::vector<Organ>& organs = scene.organs();
+        const std::size_t end =
+            last < organs.size() ? organs[last].first_region : own.layout.regions;
+        for (ExactBins& bins : own.replicates) {
+            bins.clear(organs[first].first_region * own.layout.stride(), end * own.layout.stride());
+        }
+    });
 }
 
 }  // namespace quasimc

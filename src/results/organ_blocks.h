@@ -15,14 +15,20 @@ inline std::size_t blocks_of(const Scene& scene) {
     return (scene.organs().size() + kOrgansPerBlock - 1) / kOrgansPerBlock;
 }
 
-/// Runs work(first, last) for all organs, some at a time, on all threads.
+/// Runs work(first, last) for the organs from `begin` up to `end`, some at a time, on all threads.
+template <typename Work>
+void for_each_block(std::size_t begin, std::size_t end, unsigned threads, const Work& work) {
+    const std::size_t blocks = (end - begin + kOrgansPerBlock - 1) / kOrgansPerBlock;
+    parallel_blocks(blocks, threads, [&](std::uint64_t block, unsigned) {
+        const std::size_t first = begin + block * kOrgansPerBlock;
+        work(first, std::min(end, first + kOrgansPerBlock));
+    });
+}
+
+/// The same for all organs.
 template <typename Work>
 void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
-    const std::size_t n = scene.organs().size();
-    parallel_blocks(blocks_of(scene), threads, [&](std::uint64_t block, unsigned) {
-        const std::size_t first = block * kOrgansPerBlock;
-        work(first, std::min(n, first + kOrgansPerBlock));
-    });
+    for_each_block(0, scene.organs().size(), threads, work);
 }
 
 }  // namespace quasimc

@@ -184,13 +184,16 @@ void order_to_prepare(const RunControl& control, const RunSpec& spec) {
 }
 
 /// The result of the sums.
-Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& asked) {
+/// @param sums  to be kept, or to be given back as they are read
+template <typename SomeSums>
+Result make_result(SomeSums&& sums, const Scene& scene, const EvaluationSpec& asked) {
     const double estimates = static_cast<double>(scene.organs().size()) * kQuantities *
                              static_cast<double>(scene.bands().size());
     return make_big(
         fmt::format(
             "the results of {} organs in {} bands", scene.organs().size(), scene.bands().size()),
-        estimates * sizeof(Estimate), [&] { return evaluate(sums, scene, asked); });
+        estimates * sizeof(Estimate),
+        [&] { return evaluate(std::forward<SomeSums>(sums), scene, asked); });
 }
 
 /// The result of the sums of a run that goes on.
@@ -387,15 +390,14 @@ Result Simulator::State::trace(
 
     const double cpu_before = process_cpu_seconds();
     const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
-    const Traced traced =
-        trace_rounds(*prepared, spec, asked, control, early, {start, build_seconds});
+    Traced traced = trace_rounds(*prepared, spec, asked, control, early, {start, build_seconds});
     if (control.is_last && spec.audit == 0) {
         prepared.reset();
         caster_.forget();
         give_back_free_memory(scene.organs().size());
     }
     const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
-    Result result = is_asked ? make_result(traced.sums, scene, asked) : Result();
+    Result result = is_asked ? make_result(std::move(traced.sums), scene, asked) : Result();
     result.stop = traced.stop;
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;

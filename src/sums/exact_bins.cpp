@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "base/checks.h"
+#include "base/free_memory.h"
 #include "quasimc/sums.h"
 #include "sums/fixed_point.h"
 
@@ -71,6 +72,14 @@ void ExactBins::settle() {
             low.fetch_sub(carries * kCarry, std::memory_order_relaxed);
             carry(i, carries);
         }
+    }
+}
+
+void ExactBins::clear(std::size_t first, std::size_t last) {
+    EXPECT(first <= last && last <= size());
+    clear_pages(std::span(low_).subspan(first, last - first));
+    if (!carries_.empty()) {
+        clear_pages(std::span(carries_).subspan(first, last - first));
     }
 }
 

@@ -15,7 +15,7 @@ class SumCollector {
     /// @param sums  to add to; must outlive the collector
     /// @param workers  that will trace at the same time
     /// @param most_private_bytes  for all workers' own tallies; beyond it they share one per
-    ///        replicate
+    ///        replicate, as they do where there are very many regions
     /// @param private_regions  the last so many regions are always the workers' own: those that
     ///        most light hits
     SumCollector(

@@ -1,8 +1,8 @@
 #include "fuzzing.h"
 #include "io/weather/read_ies.h"
+#include "readers.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    quasimc::Reporter reporter{"file", {}, {}};
-    static_cast<void>(quasimc::read_ies(std::string(data, data + size), reporter));
-    return 0;
+void quasimc::fuzz::fuzz_ies(const std::string& bytes) {
+    Reporter reporter{"file", {}, {}};
+    static_cast<void>(read_ies(bytes, reporter));
 }

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 #include "coupling/organ_shapes.h"
 #include "coupling/session.h"
 #include "coupling/trailing_values.h"
+#include "readers.h"
 
+namespace quasimc::fuzz {
 namespace {
-
-using namespace quasimc;
 
 void converse(std::string_view file, std::string_view bytes) {
     Notices silent([](const std::string&) {});
@@ -40,14 +39,14 @@ void converse(std::string_view file, std::string_view bytes) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string bytes(data, data + size);
+void fuzz_protocol(const std::string& bytes) {
     const std::size_t zero = std::min(bytes.find('\0'), bytes.size());
     const std::string_view all(bytes);
     try {
-        converse(all.substr(0, zero), all.substr(std::min(zero + 1, size)));
+        converse(all.substr(0, zero), all.substr(std::min(zero + 1, bytes.size())));
     } catch (const InputError&) {
-        return 0;
+        return;
     }
-    return 0;
 }
+
+}  // namespace quasimc::fuzz

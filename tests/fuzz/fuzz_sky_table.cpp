@@ -1,14 +1,12 @@
 #include "fuzzing.h"
 #include "io/weather/read_sky_table.h"
+#include "readers.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string text(data, data + size);
-    for (const auto format : {quasimc::SkyFileFormat::cells, quasimc::SkyFileFormat::vlab}) {
+void quasimc::fuzz::fuzz_sky_table(const std::string& bytes) {
+    for (const auto format : {SkyFileFormat::cells, SkyFileFormat::vlab}) {
         try {
-            static_cast<void>(
-                quasimc::read_sky_table(text, "sky.txt", format, quasimc::SkyValues::flux));
-        } catch (const quasimc::InputError&) {  // most inputs are faulty
+            static_cast<void>(read_sky_table(bytes, "sky.txt", format, SkyValues::flux));
+        } catch (const InputError&) {  // most inputs are faulty
         }
     }
-    return 0;
 }

@@ -1,16 +1,13 @@
 // Specification files of both kinds; every file that they name is the specification itself.
 
-#include <cstddef>
-#include <cstdint>
-
 #include "coupling/lighting.h"
 #include "coupling/surface_file.h"
+#include "readers.h"
 
+namespace quasimc::fuzz {
 namespace {
 
-using namespace quasimc;
-
-void read(const std::string& text, SpecificationKind kind) {
+void read_specification(const std::string& text, SpecificationKind kind) {
     Notices silent([](const std::string&) {});
     InputFiles files("/fuzz", [&](const std::filesystem::path&) { return text; });
     try {
@@ -22,14 +19,14 @@ void read(const std::string& text, SpecificationKind kind) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const std::string text(data, data + size);
-    read(text, SpecificationKind::automatic);
-    read(text, SpecificationKind::montecarlo);
+void fuzz_specification(const std::string& bytes) {
+    read_specification(bytes, SpecificationKind::automatic);
+    read_specification(bytes, SpecificationKind::montecarlo);
     try {
-        static_cast<void>(quasimc::read_surface_text(text, "leaf.s", 1));
-    } catch (const quasimc::InputError&) {
-        return 0;
+        static_cast<void>(read_surface_text(bytes, "leaf.s", 1));
+    } catch (const InputError&) {
+        return;
     }
-    return 0;
 }
+
+}  // namespace quasimc::fuzz

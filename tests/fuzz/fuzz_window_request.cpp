@@ -1,27 +1,27 @@
-#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "readers.h"
 #include "scene/scene_builder.h"
 #include "view/live_window.h"
 #include "view/window_site.h"
 
+namespace quasimc::fuzz {
 namespace {
 
 constexpr std::string_view kToken = "0123456789abcdef0123456789abcdef";
 
-quasimc::WindowSite make_site(quasimc::WindowFiles files, quasimc::WindowKind kind) {
-    quasimc::WindowSite made(std::move(files), std::string(kToken), kind);
+WindowSite make_site(WindowFiles files, WindowKind kind) {
+    WindowSite made(std::move(files), std::string(kToken), kind);
     made.set_port(8080);
     return made;
 }
 
 /// A run of one organ, without light yet.
-quasimc::WindowFiles files_of_live_run() {
-    using namespace quasimc;
+WindowFiles files_of_live_run() {
     SceneBuilder builder({{"PAR"}});
     builder.add_material({"leaf", {{.1, .1}}, {{.1, .1}}});
     OrganSpec leaf;
@@ -41,20 +41,20 @@ quasimc::WindowFiles files_of_live_run() {
 }  // namespace
 
 /// No request is answered that does not name the host and the token.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using quasimc::WindowKind;
-    static const quasimc::WindowSite done =
-        make_site(quasimc::files_of({"{}", "shape", {"values"}}), WindowKind::of_result);
-    static const quasimc::WindowSite live = make_site(files_of_live_run(), WindowKind::live);
-    const std::string_view text(reinterpret_cast<const char*>(data), size);
+void fuzz_window_request(const std::string& bytes) {
+    static const WindowSite done =
+        make_site(files_of({"{}", "shape", {"values"}}), WindowKind::of_result);
+    static const WindowSite live = make_site(files_of_live_run(), WindowKind::live);
+    const std::string_view text(bytes);
     const bool has_both =
         text.find(kToken) != std::string_view::npos && text.find(":8080") != std::string_view::npos;
-    for (const quasimc::WindowSite* site : {&done, &live}) {
-        const quasimc::HttpAnswer answer = site->answer(quasimc::parse_request(text));
+    for (const WindowSite* site : {&done, &live}) {
+        const HttpAnswer answer = site->answer(parse_request(text));
         const bool is_told = answer.status == 200 || answer.status == 404;
         if ((is_told && !has_both) || !answer.head().ends_with("\r\n\r\n")) {
             std::abort();
         }
     }
-    return 0;
 }
+
+}  // namespace quasimc::fuzz

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -53,9 +51,7 @@ inline std::string read_small_file(const std::filesystem::path& path) {
 }
 
 /// Gives bytes to the reader of a format.
-inline void read_geometry_bytes(
-    std::string_view format, const std::uint8_t* data, std::size_t size) {
-    const std::string bytes(data, data + size);
+inline void read_geometry_bytes(std::string_view format, const std::string& bytes) {
     Reporter reporter{"file", {}, {}};
     InputFiles files("/fuzz", read_small_file);
     FormatContext context{reporter, files, ""};

@@ -2,13 +2,16 @@
 // ray engine is built, is kept within bounds that a further copy of the corners would break.
 //
 // Expected behaviour: the resident memory of a child process that makes a scene ready to trace
-// grows at most by so many bytes a triangle. (Tallies and results come on top, for each organ.)
+// grows at most by so many bytes a triangle. (Tallies and results come on top, for each organ; sums
+// are given back while there is more and more of the result.)
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -16,6 +19,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "quasimc/result.h"
+#include "run/simulator.h"
 #include "scene/scene_builder.h"
 #include "statistical/scenes.h"
 #include "support/process_memory.h"
@@ -39,18 +44,17 @@ void prepare(SceneBuilder builder) {
     EXPECT_EQ(prepared.lights().size(), 1U);
 }
 
-/// The peak of a child process that does `work`, above what it had before, in bytes a triangle.
+/// The bytes that a child process tells, for each triangle.
+/// @param work  returns them
 template <typename Work>
-double bytes_a_triangle(const Work& work) {
+double of_child(const Work& work) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) {
         return NAN;
     }
     const pid_t child = fork();
     if (child == 0) {
-        const double before = status_bytes("VmRSS");
-        work();
-        const double grown = status_bytes("VmHWM") - before;
+        const double grown = work();
         const auto written = write(ends[1], &grown, sizeof grown);
         std::_Exit(written == sizeof grown ? EXIT_SUCCESS : EXIT_FAILURE);
     }
@@ -61,6 +65,16 @@ double bytes_a_triangle(const Work& work) {
     int status = EXIT_FAILURE;
     waitpid(child, &status, 0);
     return got == sizeof grown && status == 0 ? grown / kTriangles : NAN;
+}
+
+/// The peak of a child process that does `work`, above what it had before, in bytes a triangle.
+template <typename Work>
+double bytes_a_triangle(const Work& work) {
+    return of_child([&] {
+        const double before = status_bytes("VmRSS");
+        work();
+        return status_bytes("VmHWM") - before;
+    });
 }
 
 /// A wavy sheet: half a vertex for each triangle.
@@ -124,6 +138,31 @@ TEST_F(Memory, OfAnOrganForEachTriangleIsBounded) {
     });
     EXPECT_LT(bytes, 480);
     EXPECT_GT(bytes, 200);
+}
+
+/// Sums of eight replicates take more than the result that is made of them.
+TEST_F(Memory, OfSumsIsGivenBackWhileTheResultGrows) {
+    constexpr const char* kPeak = "/proc/self/clear_refs";
+    if (access(kPeak, W_OK) != 0) {
+        GTEST_SKIP() << "peaks can't be forgotten here";
+    }
+    const double bytes = of_child([&] {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        for (const Triangle& leaf : random_leaves(kTriangles, .001, 1, 1)) {
+            builder.add_organ({.parts = {{"leaf", {leaf}}}});
+        }
+        const Scene scene = std::move(builder).build();
+        RunSpec spec = spec_of(Method::light_tracing, 64);
+        spec.replicates = 8;
+        Sums sums = Simulator().sums(scene, {sun(0, {1})}, spec);
+        std::ofstream(kPeak) << "5";
+        const double before = status_bytes("VmRSS");
+        const Result result = evaluate(std::move(sums), scene, {});
+        return result.organs() == kTriangles ? status_bytes("VmHWM") - before : NAN;
+    });
+    EXPECT_LT(bytes, 100);  // the result alone takes 224
+    EXPECT_GT(bytes, 1);
 }
 
 TEST_F(Memory, OfCopiesIsThatOfOneMesh) {

@@ -1,5 +1,8 @@
 // Sums of whole runs as a value: added, saved, evaluated.
 
+#include <cmath>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "results/evaluate.h"
@@ -47,6 +50,34 @@ TEST_P(RunSums, SayWhatTheRunSays) {
     expect_equal(
         evaluate(Simulator().sums(scene, two_lights(), spec), scene, {.sources = two_lights()}),
         run(scene, two_lights(), spec));
+}
+
+/// With more organs than are evaluated before their sums are given back.
+TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
+    constexpr std::size_t kLeaves = 33'000;
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(matt("leaf", .3, .2, 2));
+    add_leaves(builder, random_leaves(kLeaves, .01, 1, 5));
+    const Scene scene = std::move(builder).build();
+    const EvaluationSpec asked{
+        .ratios = {{0, 1}}, .groups = {.layers = 3}, .sources = two_lights(), .threads = 2};
+    Sums sums = Simulator().sums(scene, two_lights(), small_spec(Method::light_tracing));
+    const Result kept = evaluate(std::as_const(sums), scene, asked);
+    const Result given = evaluate(std::move(sums), scene, asked);
+    ASSERT_EQ(kept.organs(), kLeaves);
+    expect_equal(given, kept);
+    ASSERT_EQ(given.sunlit_fraction.size(), kLeaves);
+    ASSERT_EQ(given.ratio_values.size(), kLeaves);
+    for (std::size_t i = 0; i < kLeaves; ++i) {
+        EXPECT_EQ(given.sunlit_fraction[i].high, kept.sunlit_fraction[i].high) << i;
+        const double low = kept.ratio(i, 0).low;  // NaN where nothing was found
+        EXPECT_TRUE(given.ratio(i, 0).low == low || std::isnan(low)) << i;
+    }
+    ASSERT_EQ(given.groups.values.size(), kept.groups.values.size());
+    for (std::size_t i = 0; i < kept.groups.values.size(); ++i) {
+        EXPECT_EQ(given.groups.values[i].high, kept.groups.values[i].high) << i;
+    }
+    EXPECT_EQ(given.budget[0].absorbed_by_organs.high, kept.budget[0].absorbed_by_organs.high);
 }
 
 TEST_P(RunSums, OfRoundsAddUpToThoseOfTheWholeRun) {

@@ -1,4 +1,8 @@
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +52,28 @@ TEST(ExactBins, AddsOthersWithTheirCarries) {
     c.add(0, kCarry - 1);
     b += c;
     EXPECT_TRUE(a.steps(0) == b.steps(0)) << "in any order";
+}
+
+TEST(ExactBins, AreClearedWithinPagesAndOverThem) {
+    constexpr std::size_t kBins = 50000;  // some pages
+    for (const std::int64_t steps : {std::int64_t{7}, std::numeric_limits<std::int64_t>::max()}) {
+        for (const auto& [first, last] : std::vector<std::pair<std::size_t, std::size_t>>{
+                 {0, kBins}, {3, 49990}, {700, 705}, {kBins, kBins}}) {
+            ExactBins bins(kBins);
+            ExactBins expected(kBins);
+            for (std::size_t i = 0; i < kBins; ++i) {
+                bins.add(i, steps);
+                if (i < first || i >= last) {
+                    expected.add(i, steps);
+                }
+            }
+            bins.clear(first, last);
+            EXPECT_TRUE(bins == expected) << first << " to " << last;
+            bins.add(3000, 1);  // they are as new
+            expected.add(3000, 1);
+            EXPECT_EQ(bins.steps(3000), expected.steps(3000));
+        }
+    }
 }
 
 TEST(ExactBins, SettlesWhatOthersAdded) {

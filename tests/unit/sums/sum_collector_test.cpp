@@ -88,6 +88,24 @@ TEST(SumCollector, SumsWhatNoNumberOfItsOwnCouldHold) {
         75 * from_fixed(ExactBins::kCarry));
 }
 
+/// Whether what a worker adds is in the sums at once.
+bool is_shared(const SumLayout& layout) {
+    Sums sums = sums_of(layout, 1);
+    SumCollector collector(sums, 1, kPrivate, 2);
+    collector.tally_for(0, 0).add(layout.sunlit(5), 3);
+    const bool is_there = sums.replicates[0].steps(layout.sunlit(5)).low == 3;
+    collector.collect();
+    EXPECT_EQ(sums.replicates[0].steps(layout.sunlit(5)).low, 3);
+    return is_there;
+}
+
+TEST(SumCollector, SharesWhatManyRegionsAreMetIn) {
+    constexpr std::size_t kMany = 1 << 17;
+    EXPECT_TRUE(is_shared({kMany, 1, 1}));
+    EXPECT_FALSE(is_shared({kMany - 1, 1, 1}));
+    EXPECT_FALSE(is_shared({kMany, 1, 20})) << "of many bands";
+}
+
 TEST(SumCollector, KeepsNothingBackAfterCollecting) {
     Sums sums = sums_of({1, 1, 1}, 2);
     const std::size_t rays = sums.layout.rays();
