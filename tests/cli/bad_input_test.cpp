@@ -2,6 +2,9 @@
 // output and no file written. Never a crash.
 
 #include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +81,21 @@ TEST_F(ProgramTest, AFaultIsToldOnce) {
             good_run_file(), "file = \"leaves.tri\"", "file = \"leaves.tri\"\nat = [1, 2, 3]"));
     const std::string err = run({"run", "run.toml"}).err;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
+/// What is given twice is one fault: neither of the two is a key that nobody knows.
+TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
+    const std::string place = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
+    const std::vector<std::array<std::string, 2>> table{
+        {"direction = [0, 0, -1]", "direction = [0, 0, -1]\nazimuth_deg = 10\nelevation_deg = 20"},
+        {"[run]", place + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
+                          "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
+    for (const auto& [find, replacement] : table) {
+        folder_.write("run.toml", replaced(good_run_file(), find, replacement));
+        const Outcome outcome = run({"run", "run.toml"});
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_EQ(outcome.err.find("unknown key"), std::string::npos) << outcome.err;
+    }
 }
 
 TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {

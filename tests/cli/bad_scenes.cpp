@@ -35,6 +35,9 @@ const std::vector<BadInput> kBadScenes{
      "run.toml:12: source 'directional': irradiance_facing is 1e+308 (it must be 0 to 1"},
     {"FluxBeyondNumbers", "type = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1",
      "type = \"point\"\nposition = [0, 0, 9]\npower = 1e308", "power is 1e+308"},
+    {"LampOfNoSize", "type = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1",
+     "type = \"sphere\"\nposition = [0, 0, 9]\nradius = 0\npower = 1",
+     "run.toml:12: source 'sphere': radius is 0 (it must be more than 0)"},
     {"ReadingBeyondNumbers", "[run]",
      "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
      "global = 1e308\n[run]",

@@ -11,8 +11,10 @@ namespace {
 /// The unit vector in which light travels, z up; nothing after a fault.
 std::optional<Vec3> read_travel(TableReader& table, const Orientation& orientation) {
     const bool has_direction = table.any("direction") != nullptr;
-    const bool has_angles =
-        table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
+    // Each is looked at, or a fault below would leave the other a key that nobody knows.
+    const bool has_azimuth = table.any("azimuth_deg") != nullptr;
+    const bool has_elevation = table.any("elevation_deg") != nullptr;
+    const bool has_angles = has_azimuth || has_elevation;
     if (has_direction == has_angles) {
         table.fault(
             has_direction ? "direction and angles are given" : "where it shines from is missing",

@@ -169,12 +169,14 @@ bool TimeSpan::holds(const CivilTime& start, double seconds) const {
 std::optional<TimeSpan> read_span(TimeContext& context) {
     TableReader& table = *context.table;
     const bool has_day = table.any("day") != nullptr;
-    const bool has_period = table.any("from") != nullptr || table.any("to") != nullptr;
+    const bool has_from = table.any("from") != nullptr, has_to = table.any("to") != nullptr;
+    const bool has_period = has_from || has_to;
     if (!has_day && !has_period) {
         return std::nullopt;
     }
     if (has_day && has_period) {
         table.fault("both day and from, to are given", "", "give one of them");
+        static_cast<void>(table.any("hours"));  // a key that is known all the same
         return std::nullopt;
     }
     TimeSpan span;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,9 @@ namespace {
 std::string range_text(Range range) {
     if (range.low == TableReader::kFinite.low && range.high == TableReader::kFinite.high) {
         return "it must be a finite number";
+    }
+    if (range.low == std::numeric_limits<double>::min()) {
+        return "it must be more than 0";
     }
     if (range.high == TableReader::kFinite.high) {
         return fmt::format("it must be a finite number, {} or more", range.low);
