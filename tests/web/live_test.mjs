@@ -159,7 +159,7 @@ async function checkRun(context) {
 name = "PAR"
 [run]
 method = "light_tracing"
-paths = 1048576
+paths = 4194304
 replicates = 16
 threads = 1
 [output]
