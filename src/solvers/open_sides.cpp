@@ -43,8 +43,8 @@ double OpenSides::share_of(const Vec3& travel) const {
 void OpenSides::add_seen(
     const ItemBuffer& pixels, const DrawnDirection& from, std::uint32_t count) {
     // An exitance of 1 is a radiance of 1 / pi.
-    const double weight = share_of(from.direction) / (from.density * count) / std::numbers::pi *
-                          pixels.pixel_area();
+    const double weight =
+        share_of(from.direction) / (from.density * count) / std::numbers::pi * pixels.pixel_area();
     for (const ItemBuffer::Item& item : pixels.items()) {
         const std::uint32_t region = patches_.prepared.region(item.triangle);
         seen_[2 * std::size_t{region} + (item.cosine > 0 ? 1 : 0)] += weight * item.pixels;
