@@ -30,6 +30,17 @@ void sort_by_cube(std::vector<OverlapEntry>& entries) {
 
 }  // namespace
 
+bool OverlapEntry::may_lie_on(const OverlapEntry& other) const {
+    const float both = blur + other.blur;
+    // A point that lies on both is half a diagonal, .87 edges, from the middle of its cube, and the
+    // planes differ there by a turn of at most `both` and by their thickness, a quarter of it.
+    const float most = 2 * both;
+    return std::abs(facing - other.facing) <= both &&
+           (std::abs(offset - other.offset) <= most ||
+            // Normals at right angles to the generic direction: either side may be taken.
+            (facing <= both && std::abs(offset + other.offset) <= most));
+}
+
 TriangleExtent::TriangleExtent(const Triangle& t) : bounds(bounds_of(t)), size(size_of(bounds)) {}
 
 OverlapGrid::OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>& changed)
@@ -72,6 +83,18 @@ void OverlapGrid::for_each_cube(const Cubes& cubes, int level, const Visit& visi
             return;
         }
     }
+}
+
+double OverlapGrid::per_length(int level) const {
+    return static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
+}
+
+Vec3 OverlapGrid::middle_of(std::uint64_t cube) const {
+    const double edge = 1 / per_length(static_cast<int>(cube >> 60));
+    const auto along = [&](int axis) {
+        return (static_cast<double>(cube >> (40 - 20 * axis) & 0xfffff) + .5) * edge;
+    };
+    return low_ + Vec3{along(0), along(1), along(2)};
 }
 
 int OverlapGrid::home_level(double triangle_size) const {
@@ -155,14 +178,14 @@ bool OverlapGrid::is_marked(std::uint64_t cube) const {
 
 OverlapGrid::Cubes OverlapGrid::cubes_at(const TriangleExtent& extent, int level) const {
     const double blur = thickness(extent.size);
-    const double per_length = static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
+    const double cubes_per_length = per_length(level);
     const Vec3 low = extent.bounds.low - low_;
     const Vec3 high = extent.bounds.high - low_;
     const auto first = [&](double p) {
-        return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * per_length));
+        return static_cast<std::uint64_t>(std::max(0.0, (p - blur) * cubes_per_length));
     };
     const auto count = [&](double from, double to) {
-        return static_cast<std::uint64_t>((to + blur) * per_length) + 1 - first(from);
+        return static_cast<std::uint64_t>((to + blur) * cubes_per_length) + 1 - first(from);
     };
     return {
         {first(low.x), first(low.y), first(low.z)},
@@ -181,11 +204,14 @@ void OverlapGrid::enter(std::uint32_t i, int level, bool is_native, std::uint64_
         return;
     }
     const double blur = thickness(extent.size);
-    OverlapEntry entry{0, 0, 0, i};
-    entry.facing = static_cast<float>(std::abs(dot(normalized(area_vector(t)), kGeneric)));
+    OverlapEntry entry{0, 0, 0, 0, i};
+    const Vec3 normal = normalized(area_vector(t));
+    const Vec3 upward = dot(normal, kGeneric) < 0 ? -normal : normal;
+    entry.facing = static_cast<float>(dot(upward, kGeneric));
     entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
     for_each_cube(cubes, level, [&](std::uint64_t cube) {
         entry.cube = cube;
+        entry.offset = static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length(level));
         if ((passes_ == 1 || mixed(cube) % passes_ == pass) && is_marked(cube)) {
             (is_native ? natives_ : visitors_).push_back(entry);
         }

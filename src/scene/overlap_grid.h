@@ -15,7 +15,14 @@ struct OverlapEntry {
     std::uint64_t cube;
     float facing;  ///< |cos| of the angle between the normal and a generic direction
     float blur;    ///< how much `facing` of a coplanar triangle may differ
+    /// How far the plane lies from the middle of the cube towards the generic direction, of the
+    /// cube's edge.
+    float offset;
     std::uint32_t triangle;
+
+    /// Whether the triangles may lie on each other where this cube is: their planes are parallel,
+    /// and the same in the cube.
+    [[nodiscard]] bool may_lie_on(const OverlapEntry& other) const;
 };
 
 /// What is known of a triangle by its place alone.
@@ -62,6 +69,9 @@ class OverlapGrid {
     [[nodiscard]] bool is_partial() const { return !changed_.empty(); }
     [[nodiscard]] int home_level(double triangle_size) const;
     [[nodiscard]] Cubes cubes_at(const TriangleExtent& extent, int level) const;
+    /// Cubes of a level.
+    [[nodiscard]] double per_length(int level) const;
+    [[nodiscard]] Vec3 middle_of(std::uint64_t cube) const;
     [[nodiscard]] bool is_marked(std::uint64_t cube) const;
     [[nodiscard]] static std::uint64_t mark_of(std::uint64_t cube);
     template <typename Visit>

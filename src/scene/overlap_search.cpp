@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -41,7 +42,7 @@ class OverlapSearch {
         sort_found();
         const auto most = std::max_element(same_before_.begin(), same_before_.end());
         return {
-            {std::move(found_), false, comparisons_ > most_comparisons_},
+            {std::move(found_), false, is_given_up()},
             comparisons_,
             most == same_before_.end() ? 0U : *most};
     }
@@ -49,7 +50,8 @@ class OverlapSearch {
   private:
     /// A triangle and its extent.
     struct Placed {
-        explicit Placed(const Triangle& t) : triangle(t), extent(t) {}
+        Placed(std::uint32_t i, const Triangle& t) : number(i), triangle(t), extent(t) {}
+        std::uint32_t number;
         Triangle triangle;
         TriangleExtent extent;
     };
@@ -94,13 +96,16 @@ class OverlapSearch {
     /// ones.
     /// @param most_blur  of the triangles at home in the cube
     void compare(const OverlapEntry& entry, Entries natives, float most_blur) {
+        if (is_given_up()) {
+            return;
+        }
+        std::optional<Placed> placed;
         for (const OverlapEntry& other : natives) {
             if (other.facing > entry.facing + entry.blur + most_blur) {
                 return;
             }
-            const bool is_parallel =
-                std::abs(other.facing - entry.facing) <= entry.blur + other.blur;
-            if (!is_parallel || other.triangle == entry.triangle) {
+            ++looks_;
+            if (!entry.may_lie_on(other) || other.triangle == entry.triangle) {
                 continue;  // most triangles: they need not be fetched
             }
             if (is_piled(entry)) {
@@ -112,37 +117,34 @@ class OverlapSearch {
             if (++comparisons_ > most_comparisons_) {
                 return;
             }
-            compare(entry.triangle, other.triangle);
+            if (!placed) {
+                placed.emplace(entry.triangle, triangles_[entry.triangle]);
+            }
+            compare(*placed, {other.triangle, triangles_[other.triangle]});
         }
     }
 
-    void compare(std::uint32_t first, std::uint32_t second) {
-        const Placed a(triangles_[first]);
-        const Placed b(triangles_[second]);
+    void compare(const Placed& a, const Placed& b) {
         if (!meet(grown(a.extent), grown(b.extent))) {
             return;
         }
         const bool is_a_smaller = is_smaller(a.triangle, b.triangle);
         if (is_a_smaller) {
-            look_on_larger(a, b.triangle, {first, second});
+            look_on_larger(a, b);
         }
         if (!is_a_smaller || is_smaller(b.triangle, a.triangle)) {
-            look_on_larger(b, a.triangle, {first, second});
+            look_on_larger(b, a);
         }
     }
 
-    /// @param numbers  of the two triangles
-    void look_on_larger(
-        const Placed& small,
-        const Triangle& large,
-        std::pair<std::uint32_t, std::uint32_t> numbers) {
+    void look_on_larger(const Placed& small, const Placed& large) {
         const double tolerance = grid_.thickness(small.extent.size);
-        if (!lies_on(small.triangle, small.extent.bounds, large, tolerance)) {
+        if (!lies_on(small.triangle, small.extent.bounds, large.triangle, tolerance)) {
             return;
         }
         const Overlap found{
-            std::min(numbers.first, numbers.second), std::max(numbers.first, numbers.second),
-            is_same(small.triangle, large, tolerance)};
+            std::min(small.number, large.number), std::max(small.number, large.number),
+            is_same(small.triangle, large.triangle, tolerance)};
         if (found.is_same) {
             ++same_before_[found.second];
         }
@@ -160,6 +162,11 @@ class OverlapSearch {
     /// the others.
     [[nodiscard]] bool is_piled(const OverlapEntry& entry) const {
         return same_before_[entry.triangle] >= kPileOfTriangles;
+    }
+
+    /// A look at two entries takes less than an eighth of the time of comparing triangles.
+    [[nodiscard]] bool is_given_up() const {
+        return comparisons_ > most_comparisons_ || looks_ > 8 * most_comparisons_;
     }
 
     [[nodiscard]] bool is_asked_for(const OverlapEntry& a, const OverlapEntry& b) const {
@@ -204,6 +211,7 @@ class OverlapSearch {
     std::vector<std::uint8_t> same_before_;
     std::vector<Overlap> found_;
     std::size_t comparisons_ = 0;
+    std::size_t looks_ = 0;
 };
 
 }  // namespace
