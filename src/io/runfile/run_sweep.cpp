@@ -1,8 +1,11 @@
 // The runs of a run file: one for each point of its sweep.
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,10 +38,6 @@ namespace {
 
 /// No more points are read once so many faults were found.
 constexpr std::size_t kMostPointFaults = 100;
-
-bool is_same(const Fault& a, const Fault& b) {
-    return a.text() == b.text();
-}
 
 /// Every key of labels of the organs, in order: the columns that they make.
 std::set<std::string> label_keys_of(const Scene& scene) {
@@ -168,13 +167,12 @@ class RunSweep::State {
     /// What is wrong at one point is often wrong at all of them.
     void add_new(std::size_t point, const InputError& error) {
         for (const Fault& fault : error.faults()) {
-            const auto known = std::find_if(
-                point_faults_.begin(), point_faults_.end(),
-                [&](const auto& each) { return is_same(each.fault, fault); });
-            if (known == point_faults_.end()) {
+            const auto [known, is_new] =
+                places_of_faults_.try_emplace(fault.text(), point_faults_.size());
+            if (is_new) {
                 point_faults_.push_back({fault, point, 1});
             } else {
-                ++known->points;
+                ++point_faults_[known->second].points;
             }
         }
     }
@@ -264,6 +262,7 @@ class RunSweep::State {
     std::set<std::pair<std::string, std::string>> told_;
     std::set<std::string> labels_;
     std::vector<PointFault> point_faults_;
+    std::unordered_map<std::string, std::size_t> places_of_faults_;  // by their texts
     std::size_t dark_points_ = 0, first_dark_ = 0;
     std::shared_ptr<std::vector<SweepPoint>> points_ = std::make_shared<std::vector<SweepPoint>>();
 };
