@@ -25,8 +25,9 @@ void offer_huge_pages(void* memory, std::size_t size) {
     const auto block = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t begin = (block + kHugePage - 1) / kHugePage * kHugePage;
     const std::uintptr_t end = (block + size) / kHugePage * kHugePage;
+    char* const first_page = static_cast<char*>(memory) + (begin - block);
     // A refusal changes nothing but speed.
-    static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE));
+    static_cast<void>(madvise(first_page, end - begin, MADV_HUGEPAGE));
 }
 
 }  // namespace
