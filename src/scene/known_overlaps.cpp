@@ -90,10 +90,9 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
         found = search_overlaps(triangles, matching.changed);
     }
     // No less than a search of all would count: of the pairs that are left, the first did so.
-    found.comparisons += known_.comparisons;
+    found.work += known_.work;
     found.most_same += known_.most_same;
-    if (found.comparisons > most_comparisons(triangles.size()) ||
-        found.most_same >= kPileOfTriangles) {
+    if (found.work.is_too_much(triangles.size()) || found.most_same >= kPileOfTriangles) {
         return std::nullopt;
     }
     std::vector<Overlap>& pairs = found.overlaps.pairs;

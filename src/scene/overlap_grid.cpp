@@ -12,9 +12,6 @@
 namespace quasimc {
 namespace {
 
-/// A direction that normals of modelled organs are seldom symmetric about.
-constexpr Vec3 kGeneric{0.3518, 0.7143, 0.6049};
-
 /// Spreads the numbers of cubes evenly.
 std::uint64_t mixed(std::uint64_t cube) {
     return (cube * 0x9e3779b97f4a7c15U) >> 40;
@@ -30,15 +27,18 @@ void sort_by_cube(std::vector<OverlapEntry>& entries) {
 
 }  // namespace
 
-bool OverlapEntry::may_lie_on(const OverlapEntry& other) const {
-    const float both = blur + other.blur;
+bool OverlapEntry::is_parallel_to(const OverlapEntry& other) const {
+    return std::abs(facing - other.facing) <= blur + other.blur;
+}
+
+bool OverlapEntry::is_in_plane_of(const OverlapEntry& other) const {
+    const float turn = blur + other.blur;
     // A point that lies on both is half a diagonal, .87 edges, from the middle of its cube, and the
-    // planes differ there by a turn of at most `both` and by their thickness, a quarter of it.
-    const float most = 2 * both;
-    return std::abs(facing - other.facing) <= both &&
-           (std::abs(offset - other.offset) <= most ||
-            // Normals at right angles to the generic direction: either side may be taken.
-            (facing <= both && std::abs(offset + other.offset) <= most));
+    // planes differ there by their turn and by their thickness, a quarter of it.
+    const float most = 2 * turn;
+    return std::abs(offset - other.offset) <= most ||
+           // Normals at right angles to the generic direction: either side may be taken.
+           (facing <= turn && std::abs(offset + other.offset) <= most);
 }
 
 TriangleExtent::TriangleExtent(const Triangle& t) : bounds(bounds_of(t)), size(size_of(bounds)) {}
@@ -206,13 +206,14 @@ void OverlapGrid::enter(std::uint32_t i, int level, bool is_native, std::uint64_
     const double blur = thickness(extent.size);
     OverlapEntry entry{0, 0, 0, 0, i};
     const Vec3 normal = normalized(area_vector(t));
-    const Vec3 upward = dot(normal, kGeneric) < 0 ? -normal : normal;
-    entry.facing = static_cast<float>(dot(upward, kGeneric));
+    const Vec3 upward = dot(normal, kGenericDirection) < 0 ? -normal : normal;
+    entry.facing = static_cast<float>(dot(upward, kGenericDirection));
     entry.blur = static_cast<float>(4 * blur / height(t) + 1e-6);
     for_each_cube(cubes, level, [&](std::uint64_t cube) {
-        entry.cube = cube;
-        entry.offset = static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length(level));
         if ((passes_ == 1 || mixed(cube) % passes_ == pass) && is_marked(cube)) {
+            entry.cube = cube;
+            entry.offset =
+                static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length(level));
             (is_native ? natives_ : visitors_).push_back(entry);
         }
         return true;

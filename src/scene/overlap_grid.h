@@ -10,6 +10,9 @@
 
 namespace quasimc {
 
+/// A direction that normals of modelled organs are seldom symmetric about.
+inline constexpr Vec3 kGenericDirection{0.3518, 0.7143, 0.6049};
+
 /// A triangle in a cube of the grids.
 struct OverlapEntry {
     std::uint64_t cube;
@@ -20,9 +23,10 @@ struct OverlapEntry {
     float offset;
     std::uint32_t triangle;
 
-    /// Whether the triangles may lie on each other where this cube is: their planes are parallel,
-    /// and the same in the cube.
-    [[nodiscard]] bool may_lie_on(const OverlapEntry& other) const;
+    /// Whether the planes may be parallel.
+    [[nodiscard]] bool is_parallel_to(const OverlapEntry& other) const;
+    /// Whether parallel planes may be the same in this cube.
+    [[nodiscard]] bool is_in_plane_of(const OverlapEntry& other) const;
 };
 
 /// What is known of a triangle by its place alone.

@@ -31,7 +31,6 @@ class OverlapSearch {
         : triangles_(triangles),
           changed_(changed),
           grid_(triangles, changed),
-          most_comparisons_(most_comparisons(triangles.size())),
           same_before_(triangles.size()) {}
 
     OverlapSearchResult run() {
@@ -43,7 +42,7 @@ class OverlapSearch {
         const auto most = std::max_element(same_before_.begin(), same_before_.end());
         return {
             {std::move(found_), false, is_given_up()},
-            comparisons_,
+            work_,
             most == same_before_.end() ? 0U : *most};
     }
 
@@ -96,16 +95,12 @@ class OverlapSearch {
     /// ones.
     /// @param most_blur  of the triangles at home in the cube
     void compare(const OverlapEntry& entry, Entries natives, float most_blur) {
-        if (is_given_up()) {
-            return;
-        }
         std::optional<Placed> placed;
         for (const OverlapEntry& other : natives) {
             if (other.facing > entry.facing + entry.blur + most_blur) {
                 return;
             }
-            ++looks_;
-            if (!entry.may_lie_on(other) || other.triangle == entry.triangle) {
+            if (!entry.is_parallel_to(other) || other.triangle == entry.triangle) {
                 continue;  // most triangles: they need not be fetched
             }
             if (is_piled(entry)) {
@@ -114,8 +109,13 @@ class OverlapSearch {
             if (is_piled(other) || !is_asked_for(entry, other)) {
                 continue;
             }
-            if (++comparisons_ > most_comparisons_) {
+            const bool is_in_plane = entry.is_in_plane_of(other);
+            ++(is_in_plane ? work_.comparisons : work_.looks);
+            if (is_given_up()) {
                 return;
+            }
+            if (!is_in_plane) {
+                continue;
             }
             if (!placed) {
                 placed.emplace(entry.triangle, triangles_[entry.triangle]);
@@ -164,10 +164,7 @@ class OverlapSearch {
         return same_before_[entry.triangle] >= kPileOfTriangles;
     }
 
-    /// A look at two entries takes less than an eighth of the time of comparing triangles.
-    [[nodiscard]] bool is_given_up() const {
-        return comparisons_ > most_comparisons_ || looks_ > 8 * most_comparisons_;
-    }
+    [[nodiscard]] bool is_given_up() const { return work_.is_too_much(triangles_.size()); }
 
     [[nodiscard]] bool is_asked_for(const OverlapEntry& a, const OverlapEntry& b) const {
         return changed_.empty() || changed_[a.triangle] || changed_[b.triangle];
@@ -207,11 +204,9 @@ class OverlapSearch {
     const SceneGeometry& triangles_;
     const std::vector<bool>& changed_;
     OverlapGrid grid_;
-    std::size_t most_comparisons_;
     std::vector<std::uint8_t> same_before_;
     std::vector<Overlap> found_;
-    std::size_t comparisons_ = 0;
-    std::size_t looks_ = 0;
+    OverlapWork work_;
 };
 
 }  // namespace
@@ -229,8 +224,14 @@ Overlaps find_overlaps(const SceneGeometry& triangles) {
     return search_overlaps(triangles).overlaps;
 }
 
-std::size_t most_comparisons(std::size_t triangles) {
-    return 1'000'000 + 200 * triangles;
+OverlapWork& OverlapWork::operator+=(const OverlapWork& other) {
+    comparisons += other.comparisons;
+    looks += other.looks;
+    return *this;
+}
+
+bool OverlapWork::is_too_much(std::size_t triangles) const {
+    return comparisons + looks / 8 > 1'000'000 + 200 * triangles;
 }
 
 OverlapSearchResult search_overlaps(

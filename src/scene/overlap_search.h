@@ -31,17 +31,27 @@ inline constexpr std::size_t kMostToCompare = 3'000'000;
 /// thousandth of the smaller one is covered. Takes some n log n comparisons.
 [[nodiscard]] Overlaps find_overlaps(const SceneGeometry& triangles);
 
+/// What a search does with pairs of triangles that face the same way.
+struct OverlapWork {
+    std::size_t comparisons = 0;  ///< of pairs in one plane
+    std::size_t looks = 0;        ///< at pairs in parallel planes
+
+    OverlapWork& operator+=(const OverlapWork& other);
+    /// Whether a search among so many triangles goes no further. To compare two takes as long as
+    /// eight looks or more.
+    [[nodiscard]] bool is_too_much(std::size_t triangles) const;
+};
+
 /// What a search found, and how much work it was.
 struct OverlapSearchResult {
     Overlaps overlaps;
-    std::size_t comparisons = 0;
+    OverlapWork work;
     /// How often a triangle was found to be the same as one before it, at most.
     std::uint32_t most_same = 0;
 };
 
-/// As find_overlaps, which goes no further once it has compared that many pairs, or knows a
-/// triangle to be the same as that many before it: it then depends on the order of the search.
-[[nodiscard]] std::size_t most_comparisons(std::size_t triangles);
+/// A triangle that is the same as that many before it is compared no more: what is found then
+/// depends on the order of the search.
 inline constexpr std::uint32_t kPileOfTriangles = 64;
 
 /// As find_overlaps, with the work; at most kMostToCompare triangles.

@@ -142,5 +142,20 @@ TEST(KnownOverlaps, CompareAllWhereSoManyAreTheSameThatTheOrderOfTheSearchCounts
     EXPECT_FALSE(known.changed());
 }
 
+/// No step looks at so many pairs by itself, all together they do.
+TEST(KnownOverlaps, GiveUpWhereASearchOfAllDoesThoughNoPlaneIsShared) {
+    KnownOverlaps known;
+    OwnedTriangles organs{{0, frame()}};
+    for (const std::int64_t count : {4500, 6000}) {
+        for (std::int64_t id = 1; id <= count; ++id) {
+            const double z = 5e-5 * static_cast<double>(id);
+            organs[id] = {{Vec3{0.1, 0.1, z}, {0.9, 0.1, z}, {0.1, 0.9, z}}};
+        }
+        const Overlaps found = find(known, organs);
+        EXPECT_EQ(found.gave_up, count == 6000);
+        expect_found_by_all(found, organs);
+    }
+}
+
 }  // namespace
 }  // namespace quasimc::test
