@@ -7,8 +7,6 @@
 //
 // This is the program's choice, not the library's: who embeds the library keeps his own `new`.
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -55,5 +53,3 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t /*size*/) noexcept {
     std::free(memory);
 }
-
-#endif
