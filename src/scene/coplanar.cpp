@@ -191,9 +191,10 @@ double size_of(const Bounds& bounds) {
 }
 
 double height(const Triangle& t) {
+    const auto square = [](const Vec3& v) { return dot(v, v); };
     const double longest =
-        std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
-    return length(area_vector(t)) / longest;
+        std::max({square(t[1] - t[0]), square(t[2] - t[1]), square(t[0] - t[2])});
+    return length(area_vector(t)) / std::sqrt(longest);
 }
 
 bool lies_in_plane(const Triangle& small, const Triangle& large, double tolerance) {

@@ -49,6 +49,9 @@ OverlapGrid::OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>
     const Bounds bounds = bounds_of(triangles);
     low_ = bounds.low;
     size_ = size_of(bounds);
+    for (std::size_t level = 0; level < kLevels; ++level) {
+        per_length_[level] = static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
+    }
 }
 
 double OverlapGrid::thickness(double triangle_size) const {
@@ -85,12 +88,8 @@ void OverlapGrid::for_each_cube(const Cubes& cubes, int level, const Visit& visi
     }
 }
 
-double OverlapGrid::per_length(int level) const {
-    return static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
-}
-
 Vec3 OverlapGrid::middle_of(std::uint64_t cube) const {
-    const double edge = 1 / per_length(static_cast<int>(cube >> 60));
+    const double edge = 1 / per_length_[cube >> 60];
     const auto along = [&](int axis) {
         return (static_cast<double>(cube >> (40 - 20 * axis) & 0xfffff) + .5) * edge;
     };
@@ -178,7 +177,7 @@ bool OverlapGrid::is_marked(std::uint64_t cube) const {
 
 OverlapGrid::Cubes OverlapGrid::cubes_at(const TriangleExtent& extent, int level) const {
     const double blur = thickness(extent.size);
-    const double cubes_per_length = per_length(level);
+    const double cubes_per_length = per_length_[static_cast<std::size_t>(level)];
     const Vec3 low = extent.bounds.low - low_;
     const Vec3 high = extent.bounds.high - low_;
     const auto first = [&](double p) {
@@ -213,7 +212,7 @@ void OverlapGrid::enter(std::uint32_t i, int level, bool is_native, std::uint64_
         if ((passes_ == 1 || mixed(cube) % passes_ == pass) && is_marked(cube)) {
             entry.cube = cube;
             entry.offset =
-                static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length(level));
+                static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length_[static_cast<std::size_t>(level)]);
             (is_native ? natives_ : visitors_).push_back(entry);
         }
         return true;

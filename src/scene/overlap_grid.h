@@ -73,8 +73,6 @@ class OverlapGrid {
     [[nodiscard]] bool is_partial() const { return !changed_.empty(); }
     [[nodiscard]] int home_level(double triangle_size) const;
     [[nodiscard]] Cubes cubes_at(const TriangleExtent& extent, int level) const;
-    /// Cubes of a level.
-    [[nodiscard]] double per_length(int level) const;
     [[nodiscard]] Vec3 middle_of(std::uint64_t cube) const;
     [[nodiscard]] bool is_marked(std::uint64_t cube) const;
     [[nodiscard]] static std::uint64_t mark_of(std::uint64_t cube);
@@ -94,6 +92,7 @@ class OverlapGrid {
     const std::vector<bool>& changed_;
     Vec3 low_;
     double size_;
+    std::array<double, kLevels> per_length_{};  // how many cubes of a level lie side by side
     std::uint64_t passes_;
     std::vector<bool> marked_;  // cubes, by mark_of()
     std::vector<OverlapEntry> natives_, visitors_;

@@ -14,7 +14,7 @@ const kPoll = 3; // milliseconds between questions whether a frame is done
 export class FrameBudget {
   /** @param gl  the graphics  @param onRest  called when all are to be drawn again */
   constructor(gl, onRest) {
-    Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, waiting: null, fences: [], done: 0 });
+    Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, isFirst: true, waiting: null, fences: [], done: 0 });
   }
 
   /** Of the scene that is drawn from now on. The first frames are thin: nothing is known of the graphics yet. */
@@ -73,9 +73,12 @@ export class FrameBudget {
       if (this.fences.length > 0) {
         this.#wait();
       }
-      if (this.isMoving) {
+      if (this.isMoving && this.isFirst) {
+        this.#stop(); // nobody turns it yet: after the thin frame that is soon seen, all
+      } else if (this.isMoving) {
         this.#awaitRest();
       }
+      this.isFirst = false;
       const act = this.waiting;
       this.waiting = null;
       act?.();

@@ -106,7 +106,7 @@ struct RayCaster::Impl {
     LocalMesh mesh;
     WrappedGeometry wrapped;  // of a periodic scene: what its triangles are images of
     Cell cell;                // local coordinates
-    std::vector<Vec3> outline;
+    Lazy<std::vector<Vec3>> outline;
     Tile tile;
     std::unique_ptr<Intersector> engine;
     Lazy<SurfaceCrossings> crossings;
@@ -206,9 +206,6 @@ RayCaster::RayCaster(
     impl_->cell = local_cell(impl_->mesh, cell);
     impl_->tile = make_tile(impl_->mesh, impl_->cell);
     impl_->engine = make(impl_->mesh);
-    if (!(cell.along_x && cell.along_y)) {
-        impl_->outline = outline_points(impl_->mesh);
-    }
 }
 
 RayCaster::~RayCaster() = default;
@@ -232,7 +229,10 @@ const Cell& RayCaster::cell() const {
 }
 
 const std::vector<Vec3>& RayCaster::outline() const {
-    return impl_->outline;
+    return impl_->outline.get([this] {
+        const bool is_endless = impl_->cell.along_x && impl_->cell.along_y;
+        return is_endless ? std::vector<Vec3>() : outline_points(impl_->mesh);
+    });
 }
 
 const SurfaceCrossings& RayCaster::crossings(const std::stop_token& stop) const {

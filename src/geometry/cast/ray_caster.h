@@ -56,7 +56,7 @@ class RayCaster {
     /// The cell in local coordinates.
     [[nodiscard]] const Cell& cell() const;
     /// Points whose convex hull holds the scene, local coordinates; none of a scene periodic along
-    /// x and y.
+    /// x and y. Looked for when they are first asked for.
     [[nodiscard]] const std::vector<Vec3>& outline() const;
     /// Where triangles of the mesh cross; looked for when it is first asked for.
     /// @throws StopRequested  if a stop is requested before they are found
