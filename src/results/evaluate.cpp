@@ -185,7 +185,7 @@ Result evaluate_sums(
     result.paths = sums.paths;
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
     if (has_two_levels(sums)) {
-        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, result);
+        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, spec, result);
     }
     return result;
 }

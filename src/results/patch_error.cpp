@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/checks.h"
+#include "results/patch_error_pool.h"
 
 namespace quasimc {
 namespace {
@@ -85,29 +86,6 @@ void Widening::widen(const Result& other, Result& result) const {
     }
 }
 
-/// Lets each organ differ from `fine`, in a quantity and a band, by as much as counts as its error
-/// (PatchErrorPool::shrunk): its flux by as much as its flux density.
-void pool_differences(
-    const Scene& scene, const Result& fine, Quantity quantity, std::size_t band, Result& coarse) {
-    const bool is_flux = quantity == Quantity::absorbed_flux;
-    const auto place = [&](std::size_t organ) {
-        return (organ * kQuantities + static_cast<std::size_t>(quantity)) * fine.bands + band;
-    };
-    PatchErrorPool pool;
-    for (std::size_t i = 0; i < fine.organs(); ++i) {
-        const Organ& organ = scene.organs()[i];
-        const double mean = fine.values[place(i)].mean;
-        if (is_pooled(organ)) {
-            pool.add(mean, mean - coarse.values[place(i)].mean, is_flux ? organ.area : 1);
-        }
-    }
-    for (std::size_t i = 0; i < fine.organs(); ++i) {
-        const double mean = fine.values[place(i)].mean;
-        double& other = coarse.values[place(i)].mean;
-        other = is_pooled(scene.organs()[i]) ? mean - pool.shrunk(mean, mean - other) : other;
-    }
-}
-
 /// Adds the bins of a block to those of another one of the same shape.
 void copy_block(
     const ExactBins& from, const SumBlock& block, const SumBlock& target, ExactBins& to) {
@@ -159,12 +137,9 @@ Estimate with_error(const Estimate& e, double error) {
         e.mean + std::hypot(e.high - e.mean, reach)};
 }
 
-void add_patch_errors(Result coarse, const Scene& scene, Result& result) {
-    for (const QuantityEntry& entry : quantity_table()) {
-        for (std::size_t b = 0; b < result.bands; ++b) {
-            pool_differences(scene, result, entry.quantity, b, coarse);
-        }
-    }
+void add_patch_errors(
+    Result coarse, const Scene& scene, const EvaluationSpec& spec, Result& result) {
+    pool_patch_errors(scene, spec, result, coarse);
     Widening(with_patch_error).widen(coarse, result);
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
 #include "scene/scene.h"
@@ -22,31 +20,10 @@ namespace quasimc {
 /// further to either side, but not below 0 where it did not.
 [[nodiscard]] Estimate with_patch_error(const Estimate& e, double difference);
 
-/// How much light organs have on two levels of patches, summed up.
-struct PatchErrorPool {
-    double differences = 0, means = 0;  ///< squares, per area of each organ
-
-    void add(double mean, double difference, double area) {
-        differences += difference * difference / (area * area);
-        means += mean * mean / (area * area);
-    }
-    /// Difference of an organ, of which its own is one draw among those of all organs: it may be
-    /// small by chance, as where levels cross. Half of its square is that which all have in the
-    /// mean. With a sign that does not count.
-    [[nodiscard]] double shrunk(double mean, double own) const {
-        const double usual = means > 0 ? mean * mean * differences / means : own * own;
-        return std::sqrt((own * own + usual) / 2);
-    }
-};
-
-/// Whether an organ is one of those that tell each other's errors of patches.
-[[nodiscard]] inline bool is_pooled(const Organ& organ) {
-    return organ.measured && !organ.is_ground && organ.area > 0;
-}
-
 /// Adds the error of patches to all estimates.
 /// @param coarse  the same, of coarser_sums()
-void add_patch_errors(Result coarse, const Scene& scene, Result& result);
+void add_patch_errors(
+    Result coarse, const Scene& scene, const EvaluationSpec& spec, Result& result);
 
 /// The estimate with one more error, of a known standard deviation, independent of its own.
 [[nodiscard]] Estimate with_error(const Estimate& e, double error);

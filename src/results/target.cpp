@@ -12,6 +12,7 @@
 #include "results/organ_finds.h"
 #include "results/organ_reader.h"
 #include "results/patch_error.h"
+#include "results/patch_error_pool.h"
 
 namespace quasimc {
 namespace {
@@ -62,6 +63,17 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
+/// What of the light of an organ other surfaces sent, in a band: 0 to 1.
+double scattered_part(const OrganReader& reader, std::size_t band) {
+    double scattered = 0, all = 0;
+    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+        const Incident in = reader.incident(r, band);
+        scattered += in.scattered_upper + in.scattered_lower;
+        all += in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower;
+    }
+    return all > 0 ? std::clamp(scattered / all, 0.0, 1.0) : 0;
+}
+
 /// What organs absorb on the two levels of patches, per band: the same on any number of threads.
 std::vector<PatchErrorPool> pool_of(
     const Sums& fine, const Sums& coarse, const Scene& scene, const EvaluationSpec& spec) {
@@ -76,18 +88,20 @@ std::vector<PatchErrorPool> pool_of(
                 continue;
             }
             std::vector<double> flux(bands), other(bands);
-            add_absorbed(OrganReader(fine, scene, spec, organ), flux);
+            const OrganReader reader(fine, scene, spec, organ);
+            add_absorbed(reader, flux);
             add_absorbed(OrganReader(coarse, scene, spec, organ), other);
             for (std::size_t b = 0; b < bands; ++b) {
-                pools[b].add(flux[b], flux[b] - other[b], organ.area);
+                pools[b].add(
+                    flux[b] * scattered_part(reader, b) / organ.area,
+                    (flux[b] - other[b]) / organ.area);
             }
         }
     });
     std::vector<PatchErrorPool> all(bands);
     for (const std::vector<PatchErrorPool>& pools : of_block) {
         for (std::size_t b = 0; b < pools.size(); ++b) {
-            all[b].differences += pools[b].differences;
-            all[b].means += pools[b].means;
+            all[b] += pools[b];
         }
     }
     return all;
@@ -112,8 +126,9 @@ class AbsorbedByOrgans {
             absorbed[b] = absorbed_flux(reader, b);
             if (has_two_) {
                 const double own = absorbed[b].mean - absorbed_flux(other, b).mean;
+                const double scattered = absorbed[b].mean * scattered_part(reader, b);
                 absorbed[b] = with_patch_error(
-                    absorbed[b], is_pooled(organ) ? pools_[b].shrunk(absorbed[b].mean, own) : own);
+                    absorbed[b], is_pooled(organ) ? pools_[b].shrunk(own, scattered) : own);
             }
         }
     }

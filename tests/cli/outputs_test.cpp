@@ -255,6 +255,81 @@ TEST_P(KilledOutputs, AreOldOrNew) {
 INSTANTIATE_TEST_SUITE_P(Ordinary, KilledOutputs, ::testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Long, KilledOutputs, ::testing::Values(10));
 
+/// Moments spread over a run, from its start to behind its end.
+class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterface<int> {
+  protected:
+    static constexpr const char* kRun = "\"$quasimc\" run run.toml -q --paths 65536";
+
+    /// How long a run takes, seconds.
+    [[nodiscard]] double duration() {
+        const Outcome outcome = shell(
+            std::string("start=$(date +%s%N); ") + kRun +
+            "; end=$(date +%s%N); echo $((end - start))");
+        return std::stod(outcome.out) * 1e-9;
+    }
+    [[nodiscard]] static double moment(int i) { return 1.3 * (i + 0.5) / GetParam(); }
+
+    /// Each output is old or new, and nothing is left beside them.
+    void expect_old_or_new(const std::string& words) {
+        EXPECT_TRUE(folder_.read("out.csv") == "old" || has_new_csv()) << words;
+        EXPECT_TRUE(folder_.read("out.json") == "old" || has_new_json()) << words;
+        EXPECT_EQ(hidden_files(), Words{}) << words;
+    }
+};
+
+/// As many bytes as fit on a disk that is nearly full: none, half of one output, all of one.
+TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
+    ASSERT_EQ(run({"run", "run.toml", "-q"}).status, 0);
+    const auto size = static_cast<double>(folder_.read("out.json").size());
+    int whole = 0, told = 0;
+    for (int i = 0; i < GetParam(); ++i) {
+        write_old();
+        const auto bytes = static_cast<long>(moment(i) * size);
+        const Outcome outcome =
+            shell("prlimit --fsize=" + std::to_string(bytes) + " \"$quasimc\" run run.toml -q");
+        const std::string words = std::to_string(bytes) + " bytes: " + outcome.err;
+        expect_old_or_new(words);
+        EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
+        EXPECT_EQ(outcome.status == 0, outcome.err.empty()) << words;
+        (outcome.status == 0 ? whole : told) += 1;
+    }
+    EXPECT_GT(whole, 0);
+    EXPECT_GT(told, 0);
+}
+
+/// The disk is full from a moment on.
+TEST_P(OutputsAtMoments, AreOldOrNewWheneverTheDiskBecomesFull) {
+    const double whole_s = duration();
+    for (int i = 0; i < GetParam(); ++i) {
+        write_old();
+        const double moment_s = whole_s * moment(i);
+        const Outcome outcome = shell(
+            std::string(kRun) + " & sleep " + std::to_string(moment_s) +
+            "; prlimit --pid $! --fsize=0 2>/dev/null; wait $!");
+        const std::string words = std::to_string(moment_s) + " s: " + outcome.err;
+        expect_old_or_new(words);
+        EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
+    }
+}
+
+/// Who reads what the program prints goes away; its files are written all the same.
+TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
+    const double whole_s = duration();
+    for (int i = 0; i < GetParam(); ++i) {
+        write_old();
+        const double moment_s = whole_s * moment(i);
+        const Outcome outcome = shell(
+            "\"$quasimc\" run run.toml --paths 65536 2>&1 | sleep " + std::to_string(moment_s) +
+            "; exit ${PIPESTATUS[0]}");
+        expect_old_or_new(std::to_string(moment_s) + " s");
+        EXPECT_TRUE(has_new_csv() && has_new_json()) << moment_s << " s";
+        EXPECT_LE(outcome.status, 1) << moment_s << " s";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ordinary, OutputsAtMoments, ::testing::Values(12));
+INSTANTIATE_TEST_SUITE_P(Long, OutputsAtMoments, ::testing::Values(100));
+
 TEST_F(OutputsTest, PipesAreReadAndWritten) {
     const Outcome substituted = shell("\"$quasimc\" run <(cat run.toml)");
     EXPECT_EQ(substituted.status, 0) << substituted.err;

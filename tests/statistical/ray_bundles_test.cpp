@@ -253,17 +253,22 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
         evaluate_run(sums, scene, spec, sources).at(1, Quantity::absorbed_flux, 0);
     const Result fine = evaluate_run(sums, scene, spec, sources);
     const Result other = evaluate_run(coarse, scene, spec, sources);
-    double differences = 0, means = 0;
+    const auto scattered = [&](std::size_t i) {
+        const auto mean = [&](Quantity quantity) { return fine.at(i, quantity, 0).mean; };
+        return mean(Quantity::absorbed_flux_density) * mean(Quantity::incident_scattered) /
+               (mean(Quantity::incident_upper) + mean(Quantity::incident_lower));
+    };
+    double differences = 0, squares = 0;
     for (std::size_t i = 0; i < fine.organs(); ++i) {
         const double mean = fine.at(i, Quantity::absorbed_flux_density, 0).mean;
         differences += std::pow(mean - other.at(i, Quantity::absorbed_flux_density, 0).mean, 2);
-        means += mean * mean;
+        squares += scattered(i) * scattered(i);
     }
     const double own = told.mean - other.at(1, Quantity::absorbed_flux, 0).mean;
     EXPECT_GT(std::abs(own), 1e-6 * told.mean);
-    // Its own, and what all organs have in the mean.
-    const double difference =
-        std::sqrt((own * own + told.mean * told.mean * differences / means) / 2);
+    // Its own, and what all organs have in the mean for as much scattered light.
+    const double flux = scattered(1) * scene.organs()[1].area;
+    const double difference = std::sqrt((own * own + flux * flux * differences / squares) / 2);
     const double by_replicates =
         std::sqrt(told.standard_error * told.standard_error - difference * difference);
     const double half = interval_quantile(kReplicates - 1) * by_replicates + difference;

@@ -42,8 +42,10 @@ OrganSpec organ(std::string name, std::string material, std::vector<Triangle> tr
 }
 
 void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves) {
-    for (const Triangle& leaf : leaves) {
-        builder.add_organ(organ("", "leaf", {leaf}));
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        OrganSpec leaf = organ("", "leaf", {leaves[i]});
+        leaf.labels = {{"plant", std::to_string(i / 5)}};
+        builder.add_organ(std::move(leaf));
     }
 }
 

@@ -31,9 +31,9 @@ struct Finding {
 struct Rules {
     Effort screen{256, 16, 1, 1};
     double screen_chance = .01;  ///< that a right scene is looked at again; over all comparisons
-    Effort second{2048, 16, 1, 1};
+    Effort second{kClosePaths, 16, 1, 1};
     double second_level = 1e-3;  ///< of each comparison
-    Effort last{2048, 16, 1, 1};
+    Effort last{kClosePaths, 16, 1, 1};
     unsigned last_seeds = 24;
     double family_level = 1e-3;
     double scenes = 1e5;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/runfile/run_file.h"
+#include "solvers/long_patches.h"
 #include "solvers/ray_bundles.h"
 #include "sums/statistics.h"
 #include "transport/prepared_scene.h"
@@ -179,6 +180,14 @@ bool is_matt(const Scene& scene) {
     return faults.empty();
 }
 
+/// Whether who asks for bundles by name is told that their errors do not tell what is wrong.
+bool is_warned_of(const RunFile& run) {
+    RunSpec spec = run.spec;
+    spec.method = Method::ray_bundles;
+    spec.paths = kClosePaths;
+    return !lint_bundles(run.scene, spec).empty();
+}
+
 }  // namespace
 
 Case make_case(const Node& document) {
@@ -220,7 +229,7 @@ bool is_offered(const Case& it, Way way) {
         case Way::from_organs:
             return !(it.run.scene.cell().periodic() && has_lamps(*it.run.document));
         case Way::ray_bundles:
-            return is_matt(it.run.scene);
+            return is_matt(it.run.scene) && !is_warned_of(it.run);
         case Way::reference:
             return it.plain.has_value();
         default:

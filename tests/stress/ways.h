@@ -64,6 +64,9 @@ struct Effort {
     unsigned threads = 1;
 };
 
+/// Of a close look, per replicate.
+inline constexpr std::uint64_t kClosePaths = 2048;
+
 /// What one way says of a case.
 struct Answer {
     Way way = Way::light_tracing;
@@ -75,8 +78,8 @@ struct Answer {
 /// The names of the numbers: "organ 2 incident_upper b0", ...
 [[nodiscard]] std::vector<std::string> number_names(const Scene& scene);
 
-/// Whether the program offers this way for the case: not from organs what lamps repeat,
-/// nor by bundles what shines.
+/// Whether the program offers this way for the case without a warning: not from organs what lamps
+/// repeat, nor by bundles what shines or has long patches.
 [[nodiscard]] bool is_offered(const Case& it, Way way);
 
 [[nodiscard]] Answer compute(const Case& it, Way way, const Effort& effort);
