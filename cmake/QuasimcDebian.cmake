@@ -28,6 +28,11 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 get_target_property(quasimc_abi quasimc_shared SOVERSION)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME quasimc)
+# It is loaded when it is needed, so that shlibdeps does not see it: libnetcdf.so.19 is in libnetcdf19.
+if(QuasimcNetcdf_FOUND)
+    string(REGEX REPLACE "^libnetcdf\\.so\\.([0-9]+)$" "libnetcdf\\1" CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
+                         "${QuasimcNetcdf_SONAME}")
+endif()
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Programs: quasimc, and QuasiMC, the environment program.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libquasimc${quasimc_abi})
@@ -42,9 +47,6 @@ set(quasimc_dev_depends "libquasimc${quasimc_abi} (= ${PROJECT_VERSION})" libemb
                         libtomlplusplus-dev)
 if(PNG_FOUND)
     list(APPEND quasimc_dev_depends libpng-dev)
-endif()
-if(QuasimcNetcdf_FOUND)
-    list(APPEND quasimc_dev_depends libnetcdf-dev)
 endif()
 list(JOIN quasimc_dev_depends ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers for C and C++, static libraries, and CMake files.")

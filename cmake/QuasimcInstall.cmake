@@ -65,7 +65,6 @@ install(
     FILES "${PROJECT_BINARY_DIR}/quasimcConfig.cmake"
           "${PROJECT_BINARY_DIR}/quasimcConfigVersion.cmake"
           "${PROJECT_SOURCE_DIR}/cmake/FindQuasimcEmbree.cmake"
-          "${PROJECT_SOURCE_DIR}/cmake/FindQuasimcNetcdf.cmake"
           "${PROJECT_SOURCE_DIR}/cmake/FindQuasimcTomlplusplus.cmake"
     DESTINATION "${quasimc_package_dir}"
     COMPONENT dev)

@@ -18,7 +18,8 @@ set(QUASIMC_THIRD_PARTY_tomlplusplus QuasimcTomlplusplus::tomlplusplus)
 set(QUASIMC_THIRD_PARTY_nlohmann_json $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 set(QUASIMC_THIRD_PARTY_cli11 CLI11::CLI11)
 set(QUASIMC_THIRD_PARTY_png PNG::PNG)
-set(QUASIMC_THIRD_PARTY_netcdf_c QuasimcNetcdf::netcdf)
+set(QUASIMC_THIRD_PARTY_netcdf_headers $<BUILD_INTERFACE:QuasimcNetcdf::headers>)
+set(QUASIMC_THIRD_PARTY_dl ${CMAKE_DL_LIBS})
 
 # Sets QUASIMC_LAYER_<module> for every module of the table, and QUASIMC_MODULES in order.
 set(QUASIMC_MODULES "")

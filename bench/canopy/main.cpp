@@ -22,6 +22,8 @@
 
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
+    std::setvbuf(
+        stdout, nullptr, _IOLBF, BUFSIZ);  // lines are seen when they are known, in files too
     std::vector<std::string> files;
     std::string words;
     bool is_held = true;

@@ -6,9 +6,9 @@
 #include <limits>
 #include <system_error>
 
-#include <netcdf.h>
 #include <unistd.h>
 
+#include "netcdf/netcdf_library.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -20,7 +20,7 @@ namespace {
 
 void check_netcdf(int status) {
     if (status != NC_NOERR) {
-        fail_netcdf(nc_strerror(status));
+        fail_netcdf(netcdf_library().strerror(status));
     }
 }
 
@@ -32,7 +32,8 @@ nc_type type_of(NetcdfType type) {
 
 void put_attributes(int file, int variable, const NetcdfAttributes& attributes) {
     for (const auto& [name, text] : attributes) {
-        check_netcdf(nc_put_att_text(file, variable, name.c_str(), text.size(), text.data()));
+        check_netcdf(
+            netcdf_library().put_att_text(file, variable, name.c_str(), text.size(), text.data()));
     }
 }
 
@@ -46,7 +47,7 @@ NetcdfFile::NetcdfFile() {
     }
     bytes_.reset(::fdopen(descriptor, "rb"));
     // The library opens what is there by its name, which it then needs no more.
-    const int status = nc_create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_);
+    const int status = netcdf_library().create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_);
     ::unlink(path.c_str());
     check_netcdf(status);
     is_open_ = true;
@@ -54,13 +55,13 @@ NetcdfFile::NetcdfFile() {
 
 NetcdfFile::~NetcdfFile() {
     if (is_open_) {
-        nc_abort(id_);
+        netcdf_library().abort(id_);
     }
 }
 
 int NetcdfFile::add_dimension(const std::string& name, std::size_t size) {
     int dimension = 0;
-    check_netcdf(nc_def_dim(id_, name.c_str(), size, &dimension));
+    check_netcdf(netcdf_library().def_dim(id_, name.c_str(), size, &dimension));
     return dimension;
 }
 
@@ -73,13 +74,13 @@ int NetcdfFile::add_variable(
     constexpr int kFastest = 1;
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     int variable = 0;
-    check_netcdf(nc_def_var(
+    check_netcdf(netcdf_library().def_var(
         id_, name.c_str(), type_of(type), static_cast<int>(dimensions.size()), dimensions.data(),
         &variable));
     if (!chunk.empty()) {
-        check_netcdf(nc_def_var_fill(id_, variable, NC_FILL, &kNaN));
-        check_netcdf(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
-        check_netcdf(nc_def_var_deflate(id_, variable, 1, 1, kFastest));
+        check_netcdf(netcdf_library().def_var_fill(id_, variable, NC_FILL, &kNaN));
+        check_netcdf(netcdf_library().def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
+        check_netcdf(netcdf_library().def_var_deflate(id_, variable, 1, 1, kFastest));
     }
     put_attributes(id_, variable, attributes);
     return variable;
@@ -90,18 +91,18 @@ void NetcdfFile::add_attributes(const NetcdfAttributes& attributes) {
 }
 
 void NetcdfFile::put(int variable, const NetcdfBlock& block, std::span<const double> values) {
-    check_netcdf(
-        nc_put_vara_double(id_, variable, block.start.data(), block.count.data(), values.data()));
+    check_netcdf(netcdf_library().put_vara_double(
+        id_, variable, block.start.data(), block.count.data(), values.data()));
 }
 
 void NetcdfFile::put(int variable, std::span<const double> values) {
-    check_netcdf(nc_put_var_double(id_, variable, values.data()));
+    check_netcdf(netcdf_library().put_var_double(id_, variable, values.data()));
 }
 
 void NetcdfFile::put(int variable, std::span<const std::int64_t> values) {
     static_assert(sizeof(long long) == sizeof(std::int64_t));
     const std::vector<long long> same(values.begin(), values.end());
-    check_netcdf(nc_put_var_longlong(id_, variable, same.data()));
+    check_netcdf(netcdf_library().put_var_longlong(id_, variable, same.data()));
 }
 
 void NetcdfFile::put(int variable, const std::vector<std::string>& values) {
@@ -110,12 +111,12 @@ void NetcdfFile::put(int variable, const std::vector<std::string>& values) {
     for (const std::string& value : values) {
         texts.push_back(value.c_str());
     }
-    check_netcdf(nc_put_var_string(id_, variable, texts.data()));
+    check_netcdf(netcdf_library().put_var_string(id_, variable, texts.data()));
 }
 
 void NetcdfFile::close() {
     is_open_ = false;
-    check_netcdf(nc_close(id_));
+    check_netcdf(netcdf_library().close(id_));
 }
 
 void NetcdfFile::copy_to(const TextSink& sink) {

@@ -330,6 +330,31 @@ TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
 INSTANTIATE_TEST_SUITE_P(Ordinary, OutputsAtMoments, ::testing::Values(12));
 INSTANTIATE_TEST_SUITE_P(Long, OutputsAtMoments, ::testing::Values(100));
 
+/// The library of NetCDF is loaded when a file is asked for. A file that is none lies before it here.
+TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
+    if (run({"formats"}).out.find("not built in") != std::string::npos) {
+        GTEST_SKIP() << "built without NetCDF";
+    }
+    const Outcome good = run({"run", "run.toml", "-q", "--nc", "out.nc"});
+    ASSERT_EQ(good.status, 0) << good.err;
+    EXPECT_TRUE(folder_.read("out.nc").starts_with("\x89HDF"));
+    write_old();
+    folder_.write("out.nc", "old");
+    constexpr int kVersions = 40;
+    fs::create_directory(folder_.path() / "broken");
+    for (int version = 1; version < kVersions; ++version) {
+        folder_.write("broken/libnetcdf.so." + std::to_string(version), "");
+    }
+    const std::string broken = "LD_LIBRARY_PATH=broken \"$quasimc\" run run.toml -q";
+    const Outcome refused = shell(broken + " --nc out.nc");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("NetCDF: can't be written ("), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("install the netCDF library"), std::string::npos) << refused.err;
+    EXPECT_EQ(folder_.read("out.csv") + folder_.read("out.nc"), "oldold");
+    EXPECT_EQ(shell(broken).status, 0) << "who does not ask for it does not need it";
+    EXPECT_TRUE(has_new_csv());
+}
+
 TEST_F(OutputsTest, PipesAreReadAndWritten) {
     const Outcome substituted = shell("\"$quasimc\" run <(cat run.toml)");
     EXPECT_EQ(substituted.status, 0) << substituted.err;
