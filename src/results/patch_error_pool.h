@@ -5,11 +5,11 @@
 
 namespace quasimc {
 
-/// What the differences of organs between two levels of patches have in common. That of an organ, or
-/// of a group, is one draw: it may be small by chance, as where the light of both levels crosses,
-/// while what is wrong is not. So half of its square is its own, and half is what organs with as much
-/// scattered light differ by in the mean: for that much light each by a part that is the same for
-/// all, and by a part of its own.
+/// What the differences of organs between two levels of patches have in common. That of an organ,
+/// or of a group, is one draw: it may be small by chance, as where the light of both levels
+/// crosses, while what is wrong is not. So half of its square is its own, and half is what organs
+/// with as much scattered light differ by in the mean: for that much light each by a part that is
+/// the same for all, and by a part of its own.
 class PatchErrorPool {
   public:
     /// @param scattered  what the light of an organ has of scattered light, per area

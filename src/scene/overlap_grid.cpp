@@ -211,8 +211,8 @@ void OverlapGrid::enter(std::uint32_t i, int level, bool is_native, std::uint64_
     for_each_cube(cubes, level, [&](std::uint64_t cube) {
         if ((passes_ == 1 || mixed(cube) % passes_ == pass) && is_marked(cube)) {
             entry.cube = cube;
-            entry.offset =
-                static_cast<float>(dot(upward, t[0] - middle_of(cube)) * per_length_[static_cast<std::size_t>(level)]);
+            entry.offset = static_cast<float>(
+                dot(upward, t[0] - middle_of(cube)) * per_length_[static_cast<std::size_t>(level)]);
             (is_native ? natives_ : visitors_).push_back(entry);
         }
         return true;
