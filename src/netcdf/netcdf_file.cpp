@@ -40,6 +40,7 @@ void put_attributes(int file, int variable, const NetcdfAttributes& attributes) 
 }  // namespace
 
 NetcdfFile::NetcdfFile() {
+    const NetcdfLibrary& library = netcdf_library();  // before there is a file to be left behind
     std::string path = (std::filesystem::temp_directory_path() / "quasimc-XXXXXX").string();
     const int descriptor = ::mkstemp(path.data());
     if (descriptor < 0) {
@@ -47,7 +48,7 @@ NetcdfFile::NetcdfFile() {
     }
     bytes_.reset(::fdopen(descriptor, "rb"));
     // The library opens what is there by its name, which it then needs no more.
-    const int status = netcdf_library().create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_);
+    const int status = library.create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_);
     ::unlink(path.c_str());
     check_netcdf(status);
     is_open_ = true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -54,13 +56,15 @@ class KindPool {
         std::vector<Estimate>& coarse) const {
         for (std::size_t g = 0; g < groups.size(); ++g) {
             double sum = 0, squares = 0;
-            const auto add = [&](std::size_t i) {
-                const double flux = scattered_[i] * scene_.organs()[i].area;
+            bool are_pooled = true;
+            for (const std::uint32_t i : groups[g].organs) {
+                const Organ& organ = scene_.organs()[i];
+                const double flux = scattered_[i] * organ.area;
                 sum += flux;
                 squares += flux * flux;
-                return is_pooled(scene_.organs()[i]);
-            };
-            if (std::all_of(groups[g].organs.begin(), groups[g].organs.end(), add)) {
+                are_pooled = are_pooled && is_pooled(organ);
+            }
+            if (are_pooled) {
                 const double unit = kind_.is_flux ? 1 : 1 / groups[g].area;
                 const double mean = kind_.mean(fine, g), own = mean - kind_.mean(coarse, g);
                 kind_.mean(coarse, g) = mean - pool_.shrunk(own, unit * sum, unit * unit * squares);

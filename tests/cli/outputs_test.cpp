@@ -188,12 +188,15 @@ TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
     for (int version = 1; version < kVersions; ++version) {
         folder_.write("broken/libnetcdf.so." + std::to_string(version), "");
     }
-    const std::string broken = "LD_LIBRARY_PATH=broken \"$quasimc\" run run.toml -q";
+    fs::create_directory(folder_.path() / "temporary");
+    const std::string broken =
+        "TMPDIR=temporary LD_LIBRARY_PATH=broken \"$quasimc\" run run.toml -q";
     const Outcome refused = shell(broken + " --nc out.nc");
     EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find("NetCDF: can't be written ("), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("install the netCDF library"), std::string::npos) << refused.err;
     EXPECT_EQ(folder_.read("out.csv") + folder_.read("out.nc"), "oldold");
+    EXPECT_TRUE(fs::is_empty(folder_.path() / "temporary"));
     EXPECT_EQ(shell(broken).status, 0) << "who does not ask for it does not need it";
     EXPECT_TRUE(has_new_csv());
 }
