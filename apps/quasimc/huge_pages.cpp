@@ -46,10 +46,12 @@ void* operator new(std::size_t size) {
     }
 }
 
-void operator delete(void* memory) noexcept {
+// Not inlined: GCC would see `free` of what `new` returned, and warn that the two do not belong
+// together.
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
     std::free(memory);
 }
