@@ -13,17 +13,46 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+/// Moments spread over a run, from its start to behind its end.
+class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterface<int> {
+  protected:
+    static constexpr const char* kRun = "\"$quasimc\" run run.toml -q --paths 65536";
+    static constexpr double kUntil = 1.3;  // of the duration of a run
+
+    /// How long a run takes, seconds.
+    [[nodiscard]] double duration() {
+        const Outcome outcome = shell(
+            std::string("start=$(date +%s%N); ") + kRun +
+            "; end=$(date +%s%N); echo $((end - start))");
+        return std::stod(outcome.out) * 1e-9;
+    }
+
+    /// Calls act(moment) for as many as the parameter says, each with old outputs.
+    /// @param whole  what a run takes, in the unit of the moments
+    template <typename Act>
+    void for_each_moment(double whole, const Act& act) {
+        for (int i = 0; i < GetParam(); ++i) {
+            write_old();
+            act(kUntil * whole * (i + 0.5) / GetParam());
+        }
+    }
+
+    /// Each output is old or new, and nothing is left beside them.
+    void expect_old_or_new(const std::string& words) {
+        EXPECT_TRUE(folder_.read("out.csv") == "old" || has_new_csv()) << words;
+        EXPECT_TRUE(folder_.read("out.json") == "old" || has_new_json()) << words;
+        EXPECT_EQ(hidden_files(), Words{}) << words;
+    }
+};
+
 // Between the two renames the table is new and the result is old: the only mixture that may be.
 // Killed at a moment that is spread over the run, it is hit about once in ten thousand.
-class KilledOutputs : public OutputsTest, public ::testing::WithParamInterface<int> {};
+class KilledOutputs : public OutputsAtMoments {};
 
 TEST_P(KilledOutputs, AreOldOrNew) {
     const int sweeps = GetParam();
     constexpr int kKills = 20;  // of a sweep, from its start to behind its end
-    const Outcome outcome = shell(
-        "start=$(date +%s%N); \"$quasimc\" run run.toml -q --paths 65536; end=$(date +%s%N); "
-        "echo $((end - start))");
-    double whole_s = std::stod(outcome.out) * 1e-9;
+    double whole_s = duration();
     int old = 0;
     int fresh = 0;
     constexpr int kMost = 8;  // on a machine that becomes busier and busier
@@ -32,9 +61,9 @@ TEST_P(KilledOutputs, AreOldOrNew) {
         for (int i = 0; i < kKills; ++i) {
             write_old();
             const double moment_s =
-                1.3 * whole_s * (i + std::fmod((sweep + 0.5) / sweeps, 1)) / kKills;
+                kUntil * whole_s * (i + std::fmod((sweep + 0.5) / sweeps, 1)) / kKills;
             static_cast<void>(shell(
-                "\"$quasimc\" run run.toml -q --paths 65536 & sleep " + std::to_string(moment_s) +
+                std::string(kRun) + " & sleep " + std::to_string(moment_s) +
                 "; kill -9 $! 2>/dev/null; wait $!"));
             const bool old_csv = folder_.read("out.csv") == "old";
             const bool old_json = folder_.read("out.json") == "old";
@@ -58,36 +87,13 @@ TEST_P(KilledOutputs, AreOldOrNew) {
 INSTANTIATE_TEST_SUITE_P(Ordinary, KilledOutputs, ::testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Long, KilledOutputs, ::testing::Values(10));
 
-/// Moments spread over a run, from its start to behind its end.
-class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterface<int> {
-  protected:
-    static constexpr const char* kRun = "\"$quasimc\" run run.toml -q --paths 65536";
-
-    /// How long a run takes, seconds.
-    [[nodiscard]] double duration() {
-        const Outcome outcome = shell(
-            std::string("start=$(date +%s%N); ") + kRun +
-            "; end=$(date +%s%N); echo $((end - start))");
-        return std::stod(outcome.out) * 1e-9;
-    }
-    [[nodiscard]] static double moment(int i) { return 1.3 * (i + 0.5) / GetParam(); }
-
-    /// Each output is old or new, and nothing is left beside them.
-    void expect_old_or_new(const std::string& words) {
-        EXPECT_TRUE(folder_.read("out.csv") == "old" || has_new_csv()) << words;
-        EXPECT_TRUE(folder_.read("out.json") == "old" || has_new_json()) << words;
-        EXPECT_EQ(hidden_files(), Words{}) << words;
-    }
-};
-
 /// As many bytes as fit on a disk that is nearly full: none, half of one output, all of one.
 TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
     ASSERT_EQ(run({"run", "run.toml", "-q"}).status, 0);
     const auto size = static_cast<double>(folder_.read("out.json").size());
     int whole = 0, told = 0;
-    for (int i = 0; i < GetParam(); ++i) {
-        write_old();
-        const auto bytes = static_cast<long>(moment(i) * size);
+    for_each_moment(size, [&](double moment) {
+        const auto bytes = static_cast<long>(moment);
         const Outcome outcome =
             shell("prlimit --fsize=" + std::to_string(bytes) + " \"$quasimc\" run run.toml -q");
         const std::string words = std::to_string(bytes) + " bytes: " + outcome.err;
@@ -95,39 +101,33 @@ TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
         EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
         EXPECT_EQ(outcome.status == 0, outcome.err.empty()) << words;
         (outcome.status == 0 ? whole : told) += 1;
-    }
+    });
     EXPECT_GT(whole, 0);
     EXPECT_GT(told, 0);
 }
 
 /// The disk is full from a moment on.
 TEST_P(OutputsAtMoments, AreOldOrNewWheneverTheDiskBecomesFull) {
-    const double whole_s = duration();
-    for (int i = 0; i < GetParam(); ++i) {
-        write_old();
-        const double moment_s = whole_s * moment(i);
+    for_each_moment(duration(), [&](double moment_s) {
         const Outcome outcome = shell(
             std::string(kRun) + " & sleep " + std::to_string(moment_s) +
             "; prlimit --pid $! --fsize=0 2>/dev/null; wait $!");
         const std::string words = std::to_string(moment_s) + " s: " + outcome.err;
         expect_old_or_new(words);
         EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
-    }
+    });
 }
 
 /// Who reads what the program prints goes away; its files are written all the same.
 TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
-    const double whole_s = duration();
-    for (int i = 0; i < GetParam(); ++i) {
-        write_old();
-        const double moment_s = whole_s * moment(i);
+    for_each_moment(duration(), [&](double moment_s) {
         const Outcome outcome = shell(
             "\"$quasimc\" run run.toml --paths 65536 2>&1 | sleep " + std::to_string(moment_s) +
             "; exit ${PIPESTATUS[0]}");
         expect_old_or_new(std::to_string(moment_s) + " s");
         EXPECT_TRUE(has_new_csv() && has_new_json()) << moment_s << " s";
         EXPECT_LE(outcome.status, 1) << moment_s << " s";
-    }
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Ordinary, OutputsAtMoments, ::testing::Values(12));
