@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -164,6 +165,8 @@ class OrganReader {
 
         /// As how many finds of one size they count; of no light: not a number.
         [[nodiscard]] double finds() const { return units * units / squares; }
+        /// Of one of them; of no light: 0.
+        [[nodiscard]] double usual() const { return units > 0 ? squares / units : 0; }
     };
     /// @param replicates  the first so many
     [[nodiscard]] Found found(std::size_t kind, SurfaceSide side, std::size_t replicates) const {
@@ -185,12 +188,13 @@ class OrganReader {
         }
         return sum;
     }
-    /// Whether each replicate found as much of a kind of light on a side as every other, to the
-    /// bit.
+    /// Whether each replicate found as much of a kind of light on a side as every other, but for
+    /// less than half of what a find brings: as the directions of a sun's disk make it.
     [[nodiscard]] bool found_alike(std::size_t kind, SurfaceSide side) const {
+        const double half = found(kind, side, replicates()).usual() / 2;
         const double first = units_of(0, kind, side);
         for (std::uint32_t r = 1; r < replicates(); ++r) {
-            if (units_of(r, kind, side) != first) {
+            if (std::abs(units_of(r, kind, side) - first) > half) {
                 return false;
             }
         }

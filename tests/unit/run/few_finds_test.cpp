@@ -154,6 +154,24 @@ TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
     }
 }
 
+/// Ground in the shadow of a needle that few paths of few replicates meet: all others find as much
+/// light as each other, but for what the directions of the sun's disk make, not all there could be.
+TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
+    constexpr double kShadow = 4e-5;
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("needle", "black", floor_of(.3, .7, .4, .4 + kShadow / .4, .2)));
+    builder.set_ground(ground("black"));
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    const Sources disk{make_sun_disk("sun", {.6, 0, .8}, solar_radius_deg(1), {1})};
+    const double sunlit = coverage_of(
+        std::move(builder).build(), disk, 1 - kShadow,
+        {.paths = 1024, .seeds = GetParam(), .method = Method::light_tracing},
+        [](const Result& result) { return result.sunlit_fraction[1]; });
+    EXPECT_GE(sunlit, least());
+    note("ground", sunlit);
+}
+
 /// A small leaf under a bright floor, that light from the floor alone reaches.
 TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
     for (const double size : {.01, .03, .06, .1}) {
