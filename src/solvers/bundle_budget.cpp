@@ -12,6 +12,9 @@ constexpr double kStretchesPerPath = 16;
 /// very many stretches patches get more: then there are more directions too, which are what is left
 /// of the error.
 constexpr double kStretchesPerPatch = 100, kManyStretches = 1 << 20;
+/// ... but so many patches at least, or as many as are met so often: they cost next to nothing, and
+/// light of lamps or of narrow gaps lies in spots that fewer don't tell apart, nor their errors.
+constexpr double kFewPatches = 4096, kFewStretchesPerPatch = 8;
 /// ... and at least so often in each step. With less, single patches would pass on light that was
 /// meant for many, the variance of which may grow from step to step.
 constexpr double kFewestPerPatch = 3;
@@ -34,7 +37,8 @@ constexpr double kCaught = 0.75;
 double patches_for(std::uint64_t paths) {
     const double stretches = kStretchesPerPath * static_cast<double>(paths);
     const double few = std::min(stretches, kManyStretches);
-    return std::min(std::sqrt(stretches * few) / kStretchesPerPatch, kMostPatches);
+    const double at_least = std::min(stretches / kFewStretchesPerPatch, kFewPatches);
+    return std::clamp(std::sqrt(stretches * few) / kStretchesPerPatch, at_least, kMostPatches);
 }
 
 double light_of_stretch() {

@@ -6,9 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "scene/lint.h"
-#include "solvers/bundle_budget.h"
-
 namespace quasimc {
 namespace {
 
@@ -93,8 +90,9 @@ class Shape {
     std::vector<Long> long_;
 };
 
-/// Those that matter.
-std::vector<const Organ*> organs_of_long_patches(const Scene& scene, const PatchSize& size) {
+}  // namespace
+
+LongPatches find_long_patches(const Scene& scene, const PatchSize& size) {
     std::vector<const Organ*> found, flat, closed;
     double in_flat = 0, in_closed = 0;
     for (const Organ& organ : scene.organs()) {
@@ -118,28 +116,7 @@ std::vector<const Organ*> organs_of_long_patches(const Scene& scene, const Patch
     if (in_closed > kMostClosed * size.area) {
         found.insert(found.end(), closed.begin(), closed.end());
     }
-    return found;
-}
-
-}  // namespace
-
-bool has_long_patches(const Scene& scene, const PatchSize& size) {
-    return !organs_of_long_patches(scene, size).empty();
-}
-
-std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec) {
-    WarningKind found("organs are of long thin triangles");
-    if (spec.method == Method::ray_bundles) {
-        const PatchSize size = patch_size(scene, patches_for(spec.paths));
-        for (const Organ* organ : organs_of_long_patches(scene, size)) {
-            found.add(
-                words_for(*organ),
-                "is of long thin triangles: ray_bundles takes light as even along patches that are "
-                "longer than it is wide, and its errors don't tell what is wrong with that; cut "
-                "them into shorter ones, or use method = \"first_hits\"");
-        }
-    }
-    return std::move(found).finish();
+    return {std::move(found), in_closed / size.area};
 }
 
 }  // namespace quasimc

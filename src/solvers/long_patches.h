@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "quasimc/run_spec.h"
 #include "scene/scene.h"
 #include "solvers/patch_size.h"
 
@@ -12,11 +11,16 @@
 
 namespace quasimc {
 
-/// Whether some organ has such triangles, and they make patches longer than it is wide. Of flat
-/// ones there may be a few. Takes time in proportion to the triangles.
-[[nodiscard]] bool has_long_patches(const Scene& scene, const PatchSize& size);
+/// Organs of such triangles, where they make patches longer than the organ is wide.
+struct LongPatches {
+    /// Those whose errors don't tell what is wrong. Of flat and closed ones there may be some.
+    std::vector<const Organ*> organs;
+    /// Of all surfaces, what is in closed ones, as stems are. What is wrong there is told, but does
+    /// not get less with more paths.
+    double closed_part = 0;
+};
 
-/// What ray bundles that are asked for by name get wrong without telling; nothing of other methods.
-[[nodiscard]] std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec);
+/// Takes time in proportion to the triangles.
+[[nodiscard]] LongPatches find_long_patches(const Scene& scene, const PatchSize& size);
 
 }  // namespace quasimc

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "detectors/catalogue.h"
+#include "solvers/near_lamp.h"
 #include "solvers/organ_shares.h"
 #include "solvers/suits_bundles.h"
 #include "sums/statistics.h"
@@ -55,25 +56,6 @@ struct Lighting {
     bool near_lamp = false;  ///< in the scene's box, or so near that some of it is much brighter
 };
 
-/// Whether a lamp is in the scene's box, does not shine on its middle, or shines much more brightly
-/// on the place of the box that is next to it.
-bool is_near(const Source& lamp, const Bounds& bounds) {
-    constexpr double kMiddle = 0.5;
-    constexpr double kMuchBrighter = 16;
-    const Illumination middle = lamp.illuminate(bounds.center(), kMiddle, kMiddle);
-    if (!(middle.weight > 0 && std::isfinite(middle.distance))) {
-        return true;
-    }
-    const Vec3 place = bounds.center() + middle.distance * middle.to_light;
-    const Vec3 nearest{
-        std::clamp(place.x, bounds.low.x, bounds.high.x),
-        std::clamp(place.y, bounds.low.y, bounds.high.y),
-        std::clamp(place.z, bounds.low.z, bounds.high.z)};
-    const Vec3 gap = place - nearest;
-    return dot(gap, gap) == 0 ||
-           lamp.illuminate(nearest, kMiddle, kMiddle).weight > kMuchBrighter * middle.weight;
-}
-
 Lighting lighting_of(const Scene& scene, const Sources& sources) {
     Lighting lighting;
     for (const auto& source : sources) {
@@ -82,8 +64,7 @@ Lighting lighting_of(const Scene& scene, const Sources& sources) {
             (source->is_lamp()  ? lighting.lamp
              : source->is_sun() ? lighting.sun
                                 : lighting.sky) = true;
-            lighting.near_lamp =
-                lighting.near_lamp || (source->is_lamp() && is_near(*source, scene.bounds()));
+            lighting.near_lamp = lighting.near_lamp || is_near_lamp(*source, scene.bounds());
         }
     }
     return lighting;
@@ -260,7 +241,7 @@ ChosenMethod plan_method(
                                        !(lighting.lamp && scene.cell().periodic()) &&
                                        !need_escaped_light(scene.detectors());
     const bool takes_bundles = is_far && !lighting.lamp && gain < kBundles.dark &&
-                               suits_bundles(scene, spec, gain) && !refuse_bundles();
+                               suits_bundles(scene, spec, gain, lighting.sun) && !refuse_bundles();
     if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec, takes_bundles)) {
         if (gain < kLamps.dark) {
             return {

@@ -15,6 +15,9 @@ namespace {
 constexpr double kFewestPathsPerTriangle = 0.2;
 /// Of few organs each has so many paths that first hits leave less of an error than patches do.
 constexpr double kMostPathsPerOrgan = 1000;
+/// ... and far fewer under a sun where so much of all surfaces is closed stems of long patches,
+/// whose error does not get less with more paths.
+constexpr double kManyStems = 0.15, kMostPathsBesideStems = 4;
 constexpr std::size_t kFewestOrgans = 16;
 /// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
 /// at work.
@@ -43,15 +46,19 @@ bool is_matt(const Scene& scene) {
     return true;
 }
 
-bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain) {
+bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool has_sun) {
     const auto organs = static_cast<double>(scene.organs().size());
     const auto triangles = static_cast<double>(scene.triangles().size());
     const auto paths = static_cast<double>(spec.paths);
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
-        return size.holds_shadows && size.are_alike &&
-               bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytes &&
-               !has_long_patches(scene, size);
+        if (!size.holds_shadows || !size.are_alike ||
+            bytes_of_patch_light(size.count, scene.bands().size()) > kMostBytes) {
+            return false;
+        }
+        const LongPatches are_long = find_long_patches(scene, size);
+        return are_long.organs.empty() && (!has_sun || are_long.closed_part < kManyStems ||
+                                           paths <= kMostPathsBesideStems * organs);
     };
     return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
            paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&

@@ -14,6 +14,8 @@ namespace quasimc {
 /// other ways do, where all organs are asked for: rules of thumb, each from a measurement
 /// (docs/theory/choosing.md).
 /// @param gain  of equal shares of paths for each organ
-[[nodiscard]] bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain);
+/// @param has_sun  whether a sun shines
+[[nodiscard]] bool suits_bundles(
+    const Scene& scene, const RunSpec& spec, double gain, bool has_sun);
 
 }  // namespace quasimc

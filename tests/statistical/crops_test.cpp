@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "solvers/long_patches.h"
+#include "solvers/lint_bundles.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 

@@ -89,7 +89,7 @@ TEST(RayBundles, LoseNothingInAClosedBox) {
     lamp.opening = {.kind = Opening::Kind::sphere, .radius = .4};
     lamp.pattern = cosine_pattern();
     lamp.flux = {6};
-    const Result result = run(scene, {make_lamp(lamp)}, bundles(1 << 12));
+    const Result result = run(scene, {make_lamp(lamp)}, bundles(1 << 13));
     double incident = 0;
     for (std::size_t i = 0; i < 6; ++i) {
         const Estimate& e = result.at(i, Quantity::incident_upper, 0);

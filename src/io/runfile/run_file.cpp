@@ -12,7 +12,7 @@
 #include "io/runfile/run_file_sections.h"
 #include "quasimc/source.h"
 #include "scene/lint.h"
-#include "solvers/long_patches.h"
+#include "solvers/lint_bundles.h"
 
 namespace quasimc {
 namespace {
@@ -264,7 +264,11 @@ std::vector<Warning> lint_of(const Sections& sections) {
     const Scene& scene = *sections.scene;
     std::vector<Warning> found =
         sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
-    for (Warning& warning : lint_bundles(scene, sections.options.spec)) {
+    const RunSpec& spec = sections.options.spec;
+    for (Warning& warning : lint_bundles(scene, spec)) {
+        found.push_back(std::move(warning));
+    }
+    for (Warning& warning : lint_bundles_of_lamps(scene, sections.sources.sources, spec)) {
         found.push_back(std::move(warning));
     }
     return found;

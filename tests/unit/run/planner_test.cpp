@@ -109,7 +109,7 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
         GroundSpec soil = ground("leaf");
         soil.extent = std::array<double, 4>{-half_width, -half_width, half_width, half_width};
         builder.set_ground(soil);
-        return plan_method(std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, 4096))
+        return plan_method(std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, 512))
             .method;
     };
     EXPECT_EQ(planned(.4), Method::ray_bundles);
@@ -129,6 +129,26 @@ TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
     };
     EXPECT_EQ(planned(.1), Method::ray_bundles);
     EXPECT_EQ(planned(.001), Method::first_hits);
+}
+
+/// Under a sun, beside closed stems of long triangles, whose errors more paths do not make less.
+TEST(Planner, TakesFewPathsForBundlesBesideManyStems) {
+    const auto planned = [](int stems, const Sources& sources, std::uint64_t paths) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        add_leaves(builder, random_leaves(200, .3, 1, 5));
+        for (int i = 0; i < stems; ++i) {
+            const Vec3 base{.1 * i, .5, 0};
+            builder.add_organ(
+                organ("", "leaf", make_cylinder(base, {0, 0, 2}, .008, .008, 8, true)));
+        }
+        return plan_method(std::move(builder).build(), sources, spec_of(Method::automatic, paths))
+            .method;
+    };
+    EXPECT_EQ(planned(20, {sun(0, {1})}, 512), Method::ray_bundles);
+    EXPECT_EQ(planned(20, {sun(0, {1})}, 8192), Method::first_hits);
+    EXPECT_EQ(planned(20, {sky({1})}, 8192), Method::ray_bundles);
+    EXPECT_EQ(planned(10, {sun(0, {1})}, 8192), Method::ray_bundles);
 }
 
 /// A heap of leaves through one point, each of which crosses all others.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "solvers/bundle_budget.h"
+#include "solvers/lint_bundles.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -45,7 +46,7 @@ Scene tubes(int rings) {
 }
 
 bool has_long_patches(const Scene& scene) {
-    return quasimc::has_long_patches(scene, patch_size(scene, patches_for(kPathsOfTubes)));
+    return !find_long_patches(scene, patch_size(scene, patches_for(kPathsOfTubes))).organs.empty();
 }
 
 TEST(LongPatches, AreThoseOfTubesOfOneRing) {
@@ -94,20 +95,24 @@ TEST(LongPatches, MayBeThoseOfAFewNeedles) {
 
 /// Of closed stems amid leaves a quarter of all surfaces may be: no light gets into them.
 TEST(LongPatches, MayBeThoseOfClosedStems) {
-    const auto has_long = [](double radius, bool closed) {
+    const auto find_long = [](int stems, bool closed) {
         SceneBuilder builder = make_builder();
         builder.add_material(matt("leaf", .1, .1));
         add_leaves(builder, random_leaves(50, .3, 1, 5));
-        for (int i = 0; i < 4; ++i) {
-            const Vec3 base{.25 * i, .5, 0};
+        for (int i = 0; i < stems; ++i) {
+            const Vec3 base{.25 * (i % 10), .5 * (i / 10), 0};
             builder.add_organ(
-                organ("", "leaf", make_cylinder(base, {0, 0, 2}, radius, radius, 8, closed)));
+                organ("", "leaf", make_cylinder(base, {0, 0, 2}, .01, .01, 8, closed)));
         }
-        return has_long_patches(std::move(builder).build());
+        const Scene scene = std::move(builder).build();
+        return find_long_patches(scene, patch_size(scene, patches_for(kPathsOfTubes)));
     };
-    EXPECT_FALSE(has_long(.01, true));
-    EXPECT_TRUE(has_long(.01, false));
-    EXPECT_TRUE(has_long(.1, true));
+    EXPECT_TRUE(find_long(4, true).organs.empty());
+    EXPECT_GT(find_long(4, true).closed_part, 0);
+    EXPECT_FALSE(find_long(4, false).organs.empty());
+    EXPECT_EQ(find_long(4, false).closed_part, 0);
+    EXPECT_FALSE(find_long(100, true).organs.empty());
+    EXPECT_GT(find_long(100, true).closed_part, .25);
 }
 
 TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
@@ -118,6 +123,42 @@ TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
     ASSERT_FALSE(warnings.empty());
     EXPECT_NE(warnings[0].text.find("first_hits"), std::string::npos);
     EXPECT_TRUE(lint_bundles(tubes(20), spec).empty());
+}
+
+/// A lamp between leaves or next to them is told of, one that is apart is not.
+TEST(LintBundles, TellsOfLampsNextToSurfaces) {
+    RunSpec spec;
+    const auto lamp_at = [](double height) {
+        LampSpec bulb;
+        bulb.name = "bulb";
+        bulb.position = {.5, .5, height};
+        bulb.flux = {1};
+        return Sources{make_lamp(std::move(bulb))};
+    };
+    const Scene scene = tubes(20);
+    EXPECT_TRUE(lint_bundles_of_lamps(scene, lamp_at(1), spec).empty());
+    spec.method = Method::ray_bundles;
+    EXPECT_EQ(lint_bundles_of_lamps(scene, lamp_at(1), spec).size(), 1U);
+    EXPECT_EQ(lint_bundles_of_lamps(scene, lamp_at(3.1), spec).size(), 1U);
+    EXPECT_TRUE(lint_bundles_of_lamps(scene, lamp_at(30), spec).empty());
+}
+
+/// A needle that stands on a leaf has its shadow where it gets light from.
+TEST(LintBundles, TellsOfPatchesTooLargeBesideOrgans) {
+    const auto warnings = [](double width, double height) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .3, .3));
+        builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
+        builder.add_organ(organ("other", "leaf", floor_of(0, 1, 0, 1, 1)));
+        builder.add_organ(organ(
+            "small", "leaf", make_cylinder({.5, .5, 0}, {0, 0, height}, width, width, 6, false)));
+        RunSpec spec;
+        spec.method = Method::ray_bundles;
+        spec.paths = 1024;
+        return lint_bundles(std::move(builder).build(), spec).size();
+    };
+    EXPECT_EQ(warnings(.1, .3), 0U);
+    EXPECT_GE(warnings(.0003, .001), 1U);
 }
 
 /// What bundles say of a tube of short rings is held by plain tracing; of one ring they were off by

@@ -1,0 +1,74 @@
+#include "solvers/lint_bundles.h"
+
+#include <utility>
+
+#include "scene/lint.h"
+#include "solvers/bundle_budget.h"
+#include "solvers/long_patches.h"
+#include "solvers/near_lamp.h"
+#include "solvers/patch_size.h"
+
+namespace quasimc {
+namespace {
+
+std::vector<Warning> lint_long(const Scene& scene, const PatchSize& size) {
+    WarningKind found("organs are of long thin triangles");
+    for (const Organ* organ : find_long_patches(scene, size).organs) {
+        found.add(
+            words_for(*organ),
+            "is of long thin triangles: ray_bundles takes light as even along patches that are "
+            "longer than it is wide, and its errors don't tell what is wrong with that; cut them "
+            "into shorter ones, or use method = \"first_hits\"");
+    }
+    return std::move(found).finish();
+}
+
+std::vector<Warning> lint_large(const PatchSize& size) {
+    WarningKind found("scenes have patches too large");
+    if (!size.holds_shadows) {
+        found.add(
+            "scene",
+            "surfaces are so large beside a typical organ that its shadow is lost in the patches "
+            "that ray_bundles cuts them into, and its errors don't tell what is wrong with that; "
+            "ask for more paths, or use method = \"first_hits\"");
+    }
+    if (!size.are_alike) {
+        found.add(
+            "scene",
+            "organs are far smaller than the patches that ray_bundles cuts others into: what they "
+            "get from these next to them is lost, and its errors don't tell; ask for more paths, "
+            "or use method = \"first_hits\"");
+    }
+    return std::move(found).finish();
+}
+
+}  // namespace
+
+std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec) {
+    if (spec.method != Method::ray_bundles) {
+        return {};
+    }
+    const PatchSize size = patch_size(scene, patches_for(spec.paths));
+    std::vector<Warning> all = lint_long(scene, size);
+    for (Warning& warning : lint_large(size)) {
+        all.push_back(std::move(warning));
+    }
+    return all;
+}
+
+std::vector<Warning> lint_bundles_of_lamps(
+    const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    WarningKind found("lamps are next to surfaces");
+    for (const auto& source : sources) {
+        if (spec.method == Method::ray_bundles && is_near_lamp(*source, scene.bounds())) {
+            found.add(
+                "source '" + source->name() + "'",
+                "is a lamp next to surfaces, where its light may lie in spots smaller than the "
+                "patches of ray_bundles, whose errors don't tell what is wrong with that; use "
+                "method = \"light_tracing\"");
+        }
+    }
+    return std::move(found).finish();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "quasimc/run_spec.h"
+#include "scene/scene.h"
+#include "sources/source.h"
+
+// What ray bundles that are asked for by name get wrong without telling: light that changes within
+// patches on both of their levels. Nothing of other methods, and nothing where "auto" takes
+// bundles.
+
+namespace quasimc {
+
+/// Of surfaces: those of long thin triangles, and patches too large beside organs.
+[[nodiscard]] std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec);
+
+/// Of lamps amid or next to surfaces.
+[[nodiscard]] std::vector<Warning> lint_bundles_of_lamps(
+    const Scene& scene, const Sources& sources, const RunSpec& spec);
+
+}  // namespace quasimc
