@@ -61,6 +61,7 @@ class Worker {
         tally_.comparisons += verdict.comparisons;
         tally_.looked_again += verdict.looked_again ? 1 : 0;
         tally_.looked_closely += verdict.looked_closely ? 1 : 0;
+        tally_.roundings += verdict.is_rounding ? 1 : 0;
         if (!verdict.findings.empty()) {
             ++tally_.findings;
             report(number, document, verdict);
@@ -176,10 +177,10 @@ Tally run_campaign(const Campaign& campaign) {
 
 std::string words_of(const Tally& tally) {
     std::string text = fmt::format(
-        "{} scenes, {} comparisons; {} looked at again, {} closely; {} with findings, {} that "
-        "ended the program or hung",
-        tally.scenes, tally.comparisons, tally.looked_again, tally.looked_closely, tally.findings,
-        tally.deaths);
+        "{} scenes, {} comparisons; {} looked at again, {} closely; {} with surfaces too near to "
+        "be told apart, {} with findings, {} that ended the program or hung",
+        tally.scenes, tally.comparisons, tally.looked_again, tally.looked_closely, tally.roundings,
+        tally.findings, tally.deaths);
     if (tally.covered_scenes > 0) {
         text += fmt::format(
             "; intervals of {} scenes, held below .88, by steps of .01, .98 and more:",

@@ -29,8 +29,9 @@ struct Tally {
     std::uint64_t scene = 0;  ///< that is being judged
     std::uint64_t scenes = 0, comparisons = 0;
     std::uint64_t looked_again = 0, looked_closely = 0;
-    std::uint64_t findings = 0;  ///< scenes with any
-    std::uint64_t deaths = 0;    ///< scenes that ended the process, or hung
+    std::uint64_t roundings = 0;  ///< scenes with differences that are left to rounding
+    std::uint64_t findings = 0;   ///< scenes with any
+    std::uint64_t deaths = 0;     ///< scenes that ended the process, or hung
     std::uint64_t covered_scenes = 0;
     std::uint64_t coverage_counts[12] = {};  ///< of ways: below .88, .88 to .89, ... .98 and more
 };

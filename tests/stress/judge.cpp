@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "stress/checks.h"
+#include "stress/near_surfaces.h"
 #include "sums/statistics.h"
 
 namespace quasimc::stress {
@@ -124,6 +125,10 @@ void look_again(
     const double level =
         rules.family_level / rules.scenes / (4 * static_cast<double>(suspects.size()));
     const auto findings = compare_closely(it, suspects, number, rules, level);
+    if (!findings.empty() && has_near_surfaces(it.run.scene)) {
+        verdict.is_rounding = true;
+        return;
+    }
     verdict.findings.insert(verdict.findings.end(), findings.begin(), findings.end());
 }
 

@@ -45,6 +45,8 @@ struct Verdict {
     std::vector<Finding> findings;
     std::size_t comparisons = 0;  ///< of the screening
     bool looked_again = false, looked_closely = false;
+    /// What differs is left to rounding: has_near_surfaces().
+    bool is_rounding = false;
 };
 
 /// Judges a run file. Its scene number only seeds the randomizations.

@@ -8,6 +8,7 @@
 #include "stress/campaign.h"
 #include "stress/checks.h"
 #include "stress/grammar.h"
+#include "stress/near_surfaces.h"
 #include "stress/shrink.h"
 #include "support/temporary_folder.h"
 
@@ -44,6 +45,28 @@ Node plate(double brightness) {
     set(sun, "irradiance_facing", node_of(std::vector<double>{brightness}));
     add_table(document, "source", std::move(sun));
     return document;
+}
+
+/// Two leaves of 1 x 1 above each other by some height, and higher by `tilt` at one end.
+Scene leaves_above_each_other(double height, double tilt) {
+    SceneBuilder builder({{"b0"}});
+    const std::vector<SideOptics> side(1);
+    builder.add_material({"black", side, side});
+    for (const double z : {0.0, height}) {
+        OrganSpec leaf;
+        const double raised = z > 0 ? z + tilt : z;
+        leaf.parts.push_back({"black", Mesh({{Vec3{0, 0, z}, {1, 0, z}, {0, 1, raised}}})});
+        builder.add_organ(std::move(leaf));
+    }
+    return std::move(builder).build();
+}
+
+TEST(NearSurfaces, AreThoseThatSinglePrecisionDoesNotTellApart) {
+    EXPECT_TRUE(has_near_surfaces(leaves_above_each_other(2e-6, 0)));
+    EXPECT_TRUE(has_near_surfaces(leaves_above_each_other(1e-7, 3e-6)));
+    EXPECT_FALSE(has_near_surfaces(leaves_above_each_other(1e-5, 0)));
+    EXPECT_FALSE(has_near_surfaces(leaves_above_each_other(1e-9, 0))) << "they are cut";
+    EXPECT_FALSE(has_near_surfaces(leaves_above_each_other(1e-7, .1)));
 }
 
 TEST(StressGrammar, MakesTheSameSceneOfTheSameNumber) {
@@ -138,6 +161,7 @@ TEST_P(StressFindings, StayMended) {
     rules.screen = rules.second;  // one scene, not thousands: a sharper look
     const Verdict verdict = judge(read_toml(read_file(path), path), 1, rules, true);
     EXPECT_TRUE(verdict.findings.empty()) << words_of(verdict.findings);
+    EXPECT_FALSE(verdict.is_rounding);
 }
 
 std::vector<std::filesystem::path> kept_findings() {

@@ -36,8 +36,9 @@ double thinness_of(const Scene& scene, const Organ& organ) {
     for (const Triangle& t : scene.triangles_of(organ)) {
         const double longest =
             std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
-        if (longest > 0) {
-            least = std::min(least, length(area_vector(t)) / longest / size);
+        const double height = length(area_vector(t)) / longest;
+        if (height > 0) {  // nothing falls on a triangle of no area
+            least = std::min(least, height / size);
         }
     }
     return least;

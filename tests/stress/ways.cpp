@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/runfile/run_file.h"
-#include "solvers/long_patches.h"
+#include "solvers/lint_bundles.h"
 #include "solvers/ray_bundles.h"
 #include "sums/statistics.h"
 #include "transport/prepared_scene.h"
@@ -185,7 +185,8 @@ bool is_warned_of(const RunFile& run) {
     RunSpec spec = run.spec;
     spec.method = Method::ray_bundles;
     spec.paths = kClosePaths;
-    return !lint_bundles(run.scene, spec).empty();
+    return !lint_bundles(run.scene, spec).empty() ||
+           !lint_bundles_of_lamps(run.scene, run.sources, spec).empty();
 }
 
 }  // namespace
