@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
         {"planner", print_planner},
         {"canopies", [&](const Effort& effort) { is_held = print_canopies(effort, files, words); }},
         {"bundles", print_bundles},
+        {"corners", print_corners},
         {"coverage", print_coverage},
         {"agreement", print_agreement},
         {"ratio", print_band_ratio},
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
         "--cases", words, "bars, bundles, canopies: only cases whose name holds these words");
     CLI11_PARSE(app, argc, argv);
 
-    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 10'000'000, 5000, ""} : Effort{};
+    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 50, 10'000'000, 5000, ""} : Effort{};
     effort.cases = words;
     effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(

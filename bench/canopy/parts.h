@@ -13,6 +13,7 @@ struct Effort {
     std::uint32_t most_leaves = 1000000;
     int repeats = 5;                            ///< of timings, of which the median counts
     std::uint32_t repetitions = 200;            ///< of runs, to count how many are right
+    std::uint32_t corner_runs = 500;            ///< of runs in each corner
     std::uint64_t plain_paths = 1'000'000'000;  ///< of plain tracing, to agree with
     std::uint32_t most_triangles = 1'000'000;   ///< of canopies
     std::string cases;                          ///< of bars: only names that hold this
@@ -31,6 +32,8 @@ void print_planner(const Effort& effort);
     const Effort& effort, const std::vector<std::string>& files, const std::string& words);
 /// Errors and times of ray bundles, by leaves, light and paths.
 void print_bundles(const Effort& effort);
+/// How often 95 % intervals hold the truth where that is hard: closed forms, every method.
+void print_corners(const Effort& effort);
 /// How often 95 % intervals hold the truth.
 void print_coverage(const Effort& effort);
 /// Whether every way of tracing agrees with plain Monte Carlo tracing on scenes of many kinds.
