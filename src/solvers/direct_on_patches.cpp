@@ -231,8 +231,13 @@ std::uint64_t DirectOnPatches::trace_path(
         if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
             tally.add(
                 layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
-            const double lit = surface.cosine > 0 ? source.lit_area / surface.cosine : 0;
-            tally.add(layout.sunlit(surface.region), to_fixed(amount * lit));
+            const bool is_sunlit =
+                source.lit_area > 0 && surface.cosine > 0 &&
+                prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
+            const double lit = is_sunlit ? source.lit_area / surface.cosine : 0;
+            tally.add(
+                layout.sunlit(surface.region),
+                to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * lit));
         }
         if (!prepared_.material(surface.region).is_transparent()) {
             tally.add_signed(

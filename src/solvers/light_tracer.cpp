@@ -226,8 +226,7 @@ std::uint64_t LightTracer::shade(
             const bool is_sunlit =
                 light.lit_area > 0 && facing.along[lane] != 0 &&
                 prepared_.is_sunlit(packet.triangle[lane], path.direction, cosine);
-            const double area_share =
-                is_sunlit ? prepared_.sunlit_share(packet.triangle[lane], path.direction) : 0;
+            const double area_share = is_sunlit ? prepared_.sunlit_share(packet.triangle[lane]) : 0;
             if (prepared_.in_field_of_view(primitive.region, cosine)) {
                 tally.add_two(
                     primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),

@@ -86,9 +86,9 @@ void DirectLightScore::add(std::uint32_t triangle, double along, double amount) 
         const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
         const bool is_sunlit = beam_.light->lit_area > 0 && along != 0 &&
                                prepared_.is_sunlit(triangle, beam_.direction, along);
-        const double area = is_sunlit ? prepared_.sunlit_share(triangle, beam_.direction) *
-                                            beam_.light->lit_area / std::abs(along)
-                                      : 0;
+        const double area =
+            is_sunlit ? prepared_.sunlit_share(triangle) * beam_.light->lit_area / std::abs(along)
+                      : 0;
         tally_.add_two(
             region, layout.direct(0, side, beam_.light->spectrum), fixed, layout.sunlit(0),
             to_fixed(seen * area));

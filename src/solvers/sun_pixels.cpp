@@ -82,7 +82,6 @@ SunPixels::Look SunPixels::look_at(const BoundSource& light, const Placing& plac
 /// Adds what one look brings: what falls on nothing opaque escapes.
 void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& found) const {
     const std::size_t bands = prepared_.bands();
-    const LocalMesh& mesh = prepared_.caster().mesh();
     const std::vector<double>& weights = look.light.start_weights;
     double stopped = 0;
     for (const ItemBuffer::Item& item : buffer.items()) {
@@ -102,8 +101,8 @@ void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& foun
         }
         if (look.light.lit_area > 0 && cosine > 0 &&
             prepared_.is_sunlit(item.triangle, look.direction, item.cosine)) {
-            found.sunlit_area[region] += seen * mesh.exact_share(item.triangle, look.direction) *
-                                         look.light.lit_area / cosine;
+            found.sunlit_area[region] +=
+                seen * prepared_.sunlit_share(item.triangle) * look.light.lit_area / cosine;
         }
     }
     for (std::size_t b = 0; b < bands; ++b) {

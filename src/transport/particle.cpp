@@ -127,7 +127,7 @@ class ParticleTracer {
             tally_.add(
                 layout.sunlit(surface.region),
                 to_fixed(
-                    prepared_.sunlit_share(surface.triangle, direction_) * path_.weight *
+                    prepared_.sunlit_share(surface.triangle) * path_.weight *
                     path_.light->lit_area / surface.cosine));
         }
     }

@@ -102,10 +102,10 @@ class PreparedScene {
         return has_narrow_ ? least_cosine_[region] : 0;
     }
     [[nodiscard]] bool has_narrow() const { return has_narrow_; }
-    /// By how much of its area a triangle that is_sunlit() counts where it is hit: rounding that
-    /// turns it leaves that as it is.
-    [[nodiscard]] double sunlit_share(std::uint32_t mesh_triangle, const Vec3& direction) const {
-        return caster_->mesh().exact_share(mesh_triangle, direction);
+    /// How much of the area of a triangle that is_sunlit() is lit over what is of its rounded
+    /// corners, which may be turned as well: what is lit of these is seen along their own cosine.
+    [[nodiscard]] double sunlit_share(std::uint32_t mesh_triangle) const {
+        return caster_->mesh().exact_area_share(mesh_triangle);
     }
     /// How much light along `direction` falls on a triangle of the mesh, over what falls on its
     /// rounded corners: not 1 of thin triangles (LocalMesh::exact_share), nor of those that

@@ -41,7 +41,8 @@ std::vector<Number> numbers_of(const Result& result) {
 
 /// Whether light of a sun runs nearly along a surface of the organ, less than half a degree from
 /// its plane. It then brings little, and how much of the surface it lights rests on a few finds
-/// that each stand for a hundred times their size. Exactly along it lights none, in every way.
+/// that each stand for a hundred times their size. Exactly along it lights none, in every way,
+/// if it is no disk.
 bool is_grazed(const Case& it, const Organ& organ) {
     constexpr double kGrazing = .01;
     for (const Node* source : tables_at(*it.run.document, "source")) {
@@ -50,10 +51,11 @@ bool is_grazed(const Case& it, const Organ& organ) {
         }
         const Vec3 to_sun = it.run.scene.orientation().towards(
             number_at(*source, "azimuth_deg", 0), number_at(*source, "elevation_deg", 0));
+        const double least = source->find("disk") != nullptr ? -1 : .5 * kEdgeOn;
         for (const Triangle& t : it.run.scene.triangles_of(organ)) {
             const Vec3 n = area_vector(t);
             const double along = std::abs(dot(n, to_sun));
-            if (along > .5 * kEdgeOn * length(n) && along <= kGrazing * length(n)) {
+            if (along > least * length(n) && along <= kGrazing * length(n)) {
                 return true;
             }
         }

@@ -138,6 +138,12 @@ double LocalMesh::share_of_thin(std::uint32_t triangle, const Vec3& direction) c
                                                : std::abs(dot(found->second, direction)) / rounded;
 }
 
+double LocalMesh::area_share_of_thin(std::uint32_t triangle) const {
+    const auto found = thin.find(triangle);
+    const double rounded = length(across(triangle));
+    return found == thin.end() || rounded == 0 ? 1 : length(found->second) / rounded;
+}
+
 Vec3 LocalMesh::exact_across(std::uint32_t triangle) const {
     const auto found = thin.find(triangle);
     const bool is_thin = found != thin.end() && dot(found->second, found->second) > 0;

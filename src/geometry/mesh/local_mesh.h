@@ -84,6 +84,10 @@ struct LocalMesh {
     [[nodiscard]] double exact_share(std::uint32_t triangle, const Vec3& direction) const {
         return thin.empty() ? 1 : share_of_thin(triangle, direction);
     }
+    /// The area of a triangle as given over that of its rounded corners: 1 but for `thin` ones.
+    [[nodiscard]] double exact_area_share(std::uint32_t triangle) const {
+        return thin.empty() ? 1 : area_share_of_thin(triangle);
+    }
     /// A vector across the triangle as given, not as rounded, on its upper side.
     [[nodiscard]] Vec3 exact_across(std::uint32_t triangle) const;
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
@@ -108,6 +112,7 @@ struct LocalMesh {
 
   private:
     [[nodiscard]] double share_of_thin(std::uint32_t triangle, const Vec3& direction) const;
+    [[nodiscard]] double area_share_of_thin(std::uint32_t triangle) const;
     [[nodiscard]] Vec3 instance_vertex(std::uint32_t triangle, int corner) const;
 };
 
