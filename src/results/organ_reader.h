@@ -148,6 +148,18 @@ class OrganReader {
         return static_cast<std::uint32_t>(sums_.replicates.size());
     }
     /// Whether it is known what light could have been found.
+    /// Whether its triangles lie in parallel planes, so that a sun shines on all of them alike.
+    [[nodiscard]] bool is_flat() const {
+        constexpr double kParallel = 1 - 1e-9;
+        Vec3 sum;
+        double lengths = 0;
+        for (std::size_t i = 0; i < organ_.triangle_count; ++i) {
+            const Vec3 across = area_vector(scene_.triangles()[organ_.first_triangle + i]);
+            sum += across;
+            lengths += length(across);
+        }
+        return length(sum) >= kParallel * lengths;
+    }
     [[nodiscard]] bool knows_unoccluded() const {
         return sums_.layout.unoccluded_light == UnoccludedLight::summed;
     }
