@@ -94,7 +94,7 @@ step_asan() {
 }
 
 step_tsan() {
-    sanitized tsan threads -L '^threads$'
+    sanitized tsan threads -L "^(threads${full:+|long_threads})\$"
     if [[ -n $full ]]; then
         sanitized tsan coupled_threads -L '^coupled_threads$'
     fi
