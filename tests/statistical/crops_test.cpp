@@ -12,7 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "solvers/lint_bundles.h"
+#include "solvers/bundle_budget.h"
+#include "solvers/long_patches.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 
@@ -64,6 +65,10 @@ struct MethodResult {
     Result result;
 };
 
+bool has_long_patches(const Scene& scene, const RunSpec& spec) {
+    return !find_long_patches(scene, patch_size(scene, patches_for(spec.paths))).organs.empty();
+}
+
 /// A run by each method, each with random numbers of its own.
 std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, const CropCase& one) {
     std::vector<MethodResult> results;
@@ -71,7 +76,7 @@ std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, co
         const bool from_organs = method == Method::from_organs;
         RunSpec spec = spec_of(method, one.paths * (from_organs ? one.times_from_organs : 1));
         spec.seed = 100 + results.size();
-        if (!lint_bundles(scene, spec).empty()) {
+        if (method == Method::ray_bundles && has_long_patches(scene, spec)) {
             continue;  // who asks for it by name is told
         }
         results.push_back({method, run(scene, light.sources, spec)});
