@@ -11,25 +11,17 @@
 #include <vector>
 
 #include "crops.h"
+#include "methods.h"
 #include "parts.h"
 #include "quasimc/file.h"
 #include "quasimc/run.h"
 #include "run/plan_run.h"
 #include "scenes.h"
-#include "solvers/suits_bundles.h"
 
 namespace quasimc::bench {
 namespace {
 
 constexpr double kMostTimesBest = 2;
-constexpr std::array kMethods{
-    Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles};
-constexpr std::array kMethodNames{"light_tracing", "first_hits", "from_organs", "ray_bundles"};
-
-bool can_run(Method method, const Scene& scene) {
-    return method != Method::ray_bundles || is_matt(scene);
-}
-
 /// Of a method that can't be: more than any costs.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 

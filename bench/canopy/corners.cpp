@@ -11,18 +11,16 @@
 
 #include <fmt/format.h>
 
+#include "methods.h"
 #include "parts.h"
 #include "quasimc/run.h"
 #include "scene/scene.h"
 #include "scenes.h"
-#include "solvers/suits_bundles.h"
 
 namespace quasimc::bench {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::array kMethods{
-    Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles};
 
 /// A number of the first organ that is known.
 struct Corner {
@@ -213,7 +211,7 @@ void print_corners(const Effort& effort) {
     for (const Corner& corner : corners) {
         std::printf("  %-22s", corner.name.c_str());
         for (const Method method : kMethods) {
-            if (method == Method::ray_bundles && !is_matt(corner.scene)) {
+            if (!can_run(method, corner.scene)) {
                 std::printf("%-18s", "not matt");
                 continue;
             }

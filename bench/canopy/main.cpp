@@ -6,6 +6,7 @@
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
 //     ./dev bench bars --cases bundles what ray bundles are held to
 //     ./dev bench bundles --cases NIR errors and times of ray bundles
+//     ./dev bench corners              how often intervals hold what is known, an hour
 //     ./dev bench canopies --files A B on the scenes of run files too; status 1 above the bar
 
 #include <algorithm>

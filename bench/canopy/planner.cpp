@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "methods.h"
 #include "parts.h"
 #include "quasimc/source.h"
 #include "scene/scene_builder.h"
 #include "scenes.h"
-#include "solvers/suits_bundles.h"
 
 namespace quasimc::bench {
 namespace {
@@ -78,10 +78,6 @@ double variance_of_measured(const Scene& scene, const Result& result, const Resu
         ++count;
     }
     return sum / count;
-}
-
-bool can_run(Method method, const Scene& scene) {
-    return method != Method::ray_bundles || is_matt(scene);
 }
 
 /// @returns how many times as good as what auto chooses the best method is
