@@ -151,14 +151,18 @@ class OrganReader {
     /// Whether its triangles lie in parallel planes, so that a sun shines on all of them alike.
     [[nodiscard]] bool is_flat() const {
         constexpr double kParallel = 1 - 1e-9;
-        Vec3 sum;
-        double lengths = 0;
-        for (std::size_t i = 0; i < organ_.triangle_count; ++i) {
-            const Vec3 across = area_vector(scene_.triangles()[organ_.first_triangle + i]);
-            sum += across;
-            lengths += length(across);
+        const auto across = [&](std::size_t i) {
+            return area_vector(scene_.triangles()[organ_.first_triangle + i]);
+        };
+        Vec3 sum = across(0);
+        for (std::size_t i = 1; i < organ_.triangle_count; ++i) {
+            const Vec3 own = across(i);
+            if (dot(sum, own) < kParallel * length(sum) * length(own)) {
+                return false;  // of a body the second triangle tells
+            }
+            sum += own;
         }
-        return length(sum) >= kParallel * lengths;
+        return true;
     }
     [[nodiscard]] bool knows_unoccluded() const {
         return sums_.layout.unoccluded_light == UnoccludedLight::summed;
@@ -203,7 +207,7 @@ class OrganReader {
     /// Whether each replicate found as much of a kind of light on a side as every other, but for
     /// less than half of what a find brings: as the directions of a sun's disk make it.
     [[nodiscard]] bool found_alike(std::size_t kind, SurfaceSide side) const {
-        const double half = found(kind, side, replicates()).usual() / 2;
+        const double half = found(kind, side, 1).usual() / 2;
         const double first = units_of(0, kind, side);
         for (std::uint32_t r = 1; r < replicates(); ++r) {
             if (std::abs(units_of(r, kind, side) - first) > half) {
