@@ -24,43 +24,28 @@ std::vector<Warning> lint_long(const Scene& scene, const PatchSize& size) {
 }
 
 std::vector<Warning> lint_large(const PatchSize& size) {
-    WarningKind found("scenes have patches too large");
+    std::vector<Warning> found;
     if (!size.holds_shadows) {
-        found.add(
-            "scene",
-            "surfaces are so large beside a typical organ that its shadow is lost in the patches "
-            "that ray_bundles cuts them into, and its errors don't tell what is wrong with that; "
-            "ask for more paths, or use method = \"first_hits\"");
+        found.push_back(
+            {"scene",
+             "surfaces are so large beside a typical organ that its shadow is lost in the patches "
+             "that ray_bundles cuts them into, and its errors don't tell what is wrong with that; "
+             "ask for more paths, or use method = \"first_hits\""});
     }
     if (!size.are_alike) {
-        found.add(
-            "scene",
-            "organs are far smaller than the patches that ray_bundles cuts others into: what they "
-            "get from these next to them is lost, and its errors don't tell; ask for more paths, "
-            "or use method = \"first_hits\"");
+        found.push_back(
+            {"scene",
+             "organs are far smaller than the patches that ray_bundles cuts others into: what they "
+             "get from these next to them is lost, and its errors don't tell; ask for more paths, "
+             "or use method = \"first_hits\""});
     }
-    return std::move(found).finish();
+    return found;
 }
 
-}  // namespace
-
-std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec) {
-    if (spec.method != Method::ray_bundles) {
-        return {};
-    }
-    const PatchSize size = patch_size(scene, patches_for(spec.paths));
-    std::vector<Warning> all = lint_long(scene, size);
-    for (Warning& warning : lint_large(size)) {
-        all.push_back(std::move(warning));
-    }
-    return all;
-}
-
-std::vector<Warning> lint_bundles_of_lamps(
-    const Scene& scene, const Sources& sources, const RunSpec& spec) {
+std::vector<Warning> lint_lamps(const Scene& scene, const Sources& sources) {
     WarningKind found("lamps are next to surfaces");
     for (const auto& source : sources) {
-        if (spec.method == Method::ray_bundles && is_near_lamp(*source, scene.bounds())) {
+        if (is_near_lamp(*source, scene.bounds())) {
             found.add(
                 "source '" + source->name() + "'",
                 "is a lamp next to surfaces, where its light may lie in spots smaller than the "
@@ -69,6 +54,20 @@ std::vector<Warning> lint_bundles_of_lamps(
         }
     }
     return std::move(found).finish();
+}
+
+}  // namespace
+
+std::vector<Warning> lint_bundles(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    if (spec.method != Method::ray_bundles) {
+        return {};
+    }
+    const PatchSize size = patch_size(scene, patches_for(spec.paths));
+    std::vector<Warning> all = lint_long(scene, size);
+    for (const auto& more : {lint_large(size), lint_lamps(scene, sources)}) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
 }
 
 }  // namespace quasimc

@@ -12,11 +12,9 @@
 
 namespace quasimc {
 
-/// Of surfaces: those of long thin triangles, and patches too large beside organs.
-[[nodiscard]] std::vector<Warning> lint_bundles(const Scene& scene, const RunSpec& spec);
-
-/// Of lamps amid or next to surfaces.
-[[nodiscard]] std::vector<Warning> lint_bundles_of_lamps(
+/// Of surfaces of long thin triangles, patches too large beside organs, and of lamps amid or next
+/// to surfaces.
+[[nodiscard]] std::vector<Warning> lint_bundles(
     const Scene& scene, const Sources& sources, const RunSpec& spec);
 
 }  // namespace quasimc

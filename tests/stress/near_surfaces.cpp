@@ -1,7 +1,6 @@
 #include "stress/near_surfaces.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "scene/coplanar.h"
@@ -35,26 +34,38 @@ bool are_near(const Triangle& a, const Triangle& b, double size) {
            !lie_apart(small, large);
 }
 
+/// All triangles, and after them their images in the cells around.
+std::vector<Triangle> with_images(const Scene& scene) {
+    const Cell& cell = scene.cell();
+    const int along_x = cell.along_x ? 1 : 0, along_y = cell.along_y ? 1 : 0;
+    std::vector<Triangle> all;
+    const auto add_moved = [&](const Vec3& by) {
+        for (std::size_t i = 0; i < scene.triangles().size(); ++i) {
+            all.push_back(moved(scene.triangles()[i], by));
+        }
+    };
+    add_moved({});
+    for (int x = -along_x; x <= along_x; ++x) {
+        for (int y = -along_y; y <= along_y; ++y) {
+            if (x != 0 || y != 0) {
+                add_moved({x * cell.size_x, y * cell.size_y, 0});
+            }
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 bool has_near_surfaces(const Scene& scene) {
     const Cell& cell = scene.cell();
     const double size = std::max(
         {size_of(scene.bounds()), cell.along_x ? cell.size_x : 0, cell.along_y ? cell.size_y : 0});
-    std::vector<Triangle> all;
+    const std::vector<Triangle> all = with_images(scene);
     for (std::size_t i = 0; i < scene.triangles().size(); ++i) {
-        all.push_back(scene.triangles()[i]);
-    }
-    for (int x = cell.along_x ? -1 : 0; x <= (cell.along_x ? 1 : 0); ++x) {
-        for (int y = cell.along_y ? -1 : 0; y <= (cell.along_y ? 1 : 0); ++y) {
-            const Vec3 by{x * cell.size_x, y * cell.size_y, 0};
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                const Triangle image = moved(all[i], by);
-                for (std::size_t k = 0; k < all.size(); ++k) {
-                    if ((i != k || x != 0 || y != 0) && are_near(image, all[k], size)) {
-                        return true;
-                    }
-                }
+        for (std::size_t k = i + 1; k < all.size(); ++k) {
+            if (are_near(all[i], all[k], size)) {
+                return true;
             }
         }
     }

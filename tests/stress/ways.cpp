@@ -187,8 +187,7 @@ bool is_warned_of(const RunFile& run) {
     RunSpec spec = run.spec;
     spec.method = Method::ray_bundles;
     spec.paths = kClosePaths;
-    return !lint_bundles(run.scene, spec).empty() ||
-           !lint_bundles_of_lamps(run.scene, run.sources, spec).empty();
+    return !lint_bundles(run.scene, run.sources, spec).empty();
 }
 
 }  // namespace

@@ -264,11 +264,7 @@ std::vector<Warning> lint_of(const Sections& sections) {
     const Scene& scene = *sections.scene;
     std::vector<Warning> found =
         sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
-    const RunSpec& spec = sections.options.spec;
-    for (Warning& warning : lint_bundles(scene, spec)) {
-        found.push_back(std::move(warning));
-    }
-    for (Warning& warning : lint_bundles_of_lamps(scene, sections.sources.sources, spec)) {
+    for (Warning& warning : lint_bundles(scene, sections.sources.sources, sections.options.spec)) {
         found.push_back(std::move(warning));
     }
     return found;

@@ -117,12 +117,12 @@ TEST(LongPatches, MayBeThoseOfClosedStems) {
 
 TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
     RunSpec spec;
-    EXPECT_TRUE(lint_bundles(tubes(1), spec).empty());
+    EXPECT_TRUE(lint_bundles(tubes(1), {}, spec).empty());
     spec.method = Method::ray_bundles;
-    const std::vector<Warning> warnings = lint_bundles(tubes(1), spec);
+    const std::vector<Warning> warnings = lint_bundles(tubes(1), {}, spec);
     ASSERT_FALSE(warnings.empty());
     EXPECT_NE(warnings[0].text.find("first_hits"), std::string::npos);
-    EXPECT_TRUE(lint_bundles(tubes(20), spec).empty());
+    EXPECT_TRUE(lint_bundles(tubes(20), {}, spec).empty());
 }
 
 /// A lamp between leaves or next to them is told of, one that is apart is not.
@@ -136,11 +136,11 @@ TEST(LintBundles, TellsOfLampsNextToSurfaces) {
         return Sources{make_lamp(std::move(bulb))};
     };
     const Scene scene = tubes(20);
-    EXPECT_TRUE(lint_bundles_of_lamps(scene, lamp_at(1), spec).empty());
+    EXPECT_TRUE(lint_bundles(scene, lamp_at(1), spec).empty());
     spec.method = Method::ray_bundles;
-    EXPECT_EQ(lint_bundles_of_lamps(scene, lamp_at(1), spec).size(), 1U);
-    EXPECT_EQ(lint_bundles_of_lamps(scene, lamp_at(3.1), spec).size(), 1U);
-    EXPECT_TRUE(lint_bundles_of_lamps(scene, lamp_at(30), spec).empty());
+    EXPECT_EQ(lint_bundles(scene, lamp_at(1), spec).size(), 1U);
+    EXPECT_EQ(lint_bundles(scene, lamp_at(3.1), spec).size(), 1U);
+    EXPECT_TRUE(lint_bundles(scene, lamp_at(30), spec).empty());
 }
 
 /// A needle that stands on a leaf has its shadow where it gets light from.
@@ -155,7 +155,7 @@ TEST(LintBundles, TellsOfPatchesTooLargeBesideOrgans) {
         RunSpec spec;
         spec.method = Method::ray_bundles;
         spec.paths = 1024;
-        return lint_bundles(std::move(builder).build(), spec).size();
+        return lint_bundles(std::move(builder).build(), {}, spec).size();
     };
     EXPECT_EQ(warnings(.1, .3), 0U);
     EXPECT_GE(warnings(.0003, .001), 1U);
