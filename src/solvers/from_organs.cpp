@@ -14,7 +14,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stop_token>
 
@@ -22,8 +21,8 @@
 #include "base/stop.h"
 #include "solvers/block_runner.h"
 #include "solvers/from_organs_units.h"
+#include "solvers/look_directions.h"
 #include "solvers/organ_shares.h"
-#include "sources/hemisphere.h"
 #include "transport/absorbed_light.h"
 #include "transport/light_vertices.h"
 #include "transport/near_lamps.h"
@@ -51,6 +50,7 @@ class FromOrgans final : public Solver {
               input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
           measured_(measured_area(input.prepared.scene())),
           organ_points_(input.prepared),
+          looks_(input.prepared),
           near_(input.prepared),
           followed_peak_(followed_peak(input.prepared.scene())),
           next_event_(
@@ -282,26 +282,23 @@ class FromOrgans final : public Solver {
     std::uint64_t score_scattered(
         const Stream& stream, const Point& point, Scratch& scratch, Tally& tally) const {
         const std::uint32_t dimension = 2 + next_event_.dimensions();
-        const double pick = 2 * coordinate(stream, point.index, dimension);
-        const SurfaceSide side = pick < 1 ? SurfaceSide::upper : SurfaceSide::lower;
-        const Vec3 normal = side == SurfaceSide::upper ? point.up : -point.up;
-        // Of the square of the sine; less than 1 for sensors with a narrow field of view.
-        const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
-        const Vec3 away = cosine_direction_about(
-            normal, part * (side == SurfaceSide::upper ? pick : pick - 1),
+        const AwayLook look = looks_.draw(
+            point, coordinate(stream, point.index, dimension),
             coordinate(stream, point.index, dimension + 1));
+        if (look.factor == 0) {
+            return 0;
+        }
         std::fill(scratch.path.weights.begin(), scratch.path.weights.end(), 1.0);
         std::fill(scratch.path.gathered.begin(), scratch.path.gathered.end(), 0.0);
-        const std::uint64_t rays = gather(stream, point, away, dimension + 2, scratch);
-        // pi for the cosine law, 2 for the choice of a side.
-        const double factor = 2 * std::numbers::pi * part * part_of_unit_[point.region];
+        const std::uint64_t rays = gather(stream, point, look.away, dimension + 2, scratch);
+        const double factor = look.factor * part_of_unit_[point.region];
         for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
             scratch.fixed[b] = to_fixed(factor * scratch.path.gathered[b]);
         }
-        tally.add(tally.layout().scattered(point.region, side), scratch.fixed);
+        tally.add(tally.layout().scattered(point.region, look.side), scratch.fixed);
         score_absorbed(
             prepared_,
-            {point.region, side, dot(away, normal), LightPart::scattered, factor,
+            {point.region, look.side, dot(look.away, look.normal), LightPart::scattered, factor,
              scratch.path.gathered},
             tally);
         return rays;
@@ -410,6 +407,7 @@ class FromOrgans final : public Solver {
     MeasuredArea measured_;
     std::uint64_t points_per_organ_ = 1;
     OrganPoints organ_points_;
+    LookDirections looks_;
     NearLamps near_;
     double followed_peak_;
     NextEvent next_event_;

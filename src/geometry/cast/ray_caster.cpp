@@ -9,6 +9,7 @@
 #include "base/stop.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
+#include "geometry/cast/sliver_place.h"
 #include "geometry/raster/outline.h"
 #include "quasimc/vec3.h"
 
@@ -114,8 +115,11 @@ struct RayCaster::Impl {
     [[nodiscard]] bool periodic() const { return tile.along_x || tile.along_y; }
 
     [[nodiscard]] Hit first_hit(const Ray& ray, std::uint32_t self) const {
-        return self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self);
+        const Hit hit =
+            self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self);
+        return mesh.has_slivers ? placed_on_sliver(mesh, ray, hit) : hit;
     }
+    void place_on_slivers(Packet& packet, std::size_t count) const;
     [[nodiscard]] std::uint32_t image_of(std::uint32_t self, double shift_x, double shift_y) const;
     [[nodiscard]] CastHit follow(CellWalk& walk, std::uint32_t self) const;
     [[nodiscard]] bool is_blocked(CellWalk& walk, std::uint32_t self) const;
@@ -264,7 +268,9 @@ CastHit RayCaster::cast_from_lamp(const Vec3& origin, const Vec3& direction) con
     const Hit far = closest_from_lamp(engine, mesh, ray, ray, origin, kNoTriangle);
     const Hit near = touching(engine, mesh, origin, direction, 4 * kNear, kNoTriangle);
     const Hit& first = near.found() && !(far.found() && far.t < near.t) ? near : far;
-    return {first.found() ? RayEnd::hit : RayEnd::escaped, first};
+    return {
+        first.found() ? RayEnd::hit : RayEnd::escaped,
+        mesh.has_slivers ? placed_on_sliver(mesh, ray, first) : first};
 }
 
 Hit RayCaster::hit_at_lamp(
@@ -297,8 +303,16 @@ void RayCaster::cast(Packet& packet, std::size_t count, std::array<RayEnd, kPack
         packet.far[i] = i < count ? INFINITY : -1.0F;
     }
     impl_->engine->closest(packet);
+    impl_->place_on_slivers(packet, count);
     for (std::size_t i = 0; i < count; ++i) {
         ends[i] = packet.triangle[i] == kNoTriangle ? RayEnd::escaped : RayEnd::hit;
+    }
+}
+
+void RayCaster::Impl::place_on_slivers(Packet& packet, std::size_t count) const {
+    for (std::size_t i = 0; mesh.has_slivers && i < count; ++i) {
+        packet.set_hit(
+            i, placed_on_sliver(mesh, {packet.origin(i), packet.direction(i)}, packet.hit(i)));
     }
 }
 
@@ -325,6 +339,7 @@ void RayCaster::Impl::cast_periodic(
     pieces.direction_y = packet.direction_y;
     pieces.direction_z = packet.direction_z;
     engine->closest(pieces);
+    place_on_slivers(pieces, count);
     packet.triangle = pieces.triangle;
     packet.u = pieces.u;
     packet.v = pieces.v;

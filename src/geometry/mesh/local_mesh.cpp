@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "geometry/mesh/sliver.h"
 #include "geometry/raster/outline.h"
 
 namespace quasimc {
@@ -102,14 +103,17 @@ class InstanceMaker {
     std::unordered_map<const FrozenMesh*, std::size_t> known_;
 };
 
-/// Lists the triangles that rounding changes.
+/// Lists the triangles that rounding changes, and sees whether there are slivers.
 void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
     constexpr double kMostBlur = 1e-3;
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
         const auto& [a, b, c] = mesh.faces[i];
         const Vec3 exact = local.scale * local.scale * area_vector(mesh[i]);
         const Vec3 corner = local.own_vertex(a);
-        const Vec3 rounded = cross(local.own_vertex(b) - corner, local.own_vertex(c) - corner);
+        const Vec3 edge1 = local.own_vertex(b) - corner;
+        const Vec3 edge2 = local.own_vertex(c) - corner;
+        local.has_slivers = local.has_slivers || is_sliver(edge1, edge2);
+        const Vec3 rounded = cross(edge1, edge2);
         const Vec3 off = rounded - exact;
         if (dot(off, off) > kMostBlur * kMostBlur * dot(rounded, rounded)) {
             local.thin.emplace(i, exact);

@@ -127,6 +127,71 @@ TEST_F(Precision, WithoutCareHalfOfTheRaysMeetTheirOwnLeaf) {
     EXPECT_GT(self, kRays / 4);
 }
 
+/// A triangle as long as the scene, its third corner next to the middle of the long side, and one
+/// that makes the scene larger.
+std::vector<Triangle> long_sliver() {
+    return {
+        Triangle{Vec3{-.4, .7, .1}, Vec3{.5, -.8, .1}, Vec3{.05, -.0501, .1}},
+        Triangle{Vec3{-1, -1, -.9}, Vec3{1, -1, -1}, Vec3{0, 1, -1}}};
+}
+
+/// How far the place of a hit lies from the line of its ray.
+double distance_from_ray(const RayCaster& caster, const Ray& ray, const Hit& hit) {
+    const Vec3 place = caster.mesh().point(hit.triangle, hit.u, hit.v);
+    return length(cross(place - ray.origin, ray.direction));
+}
+
+/// Of the engine alone a ray's place on a sliver may be a ten-thousandth of the scene away.
+TEST_F(Precision, RaysMeetLongSliversWhereTheyPassThem) {
+    Random random(36);
+    const RayCaster caster(long_sliver(), Cell{}, Engine::embree);
+    const auto embree = make_embree_intersector(caster.mesh());
+    double worst = 0;
+    double worst_of_engine = 0;
+    for (int i = 0; i < kRays; ++i) {
+        const Vec3 aim = test::random_point_on(caster.mesh(), 0, random);
+        Vec3 direction = normalized(random.direction());
+        direction = normalized(Vec3{direction.x, direction.y, -std::abs(direction.z) - .2});
+        const Ray ray{aim - .5 * direction, direction};
+        const CastHit at = caster.cast(ray.origin, direction, kNoTriangle);
+        if (at.end == RayEnd::hit && at.hit.triangle == 0) {
+            worst = std::max(worst, distance_from_ray(caster, ray, at.hit));
+            const Hit hit = embree->closest(ray);
+            worst_of_engine = std::max(worst_of_engine, distance_from_ray(caster, ray, hit));
+            EXPECT_TRUE(at.hit.u >= 0 && at.hit.v >= 0 && at.hit.u + at.hit.v <= 1 + 1e-6F);
+        }
+    }
+    EXPECT_LT(worst, 5e-7);
+    EXPECT_GT(worst_of_engine, 1e-5);  // what is avoided does happen
+}
+
+/// The same of packets, whose rays are kept in single precision.
+TEST_F(Precision, PacketsMeetLongSliversWhereTheyPassThem) {
+    Random random(37);
+    const RayCaster caster(long_sliver(), Cell{}, Engine::embree);
+    double worst = 0;
+    int found = 0;
+    for (int i = 0; i < kRays / 16; ++i) {
+        Packet packet{};
+        std::array<RayEnd, kPacket> ends{};
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            const Vec3 aim = test::random_point_on(caster.mesh(), 0, random);
+            packet.set_direction(lane, normalized(Vec3{.3, .2, -1}));
+            packet.set_origin(lane, aim - 2 * packet.direction(lane));
+        }
+        caster.cast(packet, kPacket, ends);
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            if (packet.triangle[lane] == 0) {
+                ++found;
+                const Ray ray{packet.origin(lane), packet.direction(lane)};
+                worst = std::max(worst, distance_from_ray(caster, ray, packet.hit(lane)));
+            }
+        }
+    }
+    EXPECT_GT(found, kRays / 4);
+    EXPECT_LT(worst, 5e-7);
+}
+
 TEST_F(Precision, AnOrganOfAHundredThousandthOfTheSceneDoesNotShadeItself) {
     Random random(34);
     auto triangles = bent_leaf({0.3, 0.4, 0.5}, frame_about(normalized(Vec3{1, 2, 3})), 1e-5, 0);

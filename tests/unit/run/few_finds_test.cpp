@@ -197,6 +197,31 @@ TEST_P(FewFinds, OfPointsOnTheTopOfASensorHold) {
     note("top", part);
 }
 
+/// A small leaf that stands upright over endless shiny ground, which sends much of a sky's light
+/// almost along itself: each factor of the angle brings as much as the next one.
+TEST_P(FewFinds, OfALeafUprightOverShinyGroundHold) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    MaterialSpec shiny = matt("shiny", 0, 0);
+    shiny.upper = {{.5, 0, "phong", {{"exponent", 154}}}};
+    builder.add_material(shiny);
+    builder.add_organ(
+        organ("upright", "black", make_parallelogram({.5, .4, .3}, {0, .2, 0}, {0, 0, .2})));
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 4, .size_y = 4});
+    builder.set_ground(ground("shiny"));
+    const Scene scene = std::move(builder).build();
+    RunSpec spec;
+    spec.method = Method::light_tracing;
+    spec.paths = 1 << 18;
+    constexpr auto kAsked = Quantity::incident_scattered;
+    const double truth = run(scene, {sky({1})}, spec).at(0, kAsked, 0).mean;
+    const double part = coverage_of(
+        scene, {sky({1})}, truth,
+        {.quantity = kAsked, .paths = 1024, .seeds = GetParam(), .method = Method::from_organs});
+    EXPECT_GE(part, least());
+    note("upright", part);
+}
+
 /// A small leaf under a bright floor, that light from the floor alone reaches.
 TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
     for (const double size : {.01, .03, .06, .1}) {

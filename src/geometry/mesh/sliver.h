@@ -1,0 +1,21 @@
+#pragma once
+
+#include <algorithm>
+
+#include "base/vec3.h"
+
+namespace quasimc {
+
+/// Whether single precision blurs where a ray meets a triangle by more than some 2^-20 along it,
+/// local coordinates. The products of edges that it is found from are rounded by 2^-24 of the
+/// square of the longest, which is divided by the area.
+/// @param edge1, edge2  from the first corner to the others
+inline bool is_sliver(const Vec3& edge1, const Vec3& edge2) {
+    constexpr double kMost = 64;
+    const Vec3 edge3 = edge2 - edge1;
+    const double longest = std::max({dot(edge1, edge1), dot(edge2, edge2), dot(edge3, edge3)});
+    const Vec3 across = cross(edge1, edge2);
+    return longest * longest * longest > kMost * kMost * dot(across, across);
+}
+
+}  // namespace quasimc
