@@ -28,11 +28,11 @@ void offer_huge_pages(void* memory, std::size_t size) {
     static_cast<void>(madvise(first_page, end - begin, MADV_HUGEPAGE));
 }
 
-}  // namespace
-
-void* operator new(std::size_t size) {
+/// Asks `allocate` for memory until it has some or nobody can free any.
+template <typename Allocate>
+void* new_memory(std::size_t size, const Allocate& allocate) {
     for (;;) {
-        if (void* memory = std::malloc(size > 0 ? size : 1)) {
+        if (void* memory = allocate()) {
             if (size >= kLarge) {
                 offer_huge_pages(memory, size);
             }
@@ -46,6 +46,18 @@ void* operator new(std::size_t size) {
     }
 }
 
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return new_memory(size, [=] { return std::malloc(size > 0 ? size : 1); });
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    const auto step = static_cast<std::size_t>(alignment);
+    const std::size_t whole = (size + step - 1) / step * step;
+    return new_memory(size, [=] { return std::aligned_alloc(step, whole > 0 ? whole : step); });
+}
+
 // Not inlined: GCC would see `free` of what `new` returned, and warn that the two do not belong
 // together.
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
@@ -53,5 +65,14 @@ void* operator new(std::size_t size) {
 }
 
 [[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
+    std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
+    std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(
+    void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
     std::free(memory);
 }

@@ -27,27 +27,27 @@ class LineExchange {
     LineExchange(
         std::size_t columns,
         double weight,
-        std::span<const double> exitance,
-        std::span<double> incident,
+        double* sides,
         std::span<double> forwards,
         std::span<double> backwards)
         : columns_(columns),
           weight_(weight),
-          exitance_(exitance.data()),
-          incident_(incident.data()),
+          sides_(sides),
           forwards_(forwards.data()),
           backwards_(backwards.data()) {}
 
     /// @param line  without sensors
     void exchange(std::span<const Columns::Passed> line) {
-        add(backwards_, exitance_ + line[0] * columns());
+        fetch_ahead(line[0]);
+        add(backwards_, exitance(line[0]));
         for (std::size_t i = 1; i < line.size(); ++i) {
-            const std::size_t left = (line[i - 1] ^ 1U) * columns();
-            const std::size_t right = line[i] * columns();
-            add(incident_ + right, exitance_ + left);
-            add(incident_ + left, exitance_ + right);
+            fetch_ahead(line[i]);
+            double* left = exitance(line[i - 1] ^ 1U);
+            double* right = exitance(line[i]);
+            add(right + columns(), left);
+            add(left + columns(), right);
         }
-        add(forwards_, exitance_ + (line.back() ^ 1U) * columns());
+        add(forwards_, exitance(line.back() ^ 1U));
     }
 
     /// Light passes sensors, which count it.
@@ -56,18 +56,18 @@ class LineExchange {
         double* to = backwards_;       // where light goes that travels backwards
         std::size_t first = 0;         // sensor since then
         for (std::size_t i = 0; i < line.size(); ++i) {
+            fetch_ahead(line[i]);
             if ((line[i] & Columns::kSensor) != 0) {
                 continue;
             }
-            const std::size_t at = line[i] * columns();
-            pass_sensors(line.subspan(first, i - first), from, exitance_ + at);
-            add(to, exitance_ + at);
+            double* at = exitance(line[i]);
+            pass_sensors(line.subspan(first, i - first), from, at);
+            add(to, at);
             if (from != nullptr) {
-                add(incident_ + at, from);
+                add(at + columns(), from);
             }
-            const std::size_t behind = (line[i] ^ 1U) * columns();
-            from = exitance_ + behind;
-            to = incident_ + behind;
+            from = exitance(line[i] ^ 1U);
+            to = exitance(line[i] ^ 1U) + columns();
             first = i + 1;
         }
         pass_sensors(line.subspan(first), from, nullptr);
@@ -80,30 +80,36 @@ class LineExchange {
     [[nodiscard]] std::size_t columns() const {
         return kColumns > 0 ? static_cast<std::size_t>(kColumns) : columns_;
     }
-    /// Light leaves and arrives in arrays of its own: several columns are added at once.
+    /// What leaves a side; what comes to it follows.
+    [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
+    /// What leaves a side and what comes to one never overlap: several columns are added at once.
     void add(double* __restrict to, const double* __restrict from) {
         const double weight = weight_;
         for (std::size_t c = 0; c < columns(); ++c) {
             to[c] += weight * from[c];
         }
     }
+    /// Asks for the patch that is passed some steps later: each step would wait for it else.
+    void fetch_ahead(const Columns::Passed& passed) const {
+        const Columns::Passed later = *(&passed + Columns::kReadAhead) & ~Columns::kSensor;
+        fetch_patch(sides_, later / 2, columns());
+    }
     void pass_sensors(
         std::span<const Columns::Passed> sensors, const double* forwards, const double* backwards) {
         for (const Columns::Passed passed : sensors) {
             const std::size_t front = passed & ~Columns::kSensor;
             if (forwards != nullptr) {
-                add(incident_ + front * columns(), forwards);
+                add(exitance(front) + columns(), forwards);
             }
             if (backwards != nullptr) {
-                add(incident_ + (front ^ 1U) * columns(), backwards);
+                add(exitance(front ^ 1U) + columns(), backwards);
             }
         }
     }
 
     std::size_t columns_;
     double weight_;
-    const double* exitance_;
-    double *incident_, *forwards_, *backwards_;
+    double *sides_, *forwards_, *backwards_;
 };
 
 template <int kColumns>
@@ -167,9 +173,7 @@ void BundleExchange::exchange_along(
     const auto exchange = [&]<int kColumns>() {
         exchange_lines(
             lines, has_sensors,
-            LineExchange<kColumns>(
-                light.columns(), weight, light.exitance(), light.incident(), forwards_,
-                backwards_));
+            LineExchange<kColumns>(light.columns(), weight, light.sides(), forwards_, backwards_));
     };
     switch (light.columns()) {
         case 2:

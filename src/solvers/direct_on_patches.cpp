@@ -33,6 +33,42 @@ class LaidLooks {
     std::uint32_t of_;
 };
 
+/// Adds light to patches some additions later than it is told, in the same order: by then what they
+/// hold has come from memory, for which each addition would wait.
+class LateAdds {
+  public:
+    LateAdds(PatchLight& light, const LitBands& bands) : light_(light), bands_(bands) {}
+
+    void add(std::uint32_t patch, SurfaceSide side, double amount) {
+        light_.fetch(patch);
+        Add& place = adds_[told_ % kLate];
+        if (told_++ >= kLate) {
+            light_.add_direct(place.patch, place.side, place.amount, bands_);
+        }
+        place = {patch, side, amount};
+    }
+    /// Adds what is left.
+    void finish() {
+        for (std::size_t i = told_ > kLate ? told_ - kLate : 0; i < told_; ++i) {
+            const Add& place = adds_[i % kLate];
+            light_.add_direct(place.patch, place.side, place.amount, bands_);
+        }
+        told_ = 0;
+    }
+
+  private:
+    static constexpr std::size_t kLate = 16;
+    struct Add {
+        std::uint32_t patch = 0;
+        SurfaceSide side{};
+        double amount = 0;
+    };
+    PatchLight& light_;
+    LitBands bands_;
+    std::array<Add, kLate> adds_{};
+    std::size_t told_ = 0;
+};
+
 /// Adds what a light brings, times a factor, to the weights of bands.
 void add_weights(const std::vector<double>& brought, double factor, std::vector<double>& weights) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
@@ -170,6 +206,7 @@ void DirectOnPatches::lay_pixels(
                 &item, pixels.places(item.id), mesh.exact_share(item.triangle, direction)};
         }
     }
+    LateAdds adds(light, bands);
     for (const ItemBuffer::Run& run : pixels.runs()) {
         const Seen& seen = by_id[run.id];
         if (seen.item == nullptr) {
@@ -182,14 +219,15 @@ void DirectOnPatches::lay_pixels(
             const Point2 at = seen.places.of(run.first + i);
             const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
             if (count > 0 && next != patch) {
-                light.add_direct(patch, side, count * seen.share, bands);
+                adds.add(patch, side, count * seen.share);
                 count = 0;
             }
             patch = next;
             ++count;
         }
-        light.add_direct(patch, side, count * seen.share, bands);
+        adds.add(patch, side, count * seen.share);
     }
+    adds.finish();
 }
 
 /// Paths of light tracing, to their first hits.

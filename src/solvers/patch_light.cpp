@@ -160,9 +160,8 @@ PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
       bands_(scene.prepared.bands()),
       columns_(2 * bands_),
-      incident_(std::size_t{2} * scene.patches.count() * columns_),
-      exitance_(incident_.size()),
-      kept_(incident_.size()),
+      lines_(std::max<std::size_t>(1, scene.patches.count()) * bands_),
+      kept_(std::size_t{2} * scene.patches.count() * columns_),
       sums_(2 * scene.prepared.scene().regions().size() * columns_),
       found_areas_(scene.surfaces.size()),
       region_areas_(scene.prepared.scene().regions().size()),
@@ -205,15 +204,14 @@ void PatchLight::correct_areas(double lines_per_area) {
 
 void PatchLight::clear() {
     std::fill(found_areas_.begin(), found_areas_.end(), 0);
-    std::fill(incident_.begin(), incident_.end(), 0);
-    std::fill(exitance_.begin(), exitance_.end(), 0);
+    std::fill(lines_.begin(), lines_.end(), CacheLine{});
     std::fill(kept_.begin(), kept_.end(), 0);
     std::fill(sums_.begin(), sums_.end(), 0);
 }
 
 void PatchLight::add_direct(
     std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands) {
-    double* to = &incident_[(std::size_t{2} * patch + index_of(side)) * columns_ + bands.first];
+    double* to = incident(std::size_t{2} * patch + index_of(side)) + bands.first;
     for (std::size_t i = 0; i < bands.weights.size(); ++i) {
         to[i] += amount * bands.weights[i];
     }
@@ -225,11 +223,14 @@ std::vector<double> PatchLight::scatter(bool is_direct) {
         copy_to_coarse();
     }
     for (const PatchScene::Surface& surface : scene_.surfaces) {
-        if (surface.is_sensor) {
-            continue;
-        }
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
+        if (surface.is_sensor) {
+            for (std::size_t patch = first; patch < end; ++patch) {
+                forget_incident(patch);
+            }
+            continue;
+        }
         const double share = is_direct ? 1 : corrections_[surface.region] * surface.exact_share;
         const CutTriangle* cut = scene_.patches.cut_of(surface.triangle);
         const double part = surface.area * scene_.patches.share(surface.triangle, 0);
@@ -239,13 +240,12 @@ std::vector<double> PatchLight::scatter(bool is_direct) {
         }
         cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
     }
-    std::fill(incident_.begin(), incident_.end(), 0);
     return scattered;
 }
 
-void PatchLight::keep() {
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-        kept_[i] += exitance_[i];
+void PatchLight::send_all_kept() {
+    for (std::size_t side = 0; side < side_count(); ++side) {
+        std::copy_n(&kept_[side * columns_], columns_, exitance(side));
     }
 }
 
@@ -258,10 +258,12 @@ std::vector<double> PatchLight::collect() {
         const std::size_t end = scene_.patches.first(surface.triangle + 1);
         double* sums = &sums_[std::size_t{2} * surface.region * columns_];
         for (std::size_t patch = scene_.patches.first(surface.triangle); patch < end; ++patch) {
-            const double* from = &incident_[2 * patch * columns_];
-            for (std::size_t i = 0; i < 2 * columns_; ++i) {
-                sums[i] += share * from[i];
-                passed_by[i % columns_] += missing * from[i];
+            for (std::size_t side = 0; side < 2; ++side) {
+                const double* from = incident(2 * patch + side);
+                for (std::size_t i = 0; i < columns_; ++i) {
+                    sums[side * columns_ + i] += share * from[i];
+                    passed_by[i] += missing * from[i];
+                }
             }
         }
     }
@@ -270,10 +272,8 @@ std::vector<double> PatchLight::collect() {
 
 /// What came straight from a source is the same on both levels.
 void PatchLight::copy_to_coarse() {
-    for (std::size_t i = 0; i < incident_.size(); i += columns_) {
-        for (std::size_t b = 0; b < bands_; ++b) {
-            incident_[i + bands_ + b] = incident_[i + b];
-        }
+    for (std::size_t side = 0; side < side_count(); ++side) {
+        std::copy_n(incident(side), bands_, incident(side) + bands_);
     }
 }
 
@@ -281,20 +281,30 @@ void PatchLight::copy_to_coarse() {
 void PatchLight::scatter_patch(
     const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered) {
     const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
+    const std::size_t sides = std::size_t{2} * sent.patch;
     for (const SurfaceSide side : kSurfaceSides) {
         const SurfaceSide other = opposite(side);
-        const auto& reflected = scene_.of(surface.material, side).reflected;
-        const auto& transmitted = scene_.of(surface.material, other).transmitted;
-        const std::size_t patch = std::size_t{2} * sent.patch;
-        const double* own = &incident_[(patch + index_of(side)) * columns_];
-        const double* across = &incident_[(patch + index_of(other)) * columns_];
-        double* out = &exitance_[(patch + index_of(side)) * columns_];
-        for (std::size_t i = 0; i < columns_; ++i) {
-            const std::size_t b = i < bands_ ? i : i - bands_;
-            out[i] = (reflected[b] * own[i] + transmitted[b] * across[i]) * per_area;
-            scattered[i] += out[i] * sent.area;
+        const double* reflected = scene_.of(surface.material, side).reflected.data();
+        const double* transmitted = scene_.of(surface.material, other).transmitted.data();
+        const double* own = incident(sides + index_of(side));
+        const double* across = incident(sides + index_of(other));
+        double* out = exitance(sides + index_of(side));
+        double* kept = &kept_[(sides + index_of(side)) * columns_];
+        for (std::size_t level = 0; level < columns_; level += bands_) {
+            for (std::size_t b = 0; b < bands_; ++b) {
+                const std::size_t i = level + b;
+                kept[i] += out[i];
+                out[i] = (reflected[b] * own[i] + transmitted[b] * across[i]) * per_area;
+                scattered[i] += out[i] * sent.area;
+            }
         }
     }
+    forget_incident(sent.patch);
+}
+
+void PatchLight::forget_incident(std::size_t patch) {
+    std::fill_n(incident(2 * patch), columns_, 0.0);
+    std::fill_n(incident(2 * patch + 1), columns_, 0.0);
 }
 
 /// In the columns of the coarser level, each four patches get the mean of them.
@@ -305,14 +315,10 @@ void PatchLight::even_out(const PatchScene::Surface& surface) {
     means_.assign(parents.size() / 4 * row, 0);
     const std::size_t first = scene_.patches.first(surface.triangle);
     for (std::size_t part = 0; part < parents.size(); ++part) {
-        for (std::size_t i = 0; i < row; ++i) {
-            means_[parents[part] * row + i] += coarse(first + part, i) / 4;
-        }
+        add_coarse(first + part, .25, &means_[parents[part] * row]);
     }
     for (std::size_t part = 0; part < parents.size(); ++part) {
-        for (std::size_t i = 0; i < row; ++i) {
-            coarse(first + part, i) = means_[parents[part] * row + i];
-        }
+        set_coarse(first + part, &means_[parents[part] * row]);
     }
 }
 
@@ -325,15 +331,32 @@ void PatchLight::even_out_cut(const PatchScene::Surface& surface, const CutTrian
     for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
         const std::size_t group = cut.group(patch);
         areas_[group] += cut.area(patch);
-        for (std::size_t i = 0; i < row; ++i) {
-            means_[group * row + i] += cut.area(patch) * coarse(first + patch, i);
+        add_coarse(first + patch, cut.area(patch), &means_[group * row]);
+    }
+    for (std::uint32_t group = 0; group < cut.patches(); ++group) {
+        for (std::size_t i = 0; areas_[group] > 0 && i < row; ++i) {
+            means_[group * row + i] /= areas_[group];
         }
     }
     for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
-        const std::size_t group = cut.group(patch);
-        for (std::size_t i = 0; cut.area(patch) > 0 && i < row; ++i) {
-            coarse(first + patch, i) = means_[group * row + i] / areas_[group];
+        if (cut.area(patch) > 0) {
+            set_coarse(first + patch, &means_[cut.group(patch) * row]);
         }
+    }
+}
+
+void PatchLight::add_coarse(std::size_t patch, double part, double* sums) {
+    for (const double* from : coarse(patch)) {
+        for (std::size_t b = 0; b < bands_; ++b) {
+            *sums++ += part * from[b];
+        }
+    }
+}
+
+void PatchLight::set_coarse(std::size_t patch, const double* means) {
+    for (double* to : coarse(patch)) {
+        std::copy_n(means, bands_, to);
+        means += bands_;
     }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <stop_token>
 #include <vector>
 
+#include "base/parallel.h"
 #include "geometry/raster/columns.h"
 #include "geometry/raster/patches.h"
 #include "sums/tally.h"
@@ -74,20 +76,31 @@ struct LitBands {
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
+/// Asks for the numbers of a patch in PatchLight::sides(), which may be any.
+inline void fetch_patch(const double* sides, std::size_t patch, std::size_t columns) {
+    constexpr std::size_t kStep = kCacheLine / sizeof(double);
+    for (std::size_t i = 0; i < 4 * columns; i += kStep) {
+        __builtin_prefetch(sides + 4 * columns * patch + i, 1);
+    }
+}
+
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///
-/// Numbers stand [2 * patch + side][level * bands + band], level 0 the finer one.
+/// Numbers stand [2 * patch + side][level * bands + band], level 0 the finer one. Those of a patch,
+/// on and from both of its sides, stand next to each other in whole cache lines: light that goes
+/// along lines, from patch to patch all over the scene, waits for them alone.
 class PatchLight {
   public:
     explicit PatchLight(const PatchScene& scene);
 
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    /// Flux that came to each side, in units of sums.
-    [[nodiscard]] std::span<double> incident() { return incident_; }
-    /// Flux that leaves each side per area.
-    [[nodiscard]] std::span<const double> exitance() const { return exitance_; }
+    /// Of the sides one after the other: flux that leaves each per area, [column], and flux that
+    /// came to it, in units of sums, [column].
+    [[nodiscard]] double* sides() { return lines_.data()->numbers.data(); }
 
+    /// Asks for what is known of a patch, which takes a while to come from memory.
+    void fetch(std::uint32_t patch) { fetch_patch(sides(), patch, columns_); }
     /// No light anywhere.
     void clear();
     /// Adds light straight from a source, per band `amount` times its weight; what misses thin
@@ -95,13 +108,12 @@ class PatchLight {
     void add_direct(std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands);
 
     /// Sets the exitance to what surfaces send on of the light that came, which it takes away.
+    /// Remembers the exitance that was.
     /// @param is_direct  it came straight from the sources
     /// @returns flux that leaves surfaces, [column]
     [[nodiscard]] std::vector<double> scatter(bool is_direct);
-    /// Remembers the exitance.
-    void keep();
-    /// Sets it to all that was remembered.
-    void send_all_kept() { exitance_ = kept_; }
+    /// Sets the exitance to all that was remembered.
+    void send_all_kept();
     /// Sums the light that came, by side of each region.
     /// @returns of thin triangles, what misses them, [column]
     [[nodiscard]] std::vector<double> collect();
@@ -133,18 +145,29 @@ class PatchLight {
     };
     void scatter_patch(
         const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered);
+    void forget_incident(std::size_t patch);
     void copy_to_coarse();
     void even_out(const PatchScene::Surface& surface);
     void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut);
-    /// Exitance of a patch in the columns of the coarser level; i < 2 * bands: both sides.
-    [[nodiscard]] double& coarse(std::size_t patch, std::size_t i) {
-        return exitance_[(2 * patch + i / bands_) * columns_ + bands_ + i % bands_];
+    /// Adds `part` of the coarser level's exitance to sums [side * bands + band].
+    void add_coarse(std::size_t patch, double part, double* sums);
+    void set_coarse(std::size_t patch, const double* means);
+    struct alignas(kCacheLine) CacheLine {
+        std::array<double, kCacheLine / sizeof(double)> numbers{};
+    };
+    /// Of side `i`, [2 * patch + side].
+    [[nodiscard]] double* exitance(std::size_t i) { return sides() + 2 * i * columns_; }
+    [[nodiscard]] double* incident(std::size_t i) { return exitance(i) + columns_; }
+    /// Exitance of a patch in the columns of the coarser level: of one side, and of the other.
+    [[nodiscard]] std::array<double*, 2> coarse(std::size_t patch) {
+        return {exitance(2 * patch) + bands_, exitance(2 * patch + 1) + bands_};
     }
+    [[nodiscard]] std::size_t side_count() const { return kept_.size() / columns_; }
 
     const PatchScene& scene_;
     std::size_t bands_, columns_;
-    std::vector<double> incident_, exitance_;
-    std::vector<double> kept_;  // exitance of all steps
+    std::vector<CacheLine> lines_;
+    std::vector<double> kept_;  // exitance of all steps, [side][column]
     std::vector<double> sums_;  // [2 * region + side][column]
     std::vector<double> means_, areas_;
     std::vector<double> found_areas_;                  // by surface, in this step

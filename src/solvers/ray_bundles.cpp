@@ -135,7 +135,6 @@ class RayBundles final : public Solver {
         std::vector<double> left = first;
         std::uint64_t order = 1;
         for (; !is_last(order, left, first); ++order) {
-            light.keep();
             exchange(budget.of_order(left, key_of(task, order)), {});
             left = light.scatter(false);
             if (order == 1) {

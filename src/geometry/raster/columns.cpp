@@ -271,8 +271,8 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
 /// By line, and along each by depth.
 void Columns::sort_lines() {
     const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
-    if (passed_.size() < size_) {
-        passed_.resize(keys_.size());
+    if (passed_.size() < size_ + kReadAhead) {
+        passed_.resize(keys_.size() + kReadAhead);
         sorted_.resize(keys_.size());
     }
     if (lines > kSparse * size_ + kSparse) {

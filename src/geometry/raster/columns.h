@@ -68,6 +68,9 @@ class Columns {
     /// How many lines pass each of the triangles, in their order.
     [[nodiscard]] std::span<const std::uint32_t> counts() const { return counts_; }
 
+    /// So many of what further lines pass may be read beyond the end of one; beyond the last it is
+    /// something that was passed once, or 0.
+    static constexpr std::size_t kReadAhead = 16;
     /// Calls visit(span of Passed) for each line that passes something, in order along the
     /// direction.
     template <typename Visit>
