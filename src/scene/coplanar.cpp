@@ -40,14 +40,15 @@ std::vector<Point2> clipped(const std::vector<Point2>& polygon, const Point2& a,
     return kept;
 }
 
-/// Whether `other` lies wholly beyond one of the sides of `t`.
-bool is_beyond_a_side(const Triangle& other, const Triangle& t) {
+/// Whether `other` lies wholly beyond one of the sides of `t`, or reaches at most `tolerance` over
+/// it.
+bool is_beyond_a_side(const Triangle& other, const Triangle& t, double tolerance) {
     const Vec3 n = area_vector(t);
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 side = t[(i + 1) % 3] - t[i];
         const Vec3 outward = cross(side, n);
         constexpr double kRounding = 1e-9;
-        const double slack = kRounding * length(outward) * length(side);
+        const double slack = length(outward) * std::max(tolerance, kRounding * length(side));
         const bool all = std::all_of(other.begin(), other.end(), [&](const Vec3& corner) {
             return dot(outward, corner - t[i]) >= -slack;
         });
@@ -216,8 +217,8 @@ bool meet(const Bounds& a, const Bounds& b) {
            b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-bool lie_apart(const Triangle& a, const Triangle& b) {
-    return is_beyond_a_side(b, a) || is_beyond_a_side(a, b);
+bool lie_apart(const Triangle& a, const Triangle& b, double tolerance) {
+    return is_beyond_a_side(b, a, tolerance) || is_beyond_a_side(a, b, tolerance);
 }
 
 double covered_part(const Triangle& small, const Triangle& large) {

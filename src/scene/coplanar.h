@@ -23,9 +23,10 @@ namespace quasimc {
 /// Whether the boxes have a point in common.
 [[nodiscard]] bool meet(const Bounds& a, const Bounds& b);
 
-/// Whether a side of one of two triangles in one plane has the other wholly beyond it: they share
-/// no area but for rounding. A quick answer for neighbours in a mesh.
-[[nodiscard]] bool lie_apart(const Triangle& a, const Triangle& b);
+/// Whether a side of one of two triangles in one plane has the other wholly beyond it, but for a
+/// strip not wider than `tolerance`: they share no area but for rounding. A quick answer for
+/// neighbours in a mesh.
+[[nodiscard]] bool lie_apart(const Triangle& a, const Triangle& b, double tolerance);
 
 /// The fraction of `small` that lies on `large`, both seen along the normal of `large`. Both have
 /// an area.

@@ -21,7 +21,7 @@ namespace {
 struct Cover {
     std::uint32_t first, second;
     Vec3 shift;
-    bool is_same;
+    bool is_same, is_little;
 };
 
 bool operator<(const Cover& a, const Cover& b) {
@@ -73,7 +73,9 @@ std::vector<Cover> through_borders(
     for (const Overlap& pair : pairs) {
         const std::uint32_t a = wrapped.source_of(pair.first, images.ranges());
         const std::uint32_t b = wrapped.source_of(pair.second, images.ranges());
-        covers.push_back({a, b, shift_of(pair.first, a) - shift_of(pair.second, b), pair.is_same});
+        covers.push_back(
+            {a, b, shift_of(pair.first, a) - shift_of(pair.second, b), pair.is_same,
+             pair.is_little});
     }
     return covers;
 }
@@ -110,7 +112,7 @@ FoundCovers find_pairs(
             find_with(known, scene, [&](std::uint32_t i) { return owners.key(i); });
         FoundCovers all{{}, found.is_left_out, found.gave_up};
         for (const Overlap& pair : found.pairs) {
-            all.covers.push_back({pair.first, pair.second, {}, pair.is_same});
+            all.covers.push_back({pair.first, pair.second, {}, pair.is_same, pair.is_little});
         }
         return all;
     }
@@ -309,13 +311,14 @@ class Cutter {
     std::uint32_t instance_triangles_ = 0;
 };
 
-/// Counts triangles by pairs of organs, each triangle once.
+/// Counts triangles by pairs of organs, each triangle once. Strips along borders are not worth
+/// telling.
 std::vector<Coincidence> count_pairs(
     std::span<const Cover> covers, const Owners& owners, LightGoesTo light) {
     std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, std::uint32_t> pairs;
     std::optional<std::uint32_t> last;
     for (const Cover& cover : covers) {
-        if (last != cover.second) {
+        if (last != cover.second && !cover.is_little) {
             ++pairs[{!cover.is_same, owners.organ(cover.second), owners.organ(cover.first)}];
             last = cover.second;
         }

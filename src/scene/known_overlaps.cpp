@@ -100,7 +100,7 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
         const std::uint32_t a = matching.new_number[pair.first];
         const std::uint32_t b = matching.new_number[pair.second];
         if (a != kGone && b != kGone) {
-            pairs.push_back({std::min(a, b), std::max(a, b), pair.is_same});
+            pairs.push_back({std::min(a, b), std::max(a, b), pair.is_same, pair.is_little});
         }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Overlap& a, const Overlap& b) {

@@ -139,12 +139,17 @@ class OverlapSearch {
 
     void look_on_larger(const Placed& small, const Placed& large) {
         const double tolerance = grid_.thickness(small.extent.size);
-        if (!lies_on(small.triangle, small.extent.bounds, large.triangle, tolerance)) {
+        constexpr double kLeast = 1e-6, kMuch = 1e-3;
+        if (!may_lie_on(small.triangle, small.extent.bounds, large.triangle, tolerance)) {
+            return;
+        }
+        const double part = covered_part(small.triangle, large.triangle);
+        if (!(part > kLeast)) {
             return;
         }
         const Overlap found{
             std::min(small.number, large.number), std::max(small.number, large.number),
-            is_same(small.triangle, large.triangle, tolerance)};
+            is_same(small.triangle, large.triangle, tolerance), part <= kMuch};
         if (found.is_same) {
             ++same_before_[found.second];
         }
@@ -176,11 +181,13 @@ class OverlapSearch {
         return area(a) <= (1 + kRounding) * area(b);
     }
 
-    /// Triangles meet in several cubes. They are the same if they were found to be so once.
+    /// Triangles meet in several cubes. They are the same if they were found to be so once, and
+    /// much of one is covered if it is of either.
     void sort_found() {
         const auto key = [](const Overlap& o) { return std::tie(o.first, o.second); };
         std::sort(found_.begin(), found_.end(), [&](const Overlap& a, const Overlap& b) {
-            return key(a) != key(b) ? key(a) < key(b) : a.is_same && !b.is_same;
+            const auto worth = [](const Overlap& o) { return std::pair(!o.is_same, o.is_little); };
+            return key(a) != key(b) ? key(a) < key(b) : worth(a) < worth(b);
         });
         const auto end = std::unique(
             found_.begin(), found_.end(),
@@ -188,18 +195,15 @@ class OverlapSearch {
         found_.erase(end, found_.end());
     }
 
-    /// Whether part of `small` lies on `large`. The quick tests come first.
-    static bool lies_on(
+    /// Whether part of `small` may lie on `large`. The quick tests come first.
+    static bool may_lie_on(
         const Triangle& small, Bounds bounds, const Triangle& large, double tolerance) {
         const Vec3 blur{tolerance, tolerance, tolerance};
         bounds.low -= blur;
         bounds.high += blur;
         return meet(bounds, bounds_of(large)) && lies_in_plane(small, large, tolerance) &&
-               !lie_apart(small, large) && covered_part(small, large) > kOverlap;
+               !lie_apart(small, large, tolerance);
     }
-
-    static constexpr double kOverlap =
-        1e-3;  // of the smaller triangle; less is rounding at an edge
 
     const SceneGeometry& triangles_;
     const std::vector<bool>& changed_;

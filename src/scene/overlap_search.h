@@ -10,7 +10,8 @@ namespace quasimc {
 /// Two triangles that lie in one plane, one upon the other; `second` is the larger number.
 struct Overlap {
     std::uint32_t first, second;
-    bool is_same;  ///< the same corners, but for rounding
+    bool is_same;    ///< the same corners, but for rounding
+    bool is_little;  ///< less than a thousandth of the smaller one is covered
 };
 
 /// All pairs of triangles of a scene that lie on each other, in order.
@@ -27,8 +28,8 @@ inline constexpr std::size_t kMostToCompare = 3'000'000;
 /// 1e-6 of the triangle.
 [[nodiscard]] double coplanar_tolerance(double triangle_size, double scene_size);
 
-/// Two triangles count as lying on each other where they are no farther apart than that and a
-/// thousandth of the smaller one is covered. Takes some n log n comparisons.
+/// Two triangles count as lying on each other where they are no farther apart than that, a strip
+/// wider than that is covered and a millionth of the smaller one. Takes some n log n comparisons.
 [[nodiscard]] Overlaps find_overlaps(const SceneGeometry& triangles);
 
 /// What a search does with pairs of triangles that face the same way.

@@ -31,7 +31,7 @@ bool are_near(const Triangle& a, const Triangle& b, double size) {
     }
     const double same = coplanar_tolerance(size_of(bounds_of(small)), size);
     return lies_in_plane(small, large, kNearOfScene * size) && !lies_in_plane(small, large, same) &&
-           !lie_apart(small, large);
+           !lie_apart(small, large, same);
 }
 
 /// All triangles, and after them their images in the cells around.

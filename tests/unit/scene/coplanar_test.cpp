@@ -40,12 +40,13 @@ TEST(Coplanar, SeesThatNeighboursLieApart) {
     const Triangle a{Vec3{0.1, 0.2, 0.3}, {1.1, 0.3, 0.7}, {0.2, 1.7, 0.1}};
     const Triangle b{a[2], a[1], a[1] + a[2] - a[0]};
     const Triangle upside_down{b[0], b[2], b[1]};
-    EXPECT_TRUE(lie_apart(a, b));
-    EXPECT_TRUE(lie_apart(b, a));
-    EXPECT_TRUE(lie_apart(a, upside_down));
-    EXPECT_TRUE(lie_apart(flat_triangle({0, 0, 0}, 2), flat_triangle({2, 0, 0}, 2)));
-    EXPECT_FALSE(lie_apart(flat_triangle({0, 0, 0}, 2), flat_triangle({1.999, 0, 0}, 2)));
-    EXPECT_FALSE(lie_apart(a, a));
+    EXPECT_TRUE(lie_apart(a, b, 1e-6));
+    EXPECT_TRUE(lie_apart(b, a, 1e-6));
+    EXPECT_TRUE(lie_apart(a, upside_down, 1e-6));
+    EXPECT_TRUE(lie_apart(flat_triangle({0, 0, 0}, 2), flat_triangle({2, 0, 0}, 2), 1e-6));
+    EXPECT_FALSE(lie_apart(flat_triangle({0, 0, 0}, 2), flat_triangle({1.999, 0, 0}, 2), 1e-6));
+    EXPECT_FALSE(lie_apart(a, a, 1e-6));
+    EXPECT_TRUE(lie_apart(flat_triangle({0, 0, 0}, 2), flat_triangle({1.999, 0, 0}, 2), 2e-3));
 }
 
 TEST(Coplanar, SeesWhetherBoxesMeet) {

@@ -58,7 +58,7 @@ Pairs compare_all(const std::vector<Triangle>& triangles, double scene_size) {
     const auto lies_on = [&](const Triangle& small, const Triangle& large) {
         const double tolerance = coplanar_tolerance(size_of(bounds_of(small)), scene_size);
         return area(small) <= area(large) && lies_in_plane(small, large, tolerance) &&
-               !lie_apart(small, large) && covered_part(small, large) > 1e-3;
+               !lie_apart(small, large, tolerance) && covered_part(small, large) > 1e-6;
     };
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         for (std::uint32_t j = i + 1; j < triangles.size(); ++j) {

@@ -125,22 +125,36 @@ TEST(LongPatches, AreToldOfToWhoAsksForBundles) {
     EXPECT_TRUE(lint_bundles(tubes(20), {}, spec).empty());
 }
 
+Sources lamp_at(double height) {
+    LampSpec bulb;
+    bulb.name = "bulb";
+    bulb.position = {.5, .5, height};
+    bulb.flux = {1};
+    return {make_lamp(std::move(bulb))};
+}
+
 /// A lamp between leaves or next to them is told of, one that is apart is not.
 TEST(LintBundles, TellsOfLampsNextToSurfaces) {
     RunSpec spec;
-    const auto lamp_at = [](double height) {
-        LampSpec bulb;
-        bulb.name = "bulb";
-        bulb.position = {.5, .5, height};
-        bulb.flux = {1};
-        return Sources{make_lamp(std::move(bulb))};
-    };
     const Scene scene = tubes(20);
     EXPECT_TRUE(lint_bundles(scene, lamp_at(1), spec).empty());
     spec.method = Method::ray_bundles;
     EXPECT_EQ(lint_bundles(scene, lamp_at(1), spec).size(), 1U);
     EXPECT_EQ(lint_bundles(scene, lamp_at(3.1), spec).size(), 1U);
     EXPECT_TRUE(lint_bundles(scene, lamp_at(30), spec).empty());
+}
+
+/// The middle of a flat scene is as near to the lamp above it as any place.
+TEST(LintBundles, TellsOfALampCloseAboveTheMiddleOfAFlatScene) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .3));
+    builder.add_organ(organ("floor", "leaf", floor_of(-1, 2, -1, 2, 0)));
+    const Scene scene = std::move(builder).build();
+    RunSpec spec;
+    spec.method = Method::ray_bundles;
+    EXPECT_EQ(lint_bundles(scene, lamp_at(.02), spec).size(), 1U);
+    EXPECT_EQ(lint_bundles(scene, lamp_at(.2), spec).size(), 1U);
+    EXPECT_TRUE(lint_bundles(scene, lamp_at(1), spec).empty());
 }
 
 /// A needle that stands on a leaf has its shadow where it gets light from.
