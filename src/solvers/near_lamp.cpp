@@ -12,16 +12,15 @@ Illumination light_of(const Source& source, const Vec3& place) {
     return source.illuminate(place, kMiddle, kMiddle);
 }
 
-/// On the middle of the box and half way to its corners, of those that are lit.
-double dimmest_light(const Source& source, const Bounds& bounds) {
-    const Vec3 quarter = 0.25 * bounds.size();
+/// On the middle of the box and half way from `nearest` to its corners, of those that are lit.
+double dimmest_light(const Source& source, const Bounds& bounds, const Vec3& nearest) {
     double dimmest = light_of(source, bounds.center()).weight;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3 half_way{
-            (corner & 1U) != 0 ? quarter.x : -quarter.x,
-            (corner & 2U) != 0 ? quarter.y : -quarter.y,
-            (corner & 4U) != 0 ? quarter.z : -quarter.z};
-        const double weight = light_of(source, bounds.center() + half_way).weight;
+    for (unsigned i = 0; i < 8; ++i) {
+        const Vec3 corner{
+            (i & 1U) != 0 ? bounds.high.x : bounds.low.x,
+            (i & 2U) != 0 ? bounds.high.y : bounds.low.y,
+            (i & 4U) != 0 ? bounds.high.z : bounds.low.z};
+        const double weight = light_of(source, nearest + 0.5 * (corner - nearest)).weight;
         dimmest = weight > 0 ? std::min(dimmest, weight) : dimmest;
     }
     return dimmest;
@@ -44,8 +43,8 @@ bool is_near_lamp(const Source& source, const Bounds& bounds) {
         std::clamp(place.y, bounds.low.y, bounds.high.y),
         std::clamp(place.z, bounds.low.z, bounds.high.z)};
     const Vec3 gap = place - nearest;
-    return dot(gap, gap) == 0 ||
-           light_of(source, nearest).weight > kMuchBrighter * dimmest_light(source, bounds);
+    return dot(gap, gap) == 0 || light_of(source, nearest).weight >
+                                     kMuchBrighter * dimmest_light(source, bounds, nearest);
 }
 
 }  // namespace quasimc
