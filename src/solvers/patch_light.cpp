@@ -255,15 +255,14 @@ std::vector<double> PatchLight::collect() {
         const double correction = corrections_[surface.region];
         const double share = correction * surface.exact_share;
         const double missing = surface.is_sensor ? 0 : correction - share;
-        const std::size_t end = scene_.patches.first(surface.triangle + 1);
-        double* sums = &sums_[std::size_t{2} * surface.region * columns_];
-        for (std::size_t patch = scene_.patches.first(surface.triangle); patch < end; ++patch) {
-            for (std::size_t side = 0; side < 2; ++side) {
-                const double* from = incident(2 * patch + side);
-                for (std::size_t i = 0; i < columns_; ++i) {
-                    sums[side * columns_ + i] += share * from[i];
-                    passed_by[i] += missing * from[i];
-                }
+        const std::size_t end = std::size_t{2} * scene_.patches.first(surface.triangle + 1);
+        for (std::size_t side = std::size_t{2} * scene_.patches.first(surface.triangle); side < end;
+             ++side) {
+            const double* from = incident(side);
+            double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * columns_];
+            for (std::size_t i = 0; i < columns_; ++i) {
+                sums[i] += share * from[i];
+                passed_by[i] += missing * from[i];
             }
         }
     }
