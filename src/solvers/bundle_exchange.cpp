@@ -42,10 +42,10 @@ class LineExchange {
         add(backwards_, exitance(line[0]));
         for (std::size_t i = 1; i < line.size(); ++i) {
             fetch_ahead(line[i]);
-            double* left = exitance(line[i - 1] ^ 1U);
-            double* right = exitance(line[i]);
-            add(right + columns(), left);
-            add(left + columns(), right);
+            const std::size_t left = line[i - 1] ^ 1U;
+            const std::size_t right = line[i];
+            add(incident(right), exitance(left));
+            add(incident(left), exitance(right));
         }
         add(forwards_, exitance(line.back() ^ 1U));
     }
@@ -60,14 +60,14 @@ class LineExchange {
             if ((line[i] & Columns::kSensor) != 0) {
                 continue;
             }
-            double* at = exitance(line[i]);
-            pass_sensors(line.subspan(first, i - first), from, at);
-            add(to, at);
+            const std::size_t at = line[i];
+            pass_sensors(line.subspan(first, i - first), from, exitance(at));
+            add(to, exitance(at));
             if (from != nullptr) {
-                add(at + columns(), from);
+                add(incident(at), from);
             }
-            from = exitance(line[i] ^ 1U);
-            to = exitance(line[i] ^ 1U) + columns();
+            from = exitance(at ^ 1U);
+            to = incident(at ^ 1U);
             first = i + 1;
         }
         pass_sensors(line.subspan(first), from, nullptr);
@@ -80,8 +80,9 @@ class LineExchange {
     [[nodiscard]] std::size_t columns() const {
         return kColumns > 0 ? static_cast<std::size_t>(kColumns) : columns_;
     }
-    /// What leaves a side; what comes to it follows.
+    /// What leaves a side, and after it what comes to it: PatchLight::sides().
     [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
+    [[nodiscard]] double* incident(std::size_t side) const { return exitance(side) + columns(); }
     /// What leaves a side and what comes to one never overlap: several columns are added at once.
     void add(double* __restrict to, const double* __restrict from) {
         const double weight = weight_;
@@ -99,10 +100,10 @@ class LineExchange {
         for (const Columns::Passed passed : sensors) {
             const std::size_t front = passed & ~Columns::kSensor;
             if (forwards != nullptr) {
-                add(exitance(front) + columns(), forwards);
+                add(incident(front), forwards);
             }
             if (backwards != nullptr) {
-                add(exitance(front ^ 1U) + columns(), backwards);
+                add(incident(front ^ 1U), backwards);
             }
         }
     }

@@ -298,7 +298,7 @@ class FromOrgans final : public Solver {
         tally.add(tally.layout().scattered(point.region, look.side), scratch.fixed);
         score_absorbed(
             prepared_,
-            {point.region, look.side, dot(look.away, look.normal), LightPart::scattered, factor,
+            {point.region, look.side, look.cosine, LightPart::scattered, factor,
              scratch.path.gathered},
             tally);
         return rays;

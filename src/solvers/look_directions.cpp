@@ -65,19 +65,18 @@ AwayLook LookDirections::draw(const OrganPoint& point, double u0, double u1) con
     const double factor = 2 * std::numbers::pi * part;
     if (u0 < along_ground_) {
         const Vec3 away = direction_along_ground(u0 / along_ground_, u1);
-        const SurfaceSide side = side_facing(-dot(away, point.up));
-        const Vec3 normal = side == SurfaceSide::upper ? point.up : -point.up;
-        const double cosine = dot(away, normal);
+        const double up = dot(away, point.up);
+        const double cosine = std::abs(up);
         const bool is_seen = cosine > 0 && prepared_.in_field_of_view(point.region, cosine);
-        return {away, side, normal, is_seen ? mixed(factor, cosine, away) : 0};
+        return {away, side_facing(-up), cosine, is_seen ? mixed(factor, cosine, away) : 0};
     }
     const double pick = 2 * (u0 - along_ground_) / (1 - along_ground_);
     const SurfaceSide side = pick < 1 ? SurfaceSide::upper : SurfaceSide::lower;
     const Vec3 normal = side == SurfaceSide::upper ? point.up : -point.up;
     const Vec3 away =
         cosine_direction_about(normal, part * (side == SurfaceSide::upper ? pick : pick - 1), u1);
-    return {
-        away, side, normal, along_ground_ > 0 ? mixed(factor, dot(away, normal), away) : factor};
+    const double cosine = dot(away, normal);
+    return {away, side, cosine, along_ground_ > 0 ? mixed(factor, cosine, away) : factor};
 }
 
 /// The balance heuristic: whichever way a direction was drawn, the density is that of both.

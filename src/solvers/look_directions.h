@@ -9,8 +9,8 @@ namespace quasimc {
 struct AwayLook {
     Vec3 away;           ///< unit
     SurfaceSide side{};  ///< of the organ, on which the direction lies
-    Vec3 normal;         ///< of that side
-    double factor = 0;   ///< cosine with it over the density; 0: outside the organ's field of view
+    double cosine = 0;   ///< with the normal of that side
+    double factor = 0;   ///< cosine over density; 0: outside the organ's field of view
 };
 
 /// Draws such directions: by the cosine law on either side, and where the ground sends much light

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec3.h"
+
 namespace quasimc {
 
 namespace {
@@ -15,11 +17,7 @@ Illumination light_of(const Source& source, const Vec3& place) {
 /// On the middle of the box and half way from `nearest` to its corners, of those that are lit.
 double dimmest_light(const Source& source, const Bounds& bounds, const Vec3& nearest) {
     double dimmest = light_of(source, bounds.center()).weight;
-    for (unsigned i = 0; i < 8; ++i) {
-        const Vec3 corner{
-            (i & 1U) != 0 ? bounds.high.x : bounds.low.x,
-            (i & 2U) != 0 ? bounds.high.y : bounds.low.y,
-            (i & 4U) != 0 ? bounds.high.z : bounds.low.z};
+    for (const Vec3& corner : corners_of(bounds)) {
         const double weight = light_of(source, nearest + 0.5 * (corner - nearest)).weight;
         dimmest = weight > 0 ? std::min(dimmest, weight) : dimmest;
     }

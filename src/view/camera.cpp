@@ -12,16 +12,6 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kMargin = 1.06;  // of the picture over what is shown
 
-std::array<Vec3, 8> corners_of(const Bounds& box) {
-    std::array<Vec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        corners[i] = {
-            (i & 1U) != 0 ? box.high.x : box.low.x, (i & 2U) != 0 ? box.high.y : box.low.y,
-            (i & 4U) != 0 ? box.high.z : box.low.z};
-    }
-    return corners;
-}
-
 }  // namespace
 
 const std::array<NamedView, 6>& view_table() {

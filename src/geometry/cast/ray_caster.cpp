@@ -115,9 +115,13 @@ struct RayCaster::Impl {
     [[nodiscard]] bool periodic() const { return tile.along_x || tile.along_y; }
 
     [[nodiscard]] Hit first_hit(const Ray& ray, std::uint32_t self) const {
-        const Hit hit =
-            self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self);
-        return mesh.has_slivers ? placed_on_sliver(mesh, ray, hit) : hit;
+        return placed(
+            ray,
+            self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self));
+    }
+    /// The hit, placed better if it may be on a sliver.
+    [[nodiscard]] Hit placed(const Ray& ray, const Hit& hit) const {
+        return mesh.has_slivers && hit.found() ? placed_on_sliver(mesh, ray, hit) : hit;
     }
     void place_on_slivers(Packet& packet, std::size_t count) const;
     [[nodiscard]] std::uint32_t image_of(std::uint32_t self, double shift_x, double shift_y) const;
@@ -268,9 +272,7 @@ CastHit RayCaster::cast_from_lamp(const Vec3& origin, const Vec3& direction) con
     const Hit far = closest_from_lamp(engine, mesh, ray, ray, origin, kNoTriangle);
     const Hit near = touching(engine, mesh, origin, direction, 4 * kNear, kNoTriangle);
     const Hit& first = near.found() && !(far.found() && far.t < near.t) ? near : far;
-    return {
-        first.found() ? RayEnd::hit : RayEnd::escaped,
-        mesh.has_slivers ? placed_on_sliver(mesh, ray, first) : first};
+    return {first.found() ? RayEnd::hit : RayEnd::escaped, impl_->placed(ray, first)};
 }
 
 Hit RayCaster::hit_at_lamp(
@@ -311,8 +313,7 @@ void RayCaster::cast(Packet& packet, std::size_t count, std::array<RayEnd, kPack
 
 void RayCaster::Impl::place_on_slivers(Packet& packet, std::size_t count) const {
     for (std::size_t i = 0; mesh.has_slivers && i < count; ++i) {
-        packet.set_hit(
-            i, placed_on_sliver(mesh, {packet.origin(i), packet.direction(i)}, packet.hit(i)));
+        packet.set_hit(i, placed({packet.origin(i), packet.direction(i)}, packet.hit(i)));
     }
 }
 
