@@ -194,34 +194,57 @@ OrganFinds::Parts OrganFinds::parts_of_kinds(Quantity quantity) const {
     }
 }
 
-SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
+namespace {
+
+/// Of the area that suns light in the mean, what one kind of them may have lit at most.
+/// @param found  of that kind
+/// @param most  area that one find of it lights
+double sunlit_area_by(
+    const OrganReader& reader, std::size_t kind, const OrganReader::Found& found, double most) {
+    double area = 0;
+    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
+        area += reader.sunlit_area(r) / reader.replicates();
+    }
+    for (std::size_t other = 0; other < reader.kinds(); ++other) {
+        if (other != kind && reader.kind(other).has_suns) {
+            return found.units > 0 ? std::min(area, found.finds() * most) : 0;
+        }
+    }
+    return area;
+}
+
+/// Of the area that one kind of suns lights.
+SingleFind sunlit_find_of(const OrganReader& reader, std::size_t kind) {
+    if (has_plenty(reader, kind, SurfaceSide::upper) ||
+        has_plenty(reader, kind, SurfaceSide::lower)) {
+        return {};
+    }
+    OrganReader::Found found = reader.found(kind, SurfaceSide::upper, reader.replicates());
+    const OrganReader::Found lower = reader.found(kind, SurfaceSide::lower, reader.replicates());
+    found = {found.units + lower.units, found.squares + lower.squares};
     const auto count = static_cast<double>(reader.replicates());
+    const auto most = [&](bool is_seen) {
+        return reader.sunlit_per_find(kind, is_seen) * reader.sunlit_area_per_find() / count;
+    };
+    const bool is_known = !reader.kind(kind).spectra.empty();
+    const double area = is_known ? sunlit_area_by(reader, kind, found, most(true)) : 0;
+    SingleFind find =
+        find_among(area, found.finds(), most(area > 0), count, reader.kind(kind).many);
+    find.less = is_known ? find.less : find.more;
+    return agrees_by_chance(reader, kind, SurfaceSide::upper) &&
+                   agrees_by_chance(reader, kind, SurfaceSide::lower)
+               ? at_least_one(find, area, found.finds())
+               : find;
+}
+
+}  // namespace
+
+SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
     SingleFind sum;
     for (std::size_t i = 0; i < reader.kinds(); ++i) {
-        if (!reader.kind(i).has_suns) {
-            continue;
+        if (reader.kind(i).has_suns) {
+            sum = both(sum, sunlit_find_of(reader, i));
         }
-        if (has_plenty(reader, i, SurfaceSide::upper) ||
-            has_plenty(reader, i, SurfaceSide::lower)) {
-            continue;
-        }
-        OrganReader::Found found = reader.found(i, SurfaceSide::upper, reader.replicates());
-        const OrganReader::Found lower = reader.found(i, SurfaceSide::lower, reader.replicates());
-        found = {found.units + lower.units, found.squares + lower.squares};
-        double area = 0;
-        const bool is_known = !reader.kind(i).spectra.empty();
-        for (std::uint32_t r = 0; is_known && r < reader.replicates(); ++r) {
-            area += reader.sunlit_area(r) / count;
-        }
-        const double most =
-            reader.sunlit_per_find(i, area > 0) * reader.sunlit_area_per_find() / count;
-        SingleFind find = find_among(area, found.finds(), most, count, reader.kind(i).many);
-        find.less = is_known ? find.less : find.more;
-        if (agrees_by_chance(reader, i, SurfaceSide::upper) &&
-            agrees_by_chance(reader, i, SurfaceSide::lower)) {
-            find = at_least_one(find, area, found.finds());
-        }
-        sum = both(sum, find);
     }
     return sum;
 }

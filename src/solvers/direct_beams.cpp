@@ -236,7 +236,7 @@ SumMeaning direct_beams_meaning(
     std::vector<LightKind>& kinds = meaning.units.kinds;
     std::erase_if(kinds, [&](const LightKind& kind) {
         return std::any_of(counted.begin(), counted.end(), [&](const LightKind& each) {
-            return each.spectra == kind.spectra;
+            return std::ranges::includes(each.spectra, kind.spectra);
         });
     });
     meaning.counted_kinds = counted.size();

@@ -107,19 +107,50 @@ std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) 
     return most;
 }
 
+/// By region, the area that a path of a sun lights at most: of the unit of a find, which is a path
+/// of the sun that is picked most seldom.
+template <typename Wanted>
+std::vector<double> sunlit_by_path(const PreparedScene& prepared, const Wanted& wanted) {
+    double largest = 0;
+    double own = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        largest = std::max(largest, light.lit_area);
+        own = std::max(own, wanted(light) ? light.lit_area : 0);
+    }
+    std::vector<double> lit = slants(prepared, wanted);
+    for (double& area : lit) {
+        area *= own / largest;
+    }
+    return lit;
+}
+
+/// The kinds of the lights that are `wanted`, found by paths: a spectrum is one, so that what many
+/// paths of bright lights tell does not hide that a faint one has few; all are one if they are
+/// many.
+template <typename Wanted>
+void add_kinds(const PreparedScene& prepared, const Wanted& wanted, std::vector<LightKind>& kinds) {
+    constexpr std::size_t kMostApart = 8;
+    const std::vector<std::size_t> spectra = kind_of(prepared, wanted).spectra;
+    const std::size_t count = spectra.size() <= kMostApart ? spectra.size() : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto is_own = [&](const BoundSource& light) {
+            return wanted(light) && (count == 1 || light.spectrum == spectra[i]);
+        };
+        kinds.push_back(kind_of(prepared, is_own));
+        if (kinds.back().has_suns) {
+            kinds.back().sunlit_reach = sunlit_by_path(prepared, is_own);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
-    std::vector<LightKind> kinds{
-        kind_of(prepared, is_sun),
-        kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); }),
-        kind_of(prepared, is_lamp)};
-    std::erase_if(kinds, [](const LightKind& kind) { return kind.spectra.empty(); });
-    for (LightKind& kind : kinds) {
-        if (kind.has_suns) {
-            kind.sunlit_reach = slants(prepared, is_sun);
-        }
-    }
+    std::vector<LightKind> kinds;
+    add_kinds(prepared, is_sun, kinds);
+    add_kinds(
+        prepared, [](const BoundSource& light) { return light.is_extended(); }, kinds);
+    add_kinds(prepared, is_lamp, kinds);
     return kinds;
 }
 

@@ -43,6 +43,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
       sampler_(input.sampler),
       spec_(input.spec),
       traced_(std::move(traced)),
+      shares_(input.prepared, input.spec.paths),
       stop_(input.stop),
       roulette_threshold_(
           input.spec.roulette_weight * static_cast<double>(input.prepared.bands())) {
@@ -50,7 +51,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
         beams_.push_back(source.source_sampler->beam_direction());
         only_beams_ = only_beams_ && beams_.back().has_value();
     }
-    for (const auto& spectrum : prepared_.spectra()) {
+    for (const std::vector<double>& spectrum : brightest_paths()) {
         for (const Material& material : prepared_.scene().materials()) {
             for (const SurfaceSide side : kSurfaceSides) {
                 survival_.push_back(survival(spectrum, material, side));
@@ -95,6 +96,22 @@ void LightTracer::trace(
     tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
 }
 
+/// By spectrum, the start weights of a path that counts most.
+std::vector<std::vector<double>> LightTracer::brightest_paths() const {
+    std::vector<double> most(prepared_.spectra().size(), 0);
+    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+        double& own = most[prepared_.lights()[i].spectrum];
+        own = std::max(own, shares_.weight(i));
+    }
+    std::vector<std::vector<double>> weights = prepared_.spectra();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        for (double& weight : weights[i]) {
+            weight *= most[i];
+        }
+    }
+    return weights;
+}
+
 /// An upper bound of the chance that light of a spectrum goes on after its first hit; above 1
 /// if more than the chance has to be looked at.
 double LightTracer::survival(
@@ -124,11 +141,9 @@ void LightTracer::prepare(const Block& block, Scratch& scratch) const {
     sampler_.coordinates(stream, block.first, block.rules.scatter_dimension, scratch.u2);
     // The first coordinate also picks the light.
     for (std::size_t i = 0; i < scratch.sources.size(); ++i) {
-        const std::size_t pick = prepared_.pick_light(scratch.starts.u0[i]);
-        const BoundSource& light = prepared_.lights()[pick];
-        scratch.sources[i] = static_cast<std::uint32_t>(pick);
-        scratch.starts.u0[i] =
-            std::clamp((scratch.starts.u0[i] - light.before) / light.probability, 0.0, kBelowOne);
+        const LightPick picked = shares_.pick(scratch.starts.u0[i]);
+        scratch.sources[i] = static_cast<std::uint32_t>(picked.index);
+        scratch.starts.u0[i] = picked.u;
     }
     order_starts(
         scratch.sources, static_cast<std::uint32_t>(prepared_.lights().size()), scratch.starts);
@@ -151,15 +166,17 @@ std::uint64_t LightTracer::trace_single(
     const Block& block, const Group& group, Scratch& scratch, Tally& tally) const {
     const BoundSource& light = prepared_.lights()[group.source];
     const Stream& stream = block.rules.stream;
+    const double weight = shares_.weight(group.source);
     std::uint64_t rays = 0;
     for (const std::uint32_t i : group.points) {
         const std::uint64_t point = block.first + i;
-        const Emission emission = light.source_sampler->emit(
+        Emission emission = light.source_sampler->emit(
             {scratch.starts.u0[i], scratch.starts.u1[i], sampler_.coordinate(stream, point, 2),
              sampler_.coordinate(stream, point, 3)});
         if (emission.weight == 0) {
             continue;  // to where the lamp doesn't shine
         }
+        emission.weight *= weight;
         tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
         const CastHit at =
             light.source->is_lamp()
@@ -195,7 +212,8 @@ std::uint64_t LightTracer::trace_packet(
     std::array<RayEnd, kPacket> ends;
     prepared_.caster().cast(packet, n, ends);
     tally.add(
-        tally.layout().emitted() + light.spectrum, static_cast<std::int64_t>(n) * to_fixed(1));
+        tally.layout().emitted() + light.spectrum,
+        static_cast<std::int64_t>(n) * to_fixed(shares_.weight(group.source)));
     return n + shade(block, group, packet, ends, scratch, tally);
 }
 
@@ -212,17 +230,18 @@ std::uint64_t LightTracer::shade(
     const BoundSource& light = prepared_.lights()[group.source];
     const double* survival = &survival_[2 * light.spectrum * prepared_.scene().materials().size()];
     const Facing facing = facing_of(packet);
-    Particle path{&light, 0, *beams_[group.source], 1};
+    Particle path{&light, 0, *beams_[group.source], shares_.weight(group.source)};
     std::uint64_t rays = 0;
     for (std::size_t lane = 0; lane < group.points.size(); ++lane) {
         CastHit at{ends[lane], {}};
         if (at.end == RayEnd::hit) {
             const PrimitiveInfo& primitive = prepared_.primitive(packet.triangle[lane]);
             const SurfaceSide side = side_facing(static_cast<double>(facing.along[lane]));
-            const double lit = light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
+            const double lit =
+                path.weight * light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
             const double cosine = 1 / static_cast<double>(facing.inverse_cosine[lane]);
             const double share =
-                prepared_.exact_share(packet.triangle[lane], path.direction, cosine);
+                path.weight * prepared_.exact_share(packet.triangle[lane], path.direction, cosine);
             const bool is_sunlit =
                 light.lit_area > 0 && facing.along[lane] != 0 &&
                 prepared_.is_sunlit(packet.triangle[lane], path.direction, cosine);
@@ -236,9 +255,10 @@ std::uint64_t LightTracer::shade(
                     {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},
                     tally);
             }
-            if (share != 1 && !prepared_.material(primitive.region).is_transparent()) {
+            if (share != path.weight && !prepared_.material(primitive.region).is_transparent()) {
                 tally.add_signed(
-                    layout.escaped_direct() + light.spectrum, to_fixed(1) - to_fixed(share));
+                    layout.escaped_direct() + light.spectrum,
+                    to_fixed(path.weight) - to_fixed(share));
             }
             if (scratch.u2[group.points[lane]] >=
                 survival[std::size_t{2} * primitive.material + index_of(side)]) {

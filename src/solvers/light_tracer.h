@@ -9,6 +9,7 @@
 
 #include "solvers/solver.h"
 #include "sums/tally.h"
+#include "transport/light_shares.h"
 #include "transport/particle.h"
 #include "transport/start_order.h"
 
@@ -57,6 +58,7 @@ class LightTracer {
         std::span<const std::uint32_t> points;  // in the block
     };
 
+    [[nodiscard]] std::vector<std::vector<double>> brightest_paths() const;
     [[nodiscard]] double survival(
         const std::vector<double>& spectrum, const Material& material, SurfaceSide side) const;
     void prepare(const Block& block, Scratch& scratch) const;
@@ -77,6 +79,7 @@ class LightTracer {
     const Sampler& sampler_;
     const RunSpec& spec_;
     TracedLights traced_;
+    LightShares shares_;
     std::stop_token stop_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam

@@ -26,16 +26,27 @@ double dimmest_light(const Source& source, const Bounds& bounds, const Vec3& nea
 
 }  // namespace
 
+std::optional<Vec3> place_of_lamp(const Source& source, const Bounds& bounds) {
+    if (!source.is_lamp()) {
+        return std::nullopt;
+    }
+    const Illumination middle = light_of(source, bounds.center());
+    if (!(middle.weight > 0 && std::isfinite(middle.distance))) {
+        return std::nullopt;
+    }
+    return bounds.center() + middle.distance * middle.to_light;
+}
+
 bool is_near_lamp(const Source& source, const Bounds& bounds) {
     if (!source.is_lamp()) {
         return false;
     }
     constexpr double kMuchBrighter = 16;
-    const Illumination middle = light_of(source, bounds.center());
-    if (!(middle.weight > 0 && std::isfinite(middle.distance))) {
+    const std::optional<Vec3> known = place_of_lamp(source, bounds);
+    if (!known) {
         return true;
     }
-    const Vec3 place = bounds.center() + middle.distance * middle.to_light;
+    const Vec3 place = *known;
     const Vec3 nearest{
         std::clamp(place.x, bounds.low.x, bounds.high.x),
         std::clamp(place.y, bounds.low.y, bounds.high.y),

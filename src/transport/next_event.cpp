@@ -16,7 +16,12 @@ NextEvent::NextEvent(
     double scale,
     double sharp_from,
     std::uint64_t points)
-    : prepared_(prepared), sampler_(sampler), near_(near), scale_(scale), sharp_from_(sharp_from) {
+    : prepared_(prepared),
+      sampler_(sampler),
+      near_(near),
+      scale_(scale),
+      sharp_from_(sharp_from),
+      shares_(prepared, points) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
     constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
@@ -27,29 +32,6 @@ NextEvent::NextEvent(
         for (const BoundSource& light : lights) {
             lamps_.push_back(light.source_sampler->lamp_place().value_or(LampPlace{}));
         }
-    } else {
-        share_points(points);
-    }
-}
-
-/// The shares of lights are whole numbers of points, at least one: by flux, to the nearest end.
-/// Else replicates would have one point more or less of a light, most of them the same number, and
-/// could not tell how often.
-void NextEvent::share_points(std::uint64_t points) {
-    constexpr std::uint64_t kFinest = 1024, kEach = 8;
-    const auto& lights = prepared_.lights();
-    const std::uint64_t steps = std::min(points, kFinest);
-    if (lights.size() < 2 || lights.size() * kEach > steps) {
-        return;
-    }
-    std::uint64_t end = 0;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const double by_flux = lights[i].before + lights[i].probability;
-        const auto nearest =
-            static_cast<std::uint64_t>(std::llround(by_flux * static_cast<double>(steps)));
-        const std::uint64_t after = lights.size() - 1 - i;
-        end = after == 0 ? steps : std::clamp(nearest, end + 1, steps - after);
-        share_ends_.push_back(static_cast<double>(end) / static_cast<double>(steps));
     }
 }
 
@@ -71,15 +53,9 @@ double NextEvent::worth(std::size_t index, const Vec3& place) const {
 /// A fifth by the flux of the lights, so that none is left out that is worth more than it seems.
 NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     const auto& lights = prepared_.lights();
-    if (!share_ends_.empty()) {
-        const IntervalPick share = pick_interval(share_ends_, u);
-        return {&lights[share.index], share.part, share.width};
-    }
     if (lamps_.empty()) {
-        const BoundSource& light = lights[prepared_.pick_light(u)];
-        return {
-            &light, std::clamp((u - light.before) / light.probability, 0.0, kBelowOne),
-            light.probability};
+        const LightPick share = shares_.pick(u);
+        return {&lights[share.index], share.u, share.probability};
     }
     double sum = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "samplers/sampler.h"
+#include "transport/light_shares.h"
 #include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
@@ -94,7 +95,6 @@ class NextEvent {
         double probability = 1;
     };
     [[nodiscard]] Pick pick(double u, const Vec3& place) const;
-    void share_points(std::uint64_t points);
     [[nodiscard]] double worth(std::size_t light, const Vec3& place) const;
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
@@ -108,8 +108,7 @@ class NextEvent {
     double scale_, sharp_from_;
     std::uint32_t dimensions_;
     std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
-    // Where a light's share of [0, 1) ends, if lights are picked alike from everywhere and few.
-    std::vector<double> share_ends_;
+    LightShares shares_;            // if lights are picked alike from everywhere
 };
 
 }  // namespace quasimc

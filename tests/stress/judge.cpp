@@ -9,6 +9,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <fmt/format.h>
 
+#include "solvers/lint_wedges.h"
 #include "stress/checks.h"
 #include "stress/near_surfaces.h"
 #include "sums/statistics.h"
@@ -125,7 +126,8 @@ void look_again(
     const double level =
         rules.family_level / rules.scenes / (4 * static_cast<double>(suspects.size()));
     const auto findings = compare_closely(it, suspects, number, rules, level);
-    if (!findings.empty() && has_near_surfaces(it.run.scene)) {
+    if (!findings.empty() &&
+        (has_near_surfaces(it.run.scene) || !lint_wedges(it.run.scene, it.run.sources).empty())) {
         verdict.is_rounding = true;
         return;
     }

@@ -13,6 +13,7 @@
 #include "quasimc/source.h"
 #include "scene/lint.h"
 #include "solvers/lint_bundles.h"
+#include "solvers/lint_wedges.h"
 
 namespace quasimc {
 namespace {
@@ -264,8 +265,10 @@ std::vector<Warning> lint_of(const Sections& sections) {
     const Scene& scene = *sections.scene;
     std::vector<Warning> found =
         sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
-    for (Warning& warning : lint_bundles(scene, sections.sources.sources, sections.options.spec)) {
-        found.push_back(std::move(warning));
+    const Sources& sources = sections.sources.sources;
+    for (auto& more :
+         {lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
+        found.insert(found.end(), more.begin(), more.end());
     }
     return found;
 }

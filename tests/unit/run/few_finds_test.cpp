@@ -154,6 +154,26 @@ TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
     }
 }
 
+/// A steep leaf, on which the few paths of a high sun are the same number in all replicates. That
+/// the low sun, which the leaf faces, has plenty of them must not hide it, whether it is of the
+/// same colour or not.
+TEST_P(FewFinds, OfASteepLeafInALowSunAndAHighOneHold) {
+    for (const auto& [low, height] : {std::pair{.8, 37.5}, {.9, 37.5}, {.8, 56.}, {.9, 56.}}) {
+        SceneBuilder builder = make_builder(2);
+        builder.add_material(matt("black", 0, 0, 2));
+        const Vec3 base{0, 0, 0}, tip{1, 0, height};
+        const Vec3 right{.5, -.5, height / 2}, left{.5, .5, height / 2};
+        builder.add_organ(organ("leaf", "black", {{base, right, tip}, {base, tip, left}}));
+        const Sources suns{sun(80, {1.8 - low, low}), sun(0, {.4, .4})};
+        const double part = coverage_of(
+            std::move(builder).build(), suns, 1,
+            {.paths = 256, .seeds = GetParam(), .method = Method::light_tracing},
+            [](const Result& result) { return result.sunlit_fraction[0]; });
+        EXPECT_GE(part, least()) << height;
+        note("height" + std::to_string(height) + "_" + std::to_string(low), part);
+    }
+}
+
 /// Ground in the shadow of a needle that few paths of few replicates meet: all others find as much
 /// light as each other, but for what the directions of the sun's disk make, not all there could be.
 TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
