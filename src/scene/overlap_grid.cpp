@@ -112,7 +112,7 @@ void OverlapGrid::enter_all(std::uint64_t pass) {
         const Triangle t = triangles_[i];
         const TriangleExtent extent(t);
         // Slivers about as thin as the tolerance lie in no plane in particular.
-        constexpr double kThin = 8;
+        constexpr double kThin = 2;
         if (extent.size > 0 && height(t) > kThin * thickness(extent.size)) {
             const int home = home_level(extent.size);
             level_of[i] = static_cast<std::int16_t>(home);

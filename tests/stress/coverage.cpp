@@ -19,6 +19,12 @@ Estimate mean_of(const Answers& answers, std::size_t number) {
     return estimate_mean(means);
 }
 
+double median_of(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 /// What the sharpest other way says, if it is sharp beside the intervals, on either side of their
 /// means: few finds widen one. They end at what is possible, its mean may lie above by noise and
 /// rounding. Bundles have the same error at every seed, that of patches, of which their means do
@@ -34,16 +40,16 @@ std::optional<double> truth_of(
             best = e;
         }
     }
-    double below = 0;
-    double above = 0;
+    std::vector<double> below, above;
     double highest = 0;
     for (const Answer& answer : all[own]) {
         const Number& n = answer.numbers[number];
         highest = std::max(highest, n.high);
-        below += (n.mean - n.low) / static_cast<double>(all[own].size());
-        above += (n.high - n.mean) / static_cast<double>(all[own].size());
+        below.push_back(n.mean - n.low);
+        above.push_back(n.high - n.mean);
     }
-    const double width = std::min(below, above);
+    // Of most seeds: the few that have found what is rare are as wide as hundreds of others.
+    const double width = std::min(median_of(std::move(below)), median_of(std::move(above)));
     const bool is_sharp =
         best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);
     if (!is_sharp) {
