@@ -87,14 +87,16 @@ sanitized() {
 # Slow tests are statistics, and prove no more under a sanitizer than the quick ones do. What the
 # programs do, the tests of their modules do in one process.
 step_asan() {
-    sanitized asan quick -LE '^(slow|processes)$' -E '_NOT_BUILT$'
+    local left_out='slow|processes'
+    [[ -n $full ]] || left_out+='|long_sanitized'
+    sanitized asan quick -LE "^($left_out)\$" -E '_NOT_BUILT$'
     if [[ -n $full ]]; then
         sanitized asan processes -L '^processes$'
     fi
 }
 
 step_tsan() {
-    sanitized tsan threads -L "^(threads${full:+|long_threads})\$"
+    sanitized tsan threads -L "^(threads${full:+|long_sanitized})\$"
     if [[ -n $full ]]; then
         sanitized tsan coupled_threads -L '^coupled_threads$'
     fi
