@@ -139,17 +139,36 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
             sum = is_path ? larger(sum, find) : both(sum, find);
         }
     }
-    const double upper = reader.scattered(SurfaceSide::upper, band) / count;
-    const double lower = reader.scattered(SurfaceSide::lower, band) / count;
-    const double most = reader.scattered_flux_per_find(band) / count;
-    const auto scattered = [&](double mean) { return find_among(mean, mean / most, most, count); };
-    scattered_ = {scattered(upper), scattered(lower)};
-    on_either_ = scattered(upper + lower);
+    set_scattered(reader, band);
     const auto is_none = [](const SingleFind& find) { return find.more == 0 && find.less == 0; };
     is_settled_ = is_none(on_either_);
     for (const Kind* kind : {&direct_, &by_path_, &scattered_}) {
         is_settled_ = is_settled_ && is_none(kind->upper) && is_none(kind->lower);
     }
+}
+
+void OrganFinds::set_scattered(const OrganReader& reader, std::size_t band) {
+    const auto count = static_cast<double>(reader.replicates());
+    const double once = reader.scattered_flux_per_find(band) / count;
+    const double upper = reader.scattered(SurfaceSide::upper, band) / count;
+    const double lower = reader.scattered(SurfaceSide::lower, band) / count;
+    const auto by_find = [&](double mean, double find) {
+        return find_among(mean, mean / find, find, count);
+    };
+    scattered_ = {by_find(upper, once), by_find(lower, once)};
+    on_either_ = by_find(upper + lower, once);
+    // A path that got into a hollow organ meets it again and again, each time by the same chance:
+    // the mean square of what paths bring there over its mean.
+    const double again = reader.largest_albedo(band);
+    const auto most = [&](double part) { return once * (1 + part) / (1 - part); };
+    if (again >= 1 || std::min(upper, lower) > kManyFinds * count * most(again)) {
+        return;
+    }
+    const auto [side, part] = reader.hollow();
+    const bool is_upper = side == SurfaceSide::upper;
+    const SingleFind inside = by_find(is_upper ? upper : lower, most(again * part));
+    (is_upper ? scattered_.upper : scattered_.lower) = inside;
+    on_either_ = part > 0 ? larger(on_either_, inside) : on_either_;
 }
 
 SingleFind OrganFinds::find(Quantity quantity) const {

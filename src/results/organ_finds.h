@@ -45,6 +45,7 @@ class OrganFinds {
   private:
     void set_unoccluded(const OrganReader& reader, std::size_t band);
     void set_kinds(const OrganReader& reader, std::size_t band);
+    void set_scattered(const OrganReader& reader, std::size_t band);
     [[nodiscard]] SingleFind find_among_points(Quantity quantity) const;
     [[nodiscard]] Parts parts_of_kinds(Quantity quantity) const;
     [[nodiscard]] Parts incident_parts() const;

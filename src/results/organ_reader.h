@@ -123,6 +123,43 @@ class OrganReader {
         return largest;
     }
 
+    /// The largest share of light that a side of the organ scatters.
+    [[nodiscard]] double largest_albedo(std::size_t band) const {
+        double largest = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const Material& material = material_of(organ_.first_region + i);
+            for (const SurfaceSide side : kSurfaceSides) {
+                largest = std::max(largest, material.side(side).albedo()[band]);
+            }
+        }
+        return largest;
+    }
+
+    /// A side that sees itself, and the part of what leaves it that falls on it again, were it
+    /// even: 1 less the opening's area over that of the side (a view factor).
+    struct Hollow {
+        SurfaceSide side{};
+        double part = 0;  ///< 0 of flat organs
+    };
+    [[nodiscard]] Hollow hollow() const {
+        Vec3 middle, opening;
+        double twice_area = 0;
+        for_each_triangle([&](const Triangle& t) {
+            const Vec3 across = area_vector(t);
+            middle += length(across) * (t[0] + t[1] + t[2]);
+            opening += across;
+            twice_area += length(across);
+        });
+        middle = 1 / twice_area * middle;
+        double outwards = 0;  // of the upper side
+        for_each_triangle([&](const Triangle& t) {
+            outwards += dot(t[0] + t[1] + t[2] - middle, area_vector(t));
+        });
+        return {
+            outwards > 0 ? SurfaceSide::lower : SurfaceSide::upper,
+            twice_area > 0 ? std::max(0.0, 1 - length(opening) / twice_area) : 0};
+    }
+
     /// SumUnits::flux_per_find of the organ; nothing falls on one of no area.
     [[nodiscard]] double flux_per_find(std::size_t band) const {
         return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
@@ -262,6 +299,13 @@ class OrganReader {
     }
 
   private:
+    template <typename Visit>
+    void for_each_triangle(const Visit& visit) const {
+        for (std::size_t i = 0; i < organ_.triangle_count; ++i) {
+            visit(scene_.triangles()[organ_.first_triangle + i]);
+        }
+    }
+
     /// Of a bin, over the first replicates.
     [[nodiscard]] double sum_of(std::size_t bin, std::size_t replicates) const {
         double sum = 0;

@@ -174,6 +174,33 @@ TEST_P(FewFinds, OfASteepLeafInALowSunAndAHighOneHold) {
     }
 }
 
+/// Inside of a bright hollow body each of the few paths that got in meets it again and again.
+TEST_P(FewFinds, InsideOfAHollowOrganHold) {
+    constexpr double kSide = .03, kInto = .2, kBright = .9;
+    const Vec3 a{.5, .5, .5}, b{.5 + kSide, .5, .5}, c{.5, .5 + kSide, .5};
+    const Vec3 top{.5 + kSide / 4, .5 + kSide / 4, .5 + kSide};
+    const std::vector<Triangle> body{{a, c, b}, {a, b, top}, {b, c, top}, {c, a, top}};
+    MaterialSpec bright = matt("bright", 0, kInto);
+    bright.lower = {{kBright, 0}};
+    SceneBuilder builder = make_builder();
+    builder.add_material(std::move(bright));
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("body", "bright", body));
+    builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
+    const Scene scene = std::move(builder).build();
+    const double truth = kInto * kSide * kSide / 2 / (1 - kBright) / area(body);
+    for (const Method method : {Method::light_tracing, Method::first_hits}) {
+        const double part = coverage_of(
+            scene, {sun(0, {1})}, truth,
+            {.quantity = Quantity::incident_lower,
+             .paths = 8192,
+             .seeds = GetParam(),
+             .method = method});
+        EXPECT_GE(part, least());
+        note("inside" + std::to_string(static_cast<int>(method)), part);
+    }
+}
+
 /// Ground in the shadow of a needle that few paths of few replicates meet: all others find as much
 /// light as each other, but for what the directions of the sun's disk make, not all there could be.
 TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
