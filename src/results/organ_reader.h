@@ -113,26 +113,11 @@ class OrganReader {
 
     /// The largest share of light that a side of the organ absorbs.
     [[nodiscard]] double largest_absorptance(std::size_t band) const {
-        double largest = 0;
-        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            const Material& material = material_of(organ_.first_region + i);
-            for (const SurfaceSide side : kSurfaceSides) {
-                largest = std::max(largest, material.side(side).absorptance()[band]);
-            }
-        }
-        return largest;
+        return largest([&](const Side& side) { return side.absorptance()[band]; });
     }
-
     /// The largest share of light that a side of the organ scatters.
     [[nodiscard]] double largest_albedo(std::size_t band) const {
-        double largest = 0;
-        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            const Material& material = material_of(organ_.first_region + i);
-            for (const SurfaceSide side : kSurfaceSides) {
-                largest = std::max(largest, material.side(side).albedo()[band]);
-            }
-        }
-        return largest;
+        return largest([&](const Side& side) { return side.albedo()[band]; });
     }
 
     /// A side that sees itself, and the part of what leaves it that falls on it again, were it
@@ -299,6 +284,19 @@ class OrganReader {
     }
 
   private:
+    /// Of both sides of all regions.
+    template <typename Read>
+    [[nodiscard]] double largest(const Read& read) const {
+        double most = 0;
+        for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
+            const Material& material = material_of(organ_.first_region + i);
+            for (const SurfaceSide side : kSurfaceSides) {
+                most = std::max(most, read(material.side(side)));
+            }
+        }
+        return most;
+    }
+
     template <typename Visit>
     void for_each_triangle(const Visit& visit) const {
         for (std::size_t i = 0; i < organ_.triangle_count; ++i) {

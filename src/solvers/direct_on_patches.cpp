@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "base/distribution.h"
 #include "base/stop.h"
 #include "samplers/hash.h"
 #include "transport/surface.h"
@@ -237,15 +236,13 @@ void DirectOnPatches::trace(
     std::uint64_t rays = 0;
     for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
         throw_if_stopped(stop_);
-        const double pick = sampler_.coordinate(stream, point, 0);
-        const std::size_t number = prepared_.pick_light(pick);
-        if (!beams_.traced()[number]) {
+        const LightPick pick = prepared_.pick_light(sampler_.coordinate(stream, point, 0));
+        if (!beams_.traced()[pick.index]) {
             continue;
         }
-        const BoundSource& source = prepared_.lights()[number];
-        const double u0 = std::clamp((pick - source.before) / source.probability, 0.0, kBelowOne);
+        const BoundSource& source = prepared_.lights()[pick.index];
         const auto u = [&](std::uint32_t i) { return sampler_.coordinate(stream, point, i); };
-        const Emission start = source.source_sampler->emit({u0, u(1), u(2), u(3)});
+        const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
         if (start.weight > 0) {
             rays += trace_path(source, start, light, tally);
         }

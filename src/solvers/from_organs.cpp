@@ -17,7 +17,6 @@
 #include <optional>
 #include <stop_token>
 
-#include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
 #include "solvers/from_organs_units.h"
@@ -365,15 +364,14 @@ class FromOrgans final : public Solver {
     std::uint64_t trace_companion(
         const Stream& stream, std::uint64_t index, Scratch& scratch, Tally& tally) const {
         scratch.companion.vertices.clear();
-        const double u0 = coordinate(stream, index, 0);
-        const BoundSource& light = prepared_.lights()[prepared_.pick_light(u0)];
+        const LightPick pick = prepared_.pick_light(coordinate(stream, index, 0));
+        const BoundSource& light = prepared_.lights()[pick.index];
         if (light.is_extended()) {
             return 0;
         }
         const bool is_beam = light.source_sampler->beam_direction().has_value();
         const std::array<double, 4> u{
-            std::clamp((u0 - light.before) / light.probability, 0.0, kBelowOne),
-            coordinate(stream, index, 1), is_beam ? 0 : coordinate(stream, index, 2),
+            pick.u, coordinate(stream, index, 1), is_beam ? 0 : coordinate(stream, index, 2),
             is_beam ? 0 : coordinate(stream, index, 3)};
         const Emission emission = light.source_sampler->emit(u);
         const PathRules rules{

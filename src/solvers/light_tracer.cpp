@@ -11,7 +11,6 @@
 #include <cmath>
 
 #include "base/checks.h"
-#include "base/distribution.h"
 #include "base/stop.h"
 #include "transport/absorbed_light.h"
 

@@ -25,7 +25,7 @@ Vec3 closest_on_edge(const Vec3& from, const Vec3& to, const Vec3& place) {
 
 /// The place on a triangle that is closest to `place`.
 Vec3 closest_place(const Triangle& t, const Vec3& place) {
-    const Vec3 across = cross(t[1] - t[0], t[2] - t[0]);
+    const Vec3 across = area_vector(t);
     const Vec3 foot = place - dot(place - t[0], across) / dot(across, across) * across;
     Vec3 closest = foot;
     double least = std::numeric_limits<double>::infinity();

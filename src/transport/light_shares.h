@@ -8,13 +8,6 @@
 
 namespace quasimc {
 
-/// A light that a number picks.
-struct LightPick {
-    std::size_t index = 0;
-    double u = 0;            ///< what is left of the number
-    double probability = 1;  ///< of the light
-};
-
 /// Which light each point of a set picks, in proportion to flux, or nearly so.
 ///
 /// Where lights are few, their shares are whole numbers of points, at least one: by flux, to the
@@ -27,9 +20,7 @@ class LightShares {
 
     [[nodiscard]] LightPick pick(double u) const {
         if (ends_.empty()) {
-            const std::size_t index = prepared_.pick_light(u);
-            const BoundSource& light = prepared_.lights()[index];
-            return {index, part_of_interval(u, light.before, light.probability), light.probability};
+            return prepared_.pick_light(u);
         }
         const IntervalPick share = pick_interval(ends_, u);
         return {share.index, share.part, share.width};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/distribution.h"
 #include "base/stop.h"
 #include "detectors/catalogue.h"
 #include "geometry/cast/rounding.h"
@@ -237,14 +238,15 @@ bool PreparedScene::connects(
            at.hit.t >= left - static_cast<double>(kTouch);
 }
 
-std::size_t PreparedScene::pick_light(double u) const {
+LightPick PreparedScene::pick_light(double u) const {
     std::size_t low = 0;
     std::size_t high = lights_.size();
     while (high - low > 1) {
         const std::size_t middle = (low + high) / 2;
         (u < lights_[middle].before ? high : low) = middle;
     }
-    return low;
+    const BoundSource& light = lights_[low];
+    return {low, part_of_interval(u, light.before, light.probability), light.probability};
 }
 
 }  // namespace quasimc

@@ -42,6 +42,13 @@ struct PrimitiveInfo {
 /// The cosine up to which light runs along a surface: corners are told apart in single precision.
 inline constexpr double kEdgeOn = 0x1p-24;
 
+/// A light that a number picks.
+struct LightPick {
+    std::size_t index = 0;
+    double u = 0;            ///< what is left of the number
+    double probability = 1;  ///< of the light
+};
+
 /// A scene with its lights, ready to trace: what all solvers and threads share. Const after
 /// construction.
 class PreparedScene {
@@ -69,7 +76,7 @@ class PreparedScene {
     /// Lights that send something into the scene, in the order of the sources.
     [[nodiscard]] const std::vector<BoundSource>& lights() const { return lights_; }
     /// The light that a number in [0, 1) picks.
-    [[nodiscard]] std::size_t pick_light(double u) const;
+    [[nodiscard]] LightPick pick_light(double u) const;
     /// The distinct start weights, [spectrum][band].
     [[nodiscard]] const std::vector<std::vector<double>>& spectra() const { return spectra_; }
     /// Flux of all sources into the scene, per band, irradiance unit x square scene unit.

@@ -94,12 +94,12 @@ TEST(PreparedScene, LightsOfOneColourShareASpectrum) {
 TEST(PreparedScene, PicksEachLightWithItsProbability) {
     const Staged staged(make_layer(1), {sun(0, {1}), sky({2}), sun(30, {3}), sun(50, {.5})});
     const PreparedScene& prepared = staged.prepared;
-    EXPECT_EQ(prepared.pick_light(0), 0U);
-    EXPECT_EQ(prepared.pick_light(0x1.fffffffffffffp-1), 3U);
+    EXPECT_EQ(prepared.pick_light(0).index, 0U);
+    EXPECT_EQ(prepared.pick_light(0x1.fffffffffffffp-1).index, 3U);
     for (std::size_t i = 1; i < 4; ++i) {
         const double border = prepared.lights()[i].before;
-        EXPECT_EQ(prepared.pick_light(border), i);
-        EXPECT_EQ(prepared.pick_light(std::nextafter(border, 0)), i - 1);
+        EXPECT_EQ(prepared.pick_light(border).index, i);
+        EXPECT_EQ(prepared.pick_light(std::nextafter(border, 0)).index, i - 1);
     }
 }
 
