@@ -18,6 +18,9 @@ constexpr double kFewPatches = 4096, kFewStretchesPerPatch = 8;
 /// ... and at least so often in each step. With less, single patches would pass on light that was
 /// meant for many, the variance of which may grow from step to step.
 constexpr double kFewestPerPatch = 3;
+/// ... but where no surface scatters this much, a step of weak light may meet them less often: what
+/// one that is met too often sends on too much of dies out.
+constexpr double kNearlyWhite = 0.9;
 /// Beyond this number patches take memory and bring nothing.
 constexpr double kMostPatches = 1 << 21;
 /// A direction meets so many of all patches; where that would be more, only as many as let it meet
@@ -25,12 +28,16 @@ constexpr double kMostPatches = 1 << 21;
 constexpr double kPatchesPerDirection = 0.2, kMeetingsOfOrgan = 4, kMeetingsOfTriangle = 1;
 /// Starting with a direction takes as long as some stretches.
 constexpr double kFewestOfDirection = 512;
-constexpr double kFewestInGroup = 8, kMostInGroup = 4096;
+constexpr double kFewestInGroup = 8, kFewestOfWeak = 4, kMostInGroup = 4096;
 /// Of all stretches, times the albedo, those of single orders: their noise is seen through the last
 /// step alone, where organs get light of very many patches, and less of it the darker they are.
 constexpr double kForOrders = 0.3;
 /// Of the mean albedo, what goes on to the next order: the rest escapes.
 constexpr double kCaught = 0.75;
+
+double square(double x) {
+    return x * x;
+}
 
 }  // namespace
 
@@ -46,7 +53,10 @@ double light_of_stretch() {
 }
 
 BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first)
-    : patches_(scene.patches.count()), area_(scene.area), first_(std::move(first)) {
+    : patches_(scene.patches.count()),
+      area_(scene.area),
+      passed_on_(std::min(1.0, square(scene.largest_albedo / kNearlyWhite))),
+      first_(std::move(first)) {
     const double all = kStretchesPerPath * static_cast<double>(paths);
     const double for_orders = kForOrders * scene.mean_albedo;
     of_first_ = for_orders * all * (1 - kCaught * scene.mean_albedo);
@@ -63,19 +73,23 @@ BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint
     for (std::size_t c = 0; c < first_.size(); ++c) {
         part = std::max(part, first_[c] > 0 ? leaving[c] / first_[c] : 0);
     }
-    return group(part * of_first_, key);
+    const double strength = std::min(1.0, std::max(part, passed_on_));
+    return group(
+        {part * of_first_, strength * kFewestPerPatch * patches_,
+         std::max(kFewestOfWeak, kFewestInGroup * std::sqrt(strength)), key});
 }
 
 BundleGroup BundleBudget::of_all(std::uint64_t key) const {
-    return group(of_all_, key);
+    return group({of_all_, kFewestPerPatch * patches_, kFewestInGroup, key});
 }
 
-BundleGroup BundleBudget::group(double wanted, std::uint64_t key) const {
-    const double stretches = std::max(wanted, kFewestPerPatch * patches_);
+BundleGroup BundleBudget::group(const Wanted& wanted) const {
+    const double stretches = std::max(wanted.stretches, wanted.fewest);
     const double directions =
-        std::clamp(2 * std::round(stretches / of_direction_ / 2), kFewestInGroup, kMostInGroup);
+        std::clamp(stretches / of_direction_, wanted.fewest_directions, kMostInGroup);
+    const double even = 2 * std::round(directions / 2);
     // Along a direction surfaces look half as large, on average.
-    return {static_cast<std::uint32_t>(directions), area_ / 2 * directions / stretches, key};
+    return {static_cast<std::uint32_t>(even), area_ / 2 * even / stretches, wanted.key};
 }
 
 }  // namespace quasimc

@@ -30,9 +30,14 @@ class BundleBudget {
     [[nodiscard]] BundleGroup of_all(std::uint64_t key) const;
 
   private:
-    [[nodiscard]] BundleGroup group(double stretches, std::uint64_t key) const;
+    struct Wanted {
+        double stretches = 0, fewest = 0, fewest_directions = 0;
+        std::uint64_t key = 0;
+    };
+    [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
 
     double patches_, area_;
+    double passed_on_;          // by the brightest surface, twice; of nearly white ones 1
     double of_direction_;       // stretches
     double of_first_, of_all_;  // stretches of the first order, and of all orders together
     std::vector<double> first_;

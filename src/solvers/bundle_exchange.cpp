@@ -7,6 +7,7 @@
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "samplers/hash.h"
+#include "solvers/for_bands.h"
 
 namespace quasimc {
 namespace {
@@ -21,7 +22,7 @@ double number_of(const BundleGroup& group, std::uint64_t direction, std::uint64_
 }
 
 /// Exchanges along one line. `kColumns` 0: as many as the light has.
-template <int kColumns>
+template <std::size_t kColumns>
 class LineExchange {
   public:
     LineExchange(
@@ -77,9 +78,7 @@ class LineExchange {
     }
 
   private:
-    [[nodiscard]] std::size_t columns() const {
-        return kColumns > 0 ? static_cast<std::size_t>(kColumns) : columns_;
-    }
+    [[nodiscard]] std::size_t columns() const { return kColumns > 0 ? kColumns : columns_; }
     /// What leaves a side, and after it what comes to it: PatchLight::sides().
     [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
     [[nodiscard]] double* incident(std::size_t side) const { return exitance(side) + columns(); }
@@ -113,7 +112,7 @@ class LineExchange {
     double *sides_, *forwards_, *backwards_;
 };
 
-template <int kColumns>
+template <std::size_t kColumns>
 void exchange_lines(const Columns& lines, bool has_sensors, LineExchange<kColumns> along) {
     lines.for_each_line([&](std::span<const Columns::Passed> line) {
         has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
@@ -171,30 +170,12 @@ void BundleExchange::exchange_along(
     forwards_.assign(light.columns(), 0);
     backwards_.assign(light.columns(), 0);
     const bool has_sensors = patches_.prepared.has_transparent();
-    const auto exchange = [&]<int kColumns>() {
+    for_bands(light.columns() / 2, [&]<std::size_t kBands>() {
         exchange_lines(
             lines, has_sensors,
-            LineExchange<kColumns>(light.columns(), weight, light.sides(), forwards_, backwards_));
-    };
-    switch (light.columns()) {
-        case 2:
-            exchange.template operator()<2>();
-            break;
-        case 4:
-            exchange.template operator()<4>();
-            break;
-        case 6:
-            exchange.template operator()<6>();
-            break;
-        case 8:
-            exchange.template operator()<8>();
-            break;
-        case 10:
-            exchange.template operator()<10>();
-            break;
-        default:
-            exchange.template operator()<0>();
-    }
+            LineExchange<2 * kBands>(
+                light.columns(), weight, light.sides(), forwards_, backwards_));
+    });
     if (tell.on_escape) {
         tell.on_escape(direction, forwards_);
         tell.on_escape(-1 * direction, backwards_);

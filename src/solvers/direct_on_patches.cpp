@@ -11,15 +11,17 @@
 namespace quasimc {
 namespace {
 
-/// Which of many lines or directions are laid on patches: one of each four, as many times as
-/// bright. What falls on organs is scored with all; scattered light comes from many patches, the
-/// noise of which hardly counts beside that of bundles, and laying takes longer than looking.
+/// Which of many lines or directions are laid on patches: one of each few, as many times as bright.
+/// What falls on organs is scored with all; scattered light comes from many patches, the noise of
+/// which hardly counts beside that of bundles, and laying takes longer than looking.
 class LaidLooks {
   public:
     /// @param stream  that places them
     /// @param count  for each light
-    LaidLooks(const Stream& stream, std::uint32_t count)
-        : key_(stream_key(stream, 0, 0)), of_(count >= kMany ? kOfMany : 1) {}
+    /// @param most  of which one is laid, where they are very many
+    LaidLooks(const Stream& stream, std::uint32_t count, std::uint32_t most)
+        : key_(stream_key(stream, 0, 0)),
+          of_(count >= kMany ? std::min(most, count / kFewestLaid) : 1) {}
 
     /// How many times as bright look `i` is laid; 0: not at all.
     [[nodiscard]] std::uint32_t share(std::uint32_t i) const {
@@ -27,10 +29,15 @@ class LaidLooks {
     }
 
   private:
-    static constexpr std::uint32_t kMany = 256, kOfMany = 4;
+    static constexpr std::uint32_t kMany = 256, kFewestLaid = 64;
     std::uint64_t key_;
     std::uint32_t of_;
 };
+
+constexpr std::uint32_t kLaidLines = 4;
+/// Of dark leaves scattered light is a small part of what they get.
+constexpr double kDark = 0.5;
+constexpr std::uint32_t kLaidDirections = 4, kLaidOnDark = 8;
 
 /// Adds light to patches some additions later than it is told, in the same order: by then what they
 /// hold has come from memory, for which each addition would wait.
@@ -110,7 +117,7 @@ void DirectOnPatches::find_by_lines(
     const SurfaceBeam share{
         beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
     const double per_length = beam.paths * lines.area() / beam.area;
-    const LaidLooks laid(beams_.stream_of(work, 0), work.task.count);
+    const LaidLooks laid(beams_.stream_of(work, 0), work.task.count, kLaidLines);
     auto line = static_cast<std::uint32_t>(work.block) * ScanLines::kStrip;
     lines.begin(static_cast<std::uint32_t>(work.block));
     for (; lines.next(); ++line) {
@@ -150,7 +157,9 @@ void DirectOnPatches::find_by_pixels(
     const std::array<double, 3> lattice = beams_.placing_of(placing, 0);
     const SkyDirections& skies = beams_.skies();
     const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
-    const LaidLooks laid(placing, static_cast<std::uint32_t>(of_each));
+    const LaidLooks laid(
+        placing, static_cast<std::uint32_t>(of_each),
+        patches_.mean_albedo < kDark ? kLaidOnDark : kLaidDirections);
     for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);

@@ -5,6 +5,7 @@
 
 #include "base/checks.h"
 #include "quasimc/error.h"
+#include "solvers/for_bands.h"
 #include "solvers/patch_size.h"
 
 namespace quasimc {
@@ -26,8 +27,8 @@ bool is_sensor(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
     return !roles.empty() && roles[triangle] == VisibilityRole::sensor;
 }
 
-PatchScene::Optics optics_of(const Side& side, std::size_t bands) {
-    PatchScene::Optics optics{std::vector<double>(bands), std::vector<double>(bands)};
+PatchOptics optics_of(const Side& side, std::size_t bands) {
+    PatchOptics optics{std::vector<double>(bands), std::vector<double>(bands)};
     for (const Lobe& lobe : side.lobes()) {
         const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
         for (std::size_t b = 0; b < bands; ++b) {
@@ -114,7 +115,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
         for (const SurfaceSide side : kSurfaceSides) {
             optics.push_back(
                 material.is_transparent()
-                    ? Optics{std::vector<double>(bands), std::vector<double>(bands)}
+                    ? PatchOptics{std::vector<double>(bands), std::vector<double>(bands)}
                     : optics_of(material.side(side), bands));
         }
     }
@@ -138,8 +139,10 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
         area += own;
         for (std::size_t b = 0; b < bands; ++b) {
             for (const SurfaceSide side : kSurfaceSides) {
-                const Optics& o = of(info.material, side);
-                scattered[b] += own / 2 * (o.reflected[b] + o.transmitted[b]);
+                const PatchOptics& o = of(info.material, side);
+                const double albedo = o.reflected[b] + o.transmitted[b];
+                scattered[b] += own / 2 * albedo;
+                largest_albedo = std::max(largest_albedo, albedo);
             }
         }
     }
@@ -222,25 +225,33 @@ std::vector<double> PatchLight::scatter(bool is_direct) {
     if (is_direct) {
         copy_to_coarse();
     }
+    for_bands(bands_, [&]<std::size_t kBands>() { scatter_all<kBands>(is_direct, scattered); });
+    return scattered;
+}
+
+template <std::size_t kBands>
+void PatchLight::scatter_all(bool is_direct, std::vector<double>& scattered) {
+    const PatchScatter<kBands> each(bands_, sides(), kept_.data());
     for (const PatchScene::Surface& surface : scene_.surfaces) {
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
         if (surface.is_sensor) {
             for (std::size_t patch = first; patch < end; ++patch) {
-                forget_incident(patch);
+                each.forget_incident(patch);
             }
             continue;
         }
+        const PatchOptics& upper = scene_.of(surface.material, SurfaceSide::upper);
+        const PatchOptics& lower = scene_.of(surface.material, SurfaceSide::lower);
         const double share = is_direct ? 1 : corrections_[surface.region] * surface.exact_share;
         const CutTriangle* cut = scene_.patches.cut_of(surface.triangle);
         const double part = surface.area * scene_.patches.share(surface.triangle, 0);
         for (std::uint32_t patch = first; patch < end; ++patch) {
             const double area = cut == nullptr ? part : surface.area * cut->area(patch - first);
-            scatter_patch(surface, {patch, area, share}, scattered);
+            each.scatter(upper, lower, {patch, area, share}, scattered.data());
         }
-        cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
+        cut == nullptr ? even_out(surface, each) : even_out_cut(surface, *cut, each);
     }
-    return scattered;
 }
 
 void PatchLight::send_all_kept() {
@@ -276,61 +287,34 @@ void PatchLight::copy_to_coarse() {
     }
 }
 
-/// The cosine law: light leaves a patch equally bright in all directions.
-void PatchLight::scatter_patch(
-    const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered) {
-    const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
-    const std::size_t sides = std::size_t{2} * sent.patch;
-    for (const SurfaceSide side : kSurfaceSides) {
-        const SurfaceSide other = opposite(side);
-        const double* reflected = scene_.of(surface.material, side).reflected.data();
-        const double* transmitted = scene_.of(surface.material, other).transmitted.data();
-        const double* own = incident(sides + index_of(side));
-        const double* across = incident(sides + index_of(other));
-        double* out = exitance(sides + index_of(side));
-        double* kept = &kept_[(sides + index_of(side)) * columns_];
-        for (std::size_t level = 0; level < columns_; level += bands_) {
-            for (std::size_t b = 0; b < bands_; ++b) {
-                const std::size_t i = level + b;
-                kept[i] += out[i];
-                out[i] = (reflected[b] * own[i] + transmitted[b] * across[i]) * per_area;
-                scattered[i] += out[i] * sent.area;
-            }
-        }
-    }
-    forget_incident(sent.patch);
-}
-
-void PatchLight::forget_incident(std::size_t patch) {
-    std::fill_n(incident(2 * patch), columns_, 0.0);
-    std::fill_n(incident(2 * patch + 1), columns_, 0.0);
-}
-
 /// In the columns of the coarser level, each four patches get the mean of them.
-void PatchLight::even_out(const PatchScene::Surface& surface) {
+template <std::size_t kBands>
+void PatchLight::even_out(const PatchScene::Surface& surface, const PatchScatter<kBands>& each) {
     const auto level = static_cast<std::size_t>(scene_.patches.level(surface.triangle));
     const std::vector<std::uint32_t>& parents = parents_[level];
-    const std::size_t row = 2 * bands_;  // of a patch, both sides
+    const std::size_t row = each.row();
     means_.assign(parents.size() / 4 * row, 0);
     const std::size_t first = scene_.patches.first(surface.triangle);
     for (std::size_t part = 0; part < parents.size(); ++part) {
-        add_coarse(first + part, .25, &means_[parents[part] * row]);
+        each.add_coarse(first + part, .25, &means_[parents[part] * row]);
     }
     for (std::size_t part = 0; part < parents.size(); ++part) {
-        set_coarse(first + part, &means_[parents[part] * row]);
+        each.set_coarse(first + part, &means_[parents[part] * row]);
     }
 }
 
 /// The same where patches are not equally large, nor four by four.
-void PatchLight::even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut) {
-    const std::size_t row = 2 * bands_;
+template <std::size_t kBands>
+void PatchLight::even_out_cut(
+    const PatchScene::Surface& surface, const CutTriangle& cut, const PatchScatter<kBands>& each) {
+    const std::size_t row = each.row();
     const std::size_t first = scene_.patches.first(surface.triangle);
     means_.assign(cut.patches() * row, 0);
     areas_.assign(cut.patches(), 0);
     for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
         const std::size_t group = cut.group(patch);
         areas_[group] += cut.area(patch);
-        add_coarse(first + patch, cut.area(patch), &means_[group * row]);
+        each.add_coarse(first + patch, cut.area(patch), &means_[group * row]);
     }
     for (std::uint32_t group = 0; group < cut.patches(); ++group) {
         for (std::size_t i = 0; areas_[group] > 0 && i < row; ++i) {
@@ -339,23 +323,8 @@ void PatchLight::even_out_cut(const PatchScene::Surface& surface, const CutTrian
     }
     for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
         if (cut.area(patch) > 0) {
-            set_coarse(first + patch, &means_[cut.group(patch) * row]);
+            each.set_coarse(first + patch, &means_[cut.group(patch) * row]);
         }
-    }
-}
-
-void PatchLight::add_coarse(std::size_t patch, double part, double* sums) {
-    for (const double* from : coarse(patch)) {
-        for (std::size_t b = 0; b < bands_; ++b) {
-            *sums++ += part * from[b];
-        }
-    }
-}
-
-void PatchLight::set_coarse(std::size_t patch, const double* means) {
-    for (double* to : coarse(patch)) {
-        std::copy_n(means, bands_, to);
-        means += bands_;
     }
 }
 

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "geometry/raster/columns.h"
 #include "geometry/raster/patches.h"
+#include "solvers/patch_scatter.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
 
@@ -39,20 +40,17 @@ struct PatchScene {
         double exact_share = 1;
         bool is_sensor = false;
     };
-    /// What a side of a material sends on, per band.
-    struct Optics {
-        std::vector<double> reflected, transmitted;
-    };
 
     const PreparedScene& prepared;
     Patches patches;
     std::vector<Surface> surfaces;
-    std::vector<Optics> optics;  ///< [2 * material + side]
+    std::vector<PatchOptics> optics;  ///< [2 * material + side]
     ColumnTriangles drawn;
-    double area = 0;         ///< of all surfaces
-    double mean_albedo = 0;  ///< by area, in the band where it is largest
+    double area = 0;            ///< of all surfaces
+    double mean_albedo = 0;     ///< by area, in the band where it is largest
+    double largest_albedo = 0;  ///< of all sides and bands
 
-    [[nodiscard]] const Optics& of(std::uint32_t material, SurfaceSide side) const {
+    [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];
     }
     /// The first of a triangle in Patches of the representative of images.
@@ -138,30 +136,22 @@ class PatchLight {
     }
 
   private:
-    struct Sent {
-        std::uint32_t patch = 0;
-        double area = 0;
-        double share = 1;  ///< of what came to it
-    };
-    void scatter_patch(
-        const PatchScene::Surface& surface, const Sent& sent, std::vector<double>& scattered);
-    void forget_incident(std::size_t patch);
+    template <std::size_t kBands>
+    void scatter_all(bool is_direct, std::vector<double>& scattered);
     void copy_to_coarse();
-    void even_out(const PatchScene::Surface& surface);
-    void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut);
-    /// Adds `part` of the coarser level's exitance to sums [side * bands + band].
-    void add_coarse(std::size_t patch, double part, double* sums);
-    void set_coarse(std::size_t patch, const double* means);
+    template <std::size_t kBands>
+    void even_out(const PatchScene::Surface& surface, const PatchScatter<kBands>& each);
+    template <std::size_t kBands>
+    void even_out_cut(
+        const PatchScene::Surface& surface,
+        const CutTriangle& cut,
+        const PatchScatter<kBands>& each);
     struct alignas(kCacheLine) CacheLine {
         std::array<double, kCacheLine / sizeof(double)> numbers{};
     };
     /// Of side `i`, [2 * patch + side].
     [[nodiscard]] double* exitance(std::size_t i) { return sides() + 2 * i * columns_; }
     [[nodiscard]] double* incident(std::size_t i) { return exitance(i) + columns_; }
-    /// Exitance of a patch in the columns of the coarser level: of one side, and of the other.
-    [[nodiscard]] std::array<double*, 2> coarse(std::size_t patch) {
-        return {exitance(2 * patch) + bands_, exitance(2 * patch + 1) + bands_};
-    }
     [[nodiscard]] std::size_t side_count() const { return kept_.size() / columns_; }
 
     const PatchScene& scene_;

@@ -59,6 +59,10 @@ TEST_P(WholeRun, GivesWhatTheTableSays) {
         RecordProperty("digest", "not compared: " + why);
         return;
     }
+    if (expected.digest == 0) {
+        RecordProperty("digest", "not compared: not known");
+        return;
+    }
     EXPECT_TRUE(have_the_same_digest(alone, expected));
 }
 

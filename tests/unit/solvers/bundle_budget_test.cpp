@@ -1,9 +1,79 @@
 #include "solvers/bundle_budget.h"
 
+#include <memory>
+#include <vector>
+
 #include <gtest/gtest.h>
 
-namespace quasimc {
+#include "statistical/scenes.h"
+#include "support/random_leaves.h"
+
+namespace quasimc::test {
 namespace {
+
+/// The patches of leaves that scatter .2 of light, and of one that scatters `brightest`.
+class Stand {
+  public:
+    explicit Stand(double brightest)
+        : leaves_(leaves(brightest)),
+          suns_({sun(0, {1})}),
+          prepared_(
+              leaves_,
+              suns_,
+              CrossSectionShape::silhouette,
+              std::make_shared<RayCaster>(
+                  leaves_.shared_triangles(), leaves_.cell(), Engine::embree)),
+          seen_{&prepared_.caster().mesh(), {}},
+          patches_(prepared_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
+
+    /// Stretches for each patch.
+    [[nodiscard]] double meetings(const BundleGroup& group) const {
+        return patches_.area / 2 * group.directions / group.line_area / patches_.patches.count();
+    }
+    /// Of a step in which a thousandth of the first light is left.
+    [[nodiscard]] BundleGroup of_weak() const { return budget().of_order({.001, 0}, 0); }
+    [[nodiscard]] BundleBudget budget() const { return {patches_, kPaths, {1, 0}}; }
+
+  private:
+    static Scene leaves(double brightest) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(matt("bright", brightest / 2, brightest / 2));
+        add_leaves(builder, random_leaves(500, .05, 1, 7));
+        builder.add_organ(organ("", "bright", random_leaves(1, .05, 1, 8)));
+        return std::move(builder).build();
+    }
+    static constexpr std::uint64_t kPaths = 4096;
+
+    Scene leaves_;
+    Sources suns_;
+    PreparedScene prepared_;
+    ProjectedScene seen_;
+    PatchScene patches_;
+};
+
+/// What a patch that is met too often sends on too much of dies out where nothing is bright. It was
+/// half of the time of dark leaves to let every step meet each patch three times.
+TEST(BundleBudget, GivesLittleToWeakLightOfDarkLeaves) {
+    const Stand dark(.2);
+    EXPECT_NEAR(dark.meetings(dark.of_weak()), 3 * (.2 * .2) / (.9 * .9), 1e-9);
+    EXPECT_EQ(dark.of_weak().directions, 4);
+}
+
+/// One bright leaf, or one band, is enough for noise that grows from step to step.
+TEST(BundleBudget, MeetsEachPatchThreeTimesWhereALeafIsBright) {
+    const Stand bright(.95);
+    EXPECT_NEAR(bright.meetings(bright.of_weak()), 3, 1e-9);
+    EXPECT_GE(bright.of_weak().directions, 8);
+}
+
+TEST(BundleBudget, MeetsEachPatchThreeTimesInStrongSteps) {
+    const Stand dark(.2);
+    for (const BundleGroup& group : {dark.budget().of_order({1, 0}, 0), dark.budget().of_all(0)}) {
+        EXPECT_GE(dark.meetings(group), 3 - 1e-9);
+        EXPECT_GE(group.directions, 8);
+    }
+}
 
 /// So that directions grow in number as well, which otherwise would be what is left of the error.
 TEST(BundleBudget, CutsPatchesBySquareRootOfVeryManyPaths) {
@@ -22,4 +92,4 @@ TEST(BundleBudget, CutsThousandsOfPatchesForFewPaths) {
 }
 
 }  // namespace
-}  // namespace quasimc
+}  // namespace quasimc::test

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace quasimc {
+
+/// What a side of a material sends on, per band.
+struct PatchOptics {
+    std::vector<double> reflected, transmitted;
+};
+
+/// Scatters the light on single patches of PatchLight.
+/// `kBands` 0: as many as are said.
+template <std::size_t kBands>
+class PatchScatter {
+  public:
+    struct Sent {
+        std::size_t patch = 0;
+        double area = 0;
+        double share = 1;  ///< of what came to it
+    };
+
+    /// @param sides, kept  of PatchLight
+    PatchScatter(std::size_t bands, double* sides, double* kept)
+        : all_bands_(bands), sides_(sides), kept_(kept) {}
+
+    /// Sets the exitance, which is remembered, to what is sent on, and forgets what came. The
+    /// cosine law: light leaves a patch equally bright in all directions.
+    /// @param scattered  what leaves is added to it, [column]
+    void scatter(
+        const PatchOptics& upper,
+        const PatchOptics& lower,
+        const Sent& sent,
+        double* scattered) const {
+        scatter_side(2 * sent.patch, upper, lower, sent, scattered);
+        scatter_side(2 * sent.patch + 1, lower, upper, sent, scattered);
+        forget_incident(sent.patch);
+    }
+    void forget_incident(std::size_t patch) const {
+        std::fill_n(incident(2 * patch), columns(), 0.0);
+        std::fill_n(incident(2 * patch + 1), columns(), 0.0);
+    }
+
+    /// Numbers of the coarser level of a patch: both sides.
+    [[nodiscard]] std::size_t row() const { return 2 * bands(); }
+    /// Adds `part` of the coarser level's exitance to a row.
+    void add_coarse(std::size_t patch, double part, double* row) const {
+        for (std::size_t side = 0; side < 2; ++side) {
+            const double* from = exitance(2 * patch + side) + bands();
+            for (std::size_t b = 0; b < bands(); ++b) {
+                row[side * bands() + b] += part * from[b];
+            }
+        }
+    }
+    void set_coarse(std::size_t patch, const double* row) const {
+        for (std::size_t side = 0; side < 2; ++side) {
+            double* to = exitance(2 * patch + side) + bands();
+            for (std::size_t b = 0; b < bands(); ++b) {
+                to[b] = row[side * bands() + b];
+            }
+        }
+    }
+
+  private:
+    void scatter_side(
+        std::size_t side,
+        const PatchOptics& own,
+        const PatchOptics& other,
+        const Sent& sent,
+        double* scattered) const {
+        const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
+        const double* reflected = own.reflected.data();
+        const double* transmitted = other.transmitted.data();
+        const double* came = incident(side);
+        const double* across = incident(side ^ 1U);
+        double* out = exitance(side);
+        double* kept = kept_ + side * columns();
+        for (std::size_t level = 0; level < columns(); level += bands()) {
+            for (std::size_t b = 0; b < bands(); ++b) {
+                const std::size_t i = level + b;
+                kept[i] += out[i];
+                out[i] = (reflected[b] * came[i] + transmitted[b] * across[i]) * per_area;
+                scattered[i] += out[i] * sent.area;
+            }
+        }
+    }
+    [[nodiscard]] std::size_t bands() const { return kBands > 0 ? kBands : all_bands_; }
+    [[nodiscard]] std::size_t columns() const { return 2 * bands(); }
+    [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
+    [[nodiscard]] double* incident(std::size_t side) const { return exitance(side) + columns(); }
+
+    std::size_t all_bands_;
+    double *sides_, *kept_;
+};
+
+}  // namespace quasimc
