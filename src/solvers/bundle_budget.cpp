@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene.h"
+
 namespace quasimc {
 namespace {
 
@@ -35,8 +37,11 @@ constexpr double kForOrders = 0.3;
 /// Of the mean albedo, what goes on to the next order: the rest escapes.
 constexpr double kCaught = 0.75;
 
-double square(double x) {
-    return x * x;
+/// By the brightest surface, twice; of nearly white ones 1.
+double passed_on_twice(const Scene& scene) {
+    const std::vector<double> albedos = largest_albedos(scene);
+    const double once = *std::max_element(albedos.begin(), albedos.end()) / kNearlyWhite;
+    return std::min(1.0, once * once);
 }
 
 }  // namespace
@@ -55,7 +60,7 @@ double light_of_stretch() {
 BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first)
     : patches_(scene.patches.count()),
       area_(scene.area),
-      passed_on_(std::min(1.0, square(scene.largest_albedo / kNearlyWhite))),
+      passed_on_(passed_on_twice(scene.prepared.scene())),
       first_(std::move(first)) {
     const double all = kStretchesPerPath * static_cast<double>(paths);
     const double for_orders = kForOrders * scene.mean_albedo;

@@ -26,29 +26,27 @@ template <std::size_t kColumns>
 class LineExchange {
   public:
     LineExchange(
-        std::size_t columns,
+        const PatchSides<0>& sides,
         double weight,
-        double* sides,
         std::span<double> forwards,
         std::span<double> backwards)
-        : columns_(columns),
+        : sides_(sides),
           weight_(weight),
-          sides_(sides),
           forwards_(forwards.data()),
           backwards_(backwards.data()) {}
 
     /// @param line  without sensors
     void exchange(std::span<const Columns::Passed> line) {
         fetch_ahead(line[0]);
-        add(backwards_, exitance(line[0]));
+        add(backwards_, sides_.exitance(line[0]));
         for (std::size_t i = 1; i < line.size(); ++i) {
             fetch_ahead(line[i]);
             const std::size_t left = line[i - 1] ^ 1U;
             const std::size_t right = line[i];
-            add(incident(right), exitance(left));
-            add(incident(left), exitance(right));
+            add(sides_.incident(right), sides_.exitance(left));
+            add(sides_.incident(left), sides_.exitance(right));
         }
-        add(forwards_, exitance(line.back() ^ 1U));
+        add(forwards_, sides_.exitance(line.back() ^ 1U));
     }
 
     /// Light passes sensors, which count it.
@@ -62,13 +60,13 @@ class LineExchange {
                 continue;
             }
             const std::size_t at = line[i];
-            pass_sensors(line.subspan(first, i - first), from, exitance(at));
-            add(to, exitance(at));
+            pass_sensors(line.subspan(first, i - first), from, sides_.exitance(at));
+            add(to, sides_.exitance(at));
             if (from != nullptr) {
-                add(incident(at), from);
+                add(sides_.incident(at), from);
             }
-            from = exitance(at ^ 1U);
-            to = incident(at ^ 1U);
+            from = sides_.exitance(at ^ 1U);
+            to = sides_.incident(at ^ 1U);
             first = i + 1;
         }
         pass_sensors(line.subspan(first), from, nullptr);
@@ -78,38 +76,34 @@ class LineExchange {
     }
 
   private:
-    [[nodiscard]] std::size_t columns() const { return kColumns > 0 ? kColumns : columns_; }
-    /// What leaves a side, and after it what comes to it: PatchLight::sides().
-    [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
-    [[nodiscard]] double* incident(std::size_t side) const { return exitance(side) + columns(); }
     /// What leaves a side and what comes to one never overlap: several columns are added at once.
     void add(double* __restrict to, const double* __restrict from) {
         const double weight = weight_;
-        for (std::size_t c = 0; c < columns(); ++c) {
+        for (std::size_t c = 0; c < sides_.columns(); ++c) {
             to[c] += weight * from[c];
         }
     }
     /// Asks for the patch that is passed some steps later: each step would wait for it else.
     void fetch_ahead(const Columns::Passed& passed) const {
         const Columns::Passed later = *(&passed + Columns::kReadAhead) & ~Columns::kSensor;
-        fetch_patch(sides_, later / 2, columns());
+        sides_.fetch(later / 2);
     }
     void pass_sensors(
         std::span<const Columns::Passed> sensors, const double* forwards, const double* backwards) {
         for (const Columns::Passed passed : sensors) {
             const std::size_t front = passed & ~Columns::kSensor;
             if (forwards != nullptr) {
-                add(incident(front), forwards);
+                add(sides_.incident(front), forwards);
             }
             if (backwards != nullptr) {
-                add(incident(front ^ 1U), backwards);
+                add(sides_.incident(front ^ 1U), backwards);
             }
         }
     }
 
-    std::size_t columns_;
+    PatchSides<kColumns> sides_;
     double weight_;
-    double *sides_, *forwards_, *backwards_;
+    double *forwards_, *backwards_;
 };
 
 template <std::size_t kColumns>
@@ -173,8 +167,7 @@ void BundleExchange::exchange_along(
     for_bands(light.columns() / 2, [&]<std::size_t kBands>() {
         exchange_lines(
             lines, has_sensors,
-            LineExchange<2 * kBands>(
-                light.columns(), weight, light.sides(), forwards_, backwards_));
+            LineExchange<2 * kBands>(light.sides(), weight, forwards_, backwards_));
     });
     if (tell.on_escape) {
         tell.on_escape(direction, forwards_);

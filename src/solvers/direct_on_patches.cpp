@@ -46,7 +46,7 @@ class LateAdds {
     LateAdds(PatchLight& light, const LitBands& bands) : light_(light), bands_(bands) {}
 
     void add(std::uint32_t patch, SurfaceSide side, double amount) {
-        light_.fetch(patch);
+        light_.sides().fetch(patch);
         Add& place = adds_[told_ % kLate];
         if (told_++ >= kLate) {
             light_.add_direct(place.patch, place.side, place.amount, bands_);

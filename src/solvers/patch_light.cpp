@@ -140,9 +140,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
         for (std::size_t b = 0; b < bands; ++b) {
             for (const SurfaceSide side : kSurfaceSides) {
                 const PatchOptics& o = of(info.material, side);
-                const double albedo = o.reflected[b] + o.transmitted[b];
-                scattered[b] += own / 2 * albedo;
-                largest_albedo = std::max(largest_albedo, albedo);
+                scattered[b] += own / 2 * (o.reflected[b] + o.transmitted[b]);
             }
         }
     }
@@ -214,7 +212,7 @@ void PatchLight::clear() {
 
 void PatchLight::add_direct(
     std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands) {
-    double* to = incident(std::size_t{2} * patch + index_of(side)) + bands.first;
+    double* to = sides().incident(std::size_t{2} * patch + index_of(side)) + bands.first;
     for (std::size_t i = 0; i < bands.weights.size(); ++i) {
         to[i] += amount * bands.weights[i];
     }
@@ -231,7 +229,7 @@ std::vector<double> PatchLight::scatter(bool is_direct) {
 
 template <std::size_t kBands>
 void PatchLight::scatter_all(bool is_direct, std::vector<double>& scattered) {
-    const PatchScatter<kBands> each(bands_, sides(), kept_.data());
+    const PatchScatter<kBands> each(sides(), kept_.data());
     for (const PatchScene::Surface& surface : scene_.surfaces) {
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
@@ -256,7 +254,7 @@ void PatchLight::scatter_all(bool is_direct, std::vector<double>& scattered) {
 
 void PatchLight::send_all_kept() {
     for (std::size_t side = 0; side < side_count(); ++side) {
-        std::copy_n(&kept_[side * columns_], columns_, exitance(side));
+        std::copy_n(&kept_[side * columns_], columns_, sides().exitance(side));
     }
 }
 
@@ -269,7 +267,7 @@ std::vector<double> PatchLight::collect() {
         const std::size_t end = std::size_t{2} * scene_.patches.first(surface.triangle + 1);
         for (std::size_t side = std::size_t{2} * scene_.patches.first(surface.triangle); side < end;
              ++side) {
-            const double* from = incident(side);
+            const double* from = sides().incident(side);
             double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * columns_];
             for (std::size_t i = 0; i < columns_; ++i) {
                 sums[i] += share * from[i];
@@ -283,7 +281,8 @@ std::vector<double> PatchLight::collect() {
 /// What came straight from a source is the same on both levels.
 void PatchLight::copy_to_coarse() {
     for (std::size_t side = 0; side < side_count(); ++side) {
-        std::copy_n(incident(side), bands_, incident(side) + bands_);
+        double* came = sides().incident(side);
+        std::copy_n(came, bands_, came + bands_);
     }
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/raster/columns.h"
 #include "geometry/raster/patches.h"
 #include "solvers/patch_scatter.h"
+#include "solvers/patch_sides.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
 
@@ -46,9 +47,8 @@ struct PatchScene {
     std::vector<Surface> surfaces;
     std::vector<PatchOptics> optics;  ///< [2 * material + side]
     ColumnTriangles drawn;
-    double area = 0;            ///< of all surfaces
-    double mean_albedo = 0;     ///< by area, in the band where it is largest
-    double largest_albedo = 0;  ///< of all sides and bands
+    double area = 0;         ///< of all surfaces
+    double mean_albedo = 0;  ///< by area, in the band where it is largest
 
     [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];
@@ -74,14 +74,6 @@ struct LitBands {
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
-/// Asks for the numbers of a patch in PatchLight::sides(), which may be any.
-inline void fetch_patch(const double* sides, std::size_t patch, std::size_t columns) {
-    constexpr std::size_t kStep = kCacheLine / sizeof(double);
-    for (std::size_t i = 0; i < 4 * columns; i += kStep) {
-        __builtin_prefetch(sides + 4 * columns * patch + i, 1);
-    }
-}
-
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///
@@ -93,12 +85,9 @@ class PatchLight {
     explicit PatchLight(const PatchScene& scene);
 
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    /// Of the sides one after the other: flux that leaves each per area, [column], and flux that
-    /// came to it, in units of sums, [column].
-    [[nodiscard]] double* sides() { return lines_.data()->numbers.data(); }
+    /// What leaves each side, and what came to it in units of sums.
+    [[nodiscard]] PatchSides<0> sides() { return {columns_, lines_.data()->numbers.data()}; }
 
-    /// Asks for what is known of a patch, which takes a while to come from memory.
-    void fetch(std::uint32_t patch) { fetch_patch(sides(), patch, columns_); }
     /// No light anywhere.
     void clear();
     /// Adds light straight from a source, per band `amount` times its weight; what misses thin
@@ -149,9 +138,6 @@ class PatchLight {
     struct alignas(kCacheLine) CacheLine {
         std::array<double, kCacheLine / sizeof(double)> numbers{};
     };
-    /// Of side `i`, [2 * patch + side].
-    [[nodiscard]] double* exitance(std::size_t i) { return sides() + 2 * i * columns_; }
-    [[nodiscard]] double* incident(std::size_t i) { return exitance(i) + columns_; }
     [[nodiscard]] std::size_t side_count() const { return kept_.size() / columns_; }
 
     const PatchScene& scene_;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "solvers/patch_sides.h"
+
 namespace quasimc {
 
 /// What a side of a material sends on, per band.
@@ -22,9 +24,8 @@ class PatchScatter {
         double share = 1;  ///< of what came to it
     };
 
-    /// @param sides, kept  of PatchLight
-    PatchScatter(std::size_t bands, double* sides, double* kept)
-        : all_bands_(bands), sides_(sides), kept_(kept) {}
+    /// @param kept  exitance of all steps, [2 * patch + side][column]
+    PatchScatter(const PatchSides<0>& sides, double* kept) : sides_(sides), kept_(kept) {}
 
     /// Sets the exitance, which is remembered, to what is sent on, and forgets what came. The
     /// cosine law: light leaves a patch equally bright in all directions.
@@ -39,16 +40,16 @@ class PatchScatter {
         forget_incident(sent.patch);
     }
     void forget_incident(std::size_t patch) const {
-        std::fill_n(incident(2 * patch), columns(), 0.0);
-        std::fill_n(incident(2 * patch + 1), columns(), 0.0);
+        std::fill_n(sides_.incident(2 * patch), sides_.columns(), 0.0);
+        std::fill_n(sides_.incident(2 * patch + 1), sides_.columns(), 0.0);
     }
 
     /// Numbers of the coarser level of a patch: both sides.
-    [[nodiscard]] std::size_t row() const { return 2 * bands(); }
+    [[nodiscard]] std::size_t row() const { return sides_.columns(); }
     /// Adds `part` of the coarser level's exitance to a row.
     void add_coarse(std::size_t patch, double part, double* row) const {
         for (std::size_t side = 0; side < 2; ++side) {
-            const double* from = exitance(2 * patch + side) + bands();
+            const double* from = sides_.exitance(2 * patch + side) + bands();
             for (std::size_t b = 0; b < bands(); ++b) {
                 row[side * bands() + b] += part * from[b];
             }
@@ -56,7 +57,7 @@ class PatchScatter {
     }
     void set_coarse(std::size_t patch, const double* row) const {
         for (std::size_t side = 0; side < 2; ++side) {
-            double* to = exitance(2 * patch + side) + bands();
+            double* to = sides_.exitance(2 * patch + side) + bands();
             for (std::size_t b = 0; b < bands(); ++b) {
                 to[b] = row[side * bands() + b];
             }
@@ -73,11 +74,11 @@ class PatchScatter {
         const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
         const double* reflected = own.reflected.data();
         const double* transmitted = other.transmitted.data();
-        const double* came = incident(side);
-        const double* across = incident(side ^ 1U);
-        double* out = exitance(side);
-        double* kept = kept_ + side * columns();
-        for (std::size_t level = 0; level < columns(); level += bands()) {
+        const double* came = sides_.incident(side);
+        const double* across = sides_.incident(side ^ 1U);
+        double* out = sides_.exitance(side);
+        double* kept = kept_ + side * sides_.columns();
+        for (std::size_t level = 0; level < sides_.columns(); level += bands()) {
             for (std::size_t b = 0; b < bands(); ++b) {
                 const std::size_t i = level + b;
                 kept[i] += out[i];
@@ -86,13 +87,10 @@ class PatchScatter {
             }
         }
     }
-    [[nodiscard]] std::size_t bands() const { return kBands > 0 ? kBands : all_bands_; }
-    [[nodiscard]] std::size_t columns() const { return 2 * bands(); }
-    [[nodiscard]] double* exitance(std::size_t side) const { return sides_ + 2 * side * columns(); }
-    [[nodiscard]] double* incident(std::size_t side) const { return exitance(side) + columns(); }
+    [[nodiscard]] std::size_t bands() const { return sides_.columns() / 2; }
 
-    std::size_t all_bands_;
-    double *sides_, *kept_;
+    PatchSides<2 * kBands> sides_;
+    double* kept_;
 };
 
 }  // namespace quasimc

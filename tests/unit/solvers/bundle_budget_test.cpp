@@ -52,15 +52,15 @@ class Stand {
     PatchScene patches_;
 };
 
-/// What a patch that is met too often sends on too much of dies out where nothing is bright. It was
-/// half of the time of dark leaves to let every step meet each patch three times.
+/// What a patch that is met too often sends on too much of dies out where nothing is bright. It
+/// took a third of the time of dark leaves to let every step meet each patch three times.
 TEST(BundleBudget, GivesLittleToWeakLightOfDarkLeaves) {
     const Stand dark(.2);
     EXPECT_NEAR(dark.meetings(dark.of_weak()), 3 * (.2 * .2) / (.9 * .9), 1e-9);
     EXPECT_EQ(dark.of_weak().directions, 4);
 }
 
-/// One bright leaf, or one band, is enough for noise that grows from step to step.
+/// One bright leaf is enough for noise that grows from step to step.
 TEST(BundleBudget, MeetsEachPatchThreeTimesWhereALeafIsBright) {
     const Stand bright(.95);
     EXPECT_NEAR(bright.meetings(bright.of_weak()), 3, 1e-9);
