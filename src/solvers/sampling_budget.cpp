@@ -25,10 +25,17 @@ constexpr SamplingDensity kBrightDensity{
     .paths_per_look = 4};
 /// Errors of lines fall with the third power of their number, those of bundles with the square root
 /// of theirs, at every albedo. For a path bundles take several times as long, and lines may too.
-constexpr SamplingDensity kBundleDensity{
+constexpr SamplingDensity kBrightBundleDensity{
     .lines_per_root = 12.8,
     .pixels_per_path = 160,
     .pixels_per_root = 320,
+    .cuts_per_path = 160,
+    .paths_per_look = 2};
+/// ... but what dark leaves scatter has small errors: pixels are most of what is left.
+constexpr SamplingDensity kDarkBundleDensity{
+    .lines_per_root = 12.8,
+    .pixels_per_path = 480,
+    .pixels_per_root = 960,
     .cuts_per_path = 160,
     .paths_per_look = 2};
 /// Largest albedo from which on a band is bright.
@@ -43,7 +50,7 @@ bool is_bright(const PreparedScene& prepared) {
 
 const SamplingDensity& sampling_density(const PreparedScene& prepared, ScatteredBy scattered) {
     if (scattered == ScatteredBy::bundles) {
-        return kBundleDensity;
+        return is_bright(prepared) ? kBrightBundleDensity : kDarkBundleDensity;
     }
     return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
