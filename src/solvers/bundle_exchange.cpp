@@ -29,11 +29,13 @@ class LineExchange {
         const PatchSides<0>& sides,
         double weight,
         std::span<double> forwards,
-        std::span<double> backwards)
+        std::span<double> backwards,
+        std::uint32_t* ends)
         : sides_(sides),
           weight_(weight),
           forwards_(forwards.data()),
-          backwards_(backwards.data()) {}
+          backwards_(backwards.data()),
+          next_end_(ends) {}
 
     /// @param line  without sensors
     void exchange(std::span<const Columns::Passed> line) {
@@ -46,12 +48,13 @@ class LineExchange {
             add(sides_.incident(right), sides_.exitance(left));
             add(sides_.incident(left), sides_.exitance(right));
         }
-        add(forwards_, sides_.exitance(line.back() ^ 1U));
+        end(line.back() ^ 1U);
     }
 
     /// Light passes sensors, which count it.
     void exchange_through_sensors(std::span<const Columns::Passed> line) {
-        const double* from = nullptr;  // last patch that light leaves forwards
+        std::uint32_t last = 0;        // side that light leaves forwards
+        const double* from = nullptr;  // its exitance
         double* to = backwards_;       // where light goes that travels backwards
         std::size_t first = 0;         // sensor since then
         for (std::size_t i = 0; i < line.size(); ++i) {
@@ -65,17 +68,26 @@ class LineExchange {
             if (from != nullptr) {
                 add(sides_.incident(at), from);
             }
-            from = sides_.exitance(at ^ 1U);
-            to = sides_.incident(at ^ 1U);
+            last = line[i] ^ 1U;
+            from = sides_.exitance(last);
+            to = sides_.incident(last);
             first = i + 1;
         }
         pass_sensors(line.subspan(first), from, nullptr);
         if (from != nullptr) {
-            add(forwards_, from);
+            end(last);
         }
     }
 
+    /// Behind the sides from which lines left the scene.
+    [[nodiscard]] const std::uint32_t* ends() const { return next_end_; }
+
   private:
+    /// A line leaves the scene.
+    void end(std::uint32_t side) {
+        add(forwards_, sides_.exitance(side));
+        *next_end_++ = side;
+    }
     /// What leaves a side and what comes to one never overlap: several columns are added at once.
     void add(double* __restrict to, const double* __restrict from) {
         const double weight = weight_;
@@ -104,13 +116,17 @@ class LineExchange {
     PatchSides<kColumns> sides_;
     double weight_;
     double *forwards_, *backwards_;
+    std::uint32_t* next_end_;
 };
 
+/// @returns behind the sides from which lines left the scene
 template <std::size_t kColumns>
-void exchange_lines(const Columns& lines, bool has_sensors, LineExchange<kColumns> along) {
+const std::uint32_t* exchange_lines(
+    const Columns& lines, bool has_sensors, LineExchange<kColumns> along) {
     lines.for_each_line([&](std::span<const Columns::Passed> line) {
         has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
     });
+    return along.ends();
 }
 
 }  // namespace
@@ -163,18 +179,20 @@ void BundleExchange::exchange_along(
     light.count_lines(lines.counts(), weight);
     forwards_.assign(light.columns(), 0);
     backwards_.assign(light.columns(), 0);
+    ends_.resize(std::max(ends_.size(), lines.size()));  // more than enough
+    const std::uint32_t* behind_ends = nullptr;
     const bool has_sensors = patches_.prepared.has_transparent();
     for_bands(light.columns() / 2, [&]<std::size_t kBands>() {
-        exchange_lines(
+        behind_ends = exchange_lines(
             lines, has_sensors,
-            LineExchange<2 * kBands>(light.sides(), weight, forwards_, backwards_));
+            LineExchange<2 * kBands>(light.sides(), weight, forwards_, backwards_, ends_.data()));
     });
     if (tell.on_escape) {
         tell.on_escape(direction, forwards_);
         tell.on_escape(-1 * direction, backwards_);
     }
-    if (tell.on_lines) {
-        tell.on_lines(lines, direction, weight);
+    if (tell.on_ends) {
+        tell.on_ends({ends_.data(), behind_ends}, direction, weight);
     }
 }
 

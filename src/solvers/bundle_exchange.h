@@ -36,12 +36,14 @@ class BundleExchange {
 
     /// Light that leaves the scene: its direction, and flux in each column of PatchLight.
     using OnEscape = std::function<void(const Vec3& direction, std::span<const double> flux)>;
-    /// The lines of a direction, and the flux that one of them takes from a patch of exitance 1.
-    using OnLines = std::function<void(const Columns& lines, const Vec3& direction, double weight)>;
+    /// The sides, [2 * patch + side], from which lines leave the scene along a direction, line by
+    /// line, and the flux that one of them takes from a patch of exitance 1.
+    using OnEnds = std::function<void(
+        std::span<const std::uint32_t> sides, const Vec3& direction, double weight)>;
     /// Who is told what becomes of lines, direction by direction in their order; or nobody.
     struct Tell {
         OnEscape on_escape;
-        OnLines on_lines;
+        OnEnds on_ends;
     };
 
     /// Lets the exitance go along all lines, and adds it to the light incident on what it meets.
@@ -62,6 +64,7 @@ class BundleExchange {
     const ProjectedScene& seen_;
     std::vector<std::unique_ptr<Columns>> columns_;  // of each thread
     std::vector<double> forwards_, backwards_;       // escaped, by column
+    std::vector<std::uint32_t> ends_;                // scratch, see OnEnds
 };
 
 }  // namespace quasimc

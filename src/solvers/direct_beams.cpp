@@ -178,19 +178,15 @@ void DirectBeams::score_lines(
     direct.add_escaped();
 }
 
-void DirectBeams::draw_pixels(
-    const Work& work,
-    const Stream& placing,
-    std::uint32_t i,
-    const Vec3& direction,
-    ItemBuffer& pixels) const {
+ItemBuffer::Spec DirectBeams::look_of(
+    const Work& work, const Stream& placing, std::uint32_t i, const Vec3& direction) const {
     const std::uint64_t point = placing.first + 1 + i;
-    pixels.draw(
-        scene_, {.direction = direction,
-                 .rotation = sampler_.coordinate(placing, point, 3),
-                 .shift_s = sampler_.coordinate(placing, point, 4),
-                 .shift_t = sampler_.coordinate(placing, point, 5),
-                 .pixels = work.task.pixels});
+    return {
+        .direction = direction,
+        .rotation = sampler_.coordinate(placing, point, 3),
+        .shift_s = sampler_.coordinate(placing, point, 4),
+        .shift_t = sampler_.coordinate(placing, point, 5),
+        .pixels = work.task.pixels};
 }
 
 void DirectBeams::count_finds(

@@ -88,13 +88,9 @@ class DirectBeams {
         double per_length,
         const ScanLines& lines,
         Tally& tally) const;
-    /// What is seen along direction `i` of the skies.
-    void draw_pixels(
-        const Work& work,
-        const Stream& placing,
-        std::uint32_t i,
-        const Vec3& direction,
-        ItemBuffer& pixels) const;
+    /// How direction `i` of the skies is looked along.
+    [[nodiscard]] ItemBuffer::Spec look_of(
+        const Work& work, const Stream& placing, std::uint32_t i, const Vec3& direction) const;
     /// Counts what is lit along a direction that brings so many paths' light of all skies.
     void count_finds(
         const Work& work,

@@ -27,9 +27,14 @@ class LaidLooks {
     [[nodiscard]] std::uint32_t share(std::uint32_t i) const {
         return mix64(key_ ^ mix64(i / of_)) % of_ == i % of_ ? of_ : 0;
     }
+    /// Which rows of pixels of look `i` are laid.
+    [[nodiscard]] LaidRows rows(std::uint32_t i) const {
+        const std::uint32_t of = of_ > 1 ? kRows : 1;
+        return {static_cast<std::uint32_t>(mix64(~key_ ^ mix64(i)) % of), of};
+    }
 
   private:
-    static constexpr std::uint32_t kMany = 256, kFewestLaid = 64;
+    static constexpr std::uint32_t kMany = 256, kFewestLaid = 64, kRows = 2;
     std::uint64_t key_;
     std::uint32_t of_;
 };
@@ -164,7 +169,9 @@ void DirectOnPatches::find_by_pixels(
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);
         const DrawnDirection from = skies.direction(i, work.task.count, lattice);
-        beams_.draw_pixels(work, placing, i, from.direction, scratch.beams.pixels);
+        ItemBuffer::Spec look = beams_.look_of(work, placing, i, from.direction);
+        look.keeps_places = laid.share(i) > 0;
+        scratch.beams.pixels.draw(beams_.scene(), look);
         double paths = 0;
         std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
         for (const BoundSource* sky : skies.skies()) {
@@ -179,7 +186,8 @@ void DirectOnPatches::find_by_pixels(
             }
         }
         if (paths > 0 && laid.share(i) > 0) {
-            lay_pixels(from.direction, scratch.beams.pixels, lit_bands(weights), light);
+            lay_pixels(
+                from.direction, scratch.beams.pixels, laid.rows(i), lit_bands(weights), light);
         }
         beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
         open.add_seen(scratch.beams.pixels, from, work.task.count);
@@ -199,42 +207,42 @@ void DirectOnPatches::score_pixels(const Beam& beam, const ItemBuffer& pixels, T
 void DirectOnPatches::lay_pixels(
     const Vec3& direction,
     const ItemBuffer& pixels,
+    const LaidRows& laid,
     const LitBands& bands,
     PatchLight& light) const {
     struct Seen {
         const ItemBuffer::Item* item = nullptr;
-        ItemBuffer::Places places;
         double share = 1;
     };
     const LocalMesh& mesh = prepared_.caster().mesh();
     std::vector<Seen> by_id(pixels.id_count());
     for (const ItemBuffer::Item& item : pixels.items()) {
         if (item.id > 0) {
-            by_id[item.id] = {
-                &item, pixels.places(item.id), mesh.exact_share(item.triangle, direction)};
+            by_id[item.id] = {&item, mesh.exact_share(item.triangle, direction)};
         }
     }
     LateAdds adds(light, bands);
-    for (const ItemBuffer::Run& run : pixels.runs()) {
+    pixels.for_each_run_of_rows(laid.first, laid.of, [&](const ItemBuffer::RowRun& run) {
         const Seen& seen = by_id[run.id];
         if (seen.item == nullptr) {
-            continue;
+            return;
         }
         const SurfaceSide side = seen.item->cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+        const ItemBuffer::Places& places = pixels.places(run.id);
         // Pixels next to each other mostly see the same patch.
         std::uint32_t patch = 0, count = 0;
-        for (std::uint32_t i = 0; i < run.count; ++i) {
-            const Point2 at = seen.places.of(run.first + i);
+        for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
+            const Point2 at = places.of(x, run.row);
             const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
             if (count > 0 && next != patch) {
                 adds.add(patch, side, count * seen.share);
                 count = 0;
             }
             patch = next;
-            ++count;
+            count += laid.of;
         }
         adds.add(patch, side, count * seen.share);
-    }
+    });
     adds.finish();
 }
 

@@ -8,6 +8,11 @@
 
 namespace quasimc {
 
+/// Of rows of pixels one of each few, that many times as bright, the first of them drawn at random.
+struct LaidRows {
+    std::uint32_t first = 0, of = 1;
+};
+
 /// Direct light of all sources, scored, and laid on patches: that of suns along scan lines, that of
 /// skies by pixels, that of lamps and of what is too costly to look at traced to its first hits.
 class DirectOnPatches {
@@ -41,6 +46,7 @@ class DirectOnPatches {
     void lay_pixels(
         const Vec3& direction,
         const ItemBuffer& pixels,
+        const LaidRows& laid,
         const LitBands& bands,
         PatchLight& light) const;
     void trace(const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const;

@@ -134,7 +134,8 @@ class FirstHits final : public Solver {
              i += static_cast<std::uint32_t>(work.task.blocks)) {
             throw_if_stopped(stop_);
             const DrawnDirection from = direct_.skies().direction(i, work.task.count, lattice);
-            direct_.draw_pixels(work, placing, i, from.direction, scratch.direct.pixels);
+            scratch.direct.pixels.draw(
+                direct_.scene(), direct_.look_of(work, placing, i, from.direction));
             double paths = 0;
             for (std::size_t k = 0; k < skies.size(); ++k) {
                 const Beam beam =
@@ -167,14 +168,14 @@ class FirstHits final : public Solver {
         }
         direct.add_escaped();
         const auto number = static_cast<std::uint32_t>(scratch.beams.size() - 1);
-        for (const ItemBuffer::Run& run : pixels.runs()) {
+        pixels.for_each_run([&](const ItemBuffer::Run& run) {
             placement.place(
                 scratch.pieces[run.id], run.count, number,
                 [&](double f) {
                     return pixels.place(run.first + static_cast<std::uint32_t>(f * run.count));
                 },
                 scratch.vertices);
-        }
+        });
     }
 
     const PreparedScene& prepared_;

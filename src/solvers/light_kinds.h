@@ -75,8 +75,11 @@ class FindCounter {
     }
     /// To be called after the last triangle.
     void finish() {
-        add_squares(0);
-        add_squares(1);
+        // Mostly light comes to one side, but to which no branch could guess.
+        if (std::min(found_[0].amount, found_[1].amount) > 0) {
+            add_squares(0);
+        }
+        add_squares(found_[1].amount > 0 ? 1 : 0);
     }
 
   private:

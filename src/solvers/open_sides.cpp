@@ -51,18 +51,12 @@ void OpenSides::add_seen(
     }
 }
 
-void OpenSides::add_ends(const Columns& lines, const Vec3& direction, double weight) {
+void OpenSides::add_ends(
+    std::span<const std::uint32_t> sides, const Vec3& direction, double weight) {
     const double share = weight * share_of(-1 * direction);
-    lines.for_each_line([&](std::span<const Columns::Passed> line) {
-        const auto top = std::find_if(line.rbegin(), line.rend(), [](Columns::Passed passed) {
-            return (passed & Columns::kSensor) == 0;
-        });
-        if (top != line.rend()) {
-            // Light that comes down meets the other side.
-            const std::size_t side = *top ^ 1U;
-            open_[2 * std::size_t{region_of_[side / 2]} + side % 2] += share;
-        }
-    });
+    for (const std::size_t side : sides) {
+        open_[2 * std::size_t{region_of_[side / 2]} + side % 2] += share;
+    }
 }
 
 void OpenSides::choose_sides(const PatchLight& light) {

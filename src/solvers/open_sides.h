@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "geometry/raster/columns.h"
 #include "geometry/raster/item_buffer.h"
 #include "solvers/patch_light.h"
 #include "transport/sky_directions.h"
@@ -26,8 +26,9 @@ class OpenSides {
     void clear();
     /// Adds what is seen along one of `count` directions that were drawn for skies.
     void add_seen(const ItemBuffer& pixels, const DrawnDirection& from, std::uint32_t count);
-    /// Adds the ends of the lines of a direction (upwards), each of so much weight.
-    void add_ends(const Columns& lines, const Vec3& direction, double weight);
+    /// Adds lines along a direction (upwards) that end on the sky, each of so much weight.
+    /// @param sides  of the patches that they leave last, [2 * patch + side]
+    void add_ends(std::span<const std::uint32_t> sides, const Vec3& direction, double weight);
     /// Lets the ends added until now tell which sides are surrounded so much that a correction is
     /// of use: lines of a step other than the one that is corrected.
     void choose_sides(const PatchLight& light);

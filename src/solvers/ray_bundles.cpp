@@ -124,10 +124,9 @@ class RayBundles final : public Solver {
         cut_->direct.find(task, scratch.direct, light, *scratch.open, tally);
         Flow flow(light.columns());
         std::uint64_t stretches = 0;
-        const auto exchange = [&](const BundleGroup& group, const OnEscape& on_escape) {
+        const auto exchange = [&](const BundleGroup& group, const BundleExchange::Tell& tell) {
             throw_if_stopped(input_.stop);
-            stretches += scratch.exchange->exchange(
-                group, threads(), light, {on_escape, looking_at(*scratch.open)});
+            stretches += scratch.exchange->exchange(group, threads(), light, tell);
             light.correct_areas(group.directions / (2 * group.line_area));
         };
         const std::vector<double> first = light.scatter(true);
@@ -135,9 +134,12 @@ class RayBundles final : public Solver {
         std::vector<double> left = first;
         std::uint64_t order = 1;
         for (; !is_last(order, left, first); ++order) {
-            exchange(budget.of_order(left, key_of(task, order)), {});
+            const bool is_first = order == 1;
+            exchange(
+                budget.of_order(left, key_of(task, order)),
+                {{}, is_first ? looking_at(*scratch.open) : BundleExchange::OnEnds{}});
             left = light.scatter(false);
-            if (order == 1) {
+            if (is_first) {
                 scratch.open->choose_sides(light);
             }
         }
@@ -149,9 +151,10 @@ class RayBundles final : public Solver {
             scratch.open->forget_ends();
             exchange(
                 budget.of_all(key_of(task, order)),
-                [&](const Vec3& direction, std::span<const double> flux) {
-                    add_escaped(direction, flux, flow, tally);
-                });
+                {[&](const Vec3& direction, std::span<const double> flux) {
+                     add_escaped(direction, flux, flow, tally);
+                 },
+                 looking_at(*scratch.open)});
             const std::vector<double> passed_by = light.collect();
             for (std::size_t c = 0; c < left.size(); ++c) {
                 flow.escaped[c] += signed_fixed(passed_by[c]);
@@ -161,15 +164,13 @@ class RayBundles final : public Solver {
         tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));
     }
 
-    using OnEscape = BundleExchange::OnEscape;
-
     /// What looks at the ends of lines, where the sky is looked at for direct light.
-    [[nodiscard]] BundleExchange::OnLines looking_at(OpenSides& open) const {
+    [[nodiscard]] BundleExchange::OnEnds looking_at(OpenSides& open) const {
         if (!beams_.looks_at_skies()) {
             return {};
         }
-        return [&open](const Columns& lines, const Vec3& direction, double weight) {
-            open.add_ends(lines, direction, weight);
+        return [&open](std::span<const std::uint32_t> sides, const Vec3& direction, double weight) {
+            open.add_ends(sides, direction, weight);
         };
     }
 

@@ -15,39 +15,91 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// All lanes at once: spans are too short to be worth a branch for each pixel, and a call. A
 /// product and a sum, not MulAdd, which rounds otherwise on machines that have a fused one.
-void draw_spans(
-    float* depths,
-    std::int32_t* ids,
-    std::span<const PixelSpan> spans,
-    float step,
-    std::int32_t id) {
-    const hn::CappedTag<float, kSpanLanes> floats;
-    const hn::RebindToSigned<decltype(floats)> words;
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(floats));
-    const auto slope = hn::Set(floats, step);
-    const auto drawn = hn::Set(words, id);
-    for (const PixelSpan& span : spans) {
-        const auto start = hn::Set(floats, span.z);
-        const auto end = hn::Set(words, span.count);
-        auto pixel = hn::Iota(words, 0);
-        for (std::int32_t i = 0; i < span.count; i += lanes) {
-            float* const depths_here = depths + span.first + i;
-            std::int32_t* const ids_here = ids + span.first + i;
-            const auto depth = hn::Add(start, hn::Mul(slope, hn::ConvertTo(floats, pixel)));
-            const auto seen = hn::LoadU(floats, depths_here);
-            const auto nearer =
-                hn::And(hn::RebindMask(floats, hn::Lt(pixel, end)), hn::Lt(depth, seen));
-            hn::StoreU(hn::IfThenElse(nearer, depth, seen), floats, depths_here);
-            const auto ids_seen = hn::LoadU(words, ids_here);
+struct Pencil {
+    using Floats = hn::CappedTag<float, kSpanLanes>;
+    using Words = hn::RebindToSigned<Floats>;
+    static constexpr Floats kFloats{};
+    static constexpr Words kWords{};
+
+    hn::Vec<Floats> slope;
+    hn::Vec<Words> id;
+
+    Pencil(float step, std::int32_t drawn)
+        : slope(hn::Set(kFloats, step)), id(hn::Set(kWords, drawn)) {}
+
+    void draw(float* depths, std::int32_t* ids, std::int32_t count, float z) const {
+        const auto lanes = static_cast<std::int32_t>(hn::Lanes(kFloats));
+        const auto start = hn::Set(kFloats, z);
+        const auto end = hn::Set(kWords, count);
+        auto pixel = hn::Iota(kWords, 0);
+        for (std::int32_t i = 0; i < count; i += lanes) {
+            const auto depth = hn::Add(start, hn::Mul(slope, hn::ConvertTo(kFloats, pixel)));
+            const auto seen = hn::LoadU(kFloats, depths + i);
+            const auto ids_seen = hn::LoadU(kWords, ids + i);
+            const auto is_first =
+                hn::And(hn::Eq(depth, seen), hn::RebindMask(kFloats, hn::Lt(id, ids_seen)));
+            const auto nearer = hn::And(
+                hn::RebindMask(kFloats, hn::Lt(pixel, end)), hn::Or(hn::Lt(depth, seen), is_first));
+            hn::StoreU(hn::IfThenElse(nearer, depth, seen), kFloats, depths + i);
             hn::StoreU(
-                hn::IfThenElse(hn::RebindMask(words, nearer), drawn, ids_seen), words, ids_here);
-            pixel = hn::Add(pixel, hn::Set(words, lanes));
+                hn::IfThenElse(hn::RebindMask(kWords, nearer), id, ids_seen), kWords, ids + i);
+            pixel = hn::Add(pixel, hn::Set(kWords, lanes));
         }
+    }
+};
+
+void draw_spans(
+    const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id) {
+    const Pencil pencil(step, id);
+    for (const PixelSpan& span : spans) {
+        pencil.draw(to.depths + span.first, to.ids + span.first, span.count, span.z);
     }
 }
 
-DrawSpans* variant_of_draw_spans() {
-    return &draw_spans;
+/// Where the rows of a block begin, how long they are, and how deep at the first pixel.
+struct RowStarts {
+    alignas(64) std::int32_t pixels[BlockSpans::kMost];
+    alignas(64) std::int32_t counts[BlockSpans::kMost];
+    alignas(64) float depths[BlockSpans::kMost];
+};
+
+void set_starts(const BlockSpans& spans, std::size_t row, double columns, RowStarts& starts) {
+    const hn::CappedTag<double, kBlockLanes> numbers;
+    const hn::Rebind<float, decltype(numbers)> floats;
+    const hn::Rebind<std::int32_t, decltype(numbers)> words;
+    for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(numbers)) {
+        const std::size_t i = row * kBlockLanes + lane;
+        const auto from = [&](const double* of_lanes) {
+            return hn::Load(numbers, of_lanes + lane);
+        };
+        const auto first = hn::Load(numbers, spans.first + i);
+        const auto y = hn::Load(numbers, spans.y + i);
+        const auto by_x = hn::Mul(hn::Sub(first, from(spans.first_x)), from(spans.depth.by_x));
+        const auto by_y = hn::Mul(hn::Sub(y, from(spans.first_y)), from(spans.depth.by_y));
+        const auto depth = hn::Add(hn::Add(from(spans.first_depth), by_x), by_y);
+        const auto pixel = hn::Add(hn::Mul(hn::Set(numbers, columns), y), first);
+        const auto count = hn::Sub(hn::Load(numbers, spans.last + i), first);
+        hn::Store(hn::DemoteTo(words, pixel), words, starts.pixels + i);
+        hn::Store(hn::DemoteTo(words, count), words, starts.counts + i);
+        hn::Store(hn::DemoteTo(floats, depth), floats, starts.depths + i);
+    }
+}
+
+void draw_rows(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id) {
+    RowStarts starts;
+    for (std::size_t row = 0; row < spans.rows; ++row) {
+        set_starts(spans, row, to.columns, starts);
+    }
+    spans.for_each([&](std::size_t lane, std::size_t i) {
+        const Pencil pencil(
+            static_cast<float>(spans.depth.by_x[lane]), first_id + static_cast<std::int32_t>(lane));
+        const std::int32_t at = starts.pixels[i];
+        pencil.draw(to.depths + at, to.ids + at, starts.counts[i], starts.depths[i]);
+    });
+}
+
+DrawLoops variant_of_draw_loops() {
+    return {&draw_spans, &draw_rows};
 }
 
 }  // namespace
@@ -58,10 +110,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace quasimc {
 
-HWY_EXPORT(variant_of_draw_spans);
+HWY_EXPORT(variant_of_draw_loops);
 
-DrawSpans* best_draw_spans() {
-    return HWY_DYNAMIC_DISPATCH(variant_of_draw_spans)();
+DrawLoops best_draw_loops() {
+    return HWY_DYNAMIC_DISPATCH(variant_of_draw_loops)();
 }
 
 }  // namespace quasimc

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/raster/triangle_block.h"
+
 namespace quasimc {
 
 /// So many pixels are drawn at one go: depths and ids need room for as many behind their end.
@@ -16,16 +18,24 @@ struct PixelSpan {
     float z = 0;  ///< depth at the first
 };
 
-/// Draws spans of object `id`, whose depth rises by `step` from pixel to pixel, into a depth
-/// buffer, where they are nearer than what is there.
-using DrawSpans = void(
-    float* depths,
-    std::int32_t* ids,
-    std::span<const PixelSpan> spans,
-    float step,
-    std::int32_t id);
+/// A depth buffer, row by row.
+struct DepthBuffer {
+    float* depths = nullptr;
+    std::int32_t* ids = nullptr;  ///< of what is nearest; of what is equally near the least
+    std::uint32_t columns = 1;
+};
 
-/// The variant for the vector unit of this machine. All variants compute the same bits.
-[[nodiscard]] DrawSpans* best_draw_spans();
+/// Loops over pixels, compiled for a vector unit.
+struct DrawLoops {
+    /// Draws spans of object `id`, whose depth rises by `step` from pixel to pixel, where they are
+    /// nearer than what is there.
+    void (*spans)(
+        const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id);
+    /// Draws the rows at hand of a block: its lanes are objects `first_id`, `first_id + 1`, ...
+    void (*rows)(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id);
+};
+
+/// Those for the vector unit of this machine. All variants compute the same bits.
+[[nodiscard]] DrawLoops best_draw_loops();
 
 }  // namespace quasimc

@@ -36,8 +36,10 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     scene_ = scene;
     direction_ = spec.direction;
     items_.clear();
-    runs_.clear();
+    run_count_ = 0;
     images_.assign(1, {});
+    keeps_places_ = spec.keeps_places;
+    places_.assign(keeps_places_ ? 1 : 0, {});
     set_grid(scene, spec);
     const std::size_t pixels = std::size_t{columns_} * rows_;
     depths_.assign(pixels + kSpanLanes, std::numeric_limits<float>::infinity());
@@ -169,8 +171,12 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
             step = z_step;
         });
         if (!spans_.empty()) {
-            draw_spans_(depths_.data(), ids_.data(), spans_, step, id);
+            draw_.spans(buffer(), spans_, step, id);
             images_.push_back(image);
+            if (keeps_places_) {
+                const TrianglePlane plane(corners);
+                places_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
+            }
         }
     });
 }
@@ -179,38 +185,39 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
 /// draw_opaque() finds.
 void ItemBuffer::draw_block(std::uint32_t first) {
     TriangleBlock block;
+    const auto first_id = static_cast<std::int32_t>(images_.size());
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
         const std::uint32_t i = first + lane;
+        images_.push_back({i, 0, 0});
         if (i < scene_.mesh->triangle_count() && scene_.role(i) == VisibilityRole::opaque) {
             block.set(lane, *scene_.mesh, i);
         }
     }
     BlockSpans& found = block_spans_;
     const RasterGrid grid{.x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_};
-    if (!loops_.set(block, grid, found)) {
+    const bool touches = loops_.set(block, grid, found);
+    if (keeps_places_) {
+        keep_places(found);
+    }
+    if (!touches) {
         return;
     }
     while (loops_.next(grid, found)) {
-        found.for_each([&](std::size_t lane, std::size_t i) {
-            const double z = found.first_depth[lane] +
-                             (found.first[i] - found.first_x[lane]) * found.depth.by_x[lane] +
-                             (found.y[i] - found.first_y[lane]) * found.depth.by_y[lane];
-            lane_spans_[lane].push_back(
-                {std::size_t{columns_} * static_cast<std::size_t>(found.y[i]) +
-                     static_cast<std::size_t>(found.first[i]),
-                 static_cast<std::int32_t>(found.last[i] - found.first[i]), static_cast<float>(z)});
-        });
+        draw_.rows(buffer(), found, first_id);
     }
-    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-        if (!lane_spans_[lane].empty()) {
-            draw_spans_(
-                depths_.data(), ids_.data(), lane_spans_[lane],
-                static_cast<float>(found.depth.by_x[lane]),
-                static_cast<std::int32_t>(images_.size()));
-            images_.push_back({first + lane, 0, 0});
-            lane_spans_[lane].clear();
-        }
+}
+
+void ItemBuffer::keep_places(const BlockSpans& block) {
+    const auto of_lane = [](const BlockGradient& all, std::size_t lane) {
+        return PlaneGradient{all.at[lane], all.by_x[lane], all.by_y[lane]};
+    };
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        places_.push_back({of_lane(block.u, lane), of_lane(block.v, lane)});
     }
+}
+
+DepthBuffer ItemBuffer::buffer() {
+    return {depths_.data(), ids_.data(), columns_};
 }
 
 /// Without a branch for each pixel.
@@ -223,18 +230,12 @@ void ItemBuffer::find_runs() {
         *end = i + 1;
         end += ids_[i] != ids_[i + 1] ? 1 : 0;
     }
-    std::uint32_t first = 0;
-    for (const std::uint32_t* next = ends_.data(); next != end; ++next) {
-        runs_.push_back({first, *next - first, static_cast<std::uint32_t>(ids_[first])});
-        first = *next;
-    }
+    run_count_ = static_cast<std::size_t>(end - ends_.data());
 }
 
 void ItemBuffer::list_items() {
     counts_.assign(images_.size(), 0);
-    for (const Run& run : runs_) {
-        counts_[run.id] += run.count;
-    }
+    for_each_run([&](const Run& run) { counts_[run.id] += run.count; });
     for (std::uint32_t id = 1; id < images_.size(); ++id) {
         if (counts_[id] > 0) {
             const std::uint32_t triangle = images_[id].triangle;
@@ -263,12 +264,6 @@ Barycentric ItemBuffer::place(std::uint32_t pixel) const {
     const std::uint32_t row = pixel / columns_;
     return moved(seen(image.triangle), image)
         .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
-}
-
-ItemBuffer::Places ItemBuffer::places(std::uint32_t id) const {
-    const Image& image = images_[id];
-    const TrianglePlane plane(moved(seen(image.triangle), image));
-    return {plane.gradient(0, 1, 0), plane.gradient(0, 0, 1), columns_};
 }
 
 }  // namespace quasimc

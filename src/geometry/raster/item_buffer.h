@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,7 @@ class ItemBuffer {
         double rotation = 0;              ///< see ProjectionPlane
         double shift_s = 0, shift_t = 0;  ///< of the grid, 0..1 of a pixel
         double pixels = 1;                ///< about as many over the scene, or a period of it
+        bool keeps_places = false;        ///< see places()
     };
 
     /// A triangle that is seen. In a periodic scene each of its images that is.
@@ -49,8 +51,42 @@ class ItemBuffer {
         std::uint32_t first = 0, count = 0;
         std::uint32_t id = 0;  ///< of what is seen; 0: nothing
     };
-    /// All pixels, row by row.
-    [[nodiscard]] std::span<const Run> runs() const { return runs_; }
+    /// Calls visit(run) for all pixels, row by row.
+    template <typename Visit>
+    void for_each_run(const Visit& visit) const {
+        std::uint32_t first = 0;
+        for (std::size_t i = 0; i < run_count_; ++i) {
+            visit(Run{first, ends_[i] - first, static_cast<std::uint32_t>(ids_[first])});
+            first = ends_[i];
+        }
+    }
+    /// Pixels next to each other in a row that see the same.
+    struct RowRun {
+        std::uint32_t row = 0, x = 0, count = 0;
+        std::uint32_t id = 0;
+    };
+    /// Calls visit(run) for the pixels of each few rows, one of `of`.
+    /// @param first  of these, less than `of`
+    template <typename Visit>
+    void for_each_run_of_rows(std::uint32_t first, std::uint32_t of, const Visit& visit) const {
+        std::uint32_t row = 0, row_begin = 0, wanted = first;
+        for_each_run([&](Run run) {
+            while (run.count > 0) {
+                const std::uint32_t x = run.first - row_begin;
+                const std::uint32_t count = std::min(run.count, columns_ - x);
+                if (row == wanted) {
+                    visit(RowRun{row, x, count, run.id});
+                }
+                if (x + count == columns_) {
+                    wanted += row == wanted ? of : 0;
+                    ++row;
+                    row_begin += columns_;
+                }
+                run.first += count;
+                run.count -= count;
+            }
+        });
+    }
     /// Ids are less than that.
     [[nodiscard]] std::size_t id_count() const { return images_.size(); }
     /// Where the ray of a pixel ends that sees something.
@@ -59,16 +95,13 @@ class ItemBuffer {
     /// Where the rays of pixels end that see one id.
     struct Places {
         PlaneGradient u, v;
-        std::uint32_t columns = 1;
         /// Barycentric coordinates.
-        [[nodiscard]] Point2 of(std::uint32_t pixel) const {
-            const std::uint32_t row = pixel / columns;
-            const double x = pixel - row * columns;
+        [[nodiscard]] Point2 of(double x, double row) const {
             return {u.at + u.by_x * x + u.by_y * row, v.at + v.by_x * x + v.by_y * row};
         }
     };
-    /// @param id  of an item
-    [[nodiscard]] Places places(std::uint32_t id) const;
+    /// Where a beam was drawn that keeps them. @param id  of an item
+    [[nodiscard]] const Places& places(std::uint32_t id) const { return places_[id]; }
 
   private:
     /// A triangle, moved by whole periods of the grid.
@@ -89,26 +122,29 @@ class ItemBuffer {
     void rasterize(const ProjectedTriangle& corners, const Span& span) const;
     void draw_opaque(std::uint32_t triangle);
     void draw_block(std::uint32_t first);
+    [[nodiscard]] DepthBuffer buffer();
+    void keep_places(const BlockSpans& block);
     void find_runs();
     void list_items();
     void add_sensor(std::uint32_t triangle);
 
     BlockSpans block_spans_{};  // scratch, of a block
-    DrawSpans* draw_spans_ = best_draw_spans();
     SpanLoops loops_ = best_span_loops();
+    DrawLoops draw_ = best_draw_loops();
     ProjectedScene scene_;
     Vec3 direction_;
     BeamAxis x_, y_, z_;  // place on the grid, and depth
     double pixel_area_ = 0;
     std::uint32_t columns_ = 0, rows_ = 0;
     bool repeats_x_ = false, repeats_y_ = false;
-    std::vector<float> depths_;      // by pixel
-    std::vector<std::int32_t> ids_;  // by pixel: in images_
-    std::vector<PixelSpan> spans_;   // scratch, of one triangle
-    std::array<std::vector<PixelSpan>, kBlockLanes> lane_spans_;
-    std::vector<std::uint32_t> ends_;  // scratch
-    std::vector<Run> runs_;
-    std::vector<Image> images_;  // the first stands for nothing
+    bool keeps_places_ = false;
+    std::vector<float> depths_;        // by pixel
+    std::vector<std::int32_t> ids_;    // by pixel: in images_
+    std::vector<PixelSpan> spans_;     // scratch, of one triangle
+    std::vector<std::uint32_t> ends_;  // of runs, and room for more
+    std::size_t run_count_ = 0;
+    std::vector<Image> images_;   // the first stands for nothing
+    std::vector<Places> places_;  // by image, if they are kept
     std::vector<std::uint32_t> counts_;
     std::vector<Item> items_;
 };

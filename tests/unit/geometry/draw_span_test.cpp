@@ -1,6 +1,8 @@
 #include "geometry/raster/draw_span.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <vector>
@@ -49,7 +51,7 @@ Row drawn_one_by_one(Row row, const Span& span) {
 
 void draw(Row& row, const Span& span) {
     const PixelSpan pixels{0, span.count, span.z};
-    best_draw_spans()(row.depths.data(), row.ids.data(), {&pixels, 1}, span.step, 7);
+    best_draw_loops().spans({row.depths.data(), row.ids.data()}, {&pixels, 1}, span.step, 7);
 }
 
 TEST(DrawSpan, DrawsTheSameBitsOnEveryVectorUnit) {
@@ -77,15 +79,72 @@ TEST(DrawSpan, LeavesWhatIsAsNear) {
     });
 }
 
+/// So that it does not matter which of them is drawn first.
+TEST(DrawSpan, ShowsTheLeastOfWhatIsEquallyNear) {
+    for_each_vector_unit([] {
+        Row row{
+            std::vector<float>(1 + kSpanLanes, .5F), std::vector<std::int32_t>(1 + kSpanLanes, 8)};
+        draw(row, {1, .5F, 0});
+        EXPECT_EQ(row.ids[0], 7);
+    });
+}
+
 TEST(DrawSpan, DrawsOneSpanAfterTheOther) {
     for_each_vector_unit([] {
         Row row{std::vector<float>(12 + kSpanLanes, 1), std::vector<std::int32_t>(12 + kSpanLanes)};
         const std::vector<PixelSpan> spans{{1, 2, .5F}, {10, 1, .25F}};
-        best_draw_spans()(row.depths.data(), row.ids.data(), spans, .125F, 7);
+        best_draw_loops().spans({row.depths.data(), row.ids.data()}, spans, .125F, 7);
         row.depths.resize(12);
         row.ids.resize(12);
         EXPECT_EQ(row.depths, (std::vector<float>{1, .5F, .625F, 1, 1, 1, 1, 1, 1, 1, .25F, 1}));
         EXPECT_EQ(row.ids, (std::vector<std::int32_t>{0, 7, 7, 0, 0, 0, 0, 0, 0, 0, 7, 0}));
+    });
+}
+
+/// Rows of a block are those of its triangles, one triangle after the other.
+TEST(DrawSpan, DrawsTheRowsOfABlock) {
+    constexpr std::uint32_t kColumns = 40, kRows = 30;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-1, 1);
+    const RasterGrid grid{
+        .x = {{20, 0, 0}, 19.7},
+        .y = {{0, 15, 0}, 15.2},
+        .z = {{.1, .2, 1}, 0},
+        .columns = kColumns,
+        .rows = kRows};
+    for_each_vector_unit([&] {
+        TriangleBlock block;
+        for (auto& corner : block.at) {
+            for (auto& coordinate : corner) {
+                std::generate(
+                    std::begin(coordinate), std::end(coordinate), [&] { return place(random); });
+            }
+        }
+        const std::size_t pixels = kColumns * kRows + kSpanLanes;
+        Row together{std::vector<float>(pixels, 9), std::vector<std::int32_t>(pixels)};
+        Row one_by_one = together;
+        BlockSpans spans{};
+        ASSERT_TRUE(best_span_loops().set(block, grid, spans));
+        while (best_span_loops().next(grid, spans)) {
+            best_draw_loops().rows(
+                {together.depths.data(), together.ids.data(), kColumns}, spans, 5);
+            spans.for_each([&](std::size_t lane, std::size_t i) {
+                const double z = spans.first_depth[lane] +
+                                 (spans.first[i] - spans.first_x[lane]) * spans.depth.by_x[lane] +
+                                 (spans.y[i] - spans.first_y[lane]) * spans.depth.by_y[lane];
+                const PixelSpan span{
+                    kColumns * static_cast<std::size_t>(spans.y[i]) +
+                        static_cast<std::size_t>(spans.first[i]),
+                    static_cast<std::int32_t>(spans.last[i] - spans.first[i]),
+                    static_cast<float>(z)};
+                best_draw_loops().spans(
+                    {one_by_one.depths.data(), one_by_one.ids.data(), kColumns}, {&span, 1},
+                    static_cast<float>(spans.depth.by_x[lane]),
+                    5 + static_cast<std::int32_t>(lane));
+            });
+        }
+        EXPECT_GT(std::count(together.ids.begin(), together.ids.end(), 8), 5);
+        EXPECT_EQ(together, one_by_one);
     });
 }
 

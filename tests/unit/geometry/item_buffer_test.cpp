@@ -1,5 +1,6 @@
 #include "geometry/raster/item_buffer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -91,6 +92,42 @@ TEST(ItemBuffer, ForgetsTheSceneBefore) {
     EXPECT_EQ(buffer.items()[0].triangle, 0U);
 }
 
+/// Of all pixels of a beam.
+std::uint32_t columns_of(const ItemBuffer& buffer) {
+    std::uint32_t columns = 0;
+    buffer.for_each_run_of_rows(0, 1, [&](const ItemBuffer::RowRun& run) {
+        columns = std::max(columns, run.x + run.count);
+    });
+    return columns;
+}
+
+/// Rows that are looked at a few at a time are, all together, all pixels; runs end where rows do.
+TEST(ItemBuffer, TellsRunsOfEachFewRows) {
+    const LocalMesh mesh = make_local_mesh(test::random_leaves(50, .3, 1, 7));
+    ItemBuffer buffer;
+    buffer.draw({&mesh, {}}, {normalized(Vec3{.3, -.2, -1}), .3, .7, .2, 3000});
+    const std::uint32_t columns = columns_of(buffer);
+    std::map<std::uint32_t, std::uint32_t> all;
+    buffer.for_each_run([&](const ItemBuffer::Run& run) {
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            all[i] = run.id;
+        }
+    });
+    constexpr std::uint32_t kOf = 3;
+    std::map<std::uint32_t, std::uint32_t> by_rows;
+    for (std::uint32_t first = 0; first < kOf; ++first) {
+        buffer.for_each_run_of_rows(first, kOf, [&](const ItemBuffer::RowRun& run) {
+            EXPECT_EQ(run.row % kOf, first);
+            EXPECT_LE(run.x + run.count, columns);
+            for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
+                EXPECT_TRUE(by_rows.emplace(run.row * columns + x, run.id).second);
+            }
+        });
+    }
+    EXPECT_GT(all.size(), 2000U);
+    EXPECT_EQ(by_rows, all);
+}
+
 /// Every pixel shows what a ray through it hits, and where.
 TEST(ItemBuffer, AgreesWithRays) {
     const std::vector<Triangle> leaves = test::random_leaves(200, .3, 1, 7);
@@ -98,7 +135,7 @@ TEST(ItemBuffer, AgreesWithRays) {
     const auto engine = make_brute_force_intersector(mesh);
     const Vec3 direction = normalized(Vec3{.3, -.2, -1});
     ItemBuffer buffer;
-    buffer.draw({&mesh, {}}, {direction, .3, .7, .2, 3000});
+    buffer.draw({&mesh, {}}, {direction, .3, .7, .2, 3000, true});
     std::map<std::uint32_t, std::uint32_t> triangle_of;
     for (const ItemBuffer::Item& item : buffer.items()) {
         triangle_of[item.id] = item.triangle;
@@ -106,7 +143,8 @@ TEST(ItemBuffer, AgreesWithRays) {
     int looks = 0;
     int agreed = 0;
     std::uint32_t next = 0;
-    for (const ItemBuffer::Run& run : buffer.runs()) {
+    const std::uint32_t columns = columns_of(buffer);
+    buffer.for_each_run([&](const ItemBuffer::Run& run) {
         EXPECT_EQ(run.first, next);
         next = run.first + run.count;
         for (std::uint32_t i = run.first; run.id > 0 && i < next; ++i) {
@@ -115,14 +153,14 @@ TEST(ItemBuffer, AgreesWithRays) {
             EXPECT_GT(u, -1e-6);
             EXPECT_GT(v, -1e-6);
             EXPECT_LT(u + v, 1 + 1e-6);
-            const Point2 same = buffer.places(run.id).of(i);
+            const Point2 same = buffer.places(run.id).of(i % columns, i / columns);
             EXPECT_NEAR(same.s, u, 1e-6);
             EXPECT_NEAR(same.t, v, 1e-6);
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
             ++looks;
             agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
         }
-    }
+    });
     EXPECT_GT(looks, 1000);
     // Rays in single precision may miss a leaf by its very edge.
     EXPECT_GE(agreed, looks - looks / 200);

@@ -160,19 +160,29 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
             }
         }
         ItemBuffer buffer;
-        buffer.draw(repeated.scene, {direction, .8, .2, .7, 4e4});
+        buffer.draw(repeated.scene, {direction, .8, .2, .7, 4e4, true});
         std::map<std::uint32_t, std::uint32_t> triangle_of;
         for (const ItemBuffer::Item& item : buffer.items()) {
             by_pixels[item.triangle] += item.pixels * buffer.pixel_area();
             triangle_of[item.id] = item.triangle;
         }
-        for (std::size_t i = 0; i < buffer.runs().size(); i += 3) {
-            const ItemBuffer::Run& run = buffer.runs()[i];
-            if (run.id > 0) {
+        std::size_t run_number = 0;
+        buffer.for_each_run([&](const ItemBuffer::Run& run) {
+            if (run_number++ % 3 == 0 && run.id > 0) {
                 const auto [u, v] = buffer.place(run.first + run.count / 2);
                 look(triangle_of.at(run.id), u, v, direction);
             }
-        }
+        });
+        std::uint32_t pixel = 0;
+        buffer.for_each_run_of_rows(0, 1, [&](const ItemBuffer::RowRun& run) {
+            if (run.id > 0) {
+                const auto [u, v] = buffer.place(pixel);
+                const Point2 same = buffer.places(run.id).of(run.x, run.row);
+                EXPECT_NEAR(same.s, u, 1e-6);
+                EXPECT_NEAR(same.t, v, 1e-6);
+            }
+            pixel += run.count;
+        });
         double whole = 0;
         double apart = 0;
         for (const auto& [triangle, area] : by_lines) {
