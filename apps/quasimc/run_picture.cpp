@@ -21,7 +21,7 @@ std::vector<quasimc::Estimate> absorbed(const Light& light, std::size_t organs) 
 
 }  // namespace
 
-RunPicture::RunPicture(const quasimc::RunFile& run, std::string path, std::string place)
+RunPicture::RunPicture(const quasimc::RunFile& run, std::string path, const std::string& place)
     : run_(&run), path_(std::move(path)) {
     require_pictures(place);
     check_picture_name(place, path_);

@@ -13,7 +13,7 @@ class RunPicture {
   public:
     /// @param path  of the file: .svg gives SVG
     /// @throws quasimc::InputError  if the program was built without pictures
-    RunPicture(const quasimc::RunFile& run, std::string path, std::string place);
+    RunPicture(const quasimc::RunFile& run, std::string path, const std::string& place);
 
     void next_run(const quasimc::RunFile& run) { run_ = &run; }
     void add_moment(const quasimc::Result& result);
