@@ -169,8 +169,9 @@ void DirectOnPatches::find_by_pixels(
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);
         const DrawnDirection from = skies.direction(i, work.task.count, lattice);
+        const std::uint32_t share = laid.share(i);
         ItemBuffer::Spec look = beams_.look_of(work, placing, i, from.direction);
-        look.keeps_places = laid.share(i) > 0;
+        look.keeps_places = share > 0;
         scratch.beams.pixels.draw(beams_.scene(), look);
         double paths = 0;
         std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
@@ -181,11 +182,11 @@ void DirectOnPatches::find_by_pixels(
                 paths += beam.paths;
                 score_pixels(beam, scratch.beams.pixels, tally);
                 const double of_pixel =
-                    laid.share(i) * beam.paths * scratch.beams.pixels.pixel_area() / beam.area;
+                    share * beam.paths * scratch.beams.pixels.pixel_area() / beam.area;
                 add_weights(beam.light->start_weights, of_pixel, weights);
             }
         }
-        if (paths > 0 && laid.share(i) > 0) {
+        if (paths > 0 && share > 0) {
             lay_pixels(
                 from.direction, scratch.beams.pixels, laid.rows(i), lit_bands(weights), light);
         }

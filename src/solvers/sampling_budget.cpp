@@ -31,13 +31,14 @@ constexpr SamplingDensity kBrightBundleDensity{
     .pixels_per_root = 320,
     .cuts_per_path = 160,
     .paths_per_look = 2};
+/// So many times the pixels in each of as many directions.
+constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
+    density.pixels_per_path *= times;
+    density.pixels_per_root *= times;
+    return density;
+}
 /// ... but what dark leaves scatter has small errors: pixels are most of what is left.
-constexpr SamplingDensity kDarkBundleDensity{
-    .lines_per_root = 12.8,
-    .pixels_per_path = 480,
-    .pixels_per_root = 960,
-    .cuts_per_path = 160,
-    .paths_per_look = 2};
+constexpr SamplingDensity kDarkBundleDensity = with_pixels(kBrightBundleDensity, 3);
 /// Largest albedo from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 

@@ -185,22 +185,23 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
 /// draw_opaque() finds.
 void ItemBuffer::draw_block(std::uint32_t first) {
     TriangleBlock block;
-    const auto first_id = static_cast<std::int32_t>(images_.size());
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
         const std::uint32_t i = first + lane;
-        images_.push_back({i, 0, 0});
         if (i < scene_.mesh->triangle_count() && scene_.role(i) == VisibilityRole::opaque) {
             block.set(lane, *scene_.mesh, i);
         }
     }
     BlockSpans& found = block_spans_;
     const RasterGrid grid{.x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_};
-    const bool touches = loops_.set(block, grid, found);
+    if (!loops_.set(block, grid, found)) {
+        return;
+    }
+    const auto first_id = static_cast<std::int32_t>(images_.size());
+    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+        images_.push_back({first + lane, 0, 0});
+    }
     if (keeps_places_) {
         keep_places(found);
-    }
-    if (!touches) {
-        return;
     }
     while (loops_.next(grid, found)) {
         draw_.rows(buffer(), found, first_id);
