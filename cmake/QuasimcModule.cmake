@@ -65,6 +65,10 @@ endfunction()
 # which compute, would be slowed down for nothing.
 set(QUASIMC_FUZZED_MODULES base coupling growth io scene sources view)
 
+# Modules that read, write and talk: under sanitizers the optimizer takes longer for them than the
+# tests of what they do gain by it.
+set(QUASIMC_LIGHT_MODULES capi io netcdf view)
+
 # Compiles sources as those of the module, but with light optimization, and adds them to it.
 function(quasimc_cold_sources target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS")
@@ -95,6 +99,9 @@ function(quasimc_module)
         target_compile_definitions(${target} PRIVATE ${arg_DEFINITIONS})
         if(QUASIMC_BUILD_FUZZ AND arg_NAME IN_LIST QUASIMC_FUZZED_MODULES)
             target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+        endif()
+        if(QUASIMC_SANITIZE AND arg_NAME IN_LIST QUASIMC_LIGHT_MODULES)
+            target_compile_options(${target} PRIVATE -O0)
         endif()
         target_link_libraries(${target} PUBLIC ${public} PRIVATE ${private}
                                                                  $<BUILD_INTERFACE:quasimc_settings>)

@@ -192,7 +192,8 @@ void ItemBuffer::draw_block(std::uint32_t first) {
         }
     }
     BlockSpans& found = block_spans_;
-    const RasterGrid grid{.x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_};
+    const RasterGrid grid{
+        .x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_, .has_places = keeps_places_};
     if (!loops_.set(block, grid, found)) {
         return;
     }

@@ -73,13 +73,19 @@ struct Plane {
 };
 
 void set_gradients(
-    const Plane& plane, const Vector (&depths)[3], std::size_t lane, BlockSpans& spans) {
-    const auto zero = hn::Zero(kNumbers);
-    const auto one = hn::Set(kNumbers, 1.0);
+    const Plane& plane,
+    const Vector (&depths)[3],
+    bool has_places,
+    std::size_t lane,
+    BlockSpans& spans) {
     plane.store(
         depths[0], hn::Sub(depths[1], depths[0]), hn::Sub(depths[2], depths[0]), lane, spans.depth);
-    plane.store(zero, one, zero, lane, spans.u);
-    plane.store(zero, zero, one, lane, spans.v);
+    if (has_places) {
+        const auto zero = hn::Zero(kNumbers);
+        const auto one = hn::Set(kNumbers, 1.0);
+        plane.store(zero, one, zero, lane, spans.u);
+        plane.store(zero, zero, one, lane, spans.v);
+    }
     hn::Store(plane.x, kNumbers, spans.first_x + lane);
     hn::Store(plane.y, kNumbers, spans.first_y + lane);
     hn::Store(depths[0], kNumbers, spans.first_depth + lane);
@@ -122,7 +128,7 @@ bool set_lanes(
     set_sides(at[0], at[1], at[2], lane, spans);
     set_gradients(
         {ax, ay, bx, by, at[0].x, at[0].y, hn::Div(hn::Set(kNumbers, 1.0), twice_area)}, depths,
-        lane, spans);
+        grid.has_places, lane, spans);
     return true;
 }
 

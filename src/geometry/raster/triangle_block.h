@@ -33,7 +33,8 @@ struct RasterGrid {
     BeamAxis x, y, z;  ///< place on the grid, and depth
     std::int64_t columns = 0, rows = 0;
     bool repeats_x = false, repeats_y = false;
-    double row_shift = 0;  ///< how far a row stands beside the last, in columns
+    double row_shift = 0;    ///< how far a row stands beside the last, in columns
+    bool has_places = true;  ///< whether `u` and `v` of a block are asked for
 };
 
 /// A number as it changes over the grid, by triangle: at + by_x x + by_y y.
@@ -50,7 +51,7 @@ struct alignas(64) BlockSpans {
     /// Its sides, as SidesByRow has them.
     double low_x[kBlockLanes], low_y[kBlockLanes], middle_x[kBlockLanes], middle_y[kBlockLanes];
     double slope_long[kBlockLanes], slope_low[kBlockLanes], slope_high[kBlockLanes];
-    BlockGradient depth, u, v;  ///< barycentric coordinates
+    BlockGradient depth, u, v;  ///< barycentric coordinates, if they are asked for
     double low_depth[kBlockLanes], high_depth[kBlockLanes];
     double first_x[kBlockLanes], first_y[kBlockLanes], first_depth[kBlockLanes];  ///< a corner
     double twice_area[kBlockLanes];  ///< above 0 if corners turn to the left
