@@ -9,7 +9,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(test format layers scripts tidy docs asan tsan fuzz)
+all_steps=(test format layers scripts bench tidy docs asan tsan fuzz)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -42,6 +42,14 @@ step_layers() {
 step_scripts() {
     shellcheck dev tools/check.sh .ci/run
     python3 -m unittest discover -s tools -p '*_test.py'
+}
+
+# Whether the benchmarks compile; ./dev bench runs them.
+step_bench() {
+    cmake --preset release -B build/bench -DQUASIMC_BUILD_TESTS=OFF -DQUASIMC_BUILD_BENCH=ON >/dev/null
+    cd build/bench
+    ninja -t commands | grep -e ' -o bench/.*\.o -c ' | sed 's/$/ -O0 -fsyntax-only/' |
+        xargs -d '\n' -I '{}' -P "$jobs" sh -c '{}'
 }
 
 # Among them the one that builds a stranger's project against the installed package.

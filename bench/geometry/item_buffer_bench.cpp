@@ -22,7 +22,7 @@ void draw(benchmark::State& state) {
         azimuth += 1;
         const Vec3 direction = normalized(Vec3{std::cos(azimuth), std::sin(azimuth), -1});
         buffer.draw(scene, {direction, .2, .3, .6, static_cast<double>(state.range(1))});
-        benchmark::DoNotOptimize(buffer.runs().data());
+        benchmark::DoNotOptimize(buffer.items().data());
     }
 }
 

@@ -14,7 +14,7 @@ namespace quasimc::bench {
 
 namespace {
 
-constexpr std::size_t kRays = 1 << 17;
+constexpr std::size_t kPeriodicRays = 1 << 17;
 constexpr double kHeight = 0.55;
 
 enum Kind { vertical, sky, leaf, low };
@@ -22,15 +22,15 @@ enum Kind { vertical, sky, leaf, low };
 std::vector<BenchRay> rays_of(Kind kind, const std::vector<Triangle>& triangles) {
     switch (kind) {
         case vertical:
-            return vertical_rays(kRays, kHeight, false);
+            return vertical_rays(kPeriodicRays, kHeight, false);
         case sky:
-            return sky_rays(kRays, kHeight);
+            return sky_rays(kPeriodicRays, kHeight);
         case leaf:
-            return leaf_rays(kRays, triangles);
+            return leaf_rays(kPeriodicRays, triangles);
         case low:
             break;
     }
-    return low_rays(kRays, kHeight);
+    return low_rays(kPeriodicRays, kHeight);
 }
 
 /// The mesh triangle of `caster` whose source is `source` and which lies where the source does.
@@ -58,7 +58,7 @@ void wrapped(benchmark::State& state) {
     }
     std::size_t i = 0, hits = 0;
     for (auto _ : state) {
-        const BenchRay& ray = rays[i++ % kRays];
+        const BenchRay& ray = rays[i++ % kPeriodicRays];
         hits += caster.cast(ray.origin, ray.direction, ray.self).end == RayEnd::hit ? 1U : 0U;
     }
     state.SetItemsProcessed(state.iterations());
@@ -74,7 +74,7 @@ void copied(benchmark::State& state) {
     }
     std::size_t i = 0, hits = 0;
     for (auto _ : state) {
-        hits += copies.cast(rays[i++ % kRays]) ? 1U : 0U;
+        hits += copies.cast(rays[i++ % kPeriodicRays]) ? 1U : 0U;
     }
     state.SetItemsProcessed(state.iterations());
     state.counters["hit"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
@@ -84,7 +84,7 @@ void copied(benchmark::State& state) {
 void wrapped_beam(benchmark::State& state) {
     const auto triangles = plants(static_cast<std::size_t>(state.range(1)));
     const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Engine::embree);
-    auto rays = vertical_rays(kRays, kHeight, true);
+    auto rays = vertical_rays(kPeriodicRays, kHeight, true);
     const double zenith = static_cast<double>(state.range(0)) * 3.14159265358979323846 / 180;
     for (BenchRay& ray : rays) {
         ray.origin = caster.mesh().to_local(ray.origin);
@@ -107,7 +107,7 @@ void wrapped_beam(benchmark::State& state) {
                                                                                                : 0U;
             }
         }
-        first = (first + kPacket) % kRays;
+        first = (first + kPacket) % kPeriodicRays;
     }
     const auto traced = state.iterations() * static_cast<std::int64_t>(kPacket);
     state.SetItemsProcessed(traced);
