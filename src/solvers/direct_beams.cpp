@@ -64,7 +64,12 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
           &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
           prepared_.projection().outline(), &stop_},
       budget_(input.prepared, skies_, scene_, input.spec.paths, scattered),
-      traced_(traced_lights(input.prepared, budget_)) {}
+      traced_(traced_lights(input.prepared, budget_)) {
+    if (budget_.sees_skies()) {
+        blocks_ = stored_blocks(scene_);
+        scene_.blocks = blocks_;
+    }
+}
 
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
     std::vector<VisibilityTask> tasks = budget_.tasks(round);

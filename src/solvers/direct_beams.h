@@ -8,6 +8,7 @@
 
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
+#include "geometry/raster/stored_blocks.h"
 #include "solvers/catalogue.h"
 #include "solvers/light_tracer.h"
 #include "solvers/path_vertices.h"
@@ -106,6 +107,7 @@ class DirectBeams {
     std::stop_token stop_;
     SkyDirections skies_;
     std::vector<VisibilityRole> roles_;
+    std::vector<StoredBlock> blocks_;  // if skies are looked at
     ProjectedScene scene_;
     SamplingBudget budget_;
     TracedLights traced_;

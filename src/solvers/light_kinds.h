@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -69,37 +68,40 @@ class FindCounter {
         if (!prepared_.in_field_of_view(region, std::abs(along))) {
             return;
         }
-        Found& found = found_[along > 0 ? 1 : 0];
-        found.amount += amount;
-        found.pieces += pieces;
+        // To one side comes nothing: to which no branch could guess.
+        const auto is_lower = static_cast<std::uint32_t>(along > 0);
+        upper_.add(amount * (1 - is_lower), pieces * (1 - is_lower));
+        lower_.add(amount * is_lower, pieces * is_lower);
     }
     /// To be called after the last triangle.
     void finish() {
-        // Mostly light comes to one side, but to which no branch could guess.
-        if (std::min(found_[0].amount, found_[1].amount) > 0) {
-            add_squares(0);
+        if (std::min(upper_.amount, lower_.amount) > 0) [[unlikely]] {
+            add_squares(0, upper_);
+            add_squares(1, lower_);
+        } else {
+            const double pieces = upper_.pieces + lower_.pieces;
+            add_squares(lower_.amount > 0 ? 1 : 0, {upper_.amount + lower_.amount, pieces});
         }
-        add_squares(found_[1].amount > 0 ? 1 : 0);
+        upper_ = lower_ = {};
     }
 
   private:
     struct Found {
-        double amount = 0;
-        double pieces = 0;
+        double amount = 0, pieces = 0;
+
+        void add(double more, std::uint32_t more_pieces) {
+            amount += more;
+            pieces += more_pieces;
+        }
     };
 
-    void add_squares(std::size_t side) {
-        Found& found = found_[side];
-        if (found.amount == 0) {
-            return;
-        }
+    void add_squares(std::size_t side, const Found& found) {
         const double most = reach_[std::size_t{2} * region_ + side] * step_;
-        if (most > 0) {
+        if (found.amount > 0 && most > 0) {
             const double square =
                 found.amount * found.amount / (most * most * std::min(found.pieces, lines_));
             tally_.add(first_bin_ + region_ * stride_ + side, to_fixed(square));
         }
-        found = {};
     }
 
     const PreparedScene& prepared_;
@@ -108,7 +110,7 @@ class FindCounter {
     std::size_t first_bin_, stride_;
     Tally& tally_;
     std::uint32_t region_ = 0;
-    std::array<Found, 2> found_{};  // by side
+    Found upper_, lower_;  // of the region
 };
 
 }  // namespace quasimc

@@ -74,32 +74,20 @@ ScatteringPiece scattering_piece(
     return {amount * share, share > 0 ? 1 / share : 0, triangle};
 }
 
-void DirectLightScore::add(std::uint32_t triangle, double along, double amount) {
-    const std::uint32_t region = prepared_.primitive(triangle).region;
-    const SumLayout& layout = tally_.layout();
-    // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is not
-    // stopped does.
-    const double seen = amount;
-    amount *= prepared_.exact_share(triangle, beam_.direction, along);
-    const std::int64_t fixed = to_fixed(amount);
-    if (prepared_.in_field_of_view(region, std::abs(along))) {
-        const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        const bool is_sunlit = beam_.light->lit_area > 0 && along != 0 &&
-                               prepared_.is_sunlit(triangle, beam_.direction, along);
+void DirectLightScore::add_sunlit(std::uint32_t triangle, double along, double amount) {
+    if (prepared_.is_sunlit(triangle, beam_.direction, along)) {
         const double area =
-            is_sunlit ? prepared_.sunlit_share(triangle) * beam_.light->lit_area / std::abs(along)
-                      : 0;
-        tally_.add_two(
-            region, layout.direct(0, side, beam_.light->spectrum), fixed, layout.sunlit(0),
-            to_fixed(seen * area));
-        score_absorbed(
-            prepared_,
-            {region, side, std::abs(along), LightPart::direct, amount, beam_.light->start_weights},
-            tally_);
+            prepared_.sunlit_share(triangle) * beam_.light->lit_area / std::abs(along);
+        tally_.add(tally_.layout().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
     }
-    if (!prepared_.material(region).is_transparent()) {
-        stopped_ += fixed;
-    }
+}
+
+void DirectLightScore::add_absorbed(std::uint32_t region, double along, double amount) {
+    const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+    score_absorbed(
+        prepared_,
+        {region, side, std::abs(along), LightPart::direct, amount, beam_.light->start_weights},
+        tally_);
 }
 
 void DirectLightScore::add_escaped() {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -93,17 +96,48 @@ class SystematicPlacement {
 class DirectLightScore {
   public:
     DirectLightScore(const PreparedScene& prepared, const SurfaceBeam& beam, Tally& tally)
-        : prepared_(prepared), beam_(beam), tally_(tally) {}
+        : prepared_(prepared),
+          beam_(beam),
+          tally_(tally),
+          stride_(tally.layout().stride()),
+          sides_{
+              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
+              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
+          finds_sunlit_(beam.light->lit_area > 0),
+          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
 
     /// `amount` paths' light falls on a triangle. @param along  as in scattering_piece()
-    void add(std::uint32_t triangle, double along, double amount);
+    void add(std::uint32_t triangle, double along, double amount) {
+        const std::uint32_t region = prepared_.region(triangle);
+        // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is
+        // not stopped does.
+        const double exact = amount * prepared_.exact_share(triangle, beam_.direction, along);
+        const std::int64_t fixed = to_fixed(exact);
+        stopped_ += prepared_.material(region).is_transparent() ? 0 : fixed;
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
+        }
+        tally_.add(region * stride_ + sides_[along > 0 ? 1 : 0], fixed);
+        if (finds_sunlit_ && along != 0) {
+            add_sunlit(triangle, along, amount);
+        }
+        if (sums_absorbed_) {
+            add_absorbed(region, along, exact);
+        }
+    }
     /// What fell on nothing escapes. To be called once, when all is added.
     void add_escaped();
 
   private:
+    void add_sunlit(std::uint32_t triangle, double along, double amount);
+    void add_absorbed(std::uint32_t region, double along, double amount);
+
     const PreparedScene& prepared_;
     const SurfaceBeam& beam_;
     Tally& tally_;
+    std::size_t stride_;
+    std::array<std::size_t, 2> sides_;  // of direct light, in a row
+    bool finds_sunlit_, sums_absorbed_;
     std::int64_t stopped_ = 0;  // fixed point
 };
 

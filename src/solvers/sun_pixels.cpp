@@ -24,7 +24,13 @@ SunPixels::SunPixels(const SolverInput& input, double pixels)
       spec_(input.spec),
       roles_(visibility_roles(input.prepared)),
       stop_(input.stop),
-      pixels_(pixels) {}
+      scene_{
+          &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
+          prepared_.projection().outline(), &stop_},
+      blocks_(stored_blocks(scene_)),
+      pixels_(pixels) {
+    scene_.blocks = blocks_;
+}
 
 SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
     const std::size_t regions = prepared_.scene().regions().size();
@@ -45,13 +51,11 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
         for (; point < first + count; ++point) {
             Look look = look_at(light, {stream, first, point});
             buffer.draw(
-                {&prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
-                 prepared_.projection().outline(), &stop_},
-                {.direction = look.direction,
-                 .rotation = sampler_.coordinate(stream, point, kPixelDimension),
-                 .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
-                 .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
-                 .pixels = std::max(kFewestOfBeam, pixels_ / count)});
+                scene_, {.direction = look.direction,
+                         .rotation = sampler_.coordinate(stream, point, kPixelDimension),
+                         .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
+                         .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
+                         .pixels = std::max(kFewestOfBeam, pixels_ / count)});
             look.of_pixel *= buffer.pixel_area();
             score(look, buffer, found);
         }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/raster/item_buffer.h"
+#include "geometry/raster/stored_blocks.h"
 #include "solvers/solver.h"
 
 namespace quasimc {
@@ -54,6 +55,8 @@ class SunPixels {
     const RunSpec& spec_;
     std::vector<VisibilityRole> roles_;
     std::stop_token stop_;
+    ProjectedScene scene_;
+    std::vector<StoredBlock> blocks_;
     double pixels_;
 };
 

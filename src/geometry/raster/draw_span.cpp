@@ -3,6 +3,8 @@
 #define HWY_TARGET_INCLUDE "geometry/raster/draw_span.cpp"
 #include "geometry/raster/draw_span.h"
 
+#include <bit>
+
 #include <hwy/foreach_target.h>  // before highway.h
 #include <hwy/highway.h>
 
@@ -98,8 +100,36 @@ void draw_rows(const DepthBuffer& to, const BlockSpans& spans, std::int32_t firs
     });
 }
 
+/// Bit i is set where ids[i + 1] is another than ids[i]; of 64.
+std::uint64_t changes_of(const std::int32_t* ids) {
+    const hn::CappedTag<std::int32_t, 16> words;
+    std::uint64_t changes = 0;
+    for (std::size_t i = 0; i < 64; i += hn::Lanes(words)) {
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(
+            words, hn::Ne(hn::LoadU(words, ids + i), hn::LoadU(words, ids + i + 1)), bits);
+        changes |= std::uint64_t{bits[0] | std::uint32_t{bits[1]} << 8U} << i;
+    }
+    return changes;
+}
+
+std::size_t run_ends(const std::int32_t* ids, std::uint32_t count, std::uint32_t* ends) {
+    std::uint32_t* end = ends;
+    std::uint32_t i = 0;
+    for (; i + 64 <= count; i += 64) {
+        for (std::uint64_t left = changes_of(ids + i); left != 0; left &= left - 1) {
+            *end++ = i + static_cast<std::uint32_t>(std::countr_zero(left)) + 1;
+        }
+    }
+    for (; i < count; ++i) {
+        *end = i + 1;
+        end += ids[i] != ids[i + 1] ? 1 : 0;
+    }
+    return static_cast<std::size_t>(end - ends);
+}
+
 DrawLoops variant_of_draw_loops() {
-    return {&draw_spans, &draw_rows};
+    return {&draw_spans, &draw_rows, &run_ends};
 }
 
 }  // namespace

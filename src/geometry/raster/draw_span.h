@@ -33,6 +33,9 @@ struct DrawLoops {
         const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id);
     /// Draws the rows at hand of a block: its lanes are objects `first_id`, `first_id + 1`, ...
     void (*rows)(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id);
+    /// Writes the places behind which another id stands, of the first `count`; there must be room
+    /// for kSpanLanes more than there are pixels. @returns how many
+    std::size_t (*run_ends)(const std::int32_t* ids, std::uint32_t count, std::uint32_t* ends);
 };
 
 /// Those for the vector unit of this machine. All variants compute the same bits.

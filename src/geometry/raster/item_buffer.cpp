@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "geometry/raster/stored_blocks.h"
 #include "geometry/raster/triangle_rows.h"
 
 namespace quasimc {
@@ -38,6 +39,7 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     items_.clear();
     run_count_ = 0;
     images_.assign(1, {});
+    cosines_.assign(1, 0);
     keeps_places_ = spec.keeps_places;
     places_.assign(keeps_places_ ? 1 : 0, {});
     set_grid(scene, spec);
@@ -47,21 +49,21 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     if (pixels == 0) {
         return;
     }
+    const std::uint32_t triangles = scene.mesh->triangle_count();
     const bool is_open = !repeats_x_ && !repeats_y_;
-    bool has_sensors = false;
-    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
+    for (std::uint32_t i = 0; is_open && i < triangles; i += kBlockLanes) {
         scene.check_stop();
-        const VisibilityRole role = scene.role(i);
-        has_sensors = has_sensors || role == VisibilityRole::sensor;
-        if (is_open && i % kBlockLanes == 0) {
-            draw_block(i);
-        } else if (!is_open && role == VisibilityRole::opaque) {
+        draw_block(i);
+    }
+    for (std::uint32_t i = 0; !is_open && i < triangles; ++i) {
+        scene.check_stop();
+        if (scene.role(i) == VisibilityRole::opaque) {
             draw_opaque(i);
         }
     }
     find_runs();
     list_items();
-    for (std::uint32_t i = 0; has_sensors && i < scene.mesh->triangle_count(); ++i) {
+    for (std::uint32_t i = 0; !scene.roles.empty() && i < triangles; ++i) {
         if (scene.role(i) == VisibilityRole::sensor) {
             add_sensor(i);
         }
@@ -173,6 +175,7 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
         if (!spans_.empty()) {
             draw_.spans(buffer(), spans_, step, id);
             images_.push_back(image);
+            cosines_.push_back(scene_.cosine(triangle, direction_));
             if (keeps_places_) {
                 const TrianglePlane plane(corners);
                 places_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
@@ -184,23 +187,21 @@ void ItemBuffer::draw_opaque(std::uint32_t triangle) {
 /// Triangles from `first` on, side by side, where nothing repeats itself: the same pixels as
 /// draw_opaque() finds.
 void ItemBuffer::draw_block(std::uint32_t first) {
-    TriangleBlock block;
-    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-        const std::uint32_t i = first + lane;
-        if (i < scene_.mesh->triangle_count() && scene_.role(i) == VisibilityRole::opaque) {
-            block.set(lane, *scene_.mesh, i);
-        }
-    }
+    const TriangleBlock block = block_of(scene_, first);
     BlockSpans& found = block_spans_;
     const RasterGrid grid{
         .x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_, .has_places = keeps_places_};
     if (!loops_.set(block, grid, found)) {
         return;
     }
-    const auto first_id = static_cast<std::int32_t>(images_.size());
+    const std::size_t size = images_.size();
+    const auto first_id = static_cast<std::int32_t>(size);
+    images_.resize(size + kBlockLanes);
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-        images_.push_back({first + lane, 0, 0});
+        images_[size + lane] = {first + lane, 0, 0};
     }
+    cosines_.resize(size + kBlockLanes);
+    loops_.cosines(block, direction_, &cosines_[size]);
     if (keeps_places_) {
         keep_places(found);
     }
@@ -222,28 +223,24 @@ DepthBuffer ItemBuffer::buffer() {
     return {depths_.data(), ids_.data(), columns_};
 }
 
-/// Without a branch for each pixel.
 void ItemBuffer::find_runs() {
     const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kSpanLanes;
     ids_[pixels] = -1;  // ends the last
-    ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
-    std::uint32_t* end = ends_.data();
-    for (std::uint32_t i = 0; i < pixels; ++i) {
-        *end = i + 1;
-        end += ids_[i] != ids_[i + 1] ? 1 : 0;
-    }
-    run_count_ = static_cast<std::size_t>(end - ends_.data());
+    ends_.resize(std::max(ends_.size(), ids_.size()));
+    run_count_ = draw_.run_ends(ids_.data(), pixels, ends_.data());
 }
 
+/// Without a branch for each image: which of them are seen can't be foreseen.
 void ItemBuffer::list_items() {
     counts_.assign(images_.size(), 0);
     for_each_run([&](const Run& run) { counts_[run.id] += run.count; });
+    items_.resize(images_.size());
+    std::size_t size = 0;
     for (std::uint32_t id = 1; id < images_.size(); ++id) {
-        if (counts_[id] > 0) {
-            const std::uint32_t triangle = images_[id].triangle;
-            items_.push_back({triangle, id, counts_[id], scene_.cosine(triangle, direction_)});
-        }
+        items_[size] = {images_[id].triangle, id, counts_[id], cosines_[id]};
+        size += counts_[id] > 0 ? 1 : 0;
     }
+    items_.resize(size);
 }
 
 void ItemBuffer::add_sensor(std::uint32_t triangle) {

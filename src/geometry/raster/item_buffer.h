@@ -142,8 +142,9 @@ class ItemBuffer {
     std::vector<PixelSpan> spans_;     // scratch, of one triangle
     std::vector<std::uint32_t> ends_;  // of runs, and room for more
     std::size_t run_count_ = 0;
-    std::vector<Image> images_;   // the first stands for nothing
-    std::vector<Places> places_;  // by image, if they are kept
+    std::vector<Image> images_;    // the first stands for nothing
+    std::vector<double> cosines_;  // by image
+    std::vector<Places> places_;   // by image, if they are kept
     std::vector<std::uint32_t> counts_;
     std::vector<Item> items_;
 };

@@ -57,6 +57,8 @@ struct BeamAxis {
     double offset = 0;
 };
 
+struct StoredBlock;
+
 /// A scene as beams see it.
 struct ProjectedScene {
     const LocalMesh* mesh = nullptr;
@@ -65,6 +67,7 @@ struct ProjectedScene {
     std::span<const Vec3> outline = {};  ///< points whose hull holds the scene; empty: vertices
     /// Asked while a beam is prepared, which of a million triangles takes long.
     const std::stop_token* stop = nullptr;
+    std::span<const StoredBlock> blocks = {};  ///< stored_blocks() of it, where they are worth it
 
     /// @throws StopRequested  if a stop was requested
     void check_stop() const {

@@ -140,6 +140,45 @@ bool set_block(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans&
     return touches;
 }
 
+/// Three numbers of some lanes, as Vec3.
+struct Vectors {
+    Vector x, y, z;
+};
+
+Vector dot(const Vectors& a, const Vectors& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+Vectors cross(const Vectors& a, const Vectors& b) {
+    return {
+        hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+        hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+        hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+/// From the first corner of a triangle to another.
+Vectors side(const TriangleBlock& corners, std::size_t to, std::size_t lane) {
+    const auto along = [&](std::size_t i) {
+        return hn::Sub(
+            hn::Load(kNumbers, &corners.at[to][i][lane]),
+            hn::Load(kNumbers, &corners.at[0][i][lane]));
+    };
+    return {along(0), along(1), along(2)};
+}
+
+void block_cosines(const TriangleBlock& corners, const Vec3& direction, double* to) {
+    const Vectors along{
+        hn::Set(kNumbers, direction.x), hn::Set(kNumbers, direction.y),
+        hn::Set(kNumbers, direction.z)};
+    for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
+        const Vectors up = cross(side(corners, 1, lane), side(corners, 2, lane));
+        const auto size = hn::Sqrt(dot(up, up));
+        const auto is_seen = hn::Gt(size, hn::Zero(kNumbers));
+        const auto cosine = hn::Div(dot(up, along), size);
+        hn::StoreU(hn::IfThenElseZero(is_seen, cosine), kNumbers, to + lane);
+    }
+}
+
 /// x modulo n of whole numbers.
 Vector wrapped(Vector x, double n) {
     const auto size = hn::Set(kNumbers, n);
@@ -337,7 +376,7 @@ std::size_t place_spans(
 }
 
 SpanLoops span_loops() {
-    return {&set_block, &next_rows, &place_spans};
+    return {&set_block, &block_cosines, &next_rows, &place_spans};
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ inline constexpr std::size_t kBlockLanes = 8;
 /// Rows of a block that are drawn at one go.
 inline constexpr std::size_t kBlockRows = 8;
 
-/// Corners of a block of triangles, local coordinates: [corner][x, y or z][lane]. Lanes that are
-/// left at 0 cover nothing.
+/// Corners of a block of triangles, local coordinates: [corner][x, y or z][lane]. Lanes that are 0
+/// cover nothing.
 struct alignas(64) TriangleBlock {
-    double at[3][3][kBlockLanes] = {};
+    double at[3][3][kBlockLanes];
 
     void set(std::size_t lane, const LocalMesh& mesh, std::uint32_t triangle) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -99,6 +99,9 @@ struct LinePlaces {
 struct SpanLoops {
     /// Sets all but the spans. False if no triangle touches a row.
     bool (*set)(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans);
+    /// dot(unit normal of the upper side of each triangle, direction), 0 if it has no area: as
+    /// ProjectedScene::cosine() has it.
+    void (*cosines)(const TriangleBlock& corners, const Vec3& direction, double* to);
     /// Finds the spans of the next kBlockRows rows of each triangle; false if there are no more
     /// rows.
     bool (*next)(const RasterGrid& grid, BlockSpans& spans);

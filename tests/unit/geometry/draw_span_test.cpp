@@ -148,5 +148,30 @@ TEST(DrawSpan, DrawsTheRowsOfABlock) {
     });
 }
 
+/// In whole blocks of pixels, and in what is left of the last.
+TEST(RunEnds, AreWhereTheNextIdIsAnother) {
+    std::mt19937 random(2);
+    for (const std::uint32_t count : {0U, 1U, 63U, 64U, 65U, 200U, 1000U}) {
+        for (const std::uint32_t change : {1U, 3U, 90U}) {  // every so manieth pixel
+            std::vector<std::int32_t> ids(count + kSpanLanes, 0);
+            for (std::uint32_t i = 1; i < count; ++i) {
+                ids[i] = ids[i - 1] + (random() % change == 0 ? 1 : 0);
+            }
+            ids[count] = -1;
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                if (ids[i] != ids[i + 1]) {
+                    expected.push_back(i + 1);
+                }
+            }
+            for_each_vector_unit([&] {
+                std::vector<std::uint32_t> ends(count + kSpanLanes);
+                ends.resize(best_draw_loops().run_ends(ids.data(), count, ends.data()));
+                EXPECT_EQ(ends, expected) << count;
+            });
+        }
+    }
+}
+
 }  // namespace
 }  // namespace quasimc
