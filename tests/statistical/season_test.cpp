@@ -15,7 +15,7 @@
 namespace quasimc::test {
 namespace {
 
-constexpr std::uint32_t kLeaves = 30;
+constexpr std::uint32_t kLeaves = 16;
 constexpr std::size_t kBands = 2;
 
 /// Leaves over a ground, dark in one band and bright in the other.
