@@ -10,6 +10,9 @@ namespace {
 
 /// What a path is worth: about the time that light tracing takes for one.
 constexpr double kStretchesPerPath = 16;
+/// ... and, times the fourth power of the mean albedo, more where much is scattered again and
+/// again: it is most of the error, which for dark surfaces is in direct light as well.
+constexpr double kMoreOfBright = 0.85;
 /// A patch is met so often in all steps together; with less, fewer patches would do as well. Of
 /// very many stretches patches get more: then there are more directions too, which are what is left
 /// of the error.
@@ -34,6 +37,10 @@ constexpr double kFewestInGroup = 8, kFewestOfWeak = 4, kMostInGroup = 4096;
 /// Of all stretches, times the albedo, those of single orders: their noise is seen through the last
 /// step alone, where organs get light of very many patches, and less of it the darker they are.
 constexpr double kForOrders = 0.3;
+/// ... and the last step has as many stretches as they have at least: of few paths and bright
+/// surfaces there are many orders, each with its fewest, and what is left of the error is in the
+/// last step. With twice as many, what patches get wrong beside stems shows beside so little noise.
+constexpr double kLastOverOrders = 1;
 /// Of the mean albedo, what goes on to the next order: the rest escapes.
 constexpr double kCaught = 0.75;
 
@@ -62,7 +69,8 @@ BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::ve
       area_(scene.area),
       passed_on_(passed_on_twice(scene.prepared.scene())),
       first_(std::move(first)) {
-    const double all = kStretchesPerPath * static_cast<double>(paths);
+    const double more = 1 + kMoreOfBright * std::pow(scene.mean_albedo, 4);
+    const double all = more * kStretchesPerPath * static_cast<double>(paths);
     const double for_orders = kForOrders * scene.mean_albedo;
     of_first_ = for_orders * all * (1 - kCaught * scene.mean_albedo);
     of_all_ = (1 - for_orders) * all;
@@ -73,28 +81,34 @@ BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::ve
         std::max({kMeetingsOfOrgan * organs, kMeetingsOfTriangle * triangles, kFewestOfDirection}));
 }
 
-BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint64_t key) const {
+BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint64_t key) {
     double part = 0;
     for (std::size_t c = 0; c < first_.size(); ++c) {
         part = std::max(part, first_[c] > 0 ? leaving[c] / first_[c] : 0);
     }
     const double strength = std::min(1.0, std::max(part, passed_on_));
-    return group(
-        {part * of_first_, strength * kFewestPerPatch * patches_,
-         std::max(kFewestOfWeak, kFewestInGroup * std::sqrt(strength)), key});
+    const Wanted wanted{
+        part * of_first_, strength * kFewestPerPatch * patches_,
+        std::max(kFewestOfWeak, kFewestInGroup * std::sqrt(strength)), key};
+    of_orders_ += stretches(wanted);
+    return group(wanted);
 }
 
 BundleGroup BundleBudget::of_all(std::uint64_t key) const {
-    return group({of_all_, kFewestPerPatch * patches_, kFewestInGroup, key});
+    const double fewest = std::max(kFewestPerPatch * patches_, kLastOverOrders * of_orders_);
+    return group({of_all_, fewest, kFewestInGroup, key});
+}
+
+double BundleBudget::stretches(const Wanted& wanted) {
+    return std::max(wanted.stretches, wanted.fewest);
 }
 
 BundleGroup BundleBudget::group(const Wanted& wanted) const {
-    const double stretches = std::max(wanted.stretches, wanted.fewest);
     const double directions =
-        std::clamp(stretches / of_direction_, wanted.fewest_directions, kMostInGroup);
+        std::clamp(stretches(wanted) / of_direction_, wanted.fewest_directions, kMostInGroup);
     const double even = 2 * std::round(directions / 2);
     // Along a direction surfaces look half as large, on average.
-    return {static_cast<std::uint32_t>(even), area_ / 2 * even / stretches, wanted.key};
+    return {static_cast<std::uint32_t>(even), area_ / 2 * even / stretches(wanted), wanted.key};
 }
 
 }  // namespace quasimc

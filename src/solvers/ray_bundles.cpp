@@ -130,7 +130,7 @@ class RayBundles final : public Solver {
             light.correct_areas(group.directions / (2 * group.line_area));
         };
         const std::vector<double> first = light.scatter(true);
-        const BundleBudget budget(cut_->scene, task.round.count, first);
+        BundleBudget budget(cut_->scene, task.round.count, first);
         std::vector<double> left = first;
         std::uint64_t order = 1;
         for (; !is_last(order, left, first); ++order) {

@@ -29,6 +29,7 @@ constexpr SamplingDensity kBrightBundleDensity{
     .lines_per_root = 12.8,
     .pixels_per_path = 160,
     .pixels_per_root = 320,
+    .most_over_root = 2,
     .cuts_per_path = 160,
     .paths_per_look = 2};
 /// So many times the pixels in each of as many directions.
@@ -84,6 +85,9 @@ constexpr std::uint32_t kFewestWhereCostly = 64;
 /// each. Of very many paths directions become less of the error than pixels are, and each gets
 /// more.
 constexpr double kFewestPerTriangle = 2;
+/// ... and where scattered light has small errors, so many for each in as many directions, if they
+/// are not too many more.
+constexpr double kWantedPerTriangle = 6;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
 /// Of a periodic scene none of them is empty.
@@ -261,24 +265,24 @@ void SamplingBudget::add_beams(
 }
 
 VisibilityTask SamplingBudget::skies_of(double paths) const {
-    const double pixels = pixels_for(paths);
-    const double directions = std::round(density_.pixels_per_path * paths / pixels);
+    const double directions = std::round(density_.pixels_per_path * paths / pixels_for(paths, 1));
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
         std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
     return {
         .is_sky = true,
         .count = count,
-        .pixels = pixels,
+        .pixels = pixels_for(paths, density_.most_over_root),
         .blocks = std::min(count, kDirectionBlocks)};
 }
 
-double SamplingBudget::pixels_for(double paths) const {
+double SamplingBudget::pixels_for(double paths, double most_over_root) const {
     const double triangles = prepared_.caster().mesh().triangle_count();
     const double share = prepared_.scene().cell().periodic() ? kShareOfLayer : 1;
     const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
-    const double pixels =
-        std::max(density_.pixels_per_root * std::sqrt(triangles), kFewestPerTriangle * triangles);
+    const double root = density_.pixels_per_root * std::sqrt(triangles);
+    const double wanted = std::clamp(kWantedPerTriangle * triangles, root, most_over_root * root);
+    const double pixels = std::max(wanted, kFewestPerTriangle * triangles);
     return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
 }
 

@@ -34,6 +34,7 @@ struct SamplingDensity {
     double lines_per_root = 0;  ///< of the number of paths
     double pixels_per_path = 0;
     double pixels_per_root = 0;  ///< of the number of triangles, along each direction of a sky
+    double most_over_root = 1;   ///< so many times that, where triangles would have few pixels
     double cuts_per_path = 0;    ///< images of triangles that the lines of a sun may cut
     /// Paths' light that a line may bring a typical organ where cuts leave fewer lines than usual.
     double paths_per_look = 0;
@@ -91,7 +92,8 @@ class SamplingBudget {
     [[nodiscard]] bool are_close(const VisibilityTask& task, double paths) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
     void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
-    [[nodiscard]] double pixels_for(double paths) const;
+    /// Along a direction. @param most_over_root  see SamplingDensity
+    [[nodiscard]] double pixels_for(double paths, double most_over_root) const;
 
     const PreparedScene& prepared_;
     const SkyDirections& skies_;

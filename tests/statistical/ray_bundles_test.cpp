@@ -67,7 +67,7 @@ TEST(RayBundles, ShareTheLightOfInfiniteSheetsAsTheAddingMethodHasIt) {
         "sheets in a narrow cell, sun at 78", .37, 5e-3,
         run(two_sheets(narrow), {sun(low, {facing})}, bundles(1 << 12)));
     check_two_sheets(
-        "sheets, uniform sky", 1, 1.5e-3, run(two_sheets(square), {sky({1})}, bundles(1 << 15)));
+        "sheets, uniform sky", 1, 1.5e-3, run(two_sheets(square), {sky({1})}, bundles(1 << 16)));
 }
 
 /// All light of a lamp stays in a closed box: walls receive 1 / (1 - rho) of it together.
@@ -89,7 +89,7 @@ TEST(RayBundles, LoseNothingInAClosedBox) {
     lamp.opening = {.kind = Opening::Kind::sphere, .radius = .4};
     lamp.pattern = cosine_pattern();
     lamp.flux = {6};
-    const Result result = run(scene, {make_lamp(lamp)}, bundles(1 << 13));
+    const Result result = run(scene, {make_lamp(lamp)}, bundles(1 << 14));
     double incident = 0;
     for (std::size_t i = 0; i < 6; ++i) {
         const Estimate& e = result.at(i, Quantity::incident_upper, 0);
