@@ -38,36 +38,17 @@ double paths_of(const BoundSource& light, const Round& round) {
 
 }  // namespace
 
-std::vector<VisibilityRole> visibility_roles(const PreparedScene& prepared) {
-    const RayCaster& caster = prepared.caster();
-    const std::uint32_t triangles = caster.mesh().triangle_count();
-    const bool repeats = prepared.scene().cell().periodic();
-    std::vector<VisibilityRole> roles;
-    for (std::uint32_t i = 0; (prepared.has_transparent() || repeats) && i < triangles; ++i) {
-        const bool image = repeats && i > 0 && caster.source(i) == caster.source(i - 1);
-        const bool sensor = prepared.material(prepared.region(i)).is_transparent();
-        roles.push_back(
-            image ? VisibilityRole::left_out
-                  : (sensor ? VisibilityRole::sensor : VisibilityRole::opaque));
-    }
-    return roles;
-}
-
 DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       spec_(input.spec),
       stop_(input.stop),
       skies_(input.prepared),
-      roles_(visibility_roles(input.prepared)),
-      scene_{
-          &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
-          prepared_.projection().outline(), &stop_},
-      budget_(input.prepared, skies_, scene_, input.spec.paths, scattered),
+      seen_(input.prepared, &stop_),
+      budget_(input.prepared, skies_, scene(), input.spec.paths, scattered),
       traced_(traced_lights(input.prepared, budget_)) {
     if (budget_.sees_skies()) {
-        blocks_ = stored_blocks(scene_);
-        scene_.blocks = blocks_;
+        seen_.store_blocks();
     }
 }
 
@@ -155,10 +136,10 @@ void DirectBeams::set_lines(
     const std::array<std::uint64_t, 3> key{work.number, work.replicate, work.round.first};
     if (scratch.lines_of != key) {
         scratch.lines.set(
-            scene_, {.direction = beam.direction,
-                     .rotation = sampler_.coordinate(placing, placing.first, 0),
-                     .shift = sampler_.coordinate(placing, placing.first, 1),
-                     .lines = work.task.count});
+            scene(), {.direction = beam.direction,
+                      .rotation = sampler_.coordinate(placing, placing.first, 0),
+                      .shift = sampler_.coordinate(placing, placing.first, 1),
+                      .lines = work.task.count});
         scratch.lines_of = key;
     }
 }
@@ -213,11 +194,8 @@ SumMeaning direct_beams_meaning(
     const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered) {
     SumMeaning meaning = light_tracing_meaning(prepared, spec);
     const SkyDirections skies(prepared);
-    const std::vector<VisibilityRole> roles = visibility_roles(prepared);
-    const ProjectedScene seen{
-        &prepared.caster().mesh(), prepared.projection().cell(), roles,
-        prepared.projection().outline(), nullptr};
-    const SamplingBudget budget(prepared, skies, seen, spec.paths, scattered);
+    const SeenScene seen(prepared);
+    const SamplingBudget budget(prepared, skies, seen.projected(), spec.paths, scattered);
     const Round first{0, spec.paths};
     std::vector<LightKind> counted;
     double of_line = 0;

@@ -8,16 +8,13 @@
 
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
-#include "geometry/raster/stored_blocks.h"
 #include "solvers/catalogue.h"
 #include "solvers/light_tracer.h"
 #include "solvers/path_vertices.h"
 #include "solvers/sampling_budget.h"
+#include "solvers/seen_scene.h"
 
 namespace quasimc {
-
-/// By triangle; empty if all are opaque.
-[[nodiscard]] std::vector<VisibilityRole> visibility_roles(const PreparedScene& prepared);
 
 /// Direct light of suns and skies, which geometry finds: where beams are placed, what they see, and
 /// its score. What becomes of what is lit is the solver's own.
@@ -46,7 +43,7 @@ class DirectBeams {
         ItemBuffer pixels;
     };
 
-    [[nodiscard]] const ProjectedScene& scene() const { return scene_; }
+    [[nodiscard]] const ProjectedScene& scene() const { return seen_.projected(); }
     [[nodiscard]] const SkyDirections& skies() const { return skies_; }
     [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
@@ -106,9 +103,7 @@ class DirectBeams {
     const RunSpec& spec_;
     std::stop_token stop_;
     SkyDirections skies_;
-    std::vector<VisibilityRole> roles_;
-    std::vector<StoredBlock> blocks_;  // if skies are looked at
-    ProjectedScene scene_;
+    SeenScene seen_;
     SamplingBudget budget_;
     TracedLights traced_;
 };

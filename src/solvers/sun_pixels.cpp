@@ -22,14 +22,10 @@ SunPixels::SunPixels(const SolverInput& input, double pixels)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       spec_(input.spec),
-      roles_(visibility_roles(input.prepared)),
       stop_(input.stop),
-      scene_{
-          &prepared_.caster().mesh(), prepared_.projection().cell(), roles_,
-          prepared_.projection().outline(), &stop_},
-      blocks_(stored_blocks(scene_)),
+      seen_(input.prepared, &stop_),
       pixels_(pixels) {
-    scene_.blocks = blocks_;
+    seen_.store_blocks();
 }
 
 SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
@@ -51,11 +47,12 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
         for (; point < first + count; ++point) {
             Look look = look_at(light, {stream, first, point});
             buffer.draw(
-                scene_, {.direction = look.direction,
-                         .rotation = sampler_.coordinate(stream, point, kPixelDimension),
-                         .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
-                         .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
-                         .pixels = std::max(kFewestOfBeam, pixels_ / count)});
+                seen_.projected(),
+                {.direction = look.direction,
+                 .rotation = sampler_.coordinate(stream, point, kPixelDimension),
+                 .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
+                 .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
+                 .pixels = std::max(kFewestOfBeam, pixels_ / count)});
             look.of_pixel *= buffer.pixel_area();
             score(look, buffer, found);
         }

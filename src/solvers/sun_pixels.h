@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/raster/item_buffer.h"
-#include "geometry/raster/stored_blocks.h"
+#include "solvers/seen_scene.h"
 #include "solvers/solver.h"
 
 namespace quasimc {
@@ -53,10 +53,8 @@ class SunPixels {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
-    std::vector<VisibilityRole> roles_;
     std::stop_token stop_;
-    ProjectedScene scene_;
-    std::vector<StoredBlock> blocks_;
+    SeenScene seen_;
     double pixels_;
 };
 

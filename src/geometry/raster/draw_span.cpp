@@ -100,11 +100,14 @@ void draw_rows(const DepthBuffer& to, const BlockSpans& spans, std::int32_t firs
     });
 }
 
-/// Bit i is set where ids[i + 1] is another than ids[i]; of 64.
+/// Bits of a word.
+constexpr std::uint32_t kBits = 64;
+
+/// Bit i is set where ids[i + 1] is another than ids[i].
 std::uint64_t changes_of(const std::int32_t* ids) {
     const hn::CappedTag<std::int32_t, 16> words;
     std::uint64_t changes = 0;
-    for (std::size_t i = 0; i < 64; i += hn::Lanes(words)) {
+    for (std::size_t i = 0; i < kBits; i += hn::Lanes(words)) {
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(
             words, hn::Ne(hn::LoadU(words, ids + i), hn::LoadU(words, ids + i + 1)), bits);
@@ -116,7 +119,7 @@ std::uint64_t changes_of(const std::int32_t* ids) {
 std::size_t run_ends(const std::int32_t* ids, std::uint32_t count, std::uint32_t* ends) {
     std::uint32_t* end = ends;
     std::uint32_t i = 0;
-    for (; i + 64 <= count; i += 64) {
+    for (; i + kBits <= count; i += kBits) {
         for (std::uint64_t left = changes_of(ids + i); left != 0; left &= left - 1) {
             *end++ = i + static_cast<std::uint32_t>(std::countr_zero(left)) + 1;
         }

@@ -33,8 +33,8 @@ struct DrawLoops {
         const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id);
     /// Draws the rows at hand of a block: its lanes are objects `first_id`, `first_id + 1`, ...
     void (*rows)(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id);
-    /// Writes the places behind which another id stands, of the first `count`; there must be room
-    /// for kSpanLanes more than there are pixels. @returns how many
+    /// Writes behind which of the first `count` ids another stands: the number of the other, which
+    /// ids[count] may be. There must be room for `count`. @returns how many
     std::size_t (*run_ends)(const std::int32_t* ids, std::uint32_t count, std::uint32_t* ends);
 };
 

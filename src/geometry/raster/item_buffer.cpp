@@ -51,13 +51,11 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     }
     const std::uint32_t triangles = scene.mesh->triangle_count();
     const bool is_open = !repeats_x_ && !repeats_y_;
-    for (std::uint32_t i = 0; is_open && i < triangles; i += kBlockLanes) {
+    for (std::uint32_t i = 0; i < triangles; i += is_open ? kBlockLanes : 1) {
         scene.check_stop();
-        draw_block(i);
-    }
-    for (std::uint32_t i = 0; !is_open && i < triangles; ++i) {
-        scene.check_stop();
-        if (scene.role(i) == VisibilityRole::opaque) {
+        if (is_open) {
+            draw_block(i);
+        } else if (scene.role(i) == VisibilityRole::opaque) {
             draw_opaque(i);
         }
     }
@@ -226,7 +224,7 @@ DepthBuffer ItemBuffer::buffer() {
 void ItemBuffer::find_runs() {
     const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kSpanLanes;
     ids_[pixels] = -1;  // ends the last
-    ends_.resize(std::max(ends_.size(), ids_.size()));
+    ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
     run_count_ = draw_.run_ends(ids_.data(), pixels, ends_.data());
 }
 

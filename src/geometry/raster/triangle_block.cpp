@@ -72,25 +72,22 @@ struct Plane {
     }
 };
 
-void set_gradients(
-    const Plane& plane,
-    const Vector (&depths)[3],
-    bool has_places,
-    std::size_t lane,
-    BlockSpans& spans) {
+void set_depths(
+    const Plane& plane, const Vector (&depths)[3], std::size_t lane, BlockSpans& spans) {
     plane.store(
         depths[0], hn::Sub(depths[1], depths[0]), hn::Sub(depths[2], depths[0]), lane, spans.depth);
-    if (has_places) {
-        const auto zero = hn::Zero(kNumbers);
-        const auto one = hn::Set(kNumbers, 1.0);
-        plane.store(zero, one, zero, lane, spans.u);
-        plane.store(zero, zero, one, lane, spans.v);
-    }
     hn::Store(plane.x, kNumbers, spans.first_x + lane);
     hn::Store(plane.y, kNumbers, spans.first_y + lane);
     hn::Store(depths[0], kNumbers, spans.first_depth + lane);
     hn::Store(hn::Min(depths[0], hn::Min(depths[1], depths[2])), kNumbers, spans.low_depth + lane);
     hn::Store(hn::Max(depths[0], hn::Max(depths[1], depths[2])), kNumbers, spans.high_depth + lane);
+}
+
+void set_places(const Plane& plane, std::size_t lane, BlockSpans& spans) {
+    const auto zero = hn::Zero(kNumbers);
+    const auto one = hn::Set(kNumbers, 1.0);
+    plane.store(zero, one, zero, lane, spans.u);
+    plane.store(zero, zero, one, lane, spans.v);
 }
 
 /// Some lanes of set(). @returns whether any of them touches a row
@@ -126,9 +123,12 @@ bool set_lanes(
     }
     hn::Store(twice_area, kNumbers, spans.twice_area + lane);
     set_sides(at[0], at[1], at[2], lane, spans);
-    set_gradients(
-        {ax, ay, bx, by, at[0].x, at[0].y, hn::Div(hn::Set(kNumbers, 1.0), twice_area)}, depths,
-        grid.has_places, lane, spans);
+    const Plane plane{
+        ax, ay, bx, by, at[0].x, at[0].y, hn::Div(hn::Set(kNumbers, 1.0), twice_area)};
+    set_depths(plane, depths, lane, spans);
+    if (grid.has_places) {
+        set_places(plane, lane, spans);
+    }
     return true;
 }
 
