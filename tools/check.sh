@@ -9,7 +9,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(test format layers scripts bench tidy docs asan tsan fuzz)
+all_steps=(test page format layers scripts bench tidy docs asan tsan fuzz)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -59,6 +59,11 @@ step_test() {
     else
         ./dev test
     fi
+}
+
+# The page in a browser, where there is one; ./dev test --full has done it.
+step_page() {
+    [[ -n $full ]] || ./dev test -L web
 }
 
 # What tools/new.py makes, a member of every family, builds and passes its tests.
