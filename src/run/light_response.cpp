@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/checks.h"
+#include "scene/repeat_bands.h"
 
 namespace quasimc {
 namespace {
@@ -11,14 +12,14 @@ namespace {
 /// Reads one replicate of sums.
 class ResponseReader {
   public:
-    ResponseReader(const Sums& sums, std::size_t first_band, const SumLayout& layout)
-        : sums_(sums), from_(sums.layout), to_(layout), places_(layout), first_(first_band) {
+    ResponseReader(const Sums& sums, std::size_t copy, const SumLayout& layout)
+        : sums_(sums), from_(sums.layout), to_(layout), places_(layout), copy_(copy) {
         const auto samples = static_cast<double>(sums.samples);
         for (std::size_t b = 0; b < to_.bands; ++b) {
-            flux_.push_back(sums.units.flux[first_ + b] / samples);
+            flux_.push_back(sums.units.flux[own(b)] / samples);
             spectra_.emplace_back();
             for (std::size_t s = 0; s < from_.spectra; ++s) {
-                if (sums.spectra[s][first_ + b] > 0) {
+                if (sums.spectra[s][own(b)] > 0) {
                     spectra_[b].push_back(s);
                 }
             }
@@ -45,6 +46,11 @@ class ResponseReader {
         return flux;
     }
 
+    /// Of the bands that the light has for itself.
+    [[nodiscard]] std::size_t own(std::size_t band) const {
+        return repeated_band(band, copy_, from_.bands / to_.bands);
+    }
+
   private:
     /// Of a sky a number of directions was drawn, which brought more or less than its light: in
     /// proportion to what they brought all of it is known better.
@@ -53,7 +59,7 @@ class ResponseReader {
         for (std::size_t b = 0; b < to_.bands; ++b) {
             const float drawn = flux[to_.emitted() + b];
             if (drawn > 0) {
-                factors[b] = static_cast<float>(sums_.emitted_flux[first_ + b]) / drawn;
+                factors[b] = static_cast<float>(sums_.emitted_flux[own(b)]) / drawn;
             }
         }
         const std::vector<BinPart> parts = bin_parts(to_);
@@ -83,13 +89,13 @@ class ResponseReader {
     }
     /// Of bins by band that begin at `first`.
     [[nodiscard]] double band(const ExactBins& bins, std::size_t first, std::size_t b) const {
-        return bins.value(first + first_ + b) * flux_[b];
+        return bins.value(first + own(b)) * flux_[b];
     }
     /// Of bins by spectrum that begin at `first`.
     [[nodiscard]] double direct(const ExactBins& bins, std::size_t first, std::size_t b) const {
         double sum = 0;
         for (const std::size_t s : spectra_[b]) {
-            sum += bins.value(first + s) * sums_.spectra[s][first_ + b];
+            sum += bins.value(first + s) * sums_.spectra[s][own(b)];
         }
         return sum * flux_[b];
     }
@@ -97,7 +103,7 @@ class ResponseReader {
     const Sums& sums_;
     const SumLayout &from_, &to_;
     BinPlaces places_;
-    std::size_t first_;
+    std::size_t copy_;
     std::vector<double> flux_;                       // per band, of a unit
     std::vector<std::vector<std::size_t>> spectra_;  // per band, those with light in it
     double sunlit_;
@@ -127,15 +133,16 @@ std::vector<float> bins_of_suns(const SunLight& light, const SumLayout& layout) 
 
 }  // namespace
 
-LightResponse read_response(const Sums& sums, std::size_t first_band, const SumLayout& layout) {
+LightResponse read_response(const Sums& sums, std::size_t copy, const SumLayout& layout) {
     EXPECT(sums.layout.patch_levels == PatchLevels::two && sums.units.region_scale.empty());
-    const ResponseReader reader(sums, first_band, layout);
+    const ResponseReader reader(sums, copy, layout);
     LightResponse response;
     for (const ExactBins& bins : sums.replicates) {
         response.bins.push_back(reader.read(bins));
     }
-    const auto first = sums.emitted_flux.begin() + static_cast<std::ptrdiff_t>(first_band);
-    response.emitted.assign(first, first + static_cast<std::ptrdiff_t>(layout.bands));
+    for (std::size_t b = 0; b < layout.bands; ++b) {
+        response.emitted.push_back(sums.emitted_flux[reader.own(b)]);
+    }
     return response;
 }
 

@@ -16,9 +16,10 @@ struct LightResponse {
     std::vector<double> emitted;  ///< flux into the scene, per band
 };
 
-/// Reads from sums what those lights bring that have the bands from `first_band` on for themselves.
+/// Reads what those lights bring that have one copy of all bands for themselves.
+/// @param sums  of with_repeated_bands()
 [[nodiscard]] LightResponse read_response(
-    const Sums& sums, std::size_t first_band, const SumLayout& layout);
+    const Sums& sums, std::size_t copy, const SumLayout& layout);
 
 /// What comes straight from suns.
 /// @param replicates  what each sees

@@ -161,7 +161,9 @@ class SeasonBasis::Solving {
         const Light& light, std::size_t place, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();
         std::vector<double> spectrum(bands * count);
-        std::fill_n(spectrum.begin() + static_cast<std::ptrdiff_t>(place * bands), bands, 1.0);
+        for (std::size_t b = 0; b < bands; ++b) {
+            spectrum[repeated_band(b, place, count)] = 1;
+        }
         return light.to_light
                    ? make_directional_source("beam", -1 * *light.to_light, std::move(spectrum))
                    : make_sky("sky", light.shape, std::move(spectrum));
@@ -184,7 +186,7 @@ class SeasonBasis::Solving {
         const Sums sums = simulator_.sums(repeated, sources, spec_, 0, {}, own);
         basis_.rays_ += count_rays(sums);
         for (std::size_t i = 0; i < count; ++i) {
-            *lights_[first + i].to = read_response(sums, i * scene_.bands().size(), basis_.layout_);
+            *lights_[first + i].to = read_response(sums, i, basis_.layout_);
         }
     }
 

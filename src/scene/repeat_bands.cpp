@@ -11,9 +11,10 @@ namespace {
 Side repeated(const Side& side, std::size_t bands, std::size_t times) {
     std::vector<Lobe> lobes = side.lobes();
     for (Lobe& lobe : lobes) {
-        const std::vector<double> once = lobe.albedo;
-        for (std::size_t i = 1; i < times; ++i) {
-            lobe.albedo.insert(lobe.albedo.end(), once.begin(), once.end());
+        const std::vector<double> once = std::move(lobe.albedo);
+        lobe.albedo.clear();
+        for (const double albedo : once) {
+            lobe.albedo.insert(lobe.albedo.end(), times, albedo);
         }
     }
     return Side(lobes, bands * times);
@@ -25,10 +26,10 @@ Scene with_repeated_bands(const Scene& scene, std::size_t times) {
     Scene repeat = scene;
     const std::size_t bands = scene.bands().size();
     repeat.bands_.clear();
-    for (std::size_t i = 0; i < times; ++i) {
-        for (Band band : scene.bands()) {
-            band.name = fmt::format("{} {}", band.name, i);
-            repeat.bands_.push_back(std::move(band));
+    for (const Band& band : scene.bands()) {
+        for (std::size_t i = 0; i < times; ++i) {
+            repeat.bands_.push_back(band);
+            repeat.bands_.back().name = fmt::format("{} {}", band.name, i);
         }
     }
     repeat.materials_.clear();

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/raster/columns.h"
+#include "solvers/kept_lines.h"
 #include "solvers/patch_light.h"
 
 namespace quasimc {
@@ -53,18 +53,36 @@ class BundleExchange {
         const BundleGroup& group, unsigned threads, PatchLight& light, const Tell& tell);
 
   private:
+    /// A direction, and the flux that one of its lines takes from a patch of exitance 1.
+    struct Beam {
+        Vec3 direction;
+        double weight = 0;
+    };
+    /// What becomes of the lines of a direction.
+    struct Found {
+        explicit Found(std::size_t columns) : forwards(columns), backwards(columns) {}
+        std::vector<double> forwards, backwards;  // escaped, by column
+        std::vector<std::uint32_t> ends;          // see OnEnds
+    };
+
+    struct Pack {
+        std::size_t index = 0;
+        bool finds_ends = false;
+    };
+
     void exchange_along(
-        const Columns& lines,
-        const Vec3& direction,
-        double weight,
-        PatchLight& light,
-        const Tell& tell);
+        const Columns& lines, const Beam& beam, PatchLight& light, const Tell& tell);
+    void exchange_kept(unsigned threads, PatchLight& light, const Tell& tell);
+    template <typename Lines>
+    void exchange_pack(
+        const Lines& lines, const Beam& beam, const Pack& pack, PatchLight& light, Found& found);
+    static void tell_found(const Beam& beam, const Found& found, const Tell& tell);
 
     const PatchScene& patches_;
     const ProjectedScene& seen_;
     std::vector<std::unique_ptr<Columns>> columns_;  // of each thread
-    std::vector<double> forwards_, backwards_;       // escaped, by column
-    std::vector<std::uint32_t> ends_;                // scratch, see OnEnds
+    KeptLines kept_;
+    std::vector<Beam> beams_;  // whose lines are kept
 };
 
 }  // namespace quasimc

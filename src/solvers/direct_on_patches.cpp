@@ -48,13 +48,17 @@ constexpr std::uint32_t kLaidDirections = 4, kLaidOnDark = 8;
 /// hold has come from memory, for which each addition would wait.
 class LateAdds {
   public:
-    LateAdds(PatchLight& light, const LitBands& bands) : light_(light), bands_(bands) {}
+    LateAdds(PatchLight& light, std::span<const LitBands> lit) : light_(light), lit_(lit) {}
 
     void add(std::uint32_t patch, SurfaceSide side, double amount) {
-        light_.sides().fetch(patch);
+        for (const LitBands& bands : lit_) {
+            light_.sides(bands.pack)
+                .fetch_incident(
+                    std::size_t{2} * patch + index_of(side), bands.first, bands.weights.size());
+        }
         Add& place = adds_[told_ % kLate];
         if (told_++ >= kLate) {
-            light_.add_direct(place.patch, place.side, place.amount, bands_);
+            light_.add_direct(place.patch, place.side, place.amount, lit_);
         }
         place = {patch, side, amount};
     }
@@ -62,7 +66,7 @@ class LateAdds {
     void finish() {
         for (std::size_t i = told_ > kLate ? told_ - kLate : 0; i < told_; ++i) {
             const Add& place = adds_[i % kLate];
-            light_.add_direct(place.patch, place.side, place.amount, bands_);
+            light_.add_direct(place.patch, place.side, place.amount, lit_);
         }
         told_ = 0;
     }
@@ -75,7 +79,7 @@ class LateAdds {
         double amount = 0;
     };
     PatchLight& light_;
-    LitBands bands_;
+    std::span<const LitBands> lit_;
     std::array<Add, kLate> adds_{};
     std::size_t told_ = 0;
 };
@@ -123,22 +127,26 @@ void DirectOnPatches::find_by_lines(
         beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
     const double per_length = beam.paths * lines.area() / beam.area;
     const LaidLooks laid(beams_.stream_of(work, 0), work.task.count, kLaidLines);
+    const std::vector<LitBands> lit = lit_bands(light.packs(), beam.light->start_weights);
     auto line = static_cast<std::uint32_t>(work.block) * ScanLines::kStrip;
     lines.begin(static_cast<std::uint32_t>(work.block));
     for (; lines.next(); ++line) {
         throw_if_stopped(stop_);
         if (laid.share(line) > 0) {
-            lay_line(beam, laid.share(line) * per_length, scratch, light);
+            lay_line(beam, laid.share(line) * per_length, lit, scratch, light);
         }
     }
     beams_.score_lines(work, share, per_length, lines, tally);
 }
 
 void DirectOnPatches::lay_line(
-    const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const {
+    const Beam& beam,
+    double per_length,
+    std::span<const LitBands> lit,
+    Scratch& scratch,
+    PatchLight& light) const {
     const ScanLines& lines = scratch.beams.lines;
     const LocalMesh& mesh = prepared_.caster().mesh();
-    const LitBands bands = lit_bands(beam.light->start_weights);
     for (const LinePiece& piece : lines.pieces()) {
         const ScanLines::Item& item = lines.items()[piece.segment];
         if (prepared_.material(prepared_.region(item.triangle)).is_transparent() ||
@@ -151,7 +159,7 @@ void DirectOnPatches::lay_line(
         patches_.patches.cut(
             item.triangle, lines.place(piece, 0), lines.place(piece, 1), scratch.stretches,
             [&](std::uint32_t patch, double share) {
-                light.add_direct(patch, side, amount * share, bands);
+                light.add_direct(patch, side, amount * share, lit);
             });
     }
 }
@@ -188,7 +196,8 @@ void DirectOnPatches::find_by_pixels(
         }
         if (paths > 0 && share > 0) {
             lay_pixels(
-                from.direction, scratch.beams.pixels, laid.rows(i), lit_bands(weights), light);
+                from.direction, scratch.beams.pixels, laid.rows(i),
+                lit_bands(light.packs(), weights), light);
         }
         beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
         open.add_seen(scratch.beams.pixels, from, work.task.count);
@@ -204,12 +213,12 @@ void DirectOnPatches::score_pixels(const Beam& beam, const ItemBuffer& pixels, T
     direct.add_escaped();
 }
 
-/// @param bands  what a pixel brings
+/// @param lit  what a pixel brings
 void DirectOnPatches::lay_pixels(
     const Vec3& direction,
     const ItemBuffer& pixels,
     const LaidRows& laid,
-    const LitBands& bands,
+    std::span<const LitBands> lit,
     PatchLight& light) const {
     struct Seen {
         const ItemBuffer::Item* item = nullptr;
@@ -222,7 +231,7 @@ void DirectOnPatches::lay_pixels(
             by_id[item.id] = {&item, mesh.exact_share(item.triangle, direction)};
         }
     }
-    LateAdds adds(light, bands);
+    LateAdds adds(light, lit);
     pixels.for_each_run_of_rows(laid.first, laid.of, [&](const ItemBuffer::RowRun& run) {
         const Seen& seen = by_id[run.id];
         if (seen.item == nullptr) {
@@ -251,6 +260,10 @@ void DirectOnPatches::lay_pixels(
 void DirectOnPatches::trace(
     const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const {
     const Stream stream{spec_.seed, 0, replicate, round.first, round.count};
+    std::vector<std::vector<LitBands>> lit;
+    for (const BoundSource& source : prepared_.lights()) {
+        lit.push_back(lit_bands(light.packs(), source.start_weights));
+    }
     std::uint64_t rays = 0;
     for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
         throw_if_stopped(stop_);
@@ -262,7 +275,7 @@ void DirectOnPatches::trace(
         const auto u = [&](std::uint32_t i) { return sampler_.coordinate(stream, point, i); };
         const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
         if (start.weight > 0) {
-            rays += trace_path(source, start, light, tally);
+            rays += trace_path(source, start, lit[pick.index], light, tally);
         }
     }
     tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
@@ -270,7 +283,11 @@ void DirectOnPatches::trace(
 
 /// @returns the rays cast
 std::uint64_t DirectOnPatches::trace_path(
-    const BoundSource& source, const Emission& start, PatchLight& light, Tally& tally) const {
+    const BoundSource& source,
+    const Emission& start,
+    std::span<const LitBands> lit,
+    PatchLight& light,
+    Tally& tally) const {
     const SumLayout& layout = tally.layout();
     const RayCaster& caster = prepared_.caster();
     tally.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
@@ -287,10 +304,10 @@ std::uint64_t DirectOnPatches::trace_path(
             const bool is_sunlit =
                 source.lit_area > 0 && surface.cosine > 0 &&
                 prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
-            const double lit = is_sunlit ? source.lit_area / surface.cosine : 0;
+            const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
             tally.add(
                 layout.sunlit(surface.region),
-                to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * lit));
+                to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
         }
         if (!prepared_.material(surface.region).is_transparent()) {
             tally.add_signed(
@@ -298,8 +315,7 @@ std::uint64_t DirectOnPatches::trace_path(
                 to_fixed(start.weight) - to_fixed(amount));
             const std::uint32_t triangle = patches_.representative(surface.triangle);
             light.add_direct(
-                patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side, amount,
-                lit_bands(source.start_weights));
+                patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side, amount, lit);
             return rays;
         }
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);

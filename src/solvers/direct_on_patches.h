@@ -39,7 +39,12 @@ class DirectOnPatches {
     using Beam = DirectBeams::Beam;
 
     void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
-    void lay_line(const Beam& beam, double per_length, Scratch& scratch, PatchLight& light) const;
+    void lay_line(
+        const Beam& beam,
+        double per_length,
+        std::span<const LitBands> lit,
+        Scratch& scratch,
+        PatchLight& light) const;
     void find_by_pixels(
         const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const;
     void score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const;
@@ -47,11 +52,15 @@ class DirectOnPatches {
         const Vec3& direction,
         const ItemBuffer& pixels,
         const LaidRows& laid,
-        const LitBands& bands,
+        std::span<const LitBands> lit,
         PatchLight& light) const;
     void trace(const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const;
     std::uint64_t trace_path(
-        const BoundSource& source, const Emission& start, PatchLight& light, Tally& tally) const;
+        const BoundSource& source,
+        const Emission& start,
+        std::span<const LitBands> lit,
+        PatchLight& light,
+        Tally& tally) const;
 
     const PreparedScene& prepared_;
     const Sampler& sampler_;

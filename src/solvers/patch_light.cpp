@@ -1,12 +1,9 @@
 #include "solvers/patch_light.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/checks.h"
-#include "quasimc/error.h"
 #include "solvers/for_bands.h"
-#include "solvers/patch_size.h"
 
 namespace quasimc {
 namespace {
@@ -15,154 +12,18 @@ namespace {
 /// it is not met at all.
 constexpr double kFewestMeetings = 10;
 
-double area_of(const PreparedScene& prepared, std::uint32_t triangle) {
-    return length(prepared.caster().mesh().across(triangle)) / 2;
-}
-
-bool is_image(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
-    return !roles.empty() && roles[triangle] == VisibilityRole::left_out;
-}
-
-bool is_sensor(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
-    return !roles.empty() && roles[triangle] == VisibilityRole::sensor;
-}
-
-PatchOptics optics_of(const Side& side, std::size_t bands) {
-    PatchOptics optics{std::vector<double>(bands), std::vector<double>(bands)};
-    for (const Lobe& lobe : side.lobes()) {
-        const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
-        for (std::size_t b = 0; b < bands; ++b) {
-            (is_reflected ? optics.reflected : optics.transmitted)[b] += lobe.albedo[b];
-        }
-    }
-    return optics;
-}
-
-/// Which triangle stands for all images of one, by triangle; empty: each for itself.
-std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
-    std::vector<std::uint32_t> found;
-    if (prepared.scene().cell().periodic()) {
-        const RayCaster& caster = prepared.caster();
-        for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
-            const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
-            found.push_back(image ? found.back() : i);
-        }
-    }
-    return found;
-}
-
-/// Where surfaces cross those that light leaves, on the triangles that have patches.
-std::vector<SurfaceCrossing> crossings_of(
-    const PreparedScene& prepared, const std::stop_token& stop) {
-    const SurfaceCrossings& all = prepared.caster().crossings(stop);
-    if (all.gave_up) {
-        throw InputError({{
-            "method",
-            "ray_bundles, where very many triangles cross each other, or their boxes overlap",
-            "patches are cut where surfaces cross, which would take too long",
-            "use method = \"first_hits\"",
-        }});
-    }
-    const auto is_sensor = [&](std::uint32_t triangle) {
-        return prepared.has_transparent() &&
-               prepared.material(prepared.region(triangle)).is_transparent();
-    };
-    const std::vector<std::uint32_t> representatives = find_representatives(prepared);
-    std::vector<SurfaceCrossing> crossings;
-    for (SurfaceCrossing crossing : all.found) {
-        if (!is_sensor(crossing.triangle) && !is_sensor(crossing.other)) {
-            crossing.triangle =
-                representatives.empty() ? crossing.triangle : representatives[crossing.triangle];
-            crossings.push_back(crossing);
-        }
-    }
-    return crossings;
-}
-
 }  // namespace
-
-Patches make_patches(
-    const PreparedScene& prepared,
-    std::span<const VisibilityRole> roles,
-    double most,
-    const std::stop_token& stop) {
-    const LocalMesh& mesh = prepared.caster().mesh();
-    const std::uint32_t triangles = mesh.triangle_count();
-    double area = 0;
-    for (std::uint32_t i = 0; i < triangles; ++i) {
-        area += is_image(roles, i) ? 0 : area_of(prepared, i);
-    }
-    const double usual = area * patch_size(prepared.scene(), most).part;
-    std::vector<std::uint8_t> levels;
-    levels.reserve(triangles);
-    for (std::uint32_t i = 0; i < triangles; ++i) {
-        const double own = area_of(prepared, i);
-        if (is_image(roles, i) || !(own > 0)) {
-            levels.push_back(Patches::kNone);
-        } else if (is_sensor(roles, i)) {
-            levels.push_back(0);  // no light leaves it
-        } else {
-            levels.push_back(static_cast<std::uint8_t>(patch_level(own, usual)));
-        }
-    }
-    return Patches(std::move(levels), crossings_of(prepared, stop));
-}
-
-PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut)
-    : prepared(scene), patches(std::move(cut)) {
-    const std::size_t bands = prepared.bands();
-    for (const Material& material : prepared.scene().materials()) {
-        for (const SurfaceSide side : kSurfaceSides) {
-            optics.push_back(
-                material.is_transparent()
-                    ? PatchOptics{std::vector<double>(bands), std::vector<double>(bands)}
-                    : optics_of(material.side(side), bands));
-        }
-    }
-    const LocalMesh& mesh = prepared.caster().mesh();
-    const std::uint32_t triangles = patches.triangles();
-    representatives = find_representatives(prepared);
-    std::vector<double> scattered(bands);
-    std::vector<float> least_cosines;
-    for (std::uint32_t i = 0; i < triangles; ++i) {
-        if (prepared.has_narrow()) {
-            least_cosines.push_back(static_cast<float>(prepared.least_cosine(prepared.region(i))));
-        }
-        if (!patches.has(i)) {
-            continue;
-        }
-        const double own = area_of(prepared, i);
-        const PrimitiveInfo info = prepared.primitive(i);
-        surfaces.push_back(
-            {i, info.region, info.material, own, length(mesh.exact_across(i)) / (2 * own),
-             is_sensor(seen.roles, i)});
-        area += own;
-        for (std::size_t b = 0; b < bands; ++b) {
-            for (const SurfaceSide side : kSurfaceSides) {
-                const PatchOptics& o = of(info.material, side);
-                scattered[b] += own / 2 * (o.reflected[b] + o.transmitted[b]);
-            }
-        }
-    }
-    drawn = column_triangles(seen, patches, least_cosines);
-    mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
-}
-
-LitBands lit_bands(std::span<const double> weights) {
-    const auto is_lit = [](double weight) { return weight != 0; };
-    const auto first = std::find_if(weights.begin(), weights.end(), is_lit);
-    const auto last = std::find_if(weights.rbegin(), weights.rend(), is_lit).base();
-    const auto before = static_cast<std::size_t>(first - weights.begin());
-    return {
-        before, first < last ? std::span<const double>(first, last) : std::span<const double>()};
-}
 
 PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
+      patches_(scene.patches.count()),
       bands_(scene.prepared.bands()),
       columns_(2 * bands_),
-      lines_(std::max<std::size_t>(1, scene.patches.count()) * bands_),
-      kept_(std::size_t{2} * scene.patches.count() * columns_),
+      packs_(band_packs(bands_)),
+      rests_(packs_.size()),
+      leaving_(columns_),
+      lines_(std::max<std::size_t>(1, patches_) * bands_),
+      kept_(2 * patches_ * columns_),
       sums_(2 * scene.prepared.scene().regions().size() * columns_),
       found_areas_(scene.surfaces.size()),
       region_areas_(scene.prepared.scene().regions().size()),
@@ -204,6 +65,7 @@ void PatchLight::correct_areas(double lines_per_area) {
 }
 
 void PatchLight::clear() {
+    std::fill(rests_.begin(), rests_.end(), false);
     std::fill(found_areas_.begin(), found_areas_.end(), 0);
     std::fill(lines_.begin(), lines_.end(), CacheLine{});
     std::fill(kept_.begin(), kept_.end(), 0);
@@ -211,25 +73,49 @@ void PatchLight::clear() {
 }
 
 void PatchLight::add_direct(
-    std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands) {
-    double* to = sides().incident(std::size_t{2} * patch + index_of(side)) + bands.first;
-    for (std::size_t i = 0; i < bands.weights.size(); ++i) {
-        to[i] += amount * bands.weights[i];
+    std::uint32_t patch, SurfaceSide side, double amount, std::span<const LitBands> lit) {
+    for (const LitBands& bands : lit) {
+        const std::size_t at = std::size_t{2} * patch + index_of(side);
+        double* to = sides(bands.pack).incident(at) + bands.first;
+        for (std::size_t i = 0; i < bands.weights.size(); ++i) {
+            to[i] += amount * bands.weights[i];
+        }
     }
 }
 
-std::vector<double> PatchLight::scatter(bool is_direct) {
-    std::vector<double> scattered(columns_);
+const std::vector<double>& PatchLight::scatter(bool is_direct) {
     if (is_direct) {
         copy_to_coarse();
     }
-    for_bands(bands_, [&]<std::size_t kBands>() { scatter_all<kBands>(is_direct, scattered); });
-    return scattered;
+    std::vector<double> scattered;
+    for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+        if (rests(pack)) {
+            continue;
+        }
+        scattered.assign(2 * packs_[pack].bands, 0);
+        for_bands(packs_[pack].bands, [&]<std::size_t kBands>() {
+            scatter_pack<kBands>(pack, is_direct, scattered);
+        });
+        for (std::size_t i = 0; i < scattered.size(); ++i) {
+            leaving_[column(pack, i)] = scattered[i];
+        }
+    }
+    return leaving_;
+}
+
+void PatchLight::rest(const std::vector<bool>& is_little) {
+    for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+        bool is_all = true;
+        for (std::size_t i = 0; i < 2 * packs_[pack].bands; ++i) {
+            is_all = is_all && is_little[column(pack, i)];
+        }
+        rests_[pack] = rests_[pack] || is_all;
+    }
 }
 
 template <std::size_t kBands>
-void PatchLight::scatter_all(bool is_direct, std::vector<double>& scattered) {
-    const PatchScatter<kBands> each(sides(), kept_.data());
+void PatchLight::scatter_pack(std::size_t pack, bool is_direct, std::span<double> scattered) {
+    const PatchScatter<kBands> each(sides(pack), packs_[pack].first, kept(pack));
     for (const PatchScene::Surface& surface : scene_.surfaces) {
         const std::uint32_t first = scene_.patches.first(surface.triangle);
         const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
@@ -253,36 +139,56 @@ void PatchLight::scatter_all(bool is_direct, std::vector<double>& scattered) {
 }
 
 void PatchLight::send_all_kept() {
-    for (std::size_t side = 0; side < side_count(); ++side) {
-        std::copy_n(&kept_[side * columns_], columns_, sides().exitance(side));
+    std::fill(rests_.begin(), rests_.end(), false);
+    for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+        const PatchSides<0> to = sides(pack);
+        const double* from = kept(pack);
+        for (std::size_t side = 0; side < side_count(); ++side) {
+            std::copy_n(from + side * to.columns(), to.columns(), to.exitance(side));
+        }
     }
 }
 
 std::vector<double> PatchLight::collect() {
     std::vector<double> passed_by(columns_);
-    for (const PatchScene::Surface& surface : scene_.surfaces) {
-        const double correction = corrections_[surface.region];
-        const double share = correction * surface.exact_share;
-        const double missing = surface.is_sensor ? 0 : correction - share;
-        const std::size_t end = std::size_t{2} * scene_.patches.first(surface.triangle + 1);
-        for (std::size_t side = std::size_t{2} * scene_.patches.first(surface.triangle); side < end;
-             ++side) {
-            const double* from = sides().incident(side);
-            double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * columns_];
-            for (std::size_t i = 0; i < columns_; ++i) {
-                sums[i] += share * from[i];
-                passed_by[i] += missing * from[i];
-            }
+    for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+        for (const PatchScene::Surface& surface : scene_.surfaces) {
+            collect_from(surface, pack, passed_by);
         }
     }
     return passed_by;
 }
 
+void PatchLight::collect_from(
+    const PatchScene::Surface& surface, std::size_t pack, std::vector<double>& passed_by) {
+    const PatchSides<0> from = sides(pack);
+    const BandPack& bands = packs_[pack];
+    const double correction = corrections_[surface.region];
+    const double share = correction * surface.exact_share;
+    const double missing = surface.is_sensor ? 0 : correction - share;
+    const std::size_t end = std::size_t{2} * scene_.patches.first(surface.triangle + 1);
+    for (std::size_t side = std::size_t{2} * scene_.patches.first(surface.triangle); side < end;
+         ++side) {
+        const double* came = from.incident(side);
+        double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * columns_];
+        for (std::size_t level = 0; level < 2; ++level) {
+            const std::size_t first = level * bands_ + bands.first;
+            for (std::size_t b = 0; b < bands.bands; ++b, ++came) {
+                sums[first + b] += share * *came;
+                passed_by[first + b] += missing * *came;
+            }
+        }
+    }
+}
+
 /// What came straight from a source is the same on both levels.
 void PatchLight::copy_to_coarse() {
-    for (std::size_t side = 0; side < side_count(); ++side) {
-        double* came = sides().incident(side);
-        std::copy_n(came, bands_, came + bands_);
+    for (std::size_t pack = 0; pack < packs_.size(); ++pack) {
+        const PatchSides<0> all = sides(pack);
+        for (std::size_t side = 0; side < side_count(); ++side) {
+            double* came = all.incident(side);
+            std::copy_n(came, packs_[pack].bands, came + packs_[pack].bands);
+        }
     }
 }
 

@@ -3,70 +3,15 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "base/parallel.h"
-#include "geometry/raster/columns.h"
-#include "geometry/raster/patches.h"
+#include "solvers/band_packs.h"
 #include "solvers/patch_scatter.h"
+#include "solvers/patch_scene.h"
 #include "solvers/patch_sides.h"
-#include "sums/tally.h"
-#include "transport/prepared_scene.h"
 
 namespace quasimc {
-
-/// How finely light that leaves surfaces is told apart: by triangle of the caster's mesh, patches
-/// of about equal areas (solvers/patch_size.h), at least four a triangle, and cut where surfaces
-/// cross. Images of triangles have none.
-/// @param most  about so many patches, unless that loses the shadows of organs
-/// @throws InputError  if looking for what crosses would take too long
-/// @throws StopRequested  if a stop was requested
-[[nodiscard]] Patches make_patches(
-    const PreparedScene& prepared,
-    std::span<const VisibilityRole> roles,
-    double most,
-    const std::stop_token& stop);
-
-/// What the matt surfaces of a scene are made of, patch by patch: const, shared by all threads.
-struct PatchScene {
-    /// @param seen  the scene as beams see it
-    PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut);
-
-    /// A triangle that has patches.
-    struct Surface {
-        std::uint32_t triangle = 0, region = 0, material = 0;
-        double area = 0;  ///< local units squared
-        /// Light on it over light on its rounded corners: 1 but for thin triangles.
-        double exact_share = 1;
-        bool is_sensor = false;
-    };
-
-    const PreparedScene& prepared;
-    Patches patches;
-    std::vector<Surface> surfaces;
-    std::vector<PatchOptics> optics;  ///< [2 * material + side]
-    ColumnTriangles drawn;
-    double area = 0;         ///< of all surfaces
-    double mean_albedo = 0;  ///< by area, in the band where it is largest
-
-    [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
-        return optics[std::size_t{2} * material + index_of(side)];
-    }
-    /// The first of a triangle in Patches of the representative of images.
-    [[nodiscard]] std::uint32_t representative(std::uint32_t triangle) const {
-        return representatives.empty() ? triangle : representatives[triangle];
-    }
-    std::vector<std::uint32_t> representatives;  ///< of images, by triangle; empty: itself
-};
-
-/// Bands that a source lights: those outside have none of its light.
-struct LitBands {
-    std::size_t first = 0;
-    std::span<const double> weights;  ///< of the bands from the first on
-};
-/// @param weights  of all bands
-[[nodiscard]] LitBands lit_bands(std::span<const double> weights);
 
 /// Memory that the light on and from so many patches takes, about.
 [[nodiscard]] constexpr double bytes_of_patch_light(double patches, std::size_t bands) {
@@ -77,29 +22,43 @@ struct LitBands {
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///
-/// Numbers stand [2 * patch + side][level * bands + band], level 0 the finer one. Those of a patch,
-/// on and from both of its sides, stand next to each other in whole cache lines: light that goes
-/// along lines, from patch to patch all over the scene, waits for them alone.
+/// A column is [level * bands + band], level 0 the finer one. Numbers stand pack by pack of bands,
+/// in each [2 * patch + side][level * bands of the pack + band]. Those of a patch, on and from both
+/// of its sides, stand next to each other in whole cache lines: light that goes along lines, from
+/// patch to patch all over the scene, waits for them alone.
 class PatchLight {
   public:
     explicit PatchLight(const PatchScene& scene);
 
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    /// What leaves each side, and what came to it in units of sums.
-    [[nodiscard]] PatchSides<0> sides() { return {columns_, lines_.data()->numbers.data()}; }
+    [[nodiscard]] const std::vector<BandPack>& packs() const { return packs_; }
+    /// What leaves each side in the bands of a pack, and what came to it in units of sums.
+    [[nodiscard]] PatchSides<0> sides(std::size_t pack) {
+        return {2 * packs_[pack].bands, lines_[patches_ * packs_[pack].first].numbers.data()};
+    }
+    /// The column of one of a pack.
+    [[nodiscard]] std::size_t column(std::size_t pack, std::size_t own) const {
+        const BandPack& bands = packs_[pack];
+        return own / bands.bands * bands_ + bands.first + own % bands.bands;
+    }
 
     /// No light anywhere.
     void clear();
     /// Adds light straight from a source, per band `amount` times its weight; what misses thin
     /// triangles is left out of it.
-    void add_direct(std::uint32_t patch, SurfaceSide side, double amount, const LitBands& bands);
+    void add_direct(
+        std::uint32_t patch, SurfaceSide side, double amount, std::span<const LitBands> lit);
 
     /// Sets the exitance to what surfaces send on of the light that came, which it takes away.
     /// Remembers the exitance that was.
     /// @param is_direct  it came straight from the sources
-    /// @returns flux that leaves surfaces, [column]
-    [[nodiscard]] std::vector<double> scatter(bool is_direct);
-    /// Sets the exitance to all that was remembered.
+    /// @returns flux that leaves surfaces, [column]; of packs that rest, as it was
+    const std::vector<double>& scatter(bool is_direct);
+    /// Lets packs rest, in all columns of which little leaves surfaces, until send_all_kept().
+    /// @param is_little  by column
+    void rest(const std::vector<bool>& is_little);
+    [[nodiscard]] bool rests(std::size_t pack) const { return rests_[pack]; }
+    /// Sets the exitance to all that was remembered, in all packs.
     void send_all_kept();
     /// Sums the light that came, by side of each region.
     /// @returns of thin triangles, what misses them, [column]
@@ -126,8 +85,10 @@ class PatchLight {
 
   private:
     template <std::size_t kBands>
-    void scatter_all(bool is_direct, std::vector<double>& scattered);
+    void scatter_pack(std::size_t pack, bool is_direct, std::span<double> scattered);
     void copy_to_coarse();
+    void collect_from(
+        const PatchScene::Surface& surface, std::size_t pack, std::vector<double>& passed_by);
     template <std::size_t kBands>
     void even_out(const PatchScene::Surface& surface, const PatchScatter<kBands>& each);
     template <std::size_t kBands>
@@ -138,12 +99,19 @@ class PatchLight {
     struct alignas(kCacheLine) CacheLine {
         std::array<double, kCacheLine / sizeof(double)> numbers{};
     };
-    [[nodiscard]] std::size_t side_count() const { return kept_.size() / columns_; }
+    [[nodiscard]] std::size_t side_count() const { return 2 * patches_; }
+    /// Exitance of all steps in the bands of a pack, as PatchSides has it.
+    [[nodiscard]] double* kept(std::size_t pack) {
+        return kept_.data() + side_count() * 2 * packs_[pack].first;
+    }
 
     const PatchScene& scene_;
-    std::size_t bands_, columns_;
+    std::size_t patches_, bands_, columns_;
+    std::vector<BandPack> packs_;
+    std::vector<bool> rests_;      // by pack
+    std::vector<double> leaving_;  // by column, see scatter()
     std::vector<CacheLine> lines_;
-    std::vector<double> kept_;  // exitance of all steps, [side][column]
+    std::vector<double> kept_;
     std::vector<double> sums_;  // [2 * region + side][column]
     std::vector<double> means_, areas_;
     std::vector<double> found_areas_;                  // by surface, in this step

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
+#include "solvers/patch_scene.h"
 #include "solvers/patch_sides.h"
 
 namespace quasimc {
-
-/// What a side of a material sends on, per band.
-struct PatchOptics {
-    std::vector<double> reflected, transmitted;
-};
 
 /// Scatters the light on single patches of PatchLight.
 /// `kBands` 0: as many as are said.
@@ -24,8 +19,11 @@ class PatchScatter {
         double share = 1;  ///< of what came to it
     };
 
+    /// @param sides  in the bands of a pack
+    /// @param first_band  of the pack
     /// @param kept  exitance of all steps, [2 * patch + side][column]
-    PatchScatter(const PatchSides<0>& sides, double* kept) : sides_(sides), kept_(kept) {}
+    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* kept)
+        : sides_(sides), first_band_(first_band), kept_(kept) {}
 
     /// Sets the exitance, which is remembered, to what is sent on, and forgets what came. The
     /// cosine law: light leaves a patch equally bright in all directions.
@@ -72,8 +70,8 @@ class PatchScatter {
         const Sent& sent,
         double* scattered) const {
         const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
-        const double* reflected = own.reflected.data();
-        const double* transmitted = other.transmitted.data();
+        const double* reflected = own.reflected.data() + first_band_;
+        const double* transmitted = other.transmitted.data() + first_band_;
         const double* came = sides_.incident(side);
         const double* across = sides_.incident(side ^ 1U);
         double* out = sides_.exitance(side);
@@ -90,6 +88,7 @@ class PatchScatter {
     [[nodiscard]] std::size_t bands() const { return sides_.columns() / 2; }
 
     PatchSides<2 * kBands> sides_;
+    std::size_t first_band_;
     double* kept_;
 };
 

@@ -32,6 +32,11 @@ class PatchSides {
             __builtin_prefetch(first + i, 1);
         }
     }
+    /// Asks for what came to a side, of some columns from the first on.
+    void fetch_incident(std::size_t side, std::size_t first, std::size_t count) const {
+        __builtin_prefetch(incident(side) + first, 1);
+        __builtin_prefetch(incident(side) + first + count - 1, 1);
+    }
 
   private:
     std::size_t said_;

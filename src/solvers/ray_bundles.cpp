@@ -135,6 +135,7 @@ class RayBundles final : public Solver {
         std::uint64_t order = 1;
         for (; !is_last(order, left, first); ++order) {
             const bool is_first = order == 1;
+            light.rest(is_little(left, first));
             exchange(
                 budget.of_order(left, key_of(task, order)),
                 {{}, is_first ? looking_at(*scratch.open) : BundleExchange::OnEnds{}});
@@ -183,16 +184,23 @@ class RayBundles final : public Solver {
             [&] { return std::make_unique<PatchLight>(cut_->scene); });
     }
 
-    /// Whether light is not sent on any more that was scattered `order` times.
+    /// By column, whether so little is left that it is not sent on.
+    static std::vector<bool> is_little(
+        const std::vector<double>& left, const std::vector<double>& first) {
+        std::vector<bool> little;
+        for (std::size_t c = 0; c < left.size(); ++c) {
+            little.push_back(left[c] <= kLeft * first[c]);
+        }
+        return little;
+    }
+    /// Whether no light is sent on any more that was scattered `order` times.
     [[nodiscard]] bool is_last(
         std::uint64_t order,
         const std::vector<double>& left,
         const std::vector<double>& first) const {
-        bool is_little = true;
-        for (std::size_t c = 0; c < left.size(); ++c) {
-            is_little = is_little && left[c] <= kLeft * first[c];
-        }
-        return is_little || (input_.spec.max_depth > 0 && order >= input_.spec.max_depth);
+        const std::vector<bool> little = is_little(left, first);
+        return std::find(little.begin(), little.end(), false) == little.end() ||
+               (input_.spec.max_depth > 0 && order >= input_.spec.max_depth);
     }
 
     [[nodiscard]] std::uint64_t key_of(
