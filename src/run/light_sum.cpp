@@ -1,12 +1,12 @@
 #include "run/light_sum.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "run/add_responses.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -15,23 +15,8 @@ namespace {
 /// Units of the light of a band that is emitted: sums of several times as much still fit.
 constexpr double kUnits = 1 << 28;
 
-/// `to` += the sum of kTerms terms, factor x value; each is read once for several sums.
-constexpr std::size_t kTerms = 4, kChunk = 512;
-using Chunks = std::array<std::array<double, kChunk>, kTerms>;
-
-void add_chunks(
-    const Chunks& chunks,
-    const std::array<double, kTerms>& factors,
-    std::size_t count,
-    double* to) {
-    if (factors == std::array<double, kTerms>{}) {
-        return;  // most lights lack most responses
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        to[i] += (factors[0] * chunks[0][i] + factors[1] * chunks[1][i]) +
-                 (factors[2] * chunks[2][i] + factors[3] * chunks[3][i]);
-    }
-}
+/// So many bins of all responses lie in the caches while they are added to several sums.
+constexpr std::size_t kChunk = 256;
 
 /// Bins of a replicate that stand side by side, and which amount of each response counts for them.
 struct BinStretch {
@@ -39,31 +24,36 @@ struct BinStretch {
     std::size_t amount, amounts;  // which of how many
 };
 
-/// By how much some responses count.
-std::array<double, kTerms> factors_of(
-    std::span<const std::size_t> responses,
-    const std::vector<double>& amounts,
-    const BinStretch& bins) {
-    std::array<double, kTerms> factors{};
-    for (std::size_t k = 0; k < responses.size(); ++k) {
-        factors[k] = amounts[responses[k] * bins.amounts + bins.amount];
-    }
-    return factors;
+[[nodiscard]] constexpr std::size_t filled_up(std::size_t count) {
+    return (count + kAddedAtOnce - 1) / kAddedAtOnce * kAddedAtOnce;
 }
 
-/// Reads a chunk of responses.
-/// @param begin  of the chunk, in the stretch
-void read_chunks(
-    std::span<const LightResponse> responses,
-    std::span<const std::size_t> used,
-    const BinStretch& bins,
-    std::size_t begin,
-    std::size_t count,
-    Chunks& chunks) {
-    for (std::size_t k = 0; k < used.size(); ++k) {
-        const LightResponse& response = responses[used[k]];
-        std::copy_n(&response.bins[bins.replicate][bins.first + begin], count, chunks[k].data());
+/// The responses that have bins, filled up with one of them.
+std::vector<std::size_t> used_responses(std::span<const LightResponse> responses) {
+    std::vector<std::size_t> used;
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        if (!responses[k].bins.empty()) {
+            used.push_back(k);
+        }
     }
+    used.resize(filled_up(used.size()), used.empty() ? 0 : used.front());
+    return used;
+}
+
+/// By how much responses count, [response][sum]: those that fill up, by nothing.
+std::vector<double> factors_of(
+    std::span<const std::size_t> used,
+    std::span<const std::vector<double>> amounts,
+    const BinStretch& bins) {
+    const std::size_t sums = filled_up(amounts.size());
+    std::vector<double> factors(used.size() * sums);
+    for (std::size_t k = 0; k < used.size(); ++k) {
+        const bool fills_up = k > 0 && used[k] == used.front();
+        for (std::size_t i = 0; i < amounts.size() && !fills_up; ++i) {
+            factors[k * sums + i] = amounts[i][used[k] * bins.amounts + bins.amount];
+        }
+    }
+    return factors;
 }
 
 /// Adds all responses to each of several sums.
@@ -73,22 +63,21 @@ void add_all(
     std::span<const std::vector<double>> amounts,
     const BinStretch& bins,
     std::span<double* const> to) {
-    std::vector<std::size_t> used;
-    for (std::size_t k = 0; k < responses.size(); ++k) {
-        if (!responses[k].bins.empty()) {
-            used.push_back(k);
-        }
-    }
-    Chunks chunks{};
+    static const AddResponses add = best_add_responses();
+    const std::vector<std::size_t> used = used_responses(responses);
+    const std::vector<double> factors = factors_of(used, amounts, bins);
+    std::vector<double> nowhere(kChunk);
+    std::vector<double*> at(filled_up(to.size()), nowhere.data());
+    std::vector<const float*> from(used.size());
     for (std::size_t begin = 0; begin < bins.count; begin += kChunk) {
-        const std::size_t count = std::min(kChunk, bins.count - begin);
-        for (std::size_t next = 0; next < used.size(); next += kTerms) {
-            const auto terms = std::span(used).subspan(next, std::min(kTerms, used.size() - next));
-            read_chunks(responses, terms, bins, begin, count, chunks);
-            for (std::size_t i = 0; i < to.size(); ++i) {
-                add_chunks(chunks, factors_of(terms, amounts[i], bins), count, to[i] + begin);
-            }
+        for (std::size_t k = 0; k < used.size(); ++k) {
+            from[k] = &responses[used[k]].bins[bins.replicate][bins.first + begin];
         }
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            at[i] = to[i] + begin;
+        }
+        const std::size_t count = std::min(kChunk, bins.count - begin);
+        add(from.data(), factors.data(), used.size(), count, at.size(), at.data());
     }
 }
 

@@ -17,8 +17,9 @@
 namespace quasimc {
 namespace {
 
-/// The error of light straight from suns, as a part of that of all other light: together they are
-/// an eighth more than the other alone.
+/// The error of light straight from suns, as a part of that of all other light in the band where
+/// that is largest: together they are an eighth more than the other alone. Where little is
+/// scattered the other errors are small, and half of them would take most of the time.
 constexpr double kPartOfOthers = 0.5;
 /// The variance of pixels falls with this power of their number.
 constexpr double kPower = 1.5;
@@ -60,11 +61,10 @@ void SeasonSuns::choose_pixels(
             }
         }
     }
-    double most = 0;
-    for (std::size_t b = 0; b < layout_.bands; ++b) {
-        const double allowed = kPartOfOthers * kPartOfOthers * other[b];
-        most = std::max(most, own[b] > 0 ? std::pow(own[b] / allowed, 1 / kPower) : 0);
-    }
+    const double allowed =
+        kPartOfOthers * kPartOfOthers * *std::max_element(other.begin(), other.end());
+    const double largest = *std::max_element(own.begin(), own.end());
+    const double most = largest > 0 ? std::pow(largest / allowed, 1 / kPower) : 0;
     const double fewest =
         std::max(kFewest, kFewestOfTriangle * static_cast<double>(scene_.triangle_count()));
     pixels_ = std::clamp(most * kTried, std::min(fewest, kMost), kMost);
