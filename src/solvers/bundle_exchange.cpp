@@ -1,6 +1,7 @@
 #include "solvers/bundle_exchange.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -84,10 +85,9 @@ std::uint64_t BundleExchange::exchange(
 /// In bands of one pack.
 void BundleExchange::exchange_along(
     const Columns& lines, const Beam& beam, PatchLight& light, const Tell& tell) {
-    Found found(light.columns());
-    found.ends.resize(tell.on_ends ? lines.size() : 0);  // more than enough
-    exchange_pack(lines, beam, {0, true}, light, found);
-    tell_found(beam, found, tell);
+    found_.begin(light.columns(), lines.size());
+    exchange_pack(lines, beam, {0, true}, light, found_);
+    tell_found(beam, found_, tell);
 }
 
 /// Lets light go along all lines that were kept, pack by pack. The first one finds their ends.
@@ -98,9 +98,9 @@ void BundleExchange::exchange_kept(unsigned threads, PatchLight& light, const Te
             packs.push_back(pack);
         }
     }
-    std::vector<Found> found(beams_.size(), Found(light.columns()));
+    std::vector<Found> found(beams_.size());
     for (std::size_t i = 0; i < beams_.size(); ++i) {
-        found[i].ends.resize(tell.on_ends ? kept_.beam(i).size() : 0);
+        found[i].begin(light.columns(), kept_.beam(i).size());
     }
     parallel_blocks(packs.size(), threads, [&](std::uint64_t block, unsigned) {
         for (std::size_t i = 0; i < beams_.size(); ++i) {
@@ -118,20 +118,20 @@ template <typename Lines>
 void BundleExchange::exchange_pack(
     const Lines& lines, const Beam& beam, const Pack& pack, PatchLight& light, Found& found) {
     const PatchSides<0> sides = light.sides(pack.index);
-    std::vector<double> forwards(sides.columns()), backwards(sides.columns());
-    std::uint32_t* const ends =
-        pack.finds_ends && !found.ends.empty() ? found.ends.data() : nullptr;
+    const std::size_t bands = light.packs()[pack.index].bands;
+    std::array<double, 2 * kMostInPack> forwards{}, backwards{};
+    std::uint32_t* const ends = pack.finds_ends ? found.ends.data() : nullptr;
     const bool has_sensors = patches_.prepared.has_transparent();
-    for_bands(light.packs()[pack.index].bands, [&]<std::size_t kBands>() {
+    for_bands(bands, [&]<std::size_t kBands>() {
         LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
         lines.for_each_line([&](std::span<const Columns::Passed> line) {
             has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
         });
-        if (ends != nullptr) {
-            found.ends.resize(static_cast<std::size_t>(along.ends() - ends));
+        if (pack.finds_ends) {
+            found.end_count = static_cast<std::size_t>(along.ends() - ends);
         }
     });
-    for (std::size_t i = 0; i < sides.columns(); ++i) {
+    for (std::size_t i = 0; i < 2 * bands; ++i) {
         found.forwards[light.column(pack.index, i)] = forwards[i];
         found.backwards[light.column(pack.index, i)] = backwards[i];
     }
@@ -143,7 +143,7 @@ void BundleExchange::tell_found(const Beam& beam, const Found& found, const Tell
         tell.on_escape(-1 * beam.direction, found.backwards);
     }
     if (tell.on_ends) {
-        tell.on_ends(found.ends, beam.direction, beam.weight);
+        tell.on_ends(std::span(found.ends).first(found.end_count), beam.direction, beam.weight);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,9 +61,17 @@ class BundleExchange {
     };
     /// What becomes of the lines of a direction.
     struct Found {
-        explicit Found(std::size_t columns) : forwards(columns), backwards(columns) {}
         std::vector<double> forwards, backwards;  // escaped, by column
-        std::vector<std::uint32_t> ends;          // see OnEnds
+        std::vector<std::uint32_t> ends;          // see OnEnds, the first end_count
+        std::size_t end_count = 0;
+
+        /// Before light goes along so many stretches.
+        void begin(std::size_t columns, std::size_t stretches) {
+            forwards.assign(columns, 0);
+            backwards.assign(columns, 0);
+            ends.resize(std::max(ends.size(), stretches));  // more than enough
+            end_count = 0;
+        }
     };
 
     struct Pack {
@@ -81,6 +90,7 @@ class BundleExchange {
     const PatchScene& patches_;
     const ProjectedScene& seen_;
     std::vector<std::unique_ptr<Columns>> columns_;  // of each thread
+    Found found_;                                    // along lines that are not kept
     KeptLines kept_;
     std::vector<Beam> beams_;  // whose lines are kept
 };

@@ -44,29 +44,38 @@ constexpr std::uint32_t kLaidLines = 4;
 constexpr double kDark = 0.5;
 constexpr std::uint32_t kLaidDirections = 4, kLaidOnDark = 8;
 
+/// Side `side` of a patch, as PatchSides counts them.
+std::size_t side_of(std::uint32_t patch, SurfaceSide side) {
+    return std::size_t{2} * patch + index_of(side);
+}
+
+void add_to(std::span<const LitBands> lit, std::size_t side, double amount) {
+    for (const LitBands& bands : lit) {
+        bands.add(side, amount);
+    }
+}
+
 /// Adds light to patches some additions later than it is told, in the same order: by then what they
 /// hold has come from memory, for which each addition would wait.
 class LateAdds {
   public:
-    LateAdds(PatchLight& light, std::span<const LitBands> lit) : light_(light), lit_(lit) {}
+    explicit LateAdds(std::span<const LitBands> lit) : lit_(lit) {}
 
-    void add(std::uint32_t patch, SurfaceSide side, double amount) {
+    void add(std::size_t side, double amount) {
         for (const LitBands& bands : lit_) {
-            light_.sides(bands.pack)
-                .fetch_incident(
-                    std::size_t{2} * patch + index_of(side), bands.first, bands.weights.size());
+            bands.fetch(side);
         }
         Add& place = adds_[told_ % kLate];
         if (told_++ >= kLate) {
-            light_.add_direct(place.patch, place.side, place.amount, lit_);
+            add_to(lit_, place.side, place.amount);
         }
-        place = {patch, side, amount};
+        place = {side, amount};
     }
     /// Adds what is left.
     void finish() {
         for (std::size_t i = told_ > kLate ? told_ - kLate : 0; i < told_; ++i) {
             const Add& place = adds_[i % kLate];
-            light_.add_direct(place.patch, place.side, place.amount, lit_);
+            add_to(lit_, place.side, place.amount);
         }
         told_ = 0;
     }
@@ -74,11 +83,9 @@ class LateAdds {
   private:
     static constexpr std::size_t kLate = 16;
     struct Add {
-        std::uint32_t patch = 0;
-        SurfaceSide side{};
+        std::size_t side = 0;
         double amount = 0;
     };
-    PatchLight& light_;
     std::span<const LitBands> lit_;
     std::array<Add, kLate> adds_{};
     std::size_t told_ = 0;
@@ -127,24 +134,20 @@ void DirectOnPatches::find_by_lines(
         beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
     const double per_length = beam.paths * lines.area() / beam.area;
     const LaidLooks laid(beams_.stream_of(work, 0), work.task.count, kLaidLines);
-    const std::vector<LitBands> lit = lit_bands(light.packs(), beam.light->start_weights);
+    const std::vector<LitBands> lit = light.lit_bands(beam.light->start_weights);
     auto line = static_cast<std::uint32_t>(work.block) * ScanLines::kStrip;
     lines.begin(static_cast<std::uint32_t>(work.block));
     for (; lines.next(); ++line) {
         throw_if_stopped(stop_);
         if (laid.share(line) > 0) {
-            lay_line(beam, laid.share(line) * per_length, lit, scratch, light);
+            lay_line(beam, laid.share(line) * per_length, lit, scratch);
         }
     }
     beams_.score_lines(work, share, per_length, lines, tally);
 }
 
 void DirectOnPatches::lay_line(
-    const Beam& beam,
-    double per_length,
-    std::span<const LitBands> lit,
-    Scratch& scratch,
-    PatchLight& light) const {
+    const Beam& beam, double per_length, std::span<const LitBands> lit, Scratch& scratch) const {
     const ScanLines& lines = scratch.beams.lines;
     const LocalMesh& mesh = prepared_.caster().mesh();
     for (const LinePiece& piece : lines.pieces()) {
@@ -159,7 +162,7 @@ void DirectOnPatches::lay_line(
         patches_.patches.cut(
             item.triangle, lines.place(piece, 0), lines.place(piece, 1), scratch.stretches,
             [&](std::uint32_t patch, double share) {
-                light.add_direct(patch, side, amount * share, lit);
+                add_to(lit, side_of(patch, side), amount * share);
             });
     }
 }
@@ -196,8 +199,7 @@ void DirectOnPatches::find_by_pixels(
         }
         if (paths > 0 && share > 0) {
             lay_pixels(
-                from.direction, scratch.beams.pixels, laid.rows(i),
-                lit_bands(light.packs(), weights), light);
+                from.direction, scratch.beams.pixels, laid.rows(i), light.lit_bands(weights));
         }
         beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
         open.add_seen(scratch.beams.pixels, from, work.task.count);
@@ -218,8 +220,7 @@ void DirectOnPatches::lay_pixels(
     const Vec3& direction,
     const ItemBuffer& pixels,
     const LaidRows& laid,
-    std::span<const LitBands> lit,
-    PatchLight& light) const {
+    std::span<const LitBands> lit) const {
     struct Seen {
         const ItemBuffer::Item* item = nullptr;
         double share = 1;
@@ -231,7 +232,7 @@ void DirectOnPatches::lay_pixels(
             by_id[item.id] = {&item, mesh.exact_share(item.triangle, direction)};
         }
     }
-    LateAdds adds(light, lit);
+    LateAdds adds(lit);
     pixels.for_each_run_of_rows(laid.first, laid.of, [&](const ItemBuffer::RowRun& run) {
         const Seen& seen = by_id[run.id];
         if (seen.item == nullptr) {
@@ -245,13 +246,13 @@ void DirectOnPatches::lay_pixels(
             const Point2 at = places.of(x, run.row);
             const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
             if (count > 0 && next != patch) {
-                adds.add(patch, side, count * seen.share);
+                adds.add(side_of(patch, side), count * seen.share);
                 count = 0;
             }
             patch = next;
             count += laid.of;
         }
-        adds.add(patch, side, count * seen.share);
+        adds.add(side_of(patch, side), count * seen.share);
     });
     adds.finish();
 }
@@ -262,7 +263,7 @@ void DirectOnPatches::trace(
     const Stream stream{spec_.seed, 0, replicate, round.first, round.count};
     std::vector<std::vector<LitBands>> lit;
     for (const BoundSource& source : prepared_.lights()) {
-        lit.push_back(lit_bands(light.packs(), source.start_weights));
+        lit.push_back(light.lit_bands(source.start_weights));
     }
     std::uint64_t rays = 0;
     for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
@@ -275,7 +276,7 @@ void DirectOnPatches::trace(
         const auto u = [&](std::uint32_t i) { return sampler_.coordinate(stream, point, i); };
         const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
         if (start.weight > 0) {
-            rays += trace_path(source, start, lit[pick.index], light, tally);
+            rays += trace_path(source, start, lit[pick.index], tally);
         }
     }
     tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
@@ -286,7 +287,6 @@ std::uint64_t DirectOnPatches::trace_path(
     const BoundSource& source,
     const Emission& start,
     std::span<const LitBands> lit,
-    PatchLight& light,
     Tally& tally) const {
     const SumLayout& layout = tally.layout();
     const RayCaster& caster = prepared_.caster();
@@ -314,8 +314,9 @@ std::uint64_t DirectOnPatches::trace_path(
                 layout.escaped_direct() + source.spectrum,
                 to_fixed(start.weight) - to_fixed(amount));
             const std::uint32_t triangle = patches_.representative(surface.triangle);
-            light.add_direct(
-                patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side, amount, lit);
+            add_to(
+                lit, side_of(patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side),
+                amount);
             return rays;
         }
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);

@@ -40,11 +40,7 @@ class DirectOnPatches {
 
     void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
     void lay_line(
-        const Beam& beam,
-        double per_length,
-        std::span<const LitBands> lit,
-        Scratch& scratch,
-        PatchLight& light) const;
+        const Beam& beam, double per_length, std::span<const LitBands> lit, Scratch& scratch) const;
     void find_by_pixels(
         const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const;
     void score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const;
@@ -52,14 +48,12 @@ class DirectOnPatches {
         const Vec3& direction,
         const ItemBuffer& pixels,
         const LaidRows& laid,
-        std::span<const LitBands> lit,
-        PatchLight& light) const;
+        std::span<const LitBands> lit) const;
     void trace(const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const;
     std::uint64_t trace_path(
         const BoundSource& source,
         const Emission& start,
         std::span<const LitBands> lit,
-        PatchLight& light,
         Tally& tally) const;
 
     const PreparedScene& prepared_;

@@ -2,12 +2,17 @@
 
 #include <cstddef>
 
+#include "base/checks.h"
+#include "solvers/band_packs.h"
+
 namespace quasimc {
 
-/// Calls `f.template operator()<kBands>()`: with the number of bands where it is small, so that
-/// loops over bands have a length that the compiler knows; with 0, for any number, else.
+/// Calls `f.template operator()<kBands>()` with the number of bands of a pack, so that loops over
+/// them have a length that the compiler knows.
 template <typename F>
 void for_bands(std::size_t bands, const F& f) {
+    static_assert(kMostInPack == 5);
+    EXPECT(1 <= bands && bands <= kMostInPack);
     switch (bands) {
         case 1:
             return f.template operator()<1>();
@@ -17,10 +22,8 @@ void for_bands(std::size_t bands, const F& f) {
             return f.template operator()<3>();
         case 4:
             return f.template operator()<4>();
-        case 5:
-            return f.template operator()<5>();
         default:
-            return f.template operator()<0>();
+            return f.template operator()<kMostInPack>();
     }
 }
 

@@ -9,8 +9,7 @@
 
 namespace quasimc {
 
-/// Exchanges along one line, in the bands of a pack. `kColumns` 0: as many as they are said to
-/// have.
+/// Exchanges along one line, in the columns of a pack of bands.
 template <std::size_t kColumns>
 class LineExchange {
   public:

@@ -72,15 +72,18 @@ void PatchLight::clear() {
     std::fill(sums_.begin(), sums_.end(), 0);
 }
 
-void PatchLight::add_direct(
-    std::uint32_t patch, SurfaceSide side, double amount, std::span<const LitBands> lit) {
-    for (const LitBands& bands : lit) {
-        const std::size_t at = std::size_t{2} * patch + index_of(side);
-        double* to = sides(bands.pack).incident(at) + bands.first;
-        for (std::size_t i = 0; i < bands.weights.size(); ++i) {
-            to[i] += amount * bands.weights[i];
+std::vector<LitBands> PatchLight::lit_bands(std::span<const double> weights) {
+    const auto is_lit = [](double weight) { return weight != 0; };
+    std::vector<LitBands> lit;
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+        const auto own = weights.subspan(packs_[p].first, packs_[p].bands);
+        const auto first = std::find_if(own.begin(), own.end(), is_lit);
+        if (first != own.end()) {
+            const auto end = std::find_if(own.rbegin(), own.rend(), is_lit).base();
+            lit.push_back({sides(p), static_cast<std::size_t>(first - own.begin()), {first, end}});
         }
     }
+    return lit;
 }
 
 const std::vector<double>& PatchLight::scatter(bool is_direct) {

@@ -19,6 +19,22 @@ namespace quasimc {
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
+/// Bands of a pack that a source lights, and what it brings to each.
+struct LitBands {
+    PatchSides<0> sides;              ///< in the bands of the pack
+    std::size_t first = 0;            ///< in the pack
+    std::span<const double> weights;  ///< of the bands from the first on
+
+    /// Adds `amount` times the weights to what came to a side.
+    void add(std::size_t side, double amount) const {
+        double* to = sides.incident(side) + first;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            to[i] += amount * weights[i];
+        }
+    }
+    void fetch(std::size_t side) const { sides.fetch_incident(side, first, weights.size()); }
+};
+
 /// The light on and from all patches of a scene in one step of the exchange, in all bands, twice:
 /// as it is where each patch is equally bright, and where each four of them are.
 ///
@@ -44,10 +60,10 @@ class PatchLight {
 
     /// No light anywhere.
     void clear();
-    /// Adds light straight from a source, per band `amount` times its weight; what misses thin
-    /// triangles is left out of it.
-    void add_direct(
-        std::uint32_t patch, SurfaceSide side, double amount, std::span<const LitBands> lit);
+    /// All bands that a source lights, pack by pack; of those between them, some may get 0. Light
+    /// straight from it is added to them, without what misses thin triangles.
+    /// @param weights  of all bands, which must outlive it
+    [[nodiscard]] std::vector<LitBands> lit_bands(std::span<const double> weights);
 
     /// Sets the exitance to what surfaces send on of the light that came, which it takes away.
     /// Remembers the exitance that was.

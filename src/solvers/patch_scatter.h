@@ -8,8 +8,7 @@
 
 namespace quasimc {
 
-/// Scatters the light on single patches of PatchLight.
-/// `kBands` 0: as many as are said.
+/// Scatters the light on single patches of PatchLight, in the bands of a pack.
 template <std::size_t kBands>
 class PatchScatter {
   public:

@@ -26,7 +26,6 @@ class PatchSides {
 
     /// Asks for the numbers of a patch, which may be any: they take a while to come from memory.
     void fetch(std::size_t patch) const {
-        constexpr std::size_t kStep = kCacheLine / sizeof(double);
         const double* const first = exitance(2 * patch);
         for (std::size_t i = 0; i < 4 * columns(); i += kStep) {
             __builtin_prefetch(first + i, 1);
@@ -34,11 +33,15 @@ class PatchSides {
     }
     /// Asks for what came to a side, of some columns from the first on.
     void fetch_incident(std::size_t side, std::size_t first, std::size_t count) const {
-        __builtin_prefetch(incident(side) + first, 1);
-        __builtin_prefetch(incident(side) + first + count - 1, 1);
+        const double* const from = incident(side) + first;
+        for (std::size_t i = 0; i < count; i += kStep) {
+            __builtin_prefetch(from + i, 1);
+        }
     }
 
   private:
+    static constexpr std::size_t kStep = kCacheLine / sizeof(double);
+
     std::size_t said_;
     double* numbers_;
 };

@@ -19,29 +19,13 @@ TEST(BandPacks, HoldEachBandOnce) {
         std::size_t next = 0;
         for (const BandPack& pack : band_packs(bands)) {
             EXPECT_EQ(pack.first, next);
-            EXPECT_TRUE(1 <= pack.bands && pack.bands <= 5);
+            EXPECT_TRUE(1 <= pack.bands && pack.bands <= kMostInPack);
             next += pack.bands;
         }
         EXPECT_EQ(next, bands);
     }
     EXPECT_EQ(band_packs(5).size(), 1);
     EXPECT_EQ(band_packs(7).size(), 2);
-}
-
-TEST(BandPacks, AreLitByWhatShinesInThem) {
-    const std::vector<BandPack> packs = band_packs(12);
-    const std::vector<double> weights{0, 0, 0, 0, 0, 3, 0, 4, 0, 0, 5, 0};
-    const std::vector<LitBands> lit = lit_bands(packs, weights);
-    ASSERT_EQ(lit.size(), 2);
-    EXPECT_EQ(lit[0].pack, 1);
-    EXPECT_EQ(lit[0].first, 1);
-    EXPECT_EQ(
-        std::vector<double>(lit[0].weights.begin(), lit[0].weights.end()),
-        (std::vector<double>{3, 0, 4}));
-    EXPECT_EQ(lit[1].pack, 2);
-    EXPECT_EQ(lit[1].first, 2);
-    EXPECT_EQ(lit[1].weights.size(), 1);
-    EXPECT_TRUE(lit_bands(packs, std::vector<double>(12)).empty());
 }
 
 /// Leaves over soil, some of them crossing each other, and a sensor that lines pass.
