@@ -185,7 +185,10 @@ Result evaluate_sums(
     result.paths = sums.paths;
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
     if (has_two_levels(sums)) {
-        add_patch_errors(evaluate(coarser_sums(sums), scene, spec), scene, spec, result);
+        // Of the coarser level means alone are read: how far its intervals reach does not matter.
+        EvaluationSpec of_means = spec;
+        of_means.sources.clear();
+        add_patch_errors(evaluate(coarser_sums(sums), scene, of_means), scene, spec, result);
     }
     return result;
 }

@@ -43,14 +43,14 @@ std::vector<std::size_t> used_responses(std::span<const LightResponse> responses
 /// By how much responses count, [response][sum]: those that fill up, by nothing.
 std::vector<double> factors_of(
     std::span<const std::size_t> used,
-    std::span<const std::vector<double>> amounts,
+    std::span<const std::vector<double>* const> amounts,
     const BinStretch& bins) {
     const std::size_t sums = filled_up(amounts.size());
     std::vector<double> factors(used.size() * sums);
     for (std::size_t k = 0; k < used.size(); ++k) {
         const bool fills_up = k > 0 && used[k] == used.front();
         for (std::size_t i = 0; i < amounts.size() && !fills_up; ++i) {
-            factors[k * sums + i] = amounts[i][used[k] * bins.amounts + bins.amount];
+            factors[k * sums + i] = (*amounts[i])[used[k] * bins.amounts + bins.amount];
         }
     }
     return factors;
@@ -60,7 +60,7 @@ std::vector<double> factors_of(
 /// @param to  where the stretch begins in each
 void add_all(
     std::span<const LightResponse> responses,
-    std::span<const std::vector<double>> amounts,
+    std::span<const std::vector<double>* const> amounts,
     const BinStretch& bins,
     std::span<double* const> to) {
     static const AddResponses add = best_add_responses();
@@ -97,20 +97,29 @@ std::vector<LightSum> LightSum::combine(
     const std::vector<BinPart> parts = bin_parts(nothing.layout_);
     const BinPlaces places(nothing.layout_);
     const std::size_t bands = nothing.layout_.bands;
+    std::vector<LightSum*> lit;  // most hours of a night have nothing
+    std::vector<const std::vector<double>*> amounts_of_lit;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto is_some = [](double amount) { return amount != 0; };
+        if (std::any_of(amounts[i].begin(), amounts[i].end(), is_some)) {
+            lit.push_back(&sums[i]);
+            amounts_of_lit.push_back(&amounts[i]);
+        }
+    }
     parallel_blocks(
         nothing.bins_.size() * parts.size(), threads, [&](std::uint64_t block, unsigned) {
             const std::size_t replicate = block / parts.size();
             const std::size_t p = block % parts.size();
-            if (!parts[p].is_light()) {
+            if (!parts[p].is_light() || lit.empty()) {
                 return;
             }
             std::vector<double*> to;
-            to.reserve(sums.size());
-            for (LightSum& sum : sums) {
-                to.push_back(&sum.bins_[replicate][places.first(p)]);
+            to.reserve(lit.size());
+            for (LightSum* sum : lit) {
+                to.push_back(&sum->bins_[replicate][places.first(p)]);
             }
             add_all(
-                responses, amounts,
+                responses, amounts_of_lit,
                 {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands},
                 to);
         });

@@ -187,12 +187,14 @@ class Season {
             ++summary_.methods[Method::ray_bundles];
         }
         if (in_.events.on_time_step) {
-            LightSum direct(basis_->layout(), in_.spec.replicates);
+            std::optional<LightSum> direct;
             if (suns) {
-                direct.add_suns(*suns, 1);
+                direct.emplace(basis_->layout(), in_.spec.replicates).add_suns(*suns, 1);
             }
             in_.events.on_time_step(
-                i, result_of(std::move(window_.light[at]), direct, step.sources), i);
+                i,
+                result_of(std::move(window_.light[at]), direct ? &*direct : nullptr, step.sources),
+                i);
         }
         tell_progress(
             kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
@@ -207,21 +209,24 @@ class Season {
                                std::min(pixels, static_cast<double>(in_.spec.paths)));
     }
 
+    /// @param suns  none: no sun shines
     /// @param sources  of the time; empty for sums over times
     [[nodiscard]] Result result_of(
-        LightSum light, const LightSum& suns, const Sources& sources) const {
-        LightSum raised = light.averaged();
-        light += suns;
-        if (light.is_dark()) {
+        LightSum light, const LightSum* suns, const Sources& sources) const {
+        if (light.is_dark() && (suns == nullptr || suns->is_dark())) {
             Result dark = dark_result(in_.scene, in_.spec);
             dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
             return dark;
         }
+        LightSum raised = light.averaged();
+        raised.raise(basis_->errors());
+        if (suns != nullptr) {
+            light += *suns;
+            raised += suns->averaged();
+        }
         const std::size_t sunny = shining(sources, Shining::suns).size();
         const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
         Result result = evaluate_run(light.sums(reading), in_.scene, in_.spec, sources);
-        raised.raise(basis_->errors());
-        raised += suns.averaged();
         add_errors(
             evaluate_run(coarser_sums(raised.sums(reading)), in_.scene, in_.spec, sources), result);
         result.chosen = {
@@ -234,7 +239,7 @@ class Season {
 
     [[nodiscard]] SeriesSum sum_of(const Period& period) const {
         Result result = result_of(
-            std::move(basis_->light_of(std::span(&period.amounts, 1)).front()), period.suns, {});
+            std::move(basis_->light_of(std::span(&period.amounts, 1)).front()), &period.suns, {});
         return {
             .bands = result.bands,
             .seconds = period.seconds,
