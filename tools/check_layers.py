@@ -27,6 +27,7 @@ FENCES = {
     "hwy/": [
         "src/geometry/raster/draw_span.cpp",
         "src/geometry/raster/triangle_block.cpp",
+        "src/run/add_responses.cpp",
         "src/samplers/vector_loops.cpp",
         "tests/",
     ],
