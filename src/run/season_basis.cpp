@@ -42,12 +42,20 @@ double light_of_time(const TimeStep& step) {
     return sum;
 }
 
-/// Some of the times, spread over their light.
+/// Some of the times, half of them spread over their light and half over those that are lit: most
+/// of the light is of few skies, and the dim ones are others.
 std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::size_t count) {
-    std::vector<double> until;
-    until.reserve(steps.size());
+    std::vector<double> lights;
+    double all = 0, lit = 0;
     for (const TimeStep& step : steps) {
-        until.push_back((until.empty() ? 0 : until.back()) + light_of_time(step));
+        lights.push_back(light_of_time(step));
+        all += lights.back();
+        lit += lights.back() > 0 ? 1 : 0;
+    }
+    std::vector<double> until;
+    for (const double light : lights) {
+        const double share = light > 0 ? light / all + 1 / lit : 0;
+        until.push_back((until.empty() ? 0 : until.back()) + share);
     }
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < count && !until.empty() && until.back() > 0; ++i) {

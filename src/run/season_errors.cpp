@@ -15,7 +15,7 @@ constexpr std::size_t kGroups = 16, kFewestRegions = 64;
 
 void SeasonErrors::add(const LightSum& together, const LightSum& as_it_is) {
     const auto count = static_cast<double>(together.bins().size());
-    std::vector<float>& squares = squares_.emplace_back(light_.size());
+    std::vector<double> squares(light_.size()), lights(light_.size());
     for (std::size_t i = 0; i < light_.size(); ++i) {
         double light = 0;
         double mean = 0;
@@ -28,8 +28,28 @@ void SeasonErrors::add(const LightSum& together, const LightSum& as_it_is) {
             const double off = together.bins()[r][i] - as_it_is.bins()[r][i] - mean;
             noise += off * off / (count * (count - 1));
         }
-        squares[i] = static_cast<float>(mean * mean - noise);
-        light_[i] += light * light;
+        squares[i] = mean * mean - noise;
+        lights[i] = light * light;
+    }
+    add_parts(squares, lights);
+}
+
+/// In parts of all light of the time: at dawn the sky is dim, and its hats are the worst.
+void SeasonErrors::add_parts(
+    const std::vector<double>& squares, const std::vector<double>& lights) {
+    std::vector<float>& own = squares_.emplace_back(light_.size());
+    const BinPlaces places(layout_);
+    for (std::size_t part = 0; part < bin_parts(layout_).size(); ++part) {
+        const std::size_t first = places.first(part);
+        const std::size_t end = first + places.count(part);
+        double all = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            all += lights[i];
+        }
+        for (std::size_t i = first; i < end && all > 0; ++i) {
+            own[i] = static_cast<float>(squares[i] / all);
+            light_[i] += lights[i] / all;
+        }
     }
 }
 
