@@ -85,12 +85,14 @@ std::uint64_t BundleExchange::exchange(
 /// In bands of one pack.
 void BundleExchange::exchange_along(
     const Columns& lines, const Beam& beam, PatchLight& light, const Tell& tell) {
-    found_.begin(light.columns(), lines.size());
-    exchange_pack(lines, beam, {0, true}, light, found_);
+    const bool finds_ends = static_cast<bool>(tell.on_ends);
+    found_.begin(light.columns(), finds_ends ? lines.size() : 0);
+    exchange_pack(lines, beam, {0, finds_ends}, light, found_);
     tell_found(beam, found_, tell);
 }
 
-/// Lets light go along all lines that were kept, pack by pack. The first one finds their ends.
+/// Lets light go along all lines that were kept, pack by pack. The first one finds their ends, if
+/// somebody asks for them.
 void BundleExchange::exchange_kept(unsigned threads, PatchLight& light, const Tell& tell) {
     std::vector<std::size_t> packs;
     for (std::size_t pack = 0; pack < light.packs().size(); ++pack) {
@@ -98,13 +100,15 @@ void BundleExchange::exchange_kept(unsigned threads, PatchLight& light, const Te
             packs.push_back(pack);
         }
     }
+    const bool finds_ends = static_cast<bool>(tell.on_ends);
     std::vector<Found> found(beams_.size());
     for (std::size_t i = 0; i < beams_.size(); ++i) {
-        found[i].begin(light.columns(), kept_.beam(i).size());
+        found[i].begin(light.columns(), finds_ends ? kept_.beam(i).size() : 0);
     }
     parallel_blocks(packs.size(), threads, [&](std::uint64_t block, unsigned) {
         for (std::size_t i = 0; i < beams_.size(); ++i) {
-            exchange_pack(kept_.beam(i), beams_[i], {packs[block], block == 0}, light, found[i]);
+            const Pack pack{packs[block], finds_ends && block == 0};
+            exchange_pack(kept_.beam(i), beams_[i], pack, light, found[i]);
         }
     });
     for (std::size_t i = 0; i < beams_.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -74,6 +75,9 @@ class PatchLight {
     /// @param is_little  by column
     void rest(const std::vector<bool>& is_little);
     [[nodiscard]] bool rests(std::size_t pack) const { return rests_[pack]; }
+    [[nodiscard]] bool all_rest() const {
+        return std::find(rests_.begin(), rests_.end(), false) == rests_.end();
+    }
     /// Sets the exitance to all that was remembered, in all packs.
     void send_all_kept();
     /// Sums the light that came, by side of each region.

@@ -133,9 +133,8 @@ class RayBundles final : public Solver {
         BundleBudget budget(cut_->scene, task.round.count, first);
         std::vector<double> left = first;
         std::uint64_t order = 1;
-        for (; !is_last(order, left, first); ++order) {
+        for (; goes_on(order, left, first, light); ++order) {
             const bool is_first = order == 1;
-            light.rest(is_little(left, first));
             exchange(
                 budget.of_order(left, key_of(task, order)),
                 {{}, is_first ? looking_at(*scratch.open) : BundleExchange::OnEnds{}});
@@ -184,23 +183,20 @@ class RayBundles final : public Solver {
             [&] { return std::make_unique<PatchLight>(cut_->scene); });
     }
 
-    /// By column, whether so little is left that it is not sent on.
-    static std::vector<bool> is_little(
-        const std::vector<double>& left, const std::vector<double>& first) {
-        std::vector<bool> little;
-        for (std::size_t c = 0; c < left.size(); ++c) {
-            little.push_back(left[c] <= kLeft * first[c]);
-        }
-        return little;
-    }
-    /// Whether no light is sent on any more that was scattered `order` times.
-    [[nodiscard]] bool is_last(
+    /// Whether light is sent on that was scattered `order` times. Packs of bands in which little is
+    /// left rest from now on.
+    [[nodiscard]] bool goes_on(
         std::uint64_t order,
         const std::vector<double>& left,
-        const std::vector<double>& first) const {
-        const std::vector<bool> little = is_little(left, first);
-        return std::find(little.begin(), little.end(), false) == little.end() ||
-               (input_.spec.max_depth > 0 && order >= input_.spec.max_depth);
+        const std::vector<double>& first,
+        PatchLight& light) const {
+        std::vector<bool> is_little;
+        for (std::size_t c = 0; c < left.size(); ++c) {
+            is_little.push_back(left[c] <= kLeft * first[c]);
+        }
+        light.rest(is_little);
+        const bool is_deepest = input_.spec.max_depth > 0 && order >= input_.spec.max_depth;
+        return !light.all_rest() && !is_deepest;
     }
 
     [[nodiscard]] std::uint64_t key_of(
