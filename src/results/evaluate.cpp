@@ -10,6 +10,7 @@
 #include "results/flows.h"
 #include "results/groups.h"
 #include "results/light_limits.h"
+#include "results/means.h"
 #include "results/organ_blocks.h"
 #include "results/organ_finds.h"
 #include "results/organ_reader.h"
@@ -185,10 +186,9 @@ Result evaluate_sums(
     result.paths = sums.paths;
     result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
     if (has_two_levels(sums)) {
-        // Of the coarser level means alone are read: how far its intervals reach does not matter.
-        EvaluationSpec of_means = spec;
-        of_means.sources.clear();
-        add_patch_errors(evaluate(coarser_sums(sums), scene, of_means), scene, spec, result);
+        add_patch_errors(
+            evaluate_means(coarser_sums(sums), scene, spec, result.groups.groups), scene, spec,
+            result);
     }
     return result;
 }

@@ -19,14 +19,6 @@ struct GroupSums {
     std::vector<double> sunlit;   ///< [replicate], area
 };
 
-void add_incident(Incident& sum, const Incident& part) {
-    sum.direct_upper += part.direct_upper;
-    sum.direct_lower += part.direct_lower;
-    sum.scattered_upper += part.scattered_upper;
-    sum.scattered_lower += part.scattered_lower;
-    sum.absorbed += part.absorbed;
-}
-
 /// What one find more would bring to a group, or one less would take.
 struct GroupFind {
     double incident = 0, absorbed = 0;  ///< more, to a single replicate
@@ -61,7 +53,7 @@ class GroupEvaluator {
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
             for (std::size_t b = 0; b < results_.bands; ++b) {
-                add_incident(sums.light[b * replicates + replicate], reader.incident(replicate, b));
+                sums.light[b * replicates + replicate] += reader.incident(replicate, b);
             }
             sums.sunlit[replicate] += has_sun() ? reader.sunlit_area(replicate) : 0;
         }

@@ -21,24 +21,43 @@ struct Incident {
     double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
     double absorbed = 0;
     double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
+
+    Incident& operator+=(const Incident& part) {
+        direct_upper += part.direct_upper;
+        direct_lower += part.direct_lower;
+        scattered_upper += part.scattered_upper;
+        scattered_lower += part.scattered_lower;
+        absorbed += part.absorbed;
+        unoccluded_upper += part.unoccluded_upper;
+        unoccluded_lower += part.unoccluded_lower;
+        return *this;
+    }
 };
 
-/// What each replicate says of each quantity.
-using QuantitySamples = std::array<std::vector<double>, kQuantities>;
-
-/// Puts the quantities that follow from the light which a replicate saw.
+/// The quantities that follow from light.
 /// @param per_area  1 / area of what it fell on; 0 for no area, which receives nothing
-inline void put_sample(
-    std::uint32_t replicate, const Incident& in, double per_area, QuantitySamples& samples) {
-    const auto put = [&](Quantity q, double value) {
-        samples[static_cast<std::size_t>(q)][replicate] = value;
-    };
+inline std::array<double, kQuantities> quantities_of(const Incident& in, double per_area) {
+    std::array<double, kQuantities> all{};
+    const auto put = [&](Quantity q, double value) { all[static_cast<std::size_t>(q)] = value; };
     put(Quantity::absorbed_flux, in.absorbed);
     put(Quantity::absorbed_flux_density, in.absorbed * per_area);
     put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
     put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
     put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
     put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
+    return all;
+}
+
+/// What each replicate says of each quantity.
+using QuantitySamples = std::array<std::vector<double>, kQuantities>;
+
+/// Puts the quantities that follow from the light which a replicate saw.
+inline void put_sample(
+    std::uint32_t replicate, const Incident& in, double per_area, QuantitySamples& samples) {
+    const std::array<double, kQuantities> all = quantities_of(in, per_area);
+    for (std::size_t q = 0; q < kQuantities; ++q) {
+        samples[q][replicate] = all[q];
+    }
 }
 
 /// What a fraction of 1 comes out as, or more.
@@ -89,14 +108,7 @@ class OrganReader {
         Incident sum;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            const Incident part = region_incident(replicate, region, band);
-            sum.unoccluded_upper += part.unoccluded_upper;
-            sum.unoccluded_lower += part.unoccluded_lower;
-            sum.direct_upper += part.direct_upper;
-            sum.direct_lower += part.direct_lower;
-            sum.scattered_upper += part.scattered_upper;
-            sum.scattered_lower += part.scattered_lower;
-            sum.absorbed += part.absorbed;
+            sum += region_incident(replicate, region, band);
         }
         return sum;
     }

@@ -99,9 +99,19 @@ void copy_block(
 }  // namespace
 
 Sums coarser_sums(const Sums& sums) {
-    Sums coarse = sums;
+    Sums coarse{
+        .layout = sums.layout,
+        .units = sums.units,
+        .spectra = sums.spectra,
+        .emitted_flux = sums.emitted_flux,
+        .measured = sums.measured,
+        .escaped = sums.escaped,
+        .replicates = {},
+        .paths = sums.paths,
+        .samples = sums.samples * sums.replicates.size(),
+        .per_find = sums.per_find,
+        .digest = sums.digest};
     coarse.layout.patch_levels = PatchLevels::none;
-    coarse.samples *= sums.replicates.size();
     const std::vector<SumBlock> from = sums.layout.blocks();
     ExactBins bins(coarse.layout.bins());
     for (const SumBlock& block : coarse.layout.blocks()) {
@@ -109,7 +119,6 @@ Sums coarser_sums(const Sums& sums) {
             copy_block(replicate, coarse_block(from, block.name), block, bins);
         }
     }
-    coarse.replicates.clear();
     coarse.replicates.push_back(std::move(bins));
     return coarse;
 }

@@ -21,7 +21,7 @@ namespace quasimc {
 [[nodiscard]] Estimate with_patch_error(const Estimate& e, double difference);
 
 /// Adds the error of patches to all estimates.
-/// @param coarse  the same, of coarser_sums()
+/// @param coarse  the means of coarser_sums()
 void add_patch_errors(
     Result coarse, const Scene& scene, const EvaluationSpec& spec, Result& result);
 
@@ -29,7 +29,7 @@ void add_patch_errors(
 [[nodiscard]] Estimate with_error(const Estimate& e, double error);
 
 /// Adds an error to all estimates.
-/// @param raised  the same, of light that is more by its error
+/// @param raised  the means of light that is more by its error
 void add_errors(const Result& raised, Result& result);
 
 }  // namespace quasimc

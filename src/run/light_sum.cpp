@@ -15,6 +15,11 @@ namespace {
 /// Units of the light of a band that is emitted: sums of several times as much still fit.
 constexpr double kUnits = 1 << 28;
 
+/// To the nearest, in line: the library's function costs more than all else that is done to a bin.
+[[nodiscard]] std::int64_t rounded(double x) {
+    return static_cast<std::int64_t>(x + std::copysign(0.5, x));
+}
+
 /// So many bins of all responses lie in the caches while they are added to several sums.
 constexpr std::size_t kChunk = 256;
 
@@ -256,7 +261,7 @@ ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> un
     ExactBins bins(layout_.bins());
     const auto put = [&](std::size_t bin, double value, double unit) {
         if (value != 0 && unit > 0) {
-            bins.add(bin, std::llround(value / unit * ExactBins::kStepsPerUnit));
+            bins.add(bin, rounded(value / unit * ExactBins::kStepsPerUnit));
         }
     };
     for (std::size_t part = 0; part < units.size(); ++part) {

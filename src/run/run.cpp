@@ -20,6 +20,7 @@
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/early_stop.h"
+#include "run/evaluation_of.h"
 #include "run/plan_run.h"
 #include "run/preview_teller.h"
 #include "run/round_tracer.h"
@@ -98,32 +99,6 @@ void add_sunlit_of_hidden_suns(const Scene& scene, const Sources& sources, Resul
     if (result.sunlit_fraction.empty() && has_bright_sun(sources)) {
         result.sunlit_fraction.resize(scene.organs().size());
     }
-}
-
-/// Irradiance on the horizontal, per band, of all sources; empty where it is not known.
-std::vector<double> horizontal_irradiance_of(const Scene& scene, const Sources& sources) {
-    std::vector<double> sums(sources.empty() ? 0 : scene.bands().size());
-    for (const auto& source : sources) {
-        if (std::isnan(source->horizontal_irradiance())) {
-            return {};
-        }
-        for (std::size_t b = 0; b < sums.size(); ++b) {
-            sums[b] += source->spectrum()[b] * source->horizontal_irradiance();
-        }
-    }
-    return sums;
-}
-
-/// What is to be made of the sums of a run.
-EvaluationSpec evaluation_of(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, unsigned threads) {
-    return {
-        .ratios = ratio_bands(scene, spec),
-        .direct_light = spec.direct_light,
-        .groups = group_spec(spec),
-        .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
-        .sources = sources,
-        .threads = threads};
 }
 
 /// The result of a scene into which no source sends light: what is known of it is exact.
@@ -258,7 +233,7 @@ Result run(
 
 Result evaluate_run(
     const Sums& sums, const Scene& scene, const RunSpec& spec, const Sources& sources) {
-    return evaluate(sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
+    return evaluate(sums, scene, evaluation_of(scene, sources, spec));
 }
 
 Result Simulator::State::run(
@@ -384,12 +359,11 @@ Result Simulator::State::trace(
     const double build_seconds = seconds_since(start);
     if (control.sums != nullptr) {
         check_given(*control.sums, *prepared, spec);
-        return make_result(
-            *control.sums, scene, evaluation_of(scene, sources, spec, thread_count(spec.threads)));
+        return make_result(*control.sums, scene, evaluation_of(scene, sources, spec));
     }
 
     const double cpu_before = process_cpu_seconds();
-    const EvaluationSpec asked = evaluation_of(scene, sources, spec, thread_count(spec.threads));
+    const EvaluationSpec asked = evaluation_of(scene, sources, spec);
     Traced traced = trace_rounds(*prepared, spec, asked, control, early, {start, build_seconds});
     if (control.is_last && spec.audit == 0) {
         prepared.reset();

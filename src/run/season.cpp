@@ -12,8 +12,10 @@
 #include <fmt/format.h>
 
 #include "base/process_time.h"
+#include "results/means.h"
 #include "results/patch_error.h"
 #include "run/early_stop.h"
+#include "run/evaluation_of.h"
 #include "run/season_basis.h"
 #include "run/season_suns.h"
 
@@ -226,9 +228,12 @@ class Season {
         }
         const std::size_t sunny = shining(sources, Shining::suns).size();
         const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
-        Result result = evaluate_run(light.sums(reading), in_.scene, in_.spec, sources);
+        const EvaluationSpec asked = evaluation_of(in_.scene, sources, in_.spec);
+        Result result = evaluate(light.sums(reading), in_.scene, asked);
         add_errors(
-            evaluate_run(coarser_sums(raised.sums(reading)), in_.scene, in_.spec, sources), result);
+            evaluate_means(
+                coarser_sums(raised.sums(reading)), in_.scene, asked, result.groups.groups),
+            result);
         result.chosen = {
             Method::ray_bundles,
             fmt::format(
