@@ -6,19 +6,24 @@
 namespace quasimc {
 namespace {
 
-/// Reads the flows of one replicate from sums.
+/// Reads the flows of a band from sums.
 class FlowReader {
   public:
     FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
         : sums_(sums), layout_(sums.layout), scene_(scene), band_(band) {}
 
-    [[nodiscard]] Flows flows(const ExactBins& bins) const {
-        Flows flows;
+    /// Of each replicate.
+    [[nodiscard]] std::vector<Flows> flows() const {
+        std::vector<Flows> flows(sums_.replicates.size());
         for (std::size_t region = 0; region < layout_.regions; ++region) {
-            add_region(bins, region, flows);
+            add_region(region, flows);
         }
-        return sums_.escaped == EscapedLight::remainder ? with_remainder(flows)
-                                                        : with_escaped(bins, flows);
+        for (std::size_t r = 0; r < flows.size(); ++r) {
+            flows[r] = sums_.escaped == EscapedLight::remainder
+                           ? with_remainder(flows[r])
+                           : with_escaped(sums_.replicates[r], flows[r]);
+        }
+        return flows;
     }
 
   private:
@@ -28,34 +33,42 @@ class FlowReader {
     }
 
     /// What falls on a region, and what it absorbs and may scatter of it.
-    void add_region(const ExactBins& bins, std::size_t index, Flows& flows) const {
+    void add_region(std::size_t index, std::vector<Flows>& flows) const {
         const Region& region = scene_.regions()[index];
         const Material& material = scene_.material(region);
         const bool is_ground = scene_.organs()[region.organ.value].is_ground;
-        double& absorbed = is_ground ? flows.ground : flows.organs;
+        double Flows::*absorbed = is_ground ? &Flows::ground : &Flows::organs;
         const bool is_summed = layout_.absorbed_light == AbsorbedLight::summed;
-        const double own = is_summed ? (bins.value(layout_.absorbed_direct(index) + band_) +
-                                        bins.value(layout_.absorbed_scattered(index) + band_)) *
-                                           unit(index)
-                                     : 0;
-        absorbed += own;
-        flows.roulette += is_summed && !material.is_transparent() ? own : 0;
+        const double unit = this->unit(index);
+        for (std::size_t r = 0; is_summed && r < flows.size(); ++r) {
+            const ExactBins& bins = sums_.replicates[r];
+            const double own = (bins.value(layout_.absorbed_direct(index) + band_) +
+                                bins.value(layout_.absorbed_scattered(index) + band_)) *
+                               unit;
+            flows[r].*absorbed += own;
+            flows[r].roulette += !material.is_transparent() ? own : 0;
+        }
         for (const SurfaceSide which : kSurfaceSides) {
-            double incident = bins.value(layout_.scattered(index, which) + band_);
-            for (std::size_t s = 0; s < layout_.spectra; ++s) {
-                incident += bins.value(layout_.direct(index, which, s)) * sums_.spectra[s][band_];
-            }
-            const Side& side = material.side(which);
-            if (is_ground) {
-                flows.on_ground += incident * unit(index);
-            }
-            if (!is_summed) {
-                absorbed += incident * unit(index) * side.absorptance()[band_];
-            }
-            if (!material.is_transparent()) {
-                flows.roulette -= incident * unit(index) * (is_summed ? 1 : side.albedo()[band_]);
+            const double absorptance = material.side(which).absorptance()[band_];
+            const double albedo = is_summed ? 1 : material.side(which).albedo()[band_];
+            for (std::size_t r = 0; r < flows.size(); ++r) {
+                const double light = incident(sums_.replicates[r], index, which) * unit;
+                flows[r].on_ground += is_ground ? light : 0;
+                flows[r].*absorbed += is_summed ? 0 : light * absorptance;
+                flows[r].roulette -= material.is_transparent() ? 0 : light * albedo;
             }
         }
+    }
+
+    /// Units of light on a side.
+    [[nodiscard]] double incident(
+        const ExactBins& bins, std::size_t region, SurfaceSide side) const {
+        double sum = bins.value(layout_.scattered(region, side) + band_);
+        const std::size_t direct = layout_.direct(region, side, 0);
+        for (std::size_t s = 0; s < layout_.spectra; ++s) {
+            sum += bins.value(direct + s) * sums_.spectra[s][band_];
+        }
+        return sum;
     }
 
     /// Where escaped light is what is left.
@@ -97,12 +110,9 @@ class FlowReader {
 }  // namespace
 
 BandFlows read_flows(const Sums& sums, const Scene& scene) {
-    BandFlows flows(sums.layout.bands);
-    for (std::size_t b = 0; b < flows.size(); ++b) {
-        const FlowReader reader(sums, scene, b);
-        for (const ExactBins& bins : sums.replicates) {
-            flows[b].push_back(reader.flows(bins));
-        }
+    BandFlows flows;
+    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
+        flows.push_back(FlowReader(sums, scene, b).flows());
     }
     return flows;
 }
