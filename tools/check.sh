@@ -9,7 +9,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(test page format layers scripts bench tidy docs asan tsan fuzz)
+all_steps=(test statistics page format layers scripts bench tidy docs asan tsan fuzz)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -59,6 +59,11 @@ step_test() {
     else
         ./dev test
     fi
+}
+
+# Estimates against closed forms, and how often intervals hold; ./dev test --full has done it.
+step_statistics() {
+    [[ -n $full ]] || ./dev test -L '^statistics$'
 }
 
 # The page in a browser, where there is one; ./dev test --full has done it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -14,6 +15,10 @@ struct LightResponse {
     /// [replicate][BinPlaces]: flux; of what is sunlit, area
     std::vector<std::vector<float>> bins;
     std::vector<double> emitted;  ///< flux into the scene, per band
+
+    [[nodiscard]] bool is_dark() const {
+        return std::all_of(emitted.begin(), emitted.end(), [](double x) { return x == 0; });
+    }
 };
 
 /// Reads what those lights bring that have one copy of all bands for themselves.

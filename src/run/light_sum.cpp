@@ -93,49 +93,57 @@ LightSum::LightSum(const SumLayout& layout, std::size_t replicates)
       bins_(replicates, std::vector<double>(layout.bins())),
       emitted_(layout.bands) {}
 
-std::vector<LightSum> LightSum::combine(
+void LightSum::combine(
     std::span<const LightResponse> responses,
     std::span<const std::vector<double>> amounts,
-    const LightSum& nothing,
+    std::span<LightSum> sums,
     unsigned threads) {
-    std::vector<LightSum> sums(amounts.size(), nothing);
-    const std::vector<BinPart> parts = bin_parts(nothing.layout_);
-    const BinPlaces places(nothing.layout_);
-    const std::size_t bands = nothing.layout_.bands;
-    std::vector<LightSum*> lit;  // most hours of a night have nothing
+    EXPECT(!sums.empty() && sums.size() == amounts.size());
+    const LightSum& any = sums.front();
+    const std::vector<BinPart> parts = bin_parts(any.layout_);
+    const BinPlaces places(any.layout_);
+    const std::size_t bands = any.layout_.bands;
+    std::vector<std::size_t> lit;  // most hours of a night have nothing
     std::vector<const std::vector<double>*> amounts_of_lit;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto is_some = [](double amount) { return amount != 0; };
         if (std::any_of(amounts[i].begin(), amounts[i].end(), is_some)) {
-            lit.push_back(&sums[i]);
+            lit.push_back(i);
             amounts_of_lit.push_back(&amounts[i]);
         }
     }
-    parallel_blocks(
-        nothing.bins_.size() * parts.size(), threads, [&](std::uint64_t block, unsigned) {
-            const std::size_t replicate = block / parts.size();
-            const std::size_t p = block % parts.size();
-            if (!parts[p].is_light() || lit.empty()) {
-                return;
-            }
-            std::vector<double*> to;
-            to.reserve(lit.size());
-            for (LightSum* sum : lit) {
-                to.push_back(&sum->bins_[replicate][places.first(p)]);
-            }
-            add_all(
-                responses, amounts_of_lit,
-                {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands},
-                to);
-        });
+    parallel_blocks(any.bins_.size() * parts.size(), threads, [&](std::uint64_t block, unsigned) {
+        const std::size_t replicate = block / parts.size();
+        const std::size_t p = block % parts.size();
+        for (LightSum& sum : sums) {
+            std::fill_n(&sum.bins_[replicate][places.first(p)], places.count(p), 0.0);
+        }
+        if (!parts[p].is_light() || lit.empty()) {
+            return;
+        }
+        std::vector<double*> to;
+        to.reserve(lit.size());
+        for (const std::size_t i : lit) {
+            to.push_back(&sums[i].bins_[replicate][places.first(p)]);
+        }
+        add_all(
+            responses, amounts_of_lit,
+            {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands}, to);
+    });
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        for (std::size_t k = 0; k < responses.size(); ++k) {
-            for (std::size_t b = 0; b < bands && !responses[k].bins.empty(); ++b) {
-                sums[i].emitted_[b] += amounts[i][2 * k * bands + b] * responses[k].emitted[b];
-            }
+        sums[i].set_emitted(responses, amounts[i]);
+    }
+}
+
+void LightSum::set_emitted(
+    std::span<const LightResponse> responses, std::span<const double> amounts) {
+    const std::size_t bands = layout_.bands;
+    emitted_.assign(bands, 0);
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        for (std::size_t b = 0; b < bands && !responses[k].bins.empty(); ++b) {
+            emitted_[b] += amounts[2 * k * bands + b] * responses[k].emitted[b];
         }
     }
-    return sums;
 }
 
 void LightSum::add(const LightResponse& response, std::span<const double> amounts) {
@@ -163,14 +171,17 @@ void LightSum::add_suns(const LightResponse& response, double factor) {
 
 /// @param factors  of the bins of each region, then of those of the run
 void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
-    EXPECT(response.bins.size() == bins_.size());
+    EXPECT(response.bins.size() == bins_.size() || bins_.size() == 1);
     const BinPlaces places(layout_);
-    for (std::size_t r = 0; r < bins_.size(); ++r) {
+    const double share =
+        static_cast<double>(bins_.size()) / static_cast<double>(response.bins.size());
+    for (std::size_t r = 0; r < response.bins.size(); ++r) {
         for (std::size_t part = 0; part < factors.size(); ++part) {
             const float* from = &response.bins[r][places.first(part)];
-            double* to = &bins_[r][places.first(part)];
-            for (std::size_t i = 0; factors[part] != 0 && i < places.count(part); ++i) {
-                to[i] += factors[part] * static_cast<double>(from[i]);
+            double* to = &bins_[r % bins_.size()][places.first(part)];
+            const double factor = share * factors[part];
+            for (std::size_t i = 0; factor != 0 && i < places.count(part); ++i) {
+                to[i] += factor * static_cast<double>(from[i]);
             }
         }
     }

@@ -19,13 +19,14 @@ class LightSum {
   public:
     LightSum(const SumLayout& layout, std::size_t replicates);
 
-    /// Several sums of the same responses, in one go: they are read once for all.
+    /// Makes several sums of the same responses, in one go: they are read once for all.
     /// @param amounts  of each sum: [response][amounts of add()]
     /// @param responses  without bins: no sum has any of it
-    [[nodiscard]] static std::vector<LightSum> combine(
+    /// @param sums  of one layout; what they held is lost
+    static void combine(
         std::span<const LightResponse> responses,
         std::span<const std::vector<double>> amounts,
-        const LightSum& nothing,
+        std::span<LightSum> sums,
         unsigned threads);
 
     /// Adds a response.
@@ -33,7 +34,7 @@ class LightSum {
     ///        then per band of what was scattered. Of what is sunlit nothing is added.
     void add(const LightResponse& response, std::span<const double> amounts);
     /// Adds the light straight from suns and what of the scene they light, `factor` times. The
-    /// response's scattered light is left out.
+    /// response's scattered light is left out. To a single replicate the mean of all is added.
     void add_suns(const LightResponse& response, double factor);
     LightSum& operator+=(const LightSum& other);
     /// The mean of all replicates, as the only one.
@@ -57,6 +58,7 @@ class LightSum {
 
   private:
     void add_parts(const LightResponse& response, std::span<const double> factors);
+    void set_emitted(std::span<const LightResponse> responses, std::span<const double> amounts);
     [[nodiscard]] ExactBins exact_bins(std::size_t replicate, std::span<const double> units) const;
 
     SumLayout layout_;

@@ -123,8 +123,7 @@ class Season {
             times.back().trace = in_.time_steps.size() + times.size();
             const SeasonBasis::Amounts amounts =
                 basis_->amounts_of(in_.time_steps[i].sources, nullptr);
-            others.push_back(
-                basis_->light_of(std::span(&amounts, 1)).front().spread(basis_->errors()));
+            others.push_back(basis_->light_of(amounts).spread(basis_->errors()));
         }
         suns_->choose_pixels(times, others);
     }
@@ -143,7 +142,7 @@ class Season {
     }
 
     void fill_window(std::size_t first) {
-        window_ = {};
+        window_.amounts.clear();
         window_.first = first;
         window_.end = std::min(first + window_size(), in_.time_steps.size());
         std::vector<SunsOfTime> suns;
@@ -156,7 +155,7 @@ class Season {
             window_.amounts.push_back(
                 basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
         }
-        window_.light = basis_->light_of(window_.amounts);
+        basis_->find_light(window_.amounts, window_.light);
     }
 
     /// @throws Stopped  before there is a result of it
@@ -189,13 +188,11 @@ class Season {
             ++summary_.methods[Method::ray_bundles];
         }
         if (in_.events.on_time_step) {
-            std::optional<LightSum> direct;
-            if (suns) {
-                direct.emplace(basis_->layout(), in_.spec.replicates).add_suns(*suns, 1);
-            }
             in_.events.on_time_step(
                 i,
-                result_of(std::move(window_.light[at]), direct ? &*direct : nullptr, step.sources),
+                result_of(
+                    window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
+                    step.sources),
                 i);
         }
         tell_progress(
@@ -211,21 +208,39 @@ class Season {
                                std::min(pixels, static_cast<double>(in_.spec.paths)));
     }
 
-    /// @param suns  none: no sun shines
+    /// Light straight from suns, in either form.
+    struct LightOfSuns {
+        const LightResponse* of_time;  ///< none: no sun shines
+        const LightSum* of_period;
+
+        [[nodiscard]] bool is_dark() const {
+            return (of_time == nullptr || of_time->is_dark()) &&
+                   (of_period == nullptr || of_period->is_dark());
+        }
+        void add_to(LightSum& light, LightSum& average) const {
+            if (of_time != nullptr) {
+                light.add_suns(*of_time, 1);
+                average.add_suns(*of_time, 1);
+            }
+            if (of_period != nullptr) {
+                light += *of_period;
+                average += of_period->averaged();
+            }
+        }
+    };
+
+    /// @param light  all other; gets that of the suns as well
     /// @param sources  of the time; empty for sums over times
     [[nodiscard]] Result result_of(
-        LightSum light, const LightSum* suns, const Sources& sources) const {
-        if (light.is_dark() && (suns == nullptr || suns->is_dark())) {
+        LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
+        if (light.is_dark() && suns.is_dark()) {
             Result dark = dark_result(in_.scene, in_.spec);
             dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
             return dark;
         }
         LightSum raised = light.averaged();
         raised.raise(basis_->errors());
-        if (suns != nullptr) {
-            light += *suns;
-            raised += suns->averaged();
-        }
+        suns.add_to(light, raised);
         const std::size_t sunny = shining(sources, Shining::suns).size();
         const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
         const EvaluationSpec asked = evaluation_of(in_.scene, sources, in_.spec);
@@ -243,8 +258,8 @@ class Season {
     }
 
     [[nodiscard]] SeriesSum sum_of(const Period& period) const {
-        Result result = result_of(
-            std::move(basis_->light_of(std::span(&period.amounts, 1)).front()), &period.suns, {});
+        LightSum light = basis_->light_of(period.amounts);
+        Result result = result_of(light, {.of_time = nullptr, .of_period = &period.suns}, {});
         return {
             .bands = result.bands,
             .seconds = period.seconds,

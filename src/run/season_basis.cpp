@@ -345,8 +345,17 @@ SeasonBasis::Amounts SeasonBasis::amounts_of(
     return amounts;
 }
 
-std::vector<LightSum> SeasonBasis::light_of(std::span<const Amounts> amounts) const {
-    return LightSum::combine(responses_, amounts, LightSum(layout_, replicates_), threads_);
+LightSum SeasonBasis::light_of(const Amounts& amounts) const {
+    std::vector<LightSum> light;
+    find_light(std::span(&amounts, 1), light);
+    return std::move(light.front());
+}
+
+void SeasonBasis::find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const {
+    if (light.size() < amounts.size()) {
+        light.resize(amounts.size(), LightSum(layout_, replicates_));
+    }
+    LightSum::combine(responses_, amounts, std::span(light).first(amounts.size()), threads_);
 }
 
 void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
@@ -374,7 +383,7 @@ void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
             std::copy(left.sun->facing.begin(), left.sun->facing.end(), scattered);
             as_it_is.add(left.of_sun, own);
         }
-        errors.add(light_of(std::span(&amounts, 1)).front(), as_it_is);
+        errors.add(light_of(amounts), as_it_is);
     }
     errors_ = errors.relative();
 }

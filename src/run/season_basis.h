@@ -50,8 +50,11 @@ class SeasonBasis {
     /// @param suns  light straight from them, if it is known: what of it is scattered first tells
     ///        how much is scattered in all
     [[nodiscard]] Amounts amounts_of(const Sources& sources, const LightResponse* suns) const;
-    /// That light, of several times at once.
-    [[nodiscard]] std::vector<LightSum> light_of(std::span<const Amounts> amounts) const;
+    /// That light.
+    [[nodiscard]] LightSum light_of(const Amounts& amounts) const;
+    /// That of several times at once.
+    /// @param light  gets it, the first time first; it is longer where it was
+    void find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const;
     /// The relative error of it, by place of a bin as in LightResponse.
     [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
 
