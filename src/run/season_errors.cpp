@@ -39,7 +39,8 @@ void SeasonErrors::add_parts(
     const std::vector<double>& squares, const std::vector<double>& lights) {
     std::vector<float>& own = squares_.emplace_back(light_.size());
     const BinPlaces places(layout_);
-    for (std::size_t part = 0; part < bin_parts(layout_).size(); ++part) {
+    const std::size_t parts = bin_parts(layout_).size();
+    for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t first = places.first(part);
         const std::size_t end = first + places.count(part);
         double all = 0;
@@ -56,7 +57,8 @@ void SeasonErrors::add_parts(
 std::vector<double> SeasonErrors::relative() const {
     const BinPlaces places(layout_);
     std::vector<double> errors(light_.size());
-    for (std::size_t part = 0; part < bin_parts(layout_).size(); ++part) {
+    const std::size_t parts = bin_parts(layout_).size();
+    for (std::size_t part = 0; part < parts; ++part) {
         std::vector<std::size_t> order(places.count(part));
         std::iota(order.begin(), order.end(), places.first(part));
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
