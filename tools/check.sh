@@ -9,7 +9,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(test statistics page format layers scripts bench tidy docs asan tsan fuzz)
+all_steps=(test slow page format layers scripts bench tidy docs asan tsan fuzz)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -61,9 +61,10 @@ step_test() {
     fi
 }
 
-# Estimates against closed forms, and how often intervals hold; ./dev test --full has done it.
-step_statistics() {
-    [[ -n $full ]] || ./dev test -L '^statistics$'
+# Statistics above all: estimates against closed forms, and how often intervals hold. ./dev test --full
+# has done it.
+step_slow() {
+    [[ -n $full ]] || ./dev test -L '^slow$'
 }
 
 # The page in a browser, where there is one; ./dev test --full has done it.

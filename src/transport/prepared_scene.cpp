@@ -62,6 +62,15 @@ bool equal_to_rounding(const std::vector<double>& a, const std::vector<double>& 
     });
 }
 
+/// By which part of itself an amount of light is mended, at least.
+constexpr double kLeastMended = 1e-4;
+
+/// What light comes to the steeper is not mended.
+double grazing_cosine(const LocalMesh& mesh) {
+    constexpr double kGrazing = 0.1;
+    return mesh.instances.empty() ? std::min(kGrazing, mesh.most_turned / kLeastMended) : kGrazing;
+}
+
 }  // namespace
 
 PreparedScene::PreparedScene(
@@ -70,7 +79,10 @@ PreparedScene::PreparedScene(
     CrossSectionShape window,
     std::shared_ptr<const RayCaster> caster,
     const std::stop_token& stop)
-    : scene_(&scene), caster_(std::move(caster)), projection_(*caster_, window) {
+    : scene_(&scene),
+      caster_(std::move(caster)),
+      projection_(*caster_, window),
+      grazing_(grazing_cosine(caster_->mesh())) {
     set_regions();
     set_fields_of_view();
     set_lights(sources, stop);
@@ -175,12 +187,11 @@ void PreparedScene::set_spectrum(BoundSource& light) {
 }
 
 double PreparedScene::grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const {
-    constexpr double kLeast = 1e-4;  // by which an amount of light is mended
     const double scale = caster_->mesh().scale;
     const Vec3 given = area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
     const double exact = scale * scale * std::abs(dot(given, direction));
     const double rounded = std::abs(dot(caster_->mesh().across(mesh_triangle), direction));
-    return rounded > 0 && std::abs(exact - rounded) > kLeast * rounded ? exact / rounded : 1;
+    return rounded > 0 && std::abs(exact - rounded) > kLeastMended * rounded ? exact / rounded : 1;
 }
 
 bool PreparedScene::lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const {

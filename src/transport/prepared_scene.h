@@ -119,9 +119,8 @@ class PreparedScene {
     /// rounding turns where light grazes them. @param cosine  dot(unit normal, direction) as traced
     [[nodiscard]] double exact_share(
         std::uint32_t mesh_triangle, const Vec3& direction, double cosine) const {
-        constexpr double kGrazing = 0.1;
         const double share = caster_->mesh().exact_share(mesh_triangle, direction);
-        return share != 1 || std::abs(cosine) > kGrazing ? share
+        return share != 1 || std::abs(cosine) > grazing_ ? share
                                                          : grazed_share(mesh_triangle, direction);
     }
     /// Whether light of a sun along `direction` (of either sign) makes a triangle of the mesh count
@@ -192,6 +191,7 @@ class PreparedScene {
     std::size_t ground_regions_ = 0;
     std::vector<double> least_cosine_;  // by region; empty if no sensor is narrow
     double sharpest_peak_ = 0;
+    double grazing_;  ///< cosine beyond which rounding changes no light by what would be mended
     bool has_transparent_ = false, has_narrow_ = false;
     bool has_constant_albedos_ = true;
 };

@@ -103,9 +103,11 @@ class InstanceMaker {
     std::unordered_map<const FrozenMesh*, std::size_t> known_;
 };
 
-/// Lists the triangles that rounding changes, and sees whether there are slivers.
+/// Lists the triangles that rounding changes, and sees how much it changes the others and whether
+/// there are slivers.
 void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
     constexpr double kMostBlur = 1e-3;
+    double most = 0;  // squared
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
         const auto& [a, b, c] = mesh.faces[i];
         const Vec3 exact = local.scale * local.scale * area_vector(mesh[i]);
@@ -115,10 +117,14 @@ void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
         local.has_slivers = local.has_slivers || is_sliver(edge1, edge2);
         const Vec3 rounded = cross(edge1, edge2);
         const Vec3 off = rounded - exact;
-        if (dot(off, off) > kMostBlur * kMostBlur * dot(rounded, rounded)) {
+        const double whole = dot(rounded, rounded);
+        if (dot(off, off) > kMostBlur * kMostBlur * whole) {
             local.thin.emplace(i, exact);
+        } else if (whole > 0) {
+            most = std::max(most, dot(off, off) / whole);
         }
     }
+    local.most_turned = std::sqrt(most);
 }
 
 /// The part of a local mesh that belongs to no instance.
