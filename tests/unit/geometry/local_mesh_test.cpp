@@ -70,6 +70,29 @@ TEST(LocalMesh, ASceneOfOnePointStaysAsItIs) {
     EXPECT_EQ(mesh.vertex(0, 2), Vec3{});
 }
 
+/// What light is mended by at a slope rests on it: no triangle may be turned by more.
+RC_GTEST_PROP(LocalMesh, KnowsHowFarRoundingTurnsItsTriangles, ()) {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const double size = std::pow(10.0, *rc::gen::inRange(-3, 1));
+    std::vector<Triangle> triangles;
+    for (const Triangle& t : test::random_soup(20, 0.5, random)) {
+        const Vec3 place = random.point(-1, 1);
+        triangles.push_back({place + size * t[0], place + size * t[1], place + size * t[2]});
+    }
+    const LocalMesh mesh = make_local_mesh(triangles);
+    double most = 0;
+    for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        const Vec3 rounded = mesh.across(i);
+        const Vec3 given = mesh.scale * mesh.scale * area_vector(triangles[i]);
+        if (!mesh.thin.contains(i) && length(rounded) > 0) {
+            most = std::max(most, length(rounded - given) / length(rounded));
+        }
+    }
+    RC_ASSERT(std::abs(mesh.most_turned - most) <= 1e-6 * most);
+    RC_ASSERT(mesh.most_turned <= 1e-3);
+    RC_ASSERT(most > 0);
+}
+
 }  // namespace
 
 }  // namespace quasimc
