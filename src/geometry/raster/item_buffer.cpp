@@ -51,7 +51,8 @@ void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
     }
     const std::uint32_t triangles = scene.mesh->triangle_count();
     const bool is_open = !repeats_x_ && !repeats_y_;
-    for (std::uint32_t i = 0; i < triangles; i += is_open ? kBlockLanes : 1) {
+    const std::uint32_t step = is_open ? kBlockLanes : 1;
+    for (std::uint32_t i = 0; i < triangles; i += step) {
         scene.check_stop();
         if (is_open) {
             draw_block(i);
