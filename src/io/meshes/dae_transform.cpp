@@ -103,7 +103,7 @@ Affine dae_axes(const XmlTree& tree, DaeLibrary& library, FormatContext& context
     if (word == "X_UP") {  // its right is -y, and in is z
         return after(from_y, {{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}, {}});
     }
-    if (word != "Y_UP") {
+    if (up && word != "Y_UP") {
         library.fault(*up, fmt::format("<up_axis> is {}", shown(word)), "it is X_UP, Y_UP or Z_UP");
     }
     return from_y;
