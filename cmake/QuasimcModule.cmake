@@ -69,6 +69,16 @@ set(QUASIMC_FUZZED_MODULES base coupling growth io scene sources view)
 # tests of what they do gain by it.
 set(QUASIMC_LIGHT_MODULES capi io netcdf view)
 
+# quasimc_vector_sources(<source>...): sources that use Highway, compiled once for each kind of vector unit by
+# including itself.  Highway chooses among them at run time and does not compile under -march=native, so
+# the source is compiled for any x86-64, whatever CXXFLAGS says.
+function(quasimc_vector_sources)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+        set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-march=x86-64;-mtune=generic")
+    endif()
+endfunction()
+
 # Compiles sources as those of the module, but with light optimization, and adds them to it.
 function(quasimc_cold_sources target)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS")

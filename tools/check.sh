@@ -9,7 +9,7 @@ set -euo pipefail
 
 cd "$(dirname "$0")/.."
 
-all_steps=(test slow page format layers scripts bench tidy docs asan tsan fuzz)
+all_steps=(test slow page format layers scripts bench tidy docs asan tsan fuzz release)
 
 jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
@@ -40,7 +40,7 @@ step_layers() {
 }
 
 step_scripts() {
-    shellcheck dev tools/check.sh .ci/run
+    shellcheck dev tools/check.sh tools/try_on.sh .ci/run
     python3 -m unittest discover -s tools -p '*_test.py'
 }
 
@@ -141,6 +141,18 @@ step_fuzz() {
     # shellcheck disable=SC2016  # expanded by the inner shell
     printf '%s\0' build/asan/bin/quasimc_fuzz_* |
         xargs -0 -n 1 -P "$jobs" bash -euo pipefail -c 'fuzz_one "$1"' fuzz_one
+}
+
+# The current stable release of Debian, whose compiler and libraries are newer than those of the other steps:
+# the README's first command there, with --full both. Only root can install a release.
+step_release() {
+    if [[ $(id -u) -ne 0 ]]; then
+        echo "left out: only root can install another release (sudo tools/check.sh release)"
+    elif [[ -n $full ]]; then
+        tools/try_on.sh trixie
+    else
+        tools/try_on.sh trixie './dev run examples/01-leaves/leaves.toml'
+    fi
 }
 
 # Random scenes in every way, for some minutes; docs/develop/testing.md tells how to go on for hours.

@@ -44,20 +44,21 @@ std::optional<OptionValue> option_value(const Node& node) {
     return list ? list_value(*list) : std::nullopt;
 }
 
+template <typename T>
+Node list_node(const std::vector<T>& values) {
+    Node::List list(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        list[i].value = values[i];
+    }
+    return {std::move(list)};
+}
+
 Node option_node(const OptionValue& value) {
-    if (const auto* words = std::get_if<std::vector<std::string>>(&value)) {
-        Node::List list;
-        for (const std::string& word : *words) {
-            list.push_back({word});
-        }
-        return {std::move(list)};
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+        return list_node(*texts);
     }
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-        Node::List list;
-        for (const double number : *numbers) {
-            list.push_back({number});
-        }
-        return {std::move(list)};
+        return list_node(*numbers);
     }
     if (const auto* integer = std::get_if<std::int64_t>(&value)) {
         return {*integer};
