@@ -213,7 +213,7 @@ TEST_F(OutputsTest, PipesAreReadAndWritten) {
     EXPECT_EQ(late.status, 0) << late.err;
     const Outcome slow = shell("\"$quasimc\" run <(sleep 0.3; cat run.toml)");
     EXPECT_EQ(slow.status, 0) << slow.err;
-    const Outcome written = shell("\"$quasimc\" run bare.toml --csv >(cat >piped.csv); sleep 0.2");
+    const Outcome written = shell("\"$quasimc\" run bare.toml --csv >(cat >piped.csv); wait $!");
     EXPECT_EQ(written.status, 0) << written.err;
     EXPECT_NE(folder_.read("piped.csv").find("third"), std::string::npos);
 }
