@@ -6,6 +6,12 @@
 //   text     of reading the queries and writing the answers
 //   share    beyond / whole step
 //
+// bench_bound: what `number of rays` bounds: steps by `auto` and by light_tracing in turn, with as
+// many rays. Counters:
+//   auto, light   CPU milliseconds of a step, the middle one
+//   ratio         of the two of a pair, the middle one
+//   method        that auto took, by its place in the catalogue
+//
 // bench_pipe: all of it, as the plant simulator sees it, from the first byte of the queries written
 // to a pipe until the last byte of the answers is read. Counters are seconds by the clock:
 //   median   of the steps
@@ -130,6 +136,72 @@ BENCHMARK(bench_steps)
     ->Args({100000, 1 << 20, 8})
     ->Unit(benchmark::kMillisecond);
 
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// CPU seconds of a step.
+double seconds_of_answer(PlantLight& light, const Pass& pass) {
+    const double start = cpu_seconds();
+    Answers answers;
+    light.answer(
+        pass, [] {}, answers);
+    return cpu_seconds() - start;
+}
+
+/// A step by auto, and as many rays by light_tracing, in turn.
+void bench_bound(benchmark::State& state) {
+    Notices silent([](const std::string&) {});
+    Specification spec = specification(
+        static_cast<std::uint64_t>(state.range(1)), 1, static_cast<Shining>(state.range(2)));
+    const double half = static_cast<double>(state.range(3)) / 200;  // of the albedo in percent
+    for (SideOptics& side : spec.materials.front()) {
+        side.reflectance = side.transmittance = half;
+    }
+    spec.run.threads = 1;
+    Specification plain = spec;
+    plain.run.method = Method::light_tracing;
+    PlantLight automatic(spec, silent), light(plain, silent);
+    MessageParser parser(usual_format());
+    Pass pass;
+    static_cast<void>(
+        parser.parse(leaves_message(static_cast<std::size_t>(state.range(0)), 0), pass));
+    std::vector<double> by_auto, by_light, ratios;
+    for (auto _ : state) {
+        by_auto.push_back(seconds_of_answer(automatic, pass));
+        by_light.push_back(seconds_of_answer(light, pass));
+        ratios.push_back(by_auto.back() / by_light.back());
+    }
+    constexpr double kMilliseconds = 1000;
+    state.counters["auto"] = kMilliseconds * median_of(by_auto);
+    state.counters["light"] = kMilliseconds * median_of(by_light);
+    state.counters["ratio"] = median_of(ratios);
+    state.counters["method"] = static_cast<double>(automatic.last().results.front().chosen.method);
+}
+
+void bound_cases(benchmark::internal::Benchmark* cases) {
+    for (const auto shining : {Shining::sun, Shining::cells, Shining::day}) {
+        for (const int albedo : {20, 90}) {
+            for (const auto& [leaves, paths] : std::vector<std::pair<int, int>>{
+                     {35, 1024},
+                     {35, 65536},
+                     {200, 1024},
+                     {200, 4096},
+                     {200, 16384},
+                     {3000, 65536},
+                     {100000, 65536}}) {
+                cases->Args({leaves, paths, static_cast<int>(shining), albedo});
+            }
+        }
+    }
+}
+
+BENCHMARK(bench_bound)
+    ->ArgNames({"leaves", "paths", "shining", "albedo"})
+    ->Apply(bound_cases)
+    ->Unit(benchmark::kMillisecond);
+
 /// A pipe, closed at the end.
 struct Pipe {
     Pipe() {
@@ -199,9 +271,8 @@ void bench_pipe(benchmark::State& state) {
         seconds.push_back(seconds_of_step(to, from, seconds.size() % 2 == 0 ? even : odd));
     }
     write_all(to.ends[1], "Control: 8\n");
-    std::sort(seconds.begin(), seconds.end());
-    state.counters["median"] = seconds[seconds.size() / 2];
-    state.counters["quickest"] = seconds.front();
+    state.counters["median"] = median_of(seconds);
+    state.counters["quickest"] = *std::min_element(seconds.begin(), seconds.end());
 }
 
 BENCHMARK(bench_pipe)

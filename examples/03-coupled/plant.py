@@ -180,6 +180,14 @@ def grow(light, steps, pause=0.0):
                     shoots.append(shoot.branch(leaf))
 
 
+def wait_for_enter(text):
+    """Waits for the Enter key; not where nobody can press it (no terminal, end of the input)."""
+    try:
+        input(text + "\n")
+    except EOFError:
+        print("There is no terminal to press Enter on: going on.")
+
+
 def program_path(stated):
     """The stated program, or that beside the one under test, or the one that was built."""
     beside = os.path.join(os.path.dirname(os.environ.get("QUASIMC_PROGRAM", "")), "QuasiMC")
@@ -202,10 +210,10 @@ def main():
     arguments = parser.parse_args()
     light = Light(program_path(arguments.program), ["--view"] if arguments.view else [])
     if arguments.view:
-        input("Open the address above in a browser of this machine, then press Enter.\n")
+        wait_for_enter("Open the address above in a browser of this machine, then press Enter.")
     grow(light, arguments.steps, 1.0 if arguments.view else 0.0)
     if arguments.view:
-        input("All steps are there: the slider goes back. Enter ends.\n")
+        wait_for_enter("All steps are there: the slider goes back. Enter ends.")
     return light.end()
 
 

@@ -47,22 +47,23 @@ inline constexpr SourceTraits kSunDiskTraits{
 inline constexpr SourceTraits kSkyTraits{.delta = false, .at_infinity = true, .extended = true};
 inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, .extended = false};
 
+/// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
+/// its errors would be lost to rounding.
+inline constexpr double kLeastIrradiance = 1e-60;
+
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
 /// spectrum varies over it is several sources.) Places and directions are in the world with z up;
 /// immutable.
 class Source {
   public:
     virtual ~Source() = default;
+    /// @param spectrum  see spectrum(); a value below kLeastIrradiance is no light and becomes 0
     /// @param horizontal_irradiance  see horizontal_irradiance()
     Source(
         std::string name,
         std::vector<double> spectrum,
         SourceTraits traits,
-        double horizontal_irradiance)
-        : name_(std::move(name)),
-          spectrum_(std::move(spectrum)),
-          traits_(traits),
-          horizontal_irradiance_(horizontal_irradiance) {}
+        double horizontal_irradiance);
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "coupling/directive.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
 
@@ -19,8 +20,9 @@ struct CommLine {
 };
 
 struct Reading {
-    CommFile file;
-    Faults faults;
+    Notices& notices;
+    CommFile file = {};
+    Faults faults = {};
 };
 
 /// The printf format of a turtle line: how many characters other than blanks it prints before the
@@ -39,15 +41,20 @@ TurtleLine parse_format(std::string_view format) {
     return line;
 }
 
+/// The plant simulator skips a type that it does not know, in capitals as well, and so keeps to
+/// pipes; a number of queries that is none is the usual one. Both sides must read the same.
 void read_transport(const CommLine& line, Reading& reading) {
     constexpr std::array<std::string_view, 4> kNames{"pipes", "files", "memory", "sockets"};
     std::string_view rest = line.value;
     const std::string_view name = take_word(rest);
     const auto* found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end()) {
-        reading.faults.add(
-            {line.place, fmt::format("{} is no communication type", shown(name)), "",
-             did_you_mean(name, kNames)});
+        if (lower_case(name) != kNames.front()) {
+            reading.notices.once(fmt::format(
+                "{}: {} is no communication type and skipped, as by the plant simulator, so that "
+                "pipes are used; {}",
+                line.place, shown(name), did_you_mean(name, kNames)));
+        }
         return;
     }
     reading.file.transport = static_cast<Transport>(found - kNames.begin());
@@ -57,9 +64,9 @@ void read_transport(const CommLine& line, Reading& reading) {
     }
     const auto count = parse_integer(chunk);
     if (!count || *count < 1) {
-        reading.faults.add(
-            {line.place, fmt::format("{} queries in a chunk", shown(chunk)),
-             "it must be a number from 1 on", ""});
+        reading.notices.once(fmt::format(
+            "{}: {} queries in a chunk: the usual number is used, as the plant simulator does",
+            line.place, shown(chunk)));
         return;
     }
     reading.file.chunk = static_cast<std::size_t>(*count);
@@ -116,7 +123,7 @@ constexpr std::array kCommEntries{
     CommEntry{"remote host", ignore},
 };
 
-void read_line(const CommLine& line, Reading& reading, Notices& notices) {
+void read_line(const CommLine& line, Reading& reading) {
     const auto* entry = std::find_if(
         kCommEntries.begin(), kCommEntries.end(),
         [&](const CommEntry& e) { return e.name == line.name; });
@@ -128,7 +135,7 @@ void read_line(const CommLine& line, Reading& reading, Notices& notices) {
     std::transform(kCommEntries.begin(), kCommEntries.end(), names.begin(), [](const CommEntry& e) {
         return e.name;
     });
-    notices.once(fmt::format(
+    reading.notices.once(fmt::format(
         "{}: {} is not known and skipped; {}", line.place, shown(line.name),
         did_you_mean(line.name, names)));
 }
@@ -136,7 +143,7 @@ void read_line(const CommLine& line, Reading& reading, Notices& notices) {
 }  // namespace
 
 CommFile read_comm_text(std::string_view text, const std::string& name, Notices& notices) {
-    Reading reading;
+    Reading reading{notices};
     LineScanner lines(text);
     while (lines.next()) {
         const std::size_t end = lines.line().find_first_of(":\t");
@@ -149,8 +156,7 @@ CommFile read_comm_text(std::string_view text, const std::string& name, Notices&
                 "{}: {} is skipped: a line reads 'name: value'", place, shown(lines.line())));
             continue;
         }
-        read_line(
-            {place, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading, notices);
+        read_line({place, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading);
     }
     reading.faults.throw_if_any();
     return reading.file;

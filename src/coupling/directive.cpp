@@ -85,6 +85,15 @@ bool Values::at_end() const {
     return text_.find_first_not_of(kSeparators) == std::string_view::npos;
 }
 
+std::size_t Values::words_left() const {
+    std::string_view text = text_;
+    std::size_t count = 0;
+    while (!take_word(text, kSeparators).empty()) {
+        ++count;
+    }
+    return count;
+}
+
 std::string_view Values::word() {
     return take_word(text_, kSeparators);
 }

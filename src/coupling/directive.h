@@ -44,6 +44,7 @@ class Values {
     /// The next word, or "" at the end. Words stand between blanks, commas, semicolons and colons.
     std::string_view word();
     [[nodiscard]] bool at_end() const;
+    [[nodiscard]] std::size_t words_left() const;
     /// The next number; a fault if it is missing or out of range.
     std::optional<double> number(std::string_view name, Range range = kAnyNumber);
     std::optional<std::int64_t> integer(std::string_view name, Range range);

@@ -8,13 +8,11 @@
 
 #include "base/text.h"
 #include "coupling/directive_table.h"
-#include "coupling/lighting.h"
+#include "coupling/sky_file.h"
 #include "io/line_scanner.h"
 
 namespace quasimc {
 namespace {
-
-constexpr double kLongestCount = 1e4;  // cells of a sky along an axis
 
 void read_model(Values& values, DirectiveContext& context) {
     constexpr std::array<std::string_view, 5> kNames{
@@ -44,6 +42,11 @@ void read_light(Values& values, DirectiveContext& context) {
     const auto x = values.number("x of the direction");
     const auto y = values.number("y of the direction");
     const auto z = values.number("z of the direction");
+    if (x && y && z && values.at_end()) {
+        values.notice(
+            "no weight: 1 is taken; the original program leaves such a light out, which without "
+            "another one makes it light from above");
+    }
     const auto weight = values.number_or(1, "the weight", kNotNegativeNumber);
     if (x && y && z && weight) {
         add_light({*x, *y, *z}, *weight, values, context);
@@ -172,63 +175,13 @@ void read_sky(Values& values, DirectiveContext& context) {
     sky_of(context).weather = *chosen == 1 ? Weather::clear : Weather::overcast;
 }
 
-/// A table in one line, without the lines that are comments.
-std::string joined_lines(std::string_view text) {
-    std::string joined;
-    LineScanner lines(text);
-    while (lines.next()) {
-        const std::string_view line = trimmed(lines.line());
-        if (!line.starts_with("//") && !line.starts_with('#')) {
-            joined.append(line).append(" ");
-        }
-    }
-    return joined;
-}
-
-/// The cells of a sky, azimuth by azimuth from the horizon up: a line with their numbers, then
-/// azimuth, elevation and radiance of each.
-std::optional<SkyTable> read_sky_table(Values& numbers) {
-    const auto azimuths = numbers.integer("the number of azimuths", {1, kLongestCount});
-    const auto elevations = numbers.integer("the number of elevations", {1, kLongestCount});
-    constexpr double kMostCells = 1e6;
-    if (!azimuths || !elevations) {
-        return std::nullopt;
-    }
-    const double cell_count = static_cast<double>(*azimuths) * static_cast<double>(*elevations);
-    if (cell_count > kMostCells) {
-        numbers.fault(fmt::format("{} cells", cell_count), "at most a million are read");
-        return std::nullopt;
-    }
-    SkyTable table =
-        plant_sky_table(static_cast<std::size_t>(*azimuths), static_cast<std::size_t>(*elevations));
-    const std::size_t cells = table.radiance.size();
-    double sum = 0;
-    for (std::size_t i = 0; i < cells; ++i) {
-        const std::string cell = fmt::format("cell {} of {}", i + 1, cells);
-        static_cast<void>(numbers.number("the azimuth of " + cell));
-        static_cast<void>(numbers.number("the elevation of " + cell));
-        const auto radiance = numbers.number("the radiance of " + cell, kNotNegativeNumber);
-        if (!radiance) {
-            return std::nullopt;
-        }
-        const std::size_t azimuth = i / table.elevations, elevation = i % table.elevations;
-        table.radiance[elevation * table.azimuths + azimuth] = *radiance;
-        sum += *radiance;
-    }
-    if (!(sum > 0)) {
-        numbers.fault("all radiances are 0", "such a sky is black");
-        return std::nullopt;
-    }
-    return table;
-}
-
 void read_sky_file(Values& values, DirectiveContext& context) {
     const std::string name = values.rest();
     const auto text = file_text(name, values, context);
     if (!text) {
         return;
     }
-    const std::string table = joined_lines(*text);
+    const std::string table = sky_file_numbers(*text);
     Values numbers(name, "sky", table, values.faults(), context.notices);
     context.spec.sky_table = read_sky_table(numbers);
     numbers.finish();

@@ -20,7 +20,13 @@ void ignore(Values& values, DirectiveContext& /*context*/) {
 }
 
 void read_verbose(Values& values, DirectiveContext& context) {
-    if (const auto level = values.integer("the level", {0, 3})) {
+    // MonteCarlo says on and off.
+    Values word = values;
+    const std::string said = lower_case(word.word());
+    if (said == "on" || said == "off") {
+        context.spec.verbose = said == "on" ? 1 : 0;
+        values = word;
+    } else if (const auto level = values.integer("the level", {0, 3})) {
         context.spec.verbose = static_cast<int>(*level);
     }
 }
@@ -80,17 +86,24 @@ void read_roulette(Values& values, DirectiveContext& context) {
 }
 
 void read_sampler(Values& values, DirectiveContext& context) {
-    constexpr std::array<std::string_view, 7> kNames{
-        "monte", "monte-carlo", "korobov", "sobol", "halton", "faure", "poly-korobov"};
-    constexpr std::array<std::string_view, 7> kSamplers{
-        "monte_carlo", "monte_carlo", "korobov", "sobol", "halton", "faure", "sobol"};
-    const auto chosen = values.choice(kNames);
+    constexpr std::array<std::string_view, 6> kNames{"monte carlo", "korobov", "sobol",
+                                                     "halton",      "faure",   "poly-korobov"};
+    constexpr std::array<std::string_view, 6> kSamplers{"monte_carlo", "korobov", "sobol",
+                                                        "halton",      "faure",   "sobol"};
+    const std::string given = lower_case(values.word());
     static_cast<void>(values.rest());  // "monte carlo": the first word is enough
-    if (!chosen) {
+    if (given.empty()) {
+        values.fault("the value is missing", "", did_you_mean(given, kNames));
         return;
     }
-    context.spec.run.sampler = kSamplers[*chosen];
-    if (kNames[*chosen] == "poly-korobov") {
+    // As in the original program, whatever is not known means Monte Carlo.
+    const auto* const found = std::find(kNames.begin(), kNames.end(), given);
+    const bool is_known = found != kNames.end();
+    context.spec.run.sampler = is_known ? kSamplers[found - kNames.begin()] : kSamplers.front();
+    if (!is_known && !given.starts_with("monte")) {
+        values.notice(fmt::format(
+            "{} is not known: Monte Carlo is used; {}", shown(given), did_you_mean(given, kNames)));
+    } else if (given == "poly-korobov") {
         values.notice("there are no polynomial lattices: Sobol' points are used");
     }
 }

@@ -86,16 +86,13 @@ class FileStream final : public ByteStream {
         }
         return std::string_view(buffer_).substr(0, end);
     }
-    /// If not even an empty answer can be written, what stands in the file must do.
     void send(std::string_view message, Continuation /*continuation*/) override {
-        try {
-            write(message);
-        } catch (const InputError&) {
-            if (message != kEmptyAnswer) {
-                throw;
-            }
-        }
+        write_answer(message);
         semaphores_.post_to_master();
+    }
+    void send_last(std::string_view message) override {
+        write_answer(message);
+        semaphores_.post_last();
     }
     void await_request() override { semaphores_.wait_for_master(); }
     void check() override { semaphores_.check(); }
@@ -125,6 +122,16 @@ class FileStream final : public ByteStream {
                                 write_at(file, message.substr(0, head), 0);
         if (!is_written) {
             fail(from_us_, "can't be written", errno);
+        }
+    }
+    /// If not even an empty answer can be written, what stands in the file must do.
+    void write_answer(std::string_view message) const {
+        try {
+            write(message);
+        } catch (const InputError&) {
+            if (message != kEmptyAnswer) {
+                throw;
+            }
         }
     }
     void read() {

@@ -85,14 +85,12 @@ class MemoryStream final : public ByteStream {
         return buffer_;
     }
     void send(std::string_view message, Continuation /*continuation*/) override {
-        EXPECT(message.size() <= kFromUs);
-        // The head last, so that at any time the memory begins with a message that is whole.
-        const std::size_t head = kEmptyAnswer.size();
-        EXPECT(message.size() >= head);
-        std::memcpy(memory_.from_us() + head, message.data() + head, message.size() - head);
-        std::atomic_signal_fence(std::memory_order_seq_cst);
-        std::memcpy(memory_.from_us(), message.data(), head);
+        write(message);
         semaphores_.post_to_master();
+    }
+    void send_last(std::string_view message) override {
+        write(message);
+        semaphores_.post_last();
     }
     void await_request() override { semaphores_.wait_for_master(); }
     void check() override { semaphores_.check(); }
@@ -107,6 +105,15 @@ class MemoryStream final : public ByteStream {
     /// What the simulator reads if we come to an end before we have answered.
     void prepare_for_our_end() const noexcept {
         std::memcpy(memory_.from_us(), kEmptyAnswer.data(), kEmptyAnswer.size());
+    }
+
+    /// Writes the head last, so that at any time the memory begins with a message that is whole.
+    void write(std::string_view message) const {
+        const std::size_t head = kEmptyAnswer.size();
+        EXPECT(message.size() >= head && message.size() <= kFromUs);
+        std::memcpy(memory_.from_us() + head, message.data() + head, message.size() - head);
+        std::atomic_signal_fence(std::memory_order_seq_cst);
+        std::memcpy(memory_.from_us(), message.data(), head);
     }
 
     SemaphorePair semaphores_;

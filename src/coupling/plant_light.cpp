@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "coupling/bounded_run.h"
 #include "coupling/step_files.h"
 #include "scene/lint.h"
 #include "solvers/run_limits.h"
@@ -187,7 +188,7 @@ StepLight PlantLight::trace(
         const Sources& sources = lighting_.sources[light.results.size()];
         light.scene.emplace(build_plant_scene(spec_, some, pass, shapes));
         light.results.push_back(
-            simulator.run(*light.scene, sources, run, [&](const Progress&) { check(); }));
+            run_bounded(simulator, *light.scene, sources, run, [&](const Progress&) { check(); }));
     };
     if (spec_.one_ray_per_spectrum) {
         trace_some(bands);

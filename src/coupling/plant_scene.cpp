@@ -69,6 +69,7 @@ Scene build_plant_scene(
         names.push_back(spec.bands[band]);
     }
     SceneBuilder builder(std::move(names), plant_orientation());
+    builder.set_length_unit("");  // lengths are the plant's, which has no unit
     SceneMaterials materials(spec, bands);
     for (const PlacedShape& placed : shapes) {
         OrganSpec organ;

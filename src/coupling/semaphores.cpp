@@ -43,8 +43,10 @@ union SemaphoreArgument {
                                           : std::generic_category().message(error).c_str());
 }
 
-/// The most that a semaphore counts to.
-constexpr short kMost = 32767;
+/// The answers that are left to a simulator that goes on without us: half of what a semaphore
+/// counts to. The other half is for the simulator, which ends by adding to its semaphores (lpfg):
+/// beyond the most that would fail.
+constexpr short kForever = 32767 / 2;
 
 /// A descriptor of a process. -1, and errno, if there is none.
 int watch(int process) {
@@ -84,13 +86,11 @@ void SemaphorePair::announce() {
     }
     std::array<sembuf, 3> sign_and_owe{
         {{kToMaster, static_cast<short>(-before), IPC_NOWAIT},
-         {kToMaster, kMost, 0},
-         {kToMaster, -kMost, SEM_UNDO}}};
-    SemaphoreArgument zero{};
-    zero.value = 0;
-    if (::semop(set_, sign_and_owe.data(), sign_and_owe.size()) < 0 &&
-        ::semctl(set_, kToMaster, SETVAL, zero) < 0) {  // without it, all but a kill is as well
-        gone_by_error(errno);
+         {kToMaster, kForever, 0},
+         {kToMaster, -kForever, SEM_UNDO}}};
+    if (::semop(set_, sign_and_owe.data(), sign_and_owe.size()) < 0) {
+        set_answers(0);  // without the debt, all but a kill is as well
+        check();
     }
 }
 
@@ -114,10 +114,20 @@ void SemaphorePair::post_to_master() {
     }
 }
 
+// Setting a semaphore also cancels what the kernel would give back to it when a process ends
+// (announce): our end changes nothing any more.
+void SemaphorePair::set_answers(int count) const noexcept {
+    SemaphoreArgument argument{};
+    argument.value = count;
+    ::semctl(set_, kToMaster, SETVAL, argument);
+}
+
+void SemaphorePair::post_last() const noexcept {
+    set_answers(1);
+}
+
 void SemaphorePair::post_forever() const noexcept {
-    SemaphoreArgument most{};
-    most.value = kMost;
-    ::semctl(set_, kToMaster, SETVAL, most);
+    set_answers(kForever);
 }
 
 bool SemaphorePair::master_died() const {

@@ -132,19 +132,10 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
-/// Less light than that is given up: the squares of its errors are no numbers any more, and it
-/// would seem to have none.
-constexpr double kLeastIrradiance = 1e-60;
-
 void check_irradiance(const Source& source, double x, Faults& faults) {
     const std::string place = fmt::format("source '{}'", source.name());
     if (!(x >= 0) || !std::isfinite(x)) {
         faults.add({place, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
-    } else if (x > 0 && x < kLeastIrradiance) {
-        faults.add(
-            {place, fmt::format("irradiance {} is too small", shortest(x)),
-             "its errors would be lost to rounding",
-             fmt::format("give 0, or at least {}", shortest(kLeastIrradiance))});
     }
 }
 
@@ -167,7 +158,11 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
         }
     }
     if (dark) {
-        faults.add({"sources", "all irradiances are 0", "the scene would be dark", ""});
+        faults.add(
+            {"sources", "all irradiances are 0",
+             fmt::format(
+                 "the scene would be dark; less than {} counts as 0", shortest(kLeastIrradiance)),
+             ""});
     }
 }
 

@@ -4,6 +4,20 @@
 
 namespace quasimc {
 
+Source::Source(
+    std::string name,
+    std::vector<double> spectrum,
+    SourceTraits traits,
+    double horizontal_irradiance)
+    : name_(std::move(name)),
+      spectrum_(std::move(spectrum)),
+      traits_(traits),
+      horizontal_irradiance_(horizontal_irradiance) {
+    for (double& x : spectrum_) {
+        x = x > 0 && x < kLeastIrradiance ? 0 : x;
+    }
+}
+
 DrawnDirection SourceSampler::draw_direction(double, double) const {
     return {beam_direction().value_or(Vec3{}), 0};
 }

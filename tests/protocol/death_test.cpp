@@ -197,7 +197,6 @@ TEST_P(Vanishing, SemaphoresEndTheProgram) {
     ASSERT_EQ(::semctl(set, 0, IPC_RMID), 0);
     EXPECT_EQ(master->process().wait(), (Ending{false, 1}));
     EXPECT_NE(folder_.read("err").find("semaphores were removed"), std::string::npos);
-    master->clean_up();
 }
 
 }  // namespace

@@ -23,6 +23,21 @@ TEST_F(Growth, OfTheExampleIsPrinted) {
     EXPECT_TRUE(folder_.read("light0002.ply").starts_with("ply\n"));
 }
 
+/// As in a test, a pipeline or a service: nobody can press Enter.
+TEST_F(Growth, OfTheExampleIsViewedWithoutATerminal) {
+    const std::filesystem::path example = QUASIMC_SOURCE_DIR "/examples/03-coupled";
+    for (const char* name : {"plant.py", "comm.e", "light.qmc"}) {
+        std::filesystem::copy(example / name, folder_.path());
+    }
+    const std::string command =
+        "cd " + folder_.path().string() +
+        " && python3 plant.py --view --steps 1 --program " QUASIMC_ENVIRONMENT
+        " < /dev/null > told 2> err";
+    EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("err");
+    EXPECT_NE(folder_.read("told").find("There is no terminal"), std::string::npos);
+    EXPECT_EQ(folder_.read("err").find("Traceback"), std::string::npos);
+}
+
 TEST_F(Growth, IsToldStepByStep) {
     folder_.write("comm.e", comm_text(Transport::pipes));
     folder_.write("light.qmc", "number of rays: 1024\nverbose: 2\n");

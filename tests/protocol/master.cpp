@@ -218,6 +218,20 @@ class SemaphoreMaster : public Master {
         make_semaphores();
     }
     ~SemaphoreMaster() override { ::semctl(set_, 0, IPC_RMID); }
+    /// The end of lpfg, which is stricter than that of cpfg: it adds to both semaphores before it
+    /// removes them, and crashes if it can't.
+    void clean_up() override {
+        const int set = std::exchange(set_, -1);
+        constexpr std::array<unsigned short, 2> kBoth{0, 1};
+        for (const unsigned short number : kBoth) {
+            sembuf release{number, 1, 0};
+            if (set >= 0 && ::semop(set, &release, 1) < 0) {
+                ::semctl(set, 0, IPC_RMID);
+                throw MasterError(std::string("no release: ") + std::strerror(errno));
+            }
+        }
+        ::semctl(set, 0, IPC_RMID);
+    }
 
     /// The simulators sleep for a second and then look; we look until it is so.
     void await_sign() override {
@@ -317,6 +331,7 @@ class FileMaster final : public SemaphoreMaster {
     void clean_up() override {
         std::filesystem::remove(folder() / (".to_field" + extension_));
         std::filesystem::remove(folder() / (".from_field" + extension_));
+        SemaphoreMaster::clean_up();
     }
 
   protected:
@@ -360,7 +375,6 @@ class MemoryMaster final : public SemaphoreMaster {
         }
         std::memcpy(bytes_, text.data(), text.size());
     }
-    void clean_up() override {}
 
   protected:
     std::string reply() override {

@@ -87,8 +87,18 @@ std::string Conversing::ask(const std::string& text) {
 }
 
 void Conversing::say_goodbye() {
-    require(ask(goodbye(talk_.client)) == kEmptyAnswer, "the goodbye is not acknowledged");
+    if (talk_.client == Client::lpfg) {
+        master_->send(goodbye(talk_.client));
+        measure_wait([&] { require(master_->process().wait_for_end(), "it does not end"); });
+    } else {
+        require(ask(goodbye(talk_.client)) == kEmptyAnswer, "the goodbye is not acknowledged");
+    }
     master_->clean_up();
+}
+
+std::array<int, 2> Conversing::semaphores() const {
+    const int set = ::semget(static_cast<key_t>(key_), 2, 0);
+    return {::semctl(set, 0, GETVAL), ::semctl(set, 1, GETVAL)};
 }
 
 void Conversing::expect_end(int status) {

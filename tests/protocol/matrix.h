@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,8 +44,11 @@ class Conversing {
     void begin();
     /// Sends a text and gives the whole reply to it, the wait for which is measured.
     std::string ask(const std::string& text);
-    /// The order to exit; the simulator closes its line as soon as it is acknowledged.
+    /// The order to exit. cpfg closes its line as soon as it is acknowledged; lpfg asks for no
+    /// answer and waits for the end of the program.
     void say_goodbye();
+    /// The values of the two semaphores.
+    [[nodiscard]] std::array<int, 2> semaphores() const;
     /// Waits for the end of the program and requires this status; then nothing may be left.
     void expect_end(int status);
     /// The same of a program that was killed.

@@ -57,6 +57,47 @@ TEST_F(Matrix, NormalEnd) {
     expect_all_good(cases);
 }
 
+/// What lpfg finds when it ends: an answer that it does not take, and room to add one to it.
+void require_room(const Conversing& c, int most) {
+    const auto [questions, answers] = c.semaphores();
+    require(
+        questions == 0 && answers > 0 && answers <= most,
+        fmt::format("the semaphores are {} and {}", questions, answers));
+}
+
+TEST_F(Matrix, NothingIsOwedToSemaphoresAfterTheOrderToExit) {
+    expect_all_good(over_all_lines([](Talk talk) {
+        if (!talk.has_semaphores()) {
+            return;
+        }
+        Conversing c(talk, kBlackLeaves);
+        c.begin();
+        require_light(c.ask(flat_leaf(talk.client, 0)));
+        c.master().send(goodbye(talk.client));
+        measure_wait([&] { require(c.master().process().wait_for_end(), "it does not end"); });
+        require_room(c, 1);
+        c.expect_end(0);
+    }));
+}
+
+TEST_F(Matrix, SemaphoresHaveRoomAfterEveryOtherEnd) {
+    constexpr int kHalf = 16384;  // of what one counts to
+    for (const int signal : {SIGTERM, SIGKILL}) {
+        expect_all_good(over_all_lines([signal](Talk talk) {
+            if (!talk.has_semaphores()) {
+                return;
+            }
+            Conversing c(talk, kBlackLeaves);
+            c.begin();
+            require_light(c.ask(flat_leaf(talk.client, 0)));
+            c.master().process().send(signal);
+            measure_wait([&] { require(c.master().process().wait_for_end(), "it does not end"); });
+            require_room(c, kHalf);
+            signal == SIGKILL ? c.expect_kill() : c.expect_end(128 + signal);
+        }));
+    }
+}
+
 /// cpfg closes its line after one byte of our answer: here, before there is any.
 TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
     expect_all_good(over_all_lines([](Talk talk) {

@@ -124,3 +124,8 @@ export function colorsOf(numbers, isShown, scale, map) {
   }
   return colors;
 }
+
+/** A number in words with its unit, if it has one: plants of simulators have none. */
+export function withUnit(text, unit) {
+  return unit ? `${text} ${unit}` : text;
+}

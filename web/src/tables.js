@@ -131,7 +131,7 @@ function aboutTable(run, time) {
   const method = now.method ?? head.method;
   const done = now.done ?? head.done ?? {};
   const rows = [
-    ["scene", `${organs} organs, ${triangles} triangles, lengths in ${unit}`],
+    ["scene", `${organs} organs, ${triangles} triangles${unit ? `, lengths in ${unit}` : ""}`],
     ...(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
     ...(head.time ? [["times", [head.time].flat().map(words).join("; ")]] : []),

@@ -5,7 +5,7 @@ import { RunData } from "./data.js";
 import { fillLabels, organsPassing, wantedLabels } from "./filters.js";
 import { Follower, LiveRun, isLive } from "./live.js";
 import { plantColors } from "./plant.js";
-import { colorsOf, scaleOf, short, ticks, withError } from "./numbers.js";
+import { colorsOf, scaleOf, short, ticks, withError, withUnit } from "./numbers.js";
 import { SceneWindow, makeRenderer } from "./scene.js";
 import { drawReport, fill, make, table } from "./tables.js";
 import { worstOrgans } from "./worst.js";
@@ -283,7 +283,7 @@ class Page {
     const along = (corner) => normal.reduce((sum, n, k) => sum + n * corner[k], 0);
     const [from, to] = [along(low), along(high)];
     const offset = from + ((to - from) * Number($("cut-at").value)) / 1000;
-    const text = `Show up to ${axis} = ${short(offset + along(middle))} ${unit}`;
+    const text = `Show up to ${axis} = ${withUnit(short(offset + along(middle)), unit)}`;
     $("cut-text").textContent = text;
     $("cut-at").setAttribute("aria-valuetext", text);
     this.window?.cut(normal, offset);
@@ -351,7 +351,7 @@ class Page {
   describe(organ) {
     const { mean, error } = this.values;
     const unit = this.run.unit(this.time, this.column);
-    return `${withError(mean[organ], error[organ])}${unit ? ` ${unit}` : ""}`;
+    return withUnit(withError(mean[organ], error[organ]), unit);
   }
 
   /** What is told of an organ: all, but of very many bands only that which is shown. */
@@ -377,8 +377,8 @@ class Page {
     const labels = Object.entries(organs.labels)
       .filter(([, label]) => label.of[organ] >= 0)
       .map(([key, label]) => `${key} = ${label.values[label.of[organ]]}`);
-    const about = [`id ${run.idOf(organ)}`, `area ${short(run.shape.areas[organ])} ${unit}²`,
-      `middle at height ${short(run.shape.heights[organ])} ${unit}`, ...labels,
+    const about = [`id ${run.idOf(organ)}`, `area ${withUnit(short(run.shape.areas[organ]), unit && `${unit}²`)}`,
+      `middle at height ${withUnit(short(run.shape.heights[organ]), unit)}`, ...labels,
       ...this.bars.filter(Boolean).map((bar) => `in the bar ${bar}`)];
     const rows = columns.flatMap((column, i) => (all[i] ? [[
       run.columnName(column.number),
@@ -447,7 +447,7 @@ class Page {
     this.window?.paint(colorsOf(this.numbers, this.isShown, this.scale, map));
     const labels = [...wantedLabels($("labels"))].map(([key, values]) => `, ${key} ${[...values].join(", ")}`).join("");
     $("shown").textContent = `${count} of ${this.run.count} organs shown${labels}` +
-      (this.layer ? `, height ${short(this.layer[0])} to ${short(this.layer[1])} ${this.run.json.unit}` : "");
+      (this.layer ? `, height ${short(this.layer[0])} to ${withUnit(short(this.layer[1]), this.run.json.unit)}` : "");
     this.#drawCharts();
   }
 
@@ -466,7 +466,8 @@ class Page {
         this.paint();
       },
     });
-    $("profile-title").textContent = `Mean by height (${this.run.json.unit})`;
+    const { unit } = this.run.json;
+    $("profile-title").textContent = unit ? `Mean by height (${unit})` : "Mean by height";
     const markInProfile = drawProfile($("profile"), { numbers, isShown, title: this.columnTitle(), areas, heights }, {
       onPoint,
       onRange: (from, to) => {

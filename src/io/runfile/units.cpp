@@ -5,6 +5,9 @@
 namespace quasimc {
 
 std::string flux_unit(const std::string& irradiance_unit, const std::string& length_unit) {
+    if (length_unit.empty()) {
+        return "";  // of a plant whose lengths have no unit
+    }
     const std::string per_area = " " + length_unit + "-2";
     const std::string padded = " " + irradiance_unit + " ";
     const std::size_t found = padded.find(per_area + " ");

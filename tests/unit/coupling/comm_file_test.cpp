@@ -61,12 +61,25 @@ TEST(CommFile, SkipsWhatIsNotKnownWithANotice) {
 TEST(CommFile, NamesAllItsFaultsAtOnce) {
     KeptNotices kept;
     try {
-        static_cast<void>(
-            read("communication type: pipe\ncommunication type: files 0\nbinary data: on\n", kept));
+        static_cast<void>(read("binary data: on\nbinary data: on\n", kept));
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.faults().size(), 3U);
+        EXPECT_EQ(error.faults().size(), 2U);
     }
+}
+
+/// The simulator reads the same line, and the two must agree.
+TEST(CommFile, TakesPipesForWhatTheSimulatorDoesNotKnow) {
+    KeptNotices kept;
+    EXPECT_EQ(read("communication type: Pipes\n", kept).transport, Transport::pipes);
+    EXPECT_TRUE(kept.texts.empty());
+    EXPECT_EQ(read("communication type: Files 5\n", kept).transport, Transport::pipes);
+    EXPECT_TRUE(kept.has("comm.e:1: 'Files' is no communication type"));
+    EXPECT_EQ(
+        read("communication type: sockets\ncommunication type: File\n", kept).transport,
+        Transport::sockets);
+    EXPECT_FALSE(read("communication type: files 0\n", kept).chunk.has_value());
+    EXPECT_TRUE(kept.has("the usual number"));
 }
 
 }  // namespace

@@ -1,5 +1,10 @@
 #include "coupling/lighting.h"
 
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "coupling_testing.h"
@@ -78,6 +83,59 @@ TEST(Lighting, OfASkyFileStandsWhereTheFileSays) {
     EXPECT_GT(radiance({1, 1, 1}), 0);
     EXPECT_EQ(radiance({1, 1, -1}), 0);
     EXPECT_EQ(radiance({-1, 1, 1}), 0);
+}
+
+/// Samples of a distribution function of zenith angle (which varies fastest) and azimuth, of a sky
+/// whose radiance is a function of their cells, 3 x 4 of them.
+std::string distribution(const std::function<double(int zenith, int azimuth)>& radiance) {
+    std::string text = "# Distribution function F of a sky\n4 5\n";
+    for (int a = 0; a <= 4; ++a) {
+        for (int z = 0; z <= 3; ++z) {
+            double sum = 0;
+            for (int i = 0; i < z; ++i) {
+                for (int j = 0; j < a; ++j) {
+                    sum += radiance(i, j);
+                }
+            }
+            text += fmt::format("{:g}\n", sum);
+        }
+        text += "# End of a row\n";
+    }
+    return text;
+}
+
+TEST(Lighting, OfADistributionFunctionIsWhatItGrowsBy) {
+    const Lighting uniform =
+        lighting("sky file: s\n", {{"s", distribution([](int, int) { return 1; })}});
+    EXPECT_NEAR(uniform.on_horizontal(), 0.5, 1e-6);
+    // Only the zenith, from north (z) to east (x).
+    const Lighting light = lighting(
+        "sky file: s\n",
+        {{"s", distribution([](int z, int a) { return z == 0 && a == 0 ? 2 : 0; })}});
+    ASSERT_EQ(light.shares.size(), 1U);
+    const Vec3 from = -plant_orientation().outward(light.shares.front().travel);
+    EXPECT_NEAR(from.y, 0.5 * (1 + std::cos(std::numbers::pi / 6)), 1e-12);
+    EXPECT_NEAR(from.x, from.z, 1e-12);
+    EXPECT_GT(from.x, 0);
+}
+
+TEST(Lighting, OfADistributionFunctionMayHaveIntensitiesBeside) {
+    KeptNotices kept;
+    const auto sky = specification("sky file: s\n", kept, {{"s", "2 2\n0 1\n0 1\n0 1\n1 1\n"}});
+    EXPECT_EQ(sky.sky_table->radiance, (std::vector<double>{1}));
+    EXPECT_TRUE(kept.has("distribution function, as MonteCarlo has it"));
+}
+
+TEST(Lighting, OfAFileThatIsNoSkyIsRefusedWithTheNumbersItHas) {
+    EXPECT_NE(
+        faults_of("sky file: s\n", {{"s", "2 2\n0 1 0.5 0.2"}}).find("falls by 1.3"),
+        std::string::npos);
+    const std::string faults = faults_of("sky file: s\n", {{"s", "2 2\n1 1 1 1 1"}});
+    EXPECT_NE(faults.find("2 x 2 cells, but 5 numbers"), std::string::npos) << faults;
+    EXPECT_NE(faults.find("has 12"), std::string::npos) << faults;
+    EXPECT_NE(
+        faults_of("sky file: s\n", {{"s", "1 2\n0 0 1 0 0 x"}}).find("radiance of cell 2 of 2"),
+        std::string::npos);
 }
 
 TEST(Lighting, OfAClearDayHasItsSun) {

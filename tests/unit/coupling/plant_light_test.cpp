@@ -1,9 +1,12 @@
 #include "coupling/plant_light.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "coupling_testing.h"
+#include "solvers/catalogue.h"
 
 namespace quasimc::test {
 namespace {
@@ -230,6 +233,70 @@ TEST_F(PlantLightTest, UsesTheMethodThatAutoFindsBest) {
     // A leaf in twenty asks: the others need no rays of their own, unless all are to be shown.
     EXPECT_EQ(method_of("", pile(1, 19)), Method::from_organs);
     EXPECT_EQ(faults_of("method: guess\n").find("guess") == std::string::npos, false);
+}
+
+/// Leaves around a stem; of a plant `spread` times as wide they are a small part.
+std::string leaves_around_a_stem(int count, double spread) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    std::string queries;
+    for (int i = 0; i < count; ++i) {
+        const double c = std::cos(kGoldenAngle * i), s = std::sin(kGoldenAngle * i);
+        const double radius = spread * std::sqrt(i % 97);
+        queries += fmt::format(
+            "{} E(1)P(0.2,0.5)\n {} {} {}\n {} 0.5 {}\n {} 0 {}\n {} -0.866025 {}\n", i, radius * c,
+            0.02 * spread * i, radius * s, 0.866025 * c, 0.866025 * s, -s, c, 0.5 * c, 0.5 * s);
+    }
+    return queries;
+}
+
+/// Whoever writes few rays asks for speed: no method that does more work is chosen for its errors.
+TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
+    const auto run = [&](const std::string& text, const std::string& queries) {
+        PlantLight light(specification(text, kept_), kept_.notices);
+        static_cast<void>(answers_of(light, queries));
+        return light.last().results.front();
+    };
+    constexpr double kAtMost = 1.5;
+    for (const char* sky : {"", "sky: uniform\n"}) {
+        for (const char* rays : {"number of rays: 1024\n", "number of rays: 8192\n"}) {
+            for (const double spread : {0.2, 20.0}) {
+                const std::string text = std::string(sky) + rays;
+                const std::string leaves = leaves_around_a_stem(50, spread);
+                const Result bounded = run(text, leaves);
+                const Result plain = run(text + "method: light_tracing\n", leaves);
+                const auto rays_traced = static_cast<double>(bounded.rays);
+                EXPECT_LE(rays_traced, kAtMost * static_cast<double>(plain.rays))
+                    << text << find_solver(bounded.chosen.method)->name;
+                EXPECT_LE(bounded.paths, plain.paths) << text;
+                EXPECT_EQ(
+                    bounded.chosen.method, spread > 1 ? Method::from_organs : Method::first_hits)
+                    << text;
+                EXPECT_NE(bounded.chosen.reason, "asked for");
+            }
+        }
+    }
+    // A target bounds the work by itself, and who names a method has it.
+    const std::string leaves = leaves_around_a_stem(50, 0.2);
+    const std::string few = "number of rays: 1024\n";
+    EXPECT_EQ(run(few + "target error: 0.1\n", leaves).chosen.method, Method::ray_bundles);
+    EXPECT_EQ(run(few + "method: ray_bundles\n", leaves).chosen.method, Method::ray_bundles);
+}
+
+/// At sunrise next to nothing of the sun comes through fog. The value was integrated over cells
+/// of 1.5 degrees by a program of its own; the original has 0.239, for the squares of radiances
+/// without their solid angles.
+TEST_F(PlantLightTest, HasLightOnFoggyDays) {
+    const std::string day = "location: 51 -114\njulian day: 200\nreturn type: D\n";
+    const std::string leaf = flat(0, "P(1,1)", 1);
+    const double hazy = first(day + "weather: 1 45\n", leaf);
+    for (const char* turbidity : {"46", "50", "60", "64"}) {
+        const double foggy = first(day + "weather: 1 " + turbidity + "\n", leaf);
+        EXPECT_NEAR(foggy, hazy, 0.01 * hazy) << turbidity;
+        EXPECT_NEAR(foggy, 0.2159, 0.002) << turbidity;  // half of what falls on the leaf
+    }
+    PlantLight light(specification(day, kept_), kept_.notices);
+    const std::string setting = "1 E(1)J(200,1,64)\n 0 0 0\n 0 1 0\n -1 0 0\n 0 0 1\n";
+    EXPECT_NEAR(answers_of(light, setting + leaf).at(0).at(0), hazy, 0.01 * hazy);
 }
 
 TEST_F(PlantLightTest, AnswersAlikeByEveryMethod) {

@@ -175,7 +175,6 @@ INSTANTIATE_TEST_SUITE_P(
         "number of runs: 0",
         "number of rays: 0",
         "number of rays: 1.5",
-        "sampling method: latin",
         "surface: leaf.s 9",
         "surface:",
         "cylinder sides: 2",
@@ -225,7 +224,38 @@ INSTANTIATE_TEST_SUITE_P(
         Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is no directive"},
         Surplus{"source spectrum: 660 1.0 730 0.5", "'730 0.5' is not read"},
         Surplus{"return type: D F", "2 letters for the 1 band"},
+        Surplus{"sampling method: latin", "Monte Carlo is used"},
+        Surplus{"light source: 0 -1 0", "no weight: 1 is taken"},
         Surplus{"weather: 1 1", "that of 1.4"}));
+
+TEST(Specification, TakesWhatTheOriginalTakesForMonteCarlo) {
+    KeptNotices kept;
+    for (const char* said : {"MonteCarlo", "monte carlo", "Monte-Carlo", "monte_carlo", "monte"}) {
+        const std::string text = std::string("sampling method: ") + said + "\n";
+        EXPECT_EQ(specification(text, kept).run.sampler, "monte_carlo") << said;
+    }
+    EXPECT_TRUE(kept.texts.empty()) << kept.texts.front();
+    EXPECT_EQ(specification("sampling method: korobow\n", kept).run.sampler, "monte_carlo");
+    EXPECT_TRUE(kept.has("did you mean 'korobov'?"));
+    EXPECT_EQ(specification("sampling method: Sobol\n", kept).run.sampler, "sobol");
+    EXPECT_NE(faults_of("sampling method:\n").find("light.qmc:1"), std::string::npos);
+}
+
+TEST(Specification, TakesOnAndOffForTheLevelOfMessages) {
+    KeptNotices kept;
+    EXPECT_EQ(specification("verbose: on\n", kept).verbose, 1);
+    EXPECT_EQ(specification("verbose: off\n", kept).verbose, 0);
+    EXPECT_EQ(specification("verbose: 2\n", kept).verbose, 2);
+    EXPECT_TRUE(kept.texts.empty());
+}
+
+TEST(Specification, TakesALightWithoutAWeight) {
+    KeptNotices kept;
+    const auto lights = specification("light source: 1 -1 0\n", kept).lights;
+    ASSERT_EQ(lights.size(), 1U);
+    EXPECT_EQ(lights.front().travel, (Vec3{1, -1, 0}));
+    EXPECT_EQ(lights.front().weight, 1);
+}
 
 TEST(Specification, TakesTheFirstBandsWhereThereAreMore) {
     KeptNotices kept;

@@ -148,9 +148,11 @@ TEST(CheckRun, FindsFaultsOfSources) {
     EXPECT_EQ(faults_of({}, {sun(0, {INFINITY})}).size(), 1U);
     EXPECT_EQ(faults_of({}, {sun(0, {std::nan("")})}).size(), 1U);
     EXPECT_EQ(faults_of({}, {sun(0, {1e-60}), sky({0})}).size(), 0U);
+    EXPECT_EQ(faults_of({}, {sun(0, {1e-61}), sky({1})}).size(), 0U) << "no light";
+    EXPECT_EQ(faults_of({}, {sun(0, {-1e-61}), sky({1})}).size(), 1U);
     const std::vector<Fault> tiny = faults_of({}, {sun(0, {1e-308})});
     ASSERT_EQ(tiny.size(), 1U) << "errors would be lost";
-    EXPECT_NE(tiny[0].suggestion.find("1e-60"), std::string::npos);
+    EXPECT_NE(tiny[0].why.find("1e-60"), std::string::npos);
     const std::vector<Fault> faults = faults_of({}, {sun(0, {1}), sky({1, 2})});
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_NE(faults[0].place.find("sky"), std::string::npos);
