@@ -213,6 +213,30 @@ std::vector<TimeStep> fading_day() {
     return {moment_of({sky({900})}, "a"), moment_of({sky({90})}, "b"), moment_of({sky({9})}, "c")};
 }
 
+/// Of three traces among dark times each is a third of the work.
+TEST(Series, CountsNoDarkTimesAsProgress) {
+    const std::vector<TimeStep> time_steps{
+        moment_of({}, ""),
+        moment_of({sun(30, {1})}, "a"),
+        moment_of({}, ""),
+        moment_of({sun(40, {1})}, "b"),
+        moment_of({sun(50, {1})}, "c"),
+        moment_of({}, "")};
+    SeriesEvents events;
+    std::vector<double> ends;
+    double fraction = 0;
+    events.on_progress = [&](const Progress& progress) { fraction = progress.fraction; };
+    events.on_time_step = [&](std::size_t, const Result&, std::size_t) {
+        ends.push_back(fraction);
+    };
+    run_series(make_scene(), time_steps, small_spec(), events);
+    ASSERT_EQ(ends.size(), 6U);
+    EXPECT_EQ(ends[0], 0);
+    EXPECT_NEAR(ends[1], 1 / 3., 1e-9);
+    EXPECT_NEAR(ends[3], 2 / 3., 1e-9);
+    EXPECT_EQ(ends[5], 1);
+}
+
 TEST(SpreadEffort, FollowsTheLightOfTheDay) {
     std::vector<TimeStep> time_steps = fading_day();
     auto plans = plan_series(time_steps);
