@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -16,7 +18,12 @@ struct CheckArguments {
 
 std::string times_of(const quasimc::TimeSeries& series) {
     if (series.collapse == quasimc::Collapse::none) {
-        return fmt::format("{} times of {} days\n", series.time_steps.size(), series.days.size());
+        const auto lit = std::count_if(
+            series.notes.begin(), series.notes.end(),
+            [](const auto& notes) { return notes.daylight.global() > 0; });
+        return fmt::format(
+            "{} times of {} days, {} of them with daylight\n", series.time_steps.size(),
+            series.days.size(), lit);
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -29,15 +36,24 @@ std::string times_of(const quasimc::TimeSeries& series) {
         suns);
 }
 
+/// Sun and sky of a series are not among the sources that the file states.
+std::string light_of(const quasimc::RunFile& run) {
+    const std::size_t stated = run.sources.size();
+    if (!run.series) {
+        return fmt::format("{} sources", stated);
+    }
+    return stated > 0 ? fmt::format("sun, sky and {} sources", stated) : "sun and sky";
+}
+
 Exit check(const CheckArguments& arguments) {
     quasimc::RunSweep sweep = quasimc::read_run_sweep(arguments.file, arguments.flags.overrides());
     const std::size_t warnings = sweep.warnings().size();
     print_warnings(sweep.warnings());
     const quasimc::RunFile run = sweep.take(0);
     const std::string text = fmt::format(
-        "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {} sources\n",
+        "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {}\n",
         run.path, warnings, run.scene.organs().size(), run.scene.triangle_count(),
-        run.scene.material_names().size(), run.scene.bands().size(), run.sources.size());
+        run.scene.material_names().size(), run.scene.bands().size(), light_of(run));
     std::fputs(text.c_str(), stdout);
     if (run.sweep) {
         fmt::print(stdout, "a sweep of {} points\n", sweep.size());

@@ -27,6 +27,7 @@ enum class LightUnit {
 class DaylightSpectra {
   public:
     DaylightSpectra();
+    /// What the spectra do not cover is dark: see continued().
     DaylightSpectra(Spectrum direct, Spectrum diffuse);
 
     /// Direct light of 1 W m-2 (full spectrum) in a span.

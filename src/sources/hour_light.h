@@ -46,9 +46,12 @@ enum class ReadingNote {
     // By a tenth, or what instruments are off, or less.
     more_direct_than_global,   ///< all light is then direct
     more_diffuse_than_global,  ///< all light is then diffuse
-    sun_too_low,  ///< direct light with the sun down or so low that it would be stronger than
-                  ///< outside the atmosphere: it counts as diffuse
-    more_direct_than_outside,  ///< the same with the sun high
+    beam_too_strong,  ///< direct light with the sun down, or of a beam more than twice as strong as
+                      ///< under a clear sky: the rest counts as diffuse
+    more_direct_than_outside,  ///< stronger than outside the atmosphere, with the sun high: all of
+                               ///< it counts as diffuse
+    negative_by_day,  ///< global or diffuse light below zero with the sun up: it counts as 0
+    light_at_night,   ///< light with the sun far down, as little as sensors are off: it counts as 0
     /// More is given than is needed, and is off by more than a tenth and what instruments are: of
     /// direct light direct_horizontal counts, of the global light the sum of its parts.
     parts_disagree,
@@ -65,12 +68,14 @@ struct HourLight {
 };
 
 /// Light from a reading: the beam is equally strong while the sun is up.
+/// @param air  of the clear sky, of which no beam is more than twice as strong
 [[nodiscard]] HourLight measured_light(
     const SunPath& path,
     const Reading& reading,
     LightUnit unit,
     DiffuseModel model,
-    const DaylightSpectra& spectra);
+    const DaylightSpectra& spectra,
+    const ClearAir& air = {});
 
 /// Light without clouds, step by step.
 [[nodiscard]] HourLight clear_light(const SunPath& path, const ClearAir& air);

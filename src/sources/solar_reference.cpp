@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/checks.h"
+
 namespace quasimc {
 namespace {
 
@@ -33,6 +35,31 @@ const Spectrum& reference_global() {
 const Spectrum& reference_direct() {
     static const Spectrum spectrum = spectrum_of(&ReferenceRow::direct);
     return spectrum;
+}
+
+Spectrum continued(const Spectrum& measured, const Spectrum& reference) {
+    const double low = measured.low_nm();
+    const double high = measured.high_nm();
+    const double common = reference.within({low, high});
+    EXPECT(common > 0);
+    const double factor = measured.within({reference.low_nm(), reference.high_nm()}) / common;
+    std::vector<double> nm, values;
+    const auto add = [&](const Spectrum& spectrum, double scale, const auto& is_wanted) {
+        for (const double each : spectrum.wavelengths()) {
+            if (is_wanted(each)) {
+                nm.push_back(each);
+                values.push_back(scale * spectrum.at(each));
+            }
+        }
+    };
+    if (measured.at(low) > 0) {
+        add(reference, factor, [&](double each) { return each < low; });
+    }
+    add(measured, 1, [](double) { return true; });
+    if (measured.at(high) > 0) {
+        add(reference, factor, [&](double each) { return each > high; });
+    }
+    return {std::move(nm), std::move(values)};
 }
 
 }  // namespace quasimc

@@ -197,7 +197,10 @@ TEST_F(TimesTest, DaysNeedTimes) {
 TEST_F(TimesTest, CheckCountsThem) {
     const Outcome outcome = run({"check", "days.toml"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.out.find("4 times of 2 days"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("4 times of 2 days, 4 of them with daylight"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("1 bands, sun, sky and 1 sources\n"), std::string::npos)
+        << outcome.out;
 }
 
 /// Nights alone have a result: zeros without an error, and a warning.

@@ -8,7 +8,9 @@
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
+#include "io/runfile/row_faults.h"
 #include "io/runfile/run_file_time.h"
+#include "sources/solar_reference.h"
 
 namespace quasimc {
 namespace {
@@ -29,8 +31,13 @@ struct SpectrumColumns {
     std::vector<double> nm, direct, diffuse;
 };
 
+/// The spectra of the columns, continued beyond their ends.
+struct DaylightColumns {
+    Spectrum direct, diffuse;
+};
+
 void read_spectrum_row(
-    std::string_view line, std::uint32_t number, SpectrumColumns& columns, Reporter& reporter) {
+    std::string_view line, std::uint32_t number, SpectrumColumns& columns, RowFaults& faults) {
     std::vector<double> values;
     for (const std::string& field : split_fields(line, ',')) {
         values.push_back(parse_real(trimmed(field)).value_or(NAN));
@@ -40,11 +47,11 @@ void read_spectrum_row(
             return std::isfinite(x) && x >= 0;
         });
     if (!is_row) {
-        reporter.fault(
+        faults.add(
             number, "is no row of a spectrum",
             "a row holds wavelength [nm], direct and diffuse irradiance per nm, 0 or more");
     } else if (!columns.nm.empty() && values[0] <= columns.nm.back()) {
-        reporter.fault(number, "the wavelength does not grow", "rows are in ascending order");
+        faults.add(number, "the wavelength does not grow", "rows are in ascending order");
     } else {
         columns.nm.push_back(values[0]);
         columns.direct.push_back(values[1]);
@@ -53,46 +60,112 @@ void read_spectrum_row(
 }
 
 /// wavelength_nm,direct,diffuse: a line of names, then rows; '#' begins a comment.
-std::optional<DaylightSpectra> read_spectra(TimeContext& context, const std::string& path) {
+SpectrumColumns read_spectrum_columns(std::string_view text, Reporter& reporter) {
+    SpectrumColumns columns;
+    RowFaults faults;
+    LineScanner scanner(text);
+    bool has_names = false;
+    while (scanner.next()) {
+        const std::string_view line = trimmed(scanner.line());
+        if (line.empty() || line[0] == '#') {
+            continue;
+        }
+        if (!has_names && line != "wavelength_nm,direct,diffuse") {
+            reporter.fault(
+                scanner.number(), "the names are not those of a spectrum",
+                "they are wavelength_nm,direct,diffuse");
+            break;
+        }
+        if (has_names) {
+            read_spectrum_row(line, scanner.number(), columns, faults);
+        }
+        has_names = true;
+    }
+    faults.report(reporter);
+    if (reporter.faults.empty() && columns.nm.size() < 2) {
+        reporter.fault(0, "holds no spectrum", "at least two rows are needed");
+    }
+    return columns;
+}
+
+/// The share of a span's light that lies outside the wavelengths of the rows.
+double share_outside(
+    const Spectrum& light, const SpectralSpan& span, const SpectrumColumns& columns) {
+    SpectralSpan inside = span;
+    inside.from_nm = std::max(span.from_nm, columns.nm.front());
+    inside.to_nm = std::min(span.to_nm, columns.nm.back());
+    const double all = light.within(span);
+    return all > 0 ? 1 - (inside.from_nm < inside.to_nm ? light.within(inside) : 0) / all : 0;
+}
+
+/// Warns of rows that lack a thousandth or more of daylight or of a band.
+void warn_of_short_rows(
+    const SpectrumColumns& columns,
+    const DaylightColumns& continued,
+    const std::vector<SpectralSpan>& bands,
+    Reporter& reporter) {
+    const SpectralSpan all = span_of(LightUnit::full_spectrum);
+    std::vector<SpectralSpan> spans = bands;
+    spans.push_back(all);
+    constexpr double kLittle = 1e-3;
+    const bool is_short = std::any_of(spans.begin(), spans.end(), [&](const SpectralSpan& span) {
+        return share_outside(reference_global(), span, columns) >= kLittle;
+    });
+    if (is_short) {
+        reporter.warnings.push_back(
+            {reporter.file,
+             fmt::format(
+                 "the rows cover {} to {} nm, and daylight is of {} to {} nm: outside them its "
+                 "spectrum is taken to be the standard's (ASTM G173-03), scaled to the rows, and "
+                 "dark beyond a row of 0; {:.2g} % of the direct and {:.2g} % of the diffuse light "
+                 "lie there; add rows if that is not so",
+                 shortest(columns.nm.front()), shortest(columns.nm.back()), all.from_nm, all.to_nm,
+                 100 * share_outside(continued.direct, all, columns),
+                 100 * share_outside(continued.diffuse, all, columns))});
+    }
+}
+
+std::optional<DaylightSpectra> read_spectra(
+    TimeContext& context, const std::string& path, const std::vector<SpectralSpan>& bands) {
     Reporter own{path, {}, {}};
     SpectrumColumns columns;
     try {
-        const std::string text = context.run->files->read(path);
-        LineScanner scanner(text);
-        bool has_names = false;
-        while (scanner.next() && !own.is_full()) {
-            const std::string_view line = trimmed(scanner.line());
-            if (line.empty() || line[0] == '#') {
-                continue;
-            }
-            if (!has_names && line != "wavelength_nm,direct,diffuse") {
-                own.fault(
-                    scanner.number(), "the names are not those of a spectrum",
-                    "they are wavelength_nm,direct,diffuse");
-                break;
-            }
-            if (has_names) {
-                read_spectrum_row(line, scanner.number(), columns, own);
-            }
-            has_names = true;
-        }
+        columns = read_spectrum_columns(context.run->files->read(path), own);
     } catch (const InputError& error) {
         own.faults.add(error);
     }
-    if (own.faults.empty() && columns.nm.size() < 2) {
-        own.fault(0, "holds no spectrum", "at least two rows are needed");
-    }
+    std::optional<DaylightSpectra> spectra;
     if (own.faults.empty()) {
-        Spectrum direct(columns.nm, columns.direct);
-        Spectrum diffuse(columns.nm, columns.diffuse);
+        const Spectrum direct(columns.nm, columns.direct);
+        const Spectrum diffuse(columns.nm, columns.diffuse);
         const SpectralSpan all = span_of(LightUnit::full_spectrum);
         if (direct.within(all) > 0 && diffuse.within(all) > 0) {
-            return DaylightSpectra(std::move(direct), std::move(diffuse));
+            // Under clouds the sky's light has the spectrum of the global light.
+            const DaylightColumns whole{
+                continued(direct, reference_direct()), continued(diffuse, reference_global())};
+            warn_of_short_rows(columns, whole, bands, own);
+            spectra = DaylightSpectra(whole.direct, whole.diffuse);
+        } else {
+            own.fault(0, "has no light", "direct and diffuse must have some from 280 to 4000 nm");
         }
-        own.fault(0, "has no light", "direct and diffuse must have some from 280 to 4000 nm");
     }
     context.table->reporter().add(own);
-    return std::nullopt;
+    return spectra;
+}
+
+/// Bands that daylight has nothing in are seldom meant.
+void warn_of_dark_bands(TimeContext& context, const DaylightSources& how) {
+    constexpr Daylight kOne{0.5, 0.5};
+    for (std::size_t b = 0; b < how.bands.size() && b < context.run->bands.size(); ++b) {
+        const SpectralSpan& band = how.bands[b];
+        if (how.spectra.direct(band) <= 0 && how.spectra.diffuse(band, kOne) <= 0) {
+            context.table->reporter().warnings.push_back(
+                {context.table->place(),
+                 fmt::format(
+                     "daylight has no light in band '{}', {} to {} nm", context.run->bands[b].name,
+                     shortest(band.from_nm), shortest(band.to_nm))});
+        }
+    }
 }
 
 /// The name of a sky of the catalogue.
@@ -146,8 +219,9 @@ DaylightSources read_daylight(TimeContext& context) {
     how.state.turbidity = table.real("turbidity", {kLowestTurbidity, kHighestTurbidity})
                               .value_or(how.state.turbidity);
     if (const auto path = table.text("spectrum")) {
-        how.spectra = read_spectra(context, *path).value_or(how.spectra);
+        how.spectra = read_spectra(context, *path, how.bands).value_or(how.spectra);
     }
+    warn_of_dark_bands(context, how);
     return how;
 }
 

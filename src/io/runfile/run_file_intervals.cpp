@@ -159,11 +159,24 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
 
 }  // namespace
 
-bool TimeSpan::holds(const CivilTime& start, double seconds) const {
+TimeSpan::Part TimeSpan::part_of(const CivilTime& start, double seconds) const {
     const CivilTime middle = later(start, 0.5 * seconds);
-    const double hour = middle.hour + middle.minute / 60.0 + middle.second / 3600;
-    return seconds_from(first, middle) >= 0 && seconds_from(middle, last) > 0 &&
-           hour >= from_hour && hour < to_hour;
+    if (seconds_from(first, middle) < 0 || seconds_from(middle, last) <= 0) {
+        return {start, 0};
+    }
+    // The day of the middle is whole if no hours are stated.
+    CivilTime midnight = middle;
+    midnight.hour = midnight.minute = 0;
+    midnight.second = 0;
+    const double begin = seconds_from(midnight, start);
+    const double from = from_hour > 0 ? std::max(begin, 3600 * from_hour) : begin;
+    const double end = begin + seconds;
+    const double to = to_hour < 24 ? std::min(end, 3600 * to_hour) : end;
+    if (to - from >= seconds - kSlack) {
+        return {start, seconds};
+    }
+    const double length = std::round((to - from) / kSlack) * kSlack;
+    return {later(midnight, from), std::max(0.0, length)};
 }
 
 std::optional<TimeSpan> read_span(TimeContext& context) {

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
+#include "io/runfile/row_faults.h"
 #include "io/runfile/run_file_sections.h"
 #include "io/runfile/run_file_time.h"
 #include "sources/band_mean.h"
@@ -18,7 +19,7 @@ namespace quasimc {
 namespace {
 
 void read_optics_row(
-    std::string_view line, std::uint32_t number, SurfaceSpectrum& columns, Reporter& reporter) {
+    std::string_view line, std::uint32_t number, SurfaceSpectrum& columns, RowFaults& faults) {
     std::vector<double> values;
     for (const std::string& field : split_fields(line, ',')) {
         values.push_back(parse_real(trimmed(field)).value_or(NAN));
@@ -29,13 +30,13 @@ void read_optics_row(
     const bool is_row = values.size() == 3 && std::isfinite(values[0]) && values[0] > 0 &&
                         values[1] >= 0 && values[2] >= 0 && values[1] + values[2] <= 1;
     if (!is_row) {
-        reporter.fault(
+        faults.add(
             number, "is no row of a surface's spectrum",
             "a row holds wavelength [nm], reflectance and, if there is any, transmittance, "
             "together "
             "at most 1");
     } else if (!columns.nm.empty() && values[0] <= columns.nm.back()) {
-        reporter.fault(number, "the wavelength does not grow", "rows are in ascending order");
+        faults.add(number, "the wavelength does not grow", "rows are in ascending order");
     } else {
         columns.nm.push_back(values[0]);
         columns.reflectance.push_back(values[1]);
@@ -46,9 +47,10 @@ void read_optics_row(
 /// A line of names, then rows; '#' begins a comment.
 SurfaceSpectrum read_optics_columns(std::string_view bytes, Reporter& reporter) {
     SurfaceSpectrum columns;
+    RowFaults faults;
     LineScanner scanner(bytes);
     bool has_names = false;
-    while (scanner.next() && !reporter.is_full()) {
+    while (scanner.next()) {
         const std::string_view line = trimmed(scanner.line().substr(0, scanner.line().find('#')));
         if (line.empty()) {
             continue;
@@ -62,8 +64,9 @@ SurfaceSpectrum read_optics_columns(std::string_view bytes, Reporter& reporter) 
             }
             continue;
         }
-        read_optics_row(line, scanner.number(), columns, reporter);
+        read_optics_row(line, scanner.number(), columns, faults);
     }
+    faults.report(reporter);
     if (columns.nm.size() < 2 && reporter.faults.empty()) {
         reporter.faults.add({reporter.file, "has less than two wavelengths", "", ""});
     }

@@ -53,23 +53,41 @@ void check_collapse(
     }
 }
 
+/// Hours by which a clock is ahead of the sun at a longitude, -12 to 12.
+double ahead_of_sun(double utc_offset_hours, double longitude_deg) {
+    return std::remainder(utc_offset_hours - longitude_deg / 15, 24);
+}
+
+/// Whether some country has such a clock: from 1 hour behind the sun to 2.6 ahead (the west of
+/// Spain, in summer).
+bool is_usual_clock(double ahead_hours) {
+    return ahead_hours > -1.25 && ahead_hours < 2.75;
+}
+
 /// A clock that is far from the sun's is probably that of another place.
-void check_clock(TimeContext& context) {
-    if (!context.utc_offset_hours || !context.place) {
+void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
+    std::optional<double> offset = context.utc_offset_hours;
+    if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {
+        offset = intervals.front().start.utc_offset_hours;
+    }
+    if (!offset || !context.place) {
         return;
     }
     constexpr double kFarHours = 4;
-    const double sundial = context.place->longitude_deg / 15;
-    double apart = std::abs(*context.utc_offset_hours - sundial);
-    apart = std::min(apart, 24 - apart);
-    if (apart > kFarHours) {
+    const double latitude = context.place->latitude_deg;
+    const double longitude = context.place->longitude_deg;
+    const double ahead = ahead_of_sun(*offset, longitude);
+    // A clock of UTC is used everywhere.
+    const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
+                              is_usual_clock(ahead_of_sun(*offset, latitude));
+    if (std::abs(ahead) > kFarHours || is_exchanged) {
         context.table->reporter().warnings.push_back(
             {context.table->place(),
              fmt::format(
-                 "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: is the "
-                 "sign of the longitude right (east is positive)?",
-                 shortest(*context.utc_offset_hours), shortest(context.place->longitude_deg),
-                 sundial)});
+                 "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
+                 shortest(*offset), shortest(longitude), longitude / 15,
+                 is_exchanged ? "are latitude and longitude exchanged?"
+                              : "is the sign of the longitude right (east is positive)?")});
     }
 }
 
@@ -133,7 +151,7 @@ std::optional<TimeSeries> read_time(
     if (table.failed() || !context.place) {
         return std::nullopt;
     }
-    check_clock(context);
+    check_clock(intervals, context);
     rules.place = *context.place;
     rules.air.elevation_m = rules.place.elevation_m;
     rules.air.pressure_hpa = rules.place.pressure_hpa;

@@ -26,7 +26,13 @@ struct TimeSpan {
     CivilTime first, last;  ///< midnights: of the first day, and after the last
     double from_hour = 0, to_hour = 24;
 
-    [[nodiscard]] bool holds(const CivilTime& start, double seconds) const;
+    struct Part {
+        CivilTime start;
+        double seconds = 0;
+    };
+    /// The part of a time within the hours of the days asked for; 0 seconds if there is none. A
+    /// time over midnight belongs to the day of its middle.
+    [[nodiscard]] Part part_of(const CivilTime& start, double seconds) const;
 };
 
 /// Shared by the readers of [time].

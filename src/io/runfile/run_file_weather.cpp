@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
 #include "io/runfile/civil_time_text.h"
 #include "io/runfile/run_file_time.h"
+#include "io/weather/check_clock.h"
 
 namespace quasimc {
 namespace {
@@ -19,10 +21,11 @@ WeatherColumns read_columns(TimeContext& context) {
     TableReader& table = *context.table;
     WeatherColumns columns;
     columns.utc_offset_hours = context.utc_offset_hours;
-    const std::string stamp = table.choice("stamp", kStamps).value_or("end");
-    columns.stamp = stamp == "start"    ? WeatherColumns::Stamp::start
-                    : stamp == "middle" ? WeatherColumns::Stamp::middle
-                                        : WeatherColumns::Stamp::end;
+    if (const auto stamp = table.choice("stamp", kStamps)) {
+        columns.stamp = *stamp == "start"    ? WeatherColumns::Stamp::start
+                        : *stamp == "middle" ? WeatherColumns::Stamp::middle
+                                             : WeatherColumns::Stamp::end;
+    }
     columns.seconds = 60 * table.real("step_minutes", {1, 1440}).value_or(0);
     if (const auto words = table.texts("missing_values")) {
         columns.missing.insert(words->begin(), words->end());
@@ -81,17 +84,33 @@ void settle_place(const WeatherFile& file, TimeContext& context) {
     }
 }
 
-/// The records of a typical year as if they were of the first year asked for.
-void set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) {
+/// The records of a typical year as if they were of the first year asked for, without a 29 February
+/// that this year has not. @returns  how many are left out, of the days asked for
+std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) {
     for (WeatherRecord& record : records) {
-        record.start.year = span.first.year;
-        const bool next_year = span.last.year > span.first.year &&
-                               julian_day(record.start) < julian_day(span.first) - 1e-6;
-        record.start.year += next_year ? 1 : 0;
+        const bool next_year =
+            span.last.year > span.first.year && std::pair(record.start.month, record.start.day) <
+                                                    std::pair(span.first.month, span.first.day);
+        record.start.year = span.first.year + (next_year ? 1 : 0);
     }
+    std::size_t left_out = 0;
+    std::erase_if(records, [&](const WeatherRecord& record) {
+        if (record.start.day <= days_in_month(record.start.year, record.start.month)) {
+            return false;
+        }
+        CivilTime march = record.start;
+        march.month = 3;
+        march.day = 1;
+        march.hour = march.minute = 0;
+        march.second = 0;
+        const double begin = julian_day(march);
+        left_out += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
+        return true;
+    });
     std::stable_sort(records.begin(), records.end(), [](const auto& a, const auto& b) {
         return julian_day(a.start) < julian_day(b.start);
     });
+    return left_out;
 }
 
 /// Whether a span of a typical year is of 365 days at most; it holds no others.
@@ -101,6 +120,14 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
     }
     table.fault("more than a year is asked for", "the weather file holds a typical year");
     return false;
+}
+
+void warn_of_clock(const WeatherFile& file, TimeContext& context) {
+    if (context.place) {
+        if (const auto warning = warning_of_clock(file.records, *context.place)) {
+            context.table->warn_at(*context.table->any("weather"), *warning);
+        }
+    }
 }
 
 /// The records asked for. Those that are missing, and holes between records, are faults or skipped.
@@ -117,22 +144,30 @@ class Selection {
     void add(const WeatherRecord& record) {
         note_hole(record.start, record);
         end_ = later(record.start, record.seconds);
-        if (!is_asked(record.start, record.seconds)) {
+        const TimeSpan::Part part = asked_part(record.start, record.seconds);
+        if (part.seconds <= 0) {
             return;
         }
         found_ = true;
+        cut_ += part.seconds < record.seconds ? 1 : 0;
         if (record.is_missing) {
             note_gap(record.line, fmt::format("no light at {}", civil_time_text(record.start)));
             return;
         }
         intervals_.push_back(
-            {record.start, record.seconds, record.reading,
-             fmt::format("{}:{}", file_, record.line)});
+            {part.start, part.seconds, record.reading, fmt::format("{}:{}", file_, record.line)});
     }
     /// After the last record of the file.
     void finish(const WeatherRecord& last) {
         if (span_ && found_) {
             note_hole(span_->last, last);
+        }
+        if (cut_ > 0) {
+            context_.table->warn_at(
+                *context_.table->any("hours"),
+                fmt::format(
+                    "{} records reach beyond these hours: each counts for its part within them",
+                    cut_));
         }
         if (gaps_ > 0) {
             context_.table->reporter().warnings.push_back(
@@ -143,8 +178,8 @@ class Selection {
     [[nodiscard]] std::vector<Interval>& intervals() { return intervals_; }
 
   private:
-    [[nodiscard]] bool is_asked(const CivilTime& start, double seconds) const {
-        return !span_ || span_->holds(start, seconds);
+    [[nodiscard]] TimeSpan::Part asked_part(const CivilTime& start, double seconds) const {
+        return span_ ? span_->part_of(start, seconds) : TimeSpan::Part{start, seconds};
     }
 
     /// Tells of steps that are asked for between the record before and `next`.
@@ -161,7 +196,7 @@ class Selection {
         std::string first;
         for (int i = 0; i < steps; ++i) {
             const CivilTime start = later(*end_, i * record.seconds);
-            if (is_asked(start, record.seconds)) {
+            if (asked_part(start, record.seconds).seconds > 0) {
                 first = asked++ == 0 ? civil_time_text(start) : first;
             }
         }
@@ -188,7 +223,7 @@ class Selection {
     std::vector<Interval> intervals_;
     std::optional<CivilTime> end_;
     bool found_ = false;
-    std::size_t gaps_ = 0;
+    std::size_t gaps_ = 0, cut_ = 0;
     std::string first_gap_;
 };
 
@@ -199,6 +234,13 @@ std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std:
     const bool is_epw =
         table.choice("weather_format", kWeatherFormats).value_or(looks_epw ? "epw" : "csv") ==
         "epw";
+    const Node* unit = table.any("unit");
+    const auto* unit_name = unit != nullptr ? unit->as<std::string>() : nullptr;
+    if (is_epw && unit_name != nullptr && *unit_name != "full_spectrum") {
+        table.fault_at(
+            "unit", "unit is stated for an EPW file", "its light is always in W m-2",
+            "leave it out");
+    }
     const WeatherColumns columns = is_epw ? WeatherColumns() : read_columns(context);
     Reporter own{path, {}, {}};
     WeatherFile file;
@@ -239,8 +281,16 @@ std::vector<Interval> read_weather(TimeContext& context) {
         return {};
     }
     if (span && file->is_typical_year) {
-        set_year(file->records, *span);
+        const std::size_t left_out = set_year(file->records, *span);
+        if (left_out > 0) {
+            table.warn_at(
+                *table.any("weather"),
+                fmt::format(
+                    "{} records of a 29 February are left out: the year asked for has none",
+                    left_out));
+        }
     }
+    warn_of_clock(*file, context);
     Selection selection(context, path, span, skips);
     for (const WeatherRecord& record : file->records) {
         if (table.reporter().is_full()) {

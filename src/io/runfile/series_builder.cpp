@@ -33,18 +33,25 @@ std::string_view unit_probably_meant(LightUnit unit, double ratio) {
 }
 
 /// What is said of times with a note, after how many they are.
-constexpr std::array<std::pair<ReadingNote, std::string_view>, 5> kNotes{{
+constexpr std::array<std::pair<ReadingNote, std::string_view>, 7> kNotes{{
     {ReadingNote::more_direct_than_global,
      "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
      "counts as direct"},
     {ReadingNote::more_diffuse_than_global,
      "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
      "counts as diffuse"},
-    {ReadingNote::sun_too_low,
-     "times have direct light with the sun too low for it: it counts as diffuse"},
+    {ReadingNote::beam_too_strong,
+     "times have direct light of a beam more than twice as strong as under a clear sky "
+     "(linke_turbidity): what exceeds that counts as diffuse"},
     {ReadingNote::more_direct_than_outside,
      "times have more direct light than the sun brings outside the atmosphere: all of it counts "
      "as diffuse; check the unit, the clock and the place"},
+    {ReadingNote::negative_by_day,
+     "times have light below zero with the sun up, which counts as 0: if the number stands for "
+     "missing values, state it in missing_values"},
+    {ReadingNote::light_at_night,
+     "times have light with the sun more than 6 degrees below the horizon, which counts as 0: "
+     "sensors are a little off"},
     {ReadingNote::parts_disagree,
      "times have columns that disagree, by more than a tenth and 20 W m-2: of direct light "
      "direct_horizontal counts, and global is taken to be the sum of direct and diffuse"},
@@ -70,10 +77,10 @@ SeriesBuilder::SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, 
 
 void SeriesBuilder::add(const Interval& interval) {
     const SunPath path = sun_path(rules_.place, interval.start, interval.seconds, rules_.sun_step);
-    const HourLight light =
-        interval.reading
-            ? measured_light(path, *interval.reading, rules_.unit, rules_.model, rules_.how.spectra)
-            : clear_light(path, rules_.air);
+    const HourLight light = interval.reading ? measured_light(
+                                                   path, *interval.reading, rules_.unit,
+                                                   rules_.model, rules_.how.spectra, rules_.air)
+                                             : clear_light(path, rules_.air);
     note(light.note, interval);
     if (light.fault != ReadingFault::none) {
         report(light.fault, path, interval);
@@ -81,6 +88,7 @@ void SeriesBuilder::add(const Interval& interval) {
     }
     if (interval.reading) {
         note_brightness(light.daylight, path, interval);
+        note_darkness(light.daylight, path, interval);
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
     if (rules_.collapse == Collapse::none) {
@@ -92,11 +100,13 @@ void SeriesBuilder::add(const Interval& interval) {
 
 TimeSeries SeriesBuilder::finish() {
     close_gathered();
+    add_faults();
     series_.collapse = rules_.collapse;
+    warn_of_brightness();
+    warn_of_darkness();
     for (const auto& [note, text] : kNotes) {
         warn(noted_[note], text);
     }
-    warn_of_brightness();
     return std::move(series_);
 }
 
@@ -208,39 +218,83 @@ void SeriesBuilder::warn_of_brightness() {
             brightest_ratio_, unit_probably_meant(rules_.unit, brightest_ratio_)));
 }
 
-void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interval& interval) {
-    const std::string time = civil_time_text(interval.start);
-    if (reporter_.is_full()) {
+void SeriesBuilder::note_darkness(
+    const Daylight& daylight, const SunPath& path, const Interval& interval) {
+    constexpr double kLowSine = 0.1;
+    if (path.mean_sine() > kLowSine) {
+        by_day_.first = by_day_.count++ == 0 ? interval.place : by_day_.first;
+        clearest_ = std::max(clearest_, daylight.global() / (path.outside() * path.mean_sine()));
+        longest_ = std::max(longest_, interval.seconds);
+    }
+}
+
+/// Under the darkest clouds there is some 5 % of the light outside the atmosphere, on a clear day
+/// some 80 %, which in MJ m-2 an hour is 0.3 % and in MJ m-2 a day 7 %.
+void SeriesBuilder::warn_of_darkness() {
+    constexpr double kLeast = 0.03, kLeastOfDays = 0.07, kLong = 12 * 3600;
+    if (clearest_ <= 0 || clearest_ >= (longest_ < kLong ? kLeast : kLeastOfDays)) {
         return;
     }
+    const bool is_watts = rules_.unit == LightUnit::full_spectrum || rules_.unit == LightUnit::par;
+    const double hours = longest_ > 0 ? longest_ / 3600 : 1;
+    warn(
+        by_day_,
+        fmt::format(
+            "times by day have at most {:.2g} % of the light outside the atmosphere, less than "
+            "under the darkest clouds: {}",
+            100 * clearest_,
+            is_watts ? fmt::format(
+                           "is it in MJ m-2 or kWh m-2, not in W m-2 (multiply by {:.4g} or {:.4g} "
+                           "for {:.3g} hours)?",
+                           1e3 / 3.6 / hours, 1e3 / hours, hours)
+                     : "is the unit right?"));
+}
+
+/// Each kind of fault is reported once, at its first time.
+void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interval& interval) {
+    auto& [first, count] = faults_[fault];
+    if (count++ > 0) {
+        return;
+    }
+    const std::string time = civil_time_text(interval.start);
     switch (fault) {
         case ReadingFault::incomplete:
-            reporter_.faults.add(
-                {interval.place, fmt::format("the light at {} is not known", time), "",
-                 "give global, or diffuse with direct_horizontal or beam_normal"});
+            first = {
+                interval.place, fmt::format("the light at {} is not known", time), "",
+                "give global, or diffuse with direct_horizontal or beam_normal"};
             break;
         case ReadingFault::negative:
-            reporter_.faults.add(
-                {interval.place, fmt::format("the light at {} is below zero", time),
-                 "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
-                 fmt::format(
-                     "if it stands for missing values, state it: missing_values = [\"{}\"]",
-                     shortest(lowest(interval.reading)))});
+            first = {
+                interval.place, fmt::format("the light at {} is below zero", time),
+                "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
+                fmt::format(
+                    "if it stands for missing values, state it: missing_values = [\"{}\"]",
+                    shortest(lowest(interval.reading)))};
             break;
         case ReadingFault::part_exceeds_global:
-            reporter_.faults.add(
-                {interval.place,
-                 fmt::format("at {} there is more direct or diffuse light than global", time),
-                 "direct and diffuse light on the horizontal are parts of the global", ""});
+            first = {
+                interval.place,
+                fmt::format("at {} there is more direct or diffuse light than global", time),
+                "direct and diffuse light on the horizontal are parts of the global", ""};
             break;
         default:
-            reporter_.faults.add(
-                {interval.place,
-                 fmt::format(
-                     "light at {} with the sun {:.1f} degrees below the horizon", time,
-                     -path.highest_deg()),
-                 "time zone, place or stamp are wrong",
-                 "check utc_offset_hours, [place] and stamp"});
+            first = {
+                interval.place,
+                fmt::format(
+                    "light at {} with the sun {:.1f} degrees below the horizon", time,
+                    -path.highest_deg()),
+                "time zone, place or stamp are wrong", "check utc_offset_hours, [place] and stamp"};
+    }
+}
+
+void SeriesBuilder::add_faults() {
+    for (auto& [kind, fault] : faults_) {
+        auto& [first, count] = fault;
+        if (count > 1) {
+            first.suggestion += fmt::format(
+                "{}{} more times have this fault", first.suggestion.empty() ? "" : "; ", count - 1);
+        }
+        reporter_.faults.add(first);
     }
 }
 

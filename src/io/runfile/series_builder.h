@@ -49,8 +49,11 @@ class SeriesBuilder {
     void note(ReadingNote note, const Interval& interval);
     void note_brightness(const Daylight& daylight, const SunPath& path, const Interval& interval);
     void warn(const Noted& noted, std::string_view text);
+    void note_darkness(const Daylight& daylight, const SunPath& path, const Interval& interval);
     void warn_of_brightness();
+    void warn_of_darkness();
     void report(ReadingFault fault, const SunPath& path, const Interval& interval);
+    void add_faults();
     [[nodiscard]] std::size_t day_of(const CivilTime& time);
 
     const SeriesRules& rules_;
@@ -61,9 +64,13 @@ class SeriesBuilder {
     std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
     std::string first_date_, last_date_;                        // of what is gathered
     std::map<ReadingNote, Noted> noted_;
+    std::map<ReadingFault, std::pair<Fault, std::size_t>> faults_;  // the first, and how many
     Noted too_bright_;
     double brightest_ = 0;        // W m-2, of the times that are too bright
     double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
+    Noted by_day_;                // times with the sun well up
+    double clearest_ = 0;         // of these, the largest ratio to the light outside the atmosphere
+    double longest_ = 0;          // of these, seconds
 };
 
 }  // namespace quasimc

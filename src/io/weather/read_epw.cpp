@@ -1,11 +1,12 @@
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
+#include "io/runfile/civil_time_text.h"
 #include "io/weather/weather.h"
 
 namespace quasimc {
@@ -43,6 +44,11 @@ class EpwReader {
             reporter_.fault(scanner_.number(), "holds no records", "an EPW file has 8760 or so");
         }
         note_typical_year();
+        check_order();
+        if (short_years_ > 0) {
+            reporter_.warnings.push_back(
+                {reporter_.place(first_short_year_), warning_of_two_digits(short_years_)});
+        }
         return std::move(file_);
     }
 
@@ -110,7 +116,11 @@ class EpwReader {
         }
         const std::size_t before = reporter_.faults.size();
         CivilTime day;
-        day.year = whole(fields, kYear, "year");
+        const int year = whole(fields, kYear, "year");
+        day.year = year_of_two_digits(year);
+        if (day.year != year) {
+            first_short_year_ = short_years_++ == 0 ? scanner_.number() : first_short_year_;
+        }
         day.month = whole(fields, kMonth, "month");
         day.day = whole(fields, kDay, "day");
         day.utc_offset_hours = offset_;
@@ -141,13 +151,51 @@ class EpwReader {
         file_.records.push_back(record);
     }
 
+    /// Whether the year changes while the calendar goes on, as from January to February.
     void note_typical_year() {
+        const auto date = [](const WeatherRecord& record) {
+            return std::pair(record.start.month, record.start.day);
+        };
         for (std::size_t i = 1; i < file_.records.size(); ++i) {
             const WeatherRecord& a = file_.records[i - 1];
             const WeatherRecord& b = file_.records[i];
-            const bool new_year = b.start.month == 1 && a.start.month == 12;
             file_.is_typical_year =
-                file_.is_typical_year || (a.start.year != b.start.year && !new_year);
+                file_.is_typical_year || (a.start.year != b.start.year && date(b) > date(a));
+        }
+    }
+
+    /// Light of a time that stands twice would count twice. In a typical year the years don't
+    /// count: its records go once around a calendar, from whatever month they begin in.
+    void check_order() {
+        constexpr double kSlack = 1, kYearSeconds = 366 * kSecondsADay;
+        double turned = 0, first_begin = 0, end = 0;
+        std::size_t count = 0;
+        const WeatherRecord* first_bad = nullptr;
+        for (std::size_t i = 0; i < file_.records.size(); ++i) {
+            CivilTime time = file_.records[i].start;
+            if (file_.is_typical_year) {
+                const bool turns =
+                    i > 0 && time.month == 1 && file_.records[i - 1].start.month == 12;
+                turned += turns ? kYearSeconds : 0;
+                time.year = 2000;
+            }
+            const double begin = kSecondsADay * julian_day(time) + turned;
+            first_begin = i == 0 ? begin : first_begin;
+            const bool is_again =
+                file_.is_typical_year && begin > first_begin + kYearSeconds - kSlack;
+            if (i > 0 && (begin < end - kSlack || is_again)) {
+                first_bad = count++ == 0 ? &file_.records[i] : first_bad;
+            }
+            end = begin + file_.records[i].seconds;
+        }
+        if (count > 0) {
+            reporter_.fault(
+                first_bad->line,
+                fmt::format(
+                    "the record of {} is there twice or out of order",
+                    civil_time_text(first_bad->start)),
+                "a record begins where the one above it ends, or later",
+                count > 1 ? fmt::format("{} more records have this fault", count - 1) : "");
         }
     }
 
@@ -156,6 +204,8 @@ class EpwReader {
     WeatherFile file_;
     double offset_ = 0;
     double per_hour_ = 1;
+    std::size_t short_years_ = 0;
+    std::uint32_t first_short_year_ = 0;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 #include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,10 @@ class TableOfWeather {
         }
         if (file_.records.empty()) {
             reporter_.fault(scanner_.number(), "holds no rows that can be read", "");
+        }
+        if (short_years_ > 0) {
+            reporter_.warnings.push_back(
+                {reporter_.place(first_short_year_), warning_of_two_digits(short_years_)});
         }
         if (reporter_.faults.empty()) {
             set_times();
@@ -80,9 +85,11 @@ class TableOfWeather {
     std::optional<CivilTime> time_of(const std::vector<std::string>& fields) {
         const std::string place = reporter_.place(scanner_.number());
         if (header_.time) {
-            return parse_civil_time(
-                fields[*header_.time], columns_.utc_offset_hours, place, reporter_.faults);
+            const std::string& text = fields[*header_.time];
+            are_dates_ = are_dates_ && text.find(':') == std::string::npos;
+            return parse_civil_time(text, columns_.utc_offset_hours, place, reporter_.faults);
         }
+        are_dates_ = false;
         constexpr double kLastDay = 366, kLastHour = 24, kLastYear = 6000;
         const auto day = number(fields, *header_.day_of_year, "the day of the year", {1, kLastDay});
         const auto hour = number(fields, *header_.hour, "the hour", {0, kLastHour});
@@ -139,6 +146,10 @@ class TableOfWeather {
             return;
         }
         record.start = *time;
+        record.start.year = year_of_two_digits(time->year);
+        if (record.start.year != time->year) {
+            first_short_year_ = short_years_++ == 0 ? record.line : first_short_year_;
+        }
         std::optional<double> fraction;
         for (const auto& [part, i] : header_.light) {
             const std::string field(trimmed(fields[i]));
@@ -169,8 +180,8 @@ class TableOfWeather {
         file_.records.push_back(record);
     }
 
-    /// Finds the step, and moves the times to the beginnings.
-    void set_times() {
+    /// The shortest time between rows. Rows that are not in the order of time are faults.
+    double shortest_step() {
         double step = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i < file_.records.size(); ++i) {
             const double apart = seconds_between(i - 1, i);
@@ -186,21 +197,77 @@ class TableOfWeather {
             }
             step = std::min(step, apart);
         }
-        if (columns_.seconds > 0) {
-            step = columns_.seconds;
-        }
+        return step;
+    }
+
+    /// Finds how long rows stand, and moves the times to the beginnings.
+    void set_times() {
+        const double apart = shortest_step();
+        // A date alone is that day.
+        const double step = columns_.seconds > 0 ? columns_.seconds
+                            : are_dates_         ? std::min(apart, kSecondsADay)
+                                                 : apart;
         if (!std::isfinite(step)) {
             reporter_.fault(
                 file_.records[0].line, "a single row", "it can't be told how long it stands for",
                 "give step_minutes");
             return;
         }
-        const double before = columns_.stamp == WeatherColumns::Stamp::start    ? 0
-                              : columns_.stamp == WeatherColumns::Stamp::middle ? 0.5
-                                                                                : 1;
+        warn_of_overlaps(apart, step);
+        if (!columns_.stamp && !are_dates_) {
+            warn_of_stamp(step);
+        }
+        const auto usual = are_dates_ ? WeatherColumns::Stamp::start : WeatherColumns::Stamp::end;
+        const WeatherColumns::Stamp stamp = columns_.stamp.value_or(usual);
+        const double before = stamp == WeatherColumns::Stamp::start    ? 0
+                              : stamp == WeatherColumns::Stamp::middle ? 0.5
+                                                                       : 1;
         for (WeatherRecord& record : file_.records) {
             record.seconds = std::round(step);
             record.start = later(record.start, -before * record.seconds);
+        }
+    }
+
+    /// Of rows that stand for longer than the next is away, the light in common counts twice.
+    void warn_of_overlaps(double apart, double step) {
+        constexpr double kSlack = 1;  // second
+        if (apart < step - kSlack) {
+            reporter_.warnings.push_back(
+                {reporter_.place(file_.records[0].line),
+                 fmt::format(
+                     "rows are {} minutes apart and stand for {} minutes each: light of times in "
+                     "common counts twice",
+                     shortest(std::round(apart) / 60), shortest(step / 60))});
+        }
+    }
+
+    /// Whole days of rows begin and end at other times of the day if these are the ends of steps
+    /// than if they are the beginnings or the middles: the first and the last row tell.
+    void warn_of_stamp(double step) {
+        const CivilTime& first = file_.records.front().start;
+        const CivilTime& last = file_.records.back().start;
+        // How many of the two fit; the times lie `part` of a step after its beginning.
+        const auto fitting = [&](double part) {
+            const auto is_at = [&](const CivilTime& time, double seconds) {
+                const double off = 3600 * time.hour + 60 * time.minute + time.second - seconds;
+                return std::abs(std::remainder(off, kSecondsADay)) < 1 ? 1 : 0;
+            };
+            return is_at(first, part * step) + is_at(last, (part - 1) * step);
+        };
+        const int end = fitting(1);
+        for (const auto& [part, name, side] :
+             {std::tuple(0.0, "start", "after"), std::tuple(0.5, "middle", "around")}) {
+            if (fitting(part) > 0 && fitting(part) >= end) {
+                reporter_.warnings.push_back(
+                    {reporter_.place(file_.records[0].line),
+                     fmt::format(
+                         "the rows go from {:02d}:{:02d} to {:02d}:{:02d}, as if each stood for "
+                         "the {} minutes {} its time, but it counts for those before: write stamp "
+                         "= \"{}\", or stamp = \"end\" if that is right",
+                         first.hour, first.minute, last.hour, last.minute,
+                         shortest(std::round(step / 60)), side, name)});
+                return;
+            }
         }
     }
 
@@ -216,9 +283,22 @@ class TableOfWeather {
     char separator_ = ',';
     WeatherHeader header_;
     WeatherFile file_;
+    bool are_dates_ = true;  // all times so far
+    std::size_t short_years_ = 0;
+    std::uint32_t first_short_year_ = 0;
 };
 
 }  // namespace
+
+int year_of_two_digits(int year) {
+    constexpr int kFirst = 69;
+    return year < 0 || year > 99 ? year : year + (year < kFirst ? 2000 : 1900);
+}
+
+std::string warning_of_two_digits(std::size_t count) {
+    return fmt::format(
+        "{} times have years of two digits, which are taken to be of 1969 to 2068", count);
+}
 
 std::vector<std::string> split_fields(std::string_view line, char separator) {
     std::vector<std::string> fields(1);

@@ -51,7 +51,8 @@ struct WeatherColumns {
     /// names of their columns.
     std::map<std::string, std::string, std::less<>> light;
     std::optional<double> utc_offset_hours;  ///< of times without one
-    Stamp stamp = Stamp::end;
+    /// Nothing: the end; of dates without a clock the beginning.
+    std::optional<Stamp> stamp;
     double seconds = 0;  ///< that a row stands for; 0: the step of the rows
     std::set<std::string, std::less<>> missing{"", "NA", "NaN", "nan", "-9999", "-999"};
 };
@@ -59,6 +60,12 @@ struct WeatherColumns {
 /// Reads a table (CSV, separated by commas, semicolons or tabs) with a line of names.
 [[nodiscard]] WeatherFile read_weather_csv(
     std::string_view text, const WeatherColumns& columns, Reporter& reporter);
+
+/// A year of two digits as POSIX has it, 1969 to 2068; others as they are. No weather was measured
+/// before.
+[[nodiscard]] int year_of_two_digits(int year);
+/// The warning of times whose years have two digits.
+[[nodiscard]] std::string warning_of_two_digits(std::size_t count);
 
 /// The fields of a line of a table; quotes as in RFC 4180.
 [[nodiscard]] std::vector<std::string> split_fields(std::string_view line, char separator);

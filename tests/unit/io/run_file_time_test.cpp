@@ -2,25 +2,17 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "quasimc/series.h"
-#include "unit/io/io_testing.h"
+#include "sources/solar_reference.h"
+#include "unit/io/time_testing.h"
 
 namespace quasimc::test {
 namespace {
-
-constexpr const char* kPlace = "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n";
-
-/// A run file with [time], without a [[source]].
-std::string with_time(const std::string& keys, const std::string& place = kPlace) {
-    RunText text;
-    text.sources = "";
-    text.rest = place + "[time]\n" + keys;
-    return text.text();
-}
 
 TimeSeries series_of(const std::string& keys, const FakeFiles& files = {}) {
     return *read_text(with_time(keys), files).series;
@@ -95,7 +87,8 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
 
 TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     const FakeFiles files{
-        {"s.csv", "# mine\nwavelength_nm,direct,diffuse\n300,1,0\n500,1,2\n700,1,0\n"}};
+        {"s.csv",
+         "# mine\nwavelength_nm,direct,diffuse\n299,0,0\n300,1,0\n500,1,2\n700,1,0\n701,0,0\n"}};
     RunText text;
     text.top = "[[band]]\nname = 'low'\nfrom_nm = 300\nto_nm = 500\n";
     text.sources = "";
@@ -103,16 +96,78 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
                 "[time]\ntimes = ['2024-06-21T13:40+02:00']\nspectrum = 's.csv'\n"
                 "direct_horizontal = 400\ndiffuse = 100\n";
     const RunFile run = read_text(text.text(), files);
-    EXPECT_NEAR(on_the_horizontal(run.series->time_steps[0]), .5 * 400 + .5 * 100, 1e-6);
+    // Direct light is a rectangle with sides of 1 nm.
+    EXPECT_NEAR(on_the_horizontal(run.series->time_steps[0]), 200 / 401.0 * 400 + .5 * 100, 1e-6);
     const auto bad = faults_of(
         text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
-    EXPECT_EQ(bad.size(), 3U);
+    EXPECT_EQ(bad.size(), 2U) << "one line for each kind of fault";
     EXPECT_TRUE(mentions(bad, "does not grow"));
+    EXPECT_TRUE(mentions(bad, "s.csv:2: is no row of a spectrum"));
+    EXPECT_TRUE(mentions(bad, "; 1 more rows have this fault"));
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"s.csv", "nm,a\n"}}), "names are not those of a spectrum"));
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n4,0,0\n5,0,0\n"}}),
         "no light"));
+}
+
+/// The standard's light as a spectrometer of so many nanometres sees it.
+std::string measured_spectrum(int from_nm, int to_nm, int step_nm = 10) {
+    std::string text = "wavelength_nm,direct,diffuse\n";
+    for (int nm = from_nm; nm <= to_nm; nm += step_nm) {
+        const double low = std::max<double>(280, nm - .5 * step_nm);
+        const double high = std::min<double>(4000, nm + .5 * step_nm);
+        text += fmt::format(
+            "{},{},{}\n", nm, reference_direct().within({low, high}) / (high - low),
+            reference_global().within({low, high}) / (high - low));
+    }
+    return text;
+}
+
+/// PAR and NIR of a clear noon of that spectrum.
+struct NoonLight {
+    double par = 0, nir = 0;
+    std::string warnings;
+};
+NoonLight noon_of(const std::string& spectrum) {
+    RunText text;
+    text.top = "bands = ['PAR', 'NIR']\n";
+    text.sources = "";
+    text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T12:00Z']\nspectrum = 's.csv'\n";
+    const RunFile run = read_text(text.text(), {{"s.csv", spectrum}});
+    NoonLight light;
+    for (const auto& source : run.series->time_steps[0].sources) {
+        light.par += source->spectrum()[0] * source->horizontal_irradiance();
+        light.nir += source->spectrum()[1] * source->horizontal_irradiance();
+    }
+    for (const Warning& warning : run.warnings) {
+        light.warnings += warning.place + ": " + warning.text + "\n";
+    }
+    return light;
+}
+
+TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
+    const NoonLight whole = noon_of(measured_spectrum(280, 4000));
+    EXPECT_EQ(whole.warnings.find("s.csv"), std::string::npos) << whole.warnings;
+    for (const auto& [from, to] : {std::pair(400, 1100), {400, 700}, {350, 2500}, {300, 1000}}) {
+        const NoonLight part = noon_of(measured_spectrum(from, to));
+        EXPECT_NEAR(part.par, whole.par, .01 * whole.par) << from;
+        EXPECT_NEAR(part.nir, whole.nir, .02 * whole.nir) << from;
+        EXPECT_NE(
+            part.warnings.find(fmt::format(
+                "s.csv: the rows cover {} to {} nm, and daylight is of 280 to 4000 nm", from, to)),
+            std::string::npos)
+            << part.warnings;
+    }
+    // A row of 0 says that there is no more light.
+    const std::string lamp = "wavelength_nm,direct,diffuse\n399,0,0\n400,1,1\n700,1,1\n701,0,0\n";
+    const NoonLight dark = noon_of(lamp);
+    EXPECT_NEAR(dark.nir / dark.par, .5 / 300, 1e-9) << "the side of the rectangle";
+    EXPECT_NE(dark.warnings.find("0 % of the direct"), std::string::npos) << dark.warnings;
+    EXPECT_NE(
+        noon_of("wavelength_nm,direct,diffuse\n280,0,0\n400,1,1\n650,1,1\n699,0,0\n4000,0,0\n")
+            .warnings.find("daylight has no light in band 'NIR', 700 to 2500 nm"),
+        std::string::npos);
 }
 
 TEST(RunFileTime, LampsShineAtAllTimes) {
@@ -255,6 +310,8 @@ TEST(RunFileWeather, NoticesAWrongTimeZone) {
     }
     const auto faults = faults_of(with_time("weather = 'w.csv'\n"), {{"w.csv", shifted}});
     EXPECT_TRUE(mentions(faults, "degrees below the horizon (time zone, place or stamp are wrong"));
+    EXPECT_TRUE(mentions(faults, "more times have this fault"));
+    EXPECT_EQ(faults.size(), 1U);
 }
 
 /// Warnings of an hour at noon of midsummer with so much light.

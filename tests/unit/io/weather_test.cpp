@@ -14,7 +14,16 @@ namespace {
 struct ReadWeather {
     WeatherFile file;
     std::vector<std::string> faults;
+    std::vector<std::string> warnings = {};
 };
+
+std::vector<std::string> texts_of(const std::vector<Warning>& warnings) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : warnings) {
+        texts.push_back(warning.place + ": " + warning.text);
+    }
+    return texts;
+}
 
 std::vector<std::string> texts_of(const Faults& faults) {
     std::vector<std::string> texts;
@@ -31,13 +40,13 @@ std::vector<std::string> texts_of(const Faults& faults) {
 ReadWeather epw(const std::string& text) {
     Reporter reporter{"w.epw", {}, {}};
     WeatherFile file = read_epw(text, reporter);
-    return {std::move(file), texts_of(reporter.faults)};
+    return {std::move(file), texts_of(reporter.faults), texts_of(reporter.warnings)};
 }
 
 ReadWeather csv(const std::string& text, const WeatherColumns& columns = {}) {
     Reporter reporter{"w.csv", {}, {}};
     WeatherFile file = read_weather_csv(text, columns, reporter);
-    return {std::move(file), texts_of(reporter.faults)};
+    return {std::move(file), texts_of(reporter.faults), texts_of(reporter.warnings)};
 }
 
 constexpr const char* kHead =
@@ -94,6 +103,39 @@ TEST(Epw, ReadsSeveralRecordsAnHour) {
     EXPECT_EQ(read.file.records[0].start, (CivilTime{1999, 6, 21, 11, 0, 0, 1}));
     EXPECT_EQ(read.file.records[1].start, (CivilTime{1999, 6, 21, 11, 45, 0, 1}));
     EXPECT_EQ(read.file.records[0].seconds, 900);
+}
+
+/// Records of every hour of some months, each with its year.
+std::string months(const std::vector<std::pair<int, int>>& years_and_months) {
+    std::string text;
+    for (const auto& [year, month] : years_and_months) {
+        for (int day = 1; day <= days_in_month(year, month); ++day) {
+            for (int hour = 1; hour <= 24; ++hour) {
+                text += record(year, month, day, hour, "0", "0");
+            }
+        }
+    }
+    return text;
+}
+
+TEST(Epw, RefusesRecordsThatAreThereTwiceOrOutOfOrder) {
+    const std::string noon = record(2023, 6, 21, 12, "500", "100");
+    const std::string one = record(2023, 6, 21, 13, "500", "100");
+    EXPECT_TRUE(epw(kHead + noon + one).faults.empty());
+    EXPECT_TRUE(mentions(
+        epw(kHead + noon + noon + one).faults,
+        "w.epw:5: the record of 2023-06-21T11:00+01:00 is there twice or out of order"));
+    EXPECT_TRUE(mentions(epw(kHead + one + noon).faults, "w.epw:5: the record"));
+    const std::string year = months({{1999, 12}, {1983, 1}, {1990, 2}});
+    EXPECT_TRUE(epw(kHead + year).faults.empty()) << "a typical year from December on";
+    const auto twice = epw(kHead + year + year).faults;
+    ASSERT_EQ(twice.size(), 1U) << ::testing::PrintToString(twice);
+    EXPECT_TRUE(mentions(twice, "more records have this fault"));
+    const std::string same = months({{2023, 12}, {2023, 1}});
+    EXPECT_EQ(epw(kHead + same).faults.size(), 1U) << "no typical year goes back within a year";
+    const std::string summers = months({{1999, 8}, {2000, 6}});
+    EXPECT_TRUE(epw(kHead + summers).faults.empty());
+    EXPECT_FALSE(epw(kHead + summers).file.is_typical_year) << "two summers";
 }
 
 TEST(Epw, ReportsEveryBadRecord) {
@@ -260,6 +302,62 @@ TEST(WeatherTable, RefusesColumnsThatAreThereTwice) {
 TEST(WeatherTable, RefusesAmountsBeyondAnyLight) {
     EXPECT_TRUE(mentions(
         csv("time,global\n2024-06-21T12:00Z,1e308\n").faults, "w.csv:2: global is '1e308'"));
+}
+
+TEST(WeatherTable, TakesADateAloneForThatDay) {
+    WeatherColumns columns;
+    columns.utc_offset_hours = 1;
+    const std::string rows = "time,global\n2024-06-12,12\n2024-06-13,13\n";
+    const ReadWeather read = csv(rows, columns);
+    EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+    EXPECT_TRUE(read.warnings.empty()) << ::testing::PrintToString(read.warnings);
+    EXPECT_EQ(read.file.records[0].start, (CivilTime{2024, 6, 12, 0, 0, 0, 1}));
+    EXPECT_EQ(read.file.records[0].seconds, kSecondsADay);
+    EXPECT_EQ(read.file.records[0].reading.global, 12);
+    EXPECT_EQ(csv("time,global\n2024-06-12,12\n", columns).file.records[0].seconds, kSecondsADay);
+    columns.stamp = WeatherColumns::Stamp::end;
+    EXPECT_EQ(csv(rows, columns).file.records[0].start, (CivilTime{2024, 6, 11, 0, 0, 0, 1}))
+        << "as stated";
+}
+
+/// A table of the hours of two days.
+std::string hours_of_two_days(int first, int last) {
+    std::string text = "day_of_year,hour,global\n";
+    for (const int day : {172, 173}) {
+        for (int hour = first; hour <= last; ++hour) {
+            text += fmt::format("{},{},{}\n", day, hour, hour > 6 && hour < 19 ? 150 : 0);
+        }
+    }
+    return text;
+}
+
+TEST(WeatherTable, AsksForTheStampWhereRowsSeemToBeginAtTheirTimes) {
+    WeatherColumns columns;
+    columns.utc_offset_hours = 1;
+    columns.year = 2024;
+    const auto warnings = [&](const std::string& text) { return csv(text, columns).warnings; };
+    EXPECT_TRUE(mentions(
+        warnings(hours_of_two_days(0, 23)),
+        "w.csv:2: the rows go from 00:00 to 23:00, as if each stood for the 60 minutes after its "
+        "time, but it counts for those before: write stamp = \"start\", or stamp = \"end\" if that "
+        "is right"));
+    EXPECT_TRUE(warnings(hours_of_two_days(1, 24)).empty());
+    EXPECT_TRUE(warnings(hours_of_two_days(8, 16)).empty()) << "it can't be told";
+    const std::string middles =
+        "time,global\n2024-06-12T00:30,0\n2024-06-12T01:30,0\n2024-06-12T23:30,0\n";
+    EXPECT_TRUE(mentions(warnings(middles), "write stamp = \"middle\""));
+    EXPECT_TRUE(mentions(
+        warnings("time,global\n2024-06-12T00:00,9\n2024-06-13T00:00,0\n"), "stamp = \"start\""));
+    columns.stamp = WeatherColumns::Stamp::end;
+    EXPECT_TRUE(warnings(hours_of_two_days(0, 23)).empty()) << "as stated";
+}
+
+TEST(WeatherTable, WarnsOfRowsThatStandForMoreThanTheTimeBetweenThem) {
+    WeatherColumns columns;
+    columns.seconds = 3600;
+    const std::string rows = "time,global\n2024-06-12T10:30Z,1\n2024-06-12T11:00Z,1\n";
+    EXPECT_TRUE(mentions(csv(rows, columns).warnings, "rows are 30 minutes apart"));
+    EXPECT_TRUE(csv(rows).warnings.empty());
 }
 
 TEST(WeatherTable, RefusesTimesThatGoBack) {

@@ -213,6 +213,29 @@ std::vector<TimeStep> fading_day() {
     return {moment_of({sky({900})}, "a"), moment_of({sky({90})}, "b"), moment_of({sky({9})}, "c")};
 }
 
+/// Of two traces after a dark night each is half of the work.
+TEST(Series, CountsNoDarkTimesAsProgress) {
+    std::vector<TimeStep> time_steps(10, moment_of({}, ""));
+    time_steps.push_back(moment_of({sun(30, {1})}, "a"));
+    time_steps.push_back(moment_of({sun(40, {1})}, "b"));
+    RunSpec spec = small_spec();
+    spec.paths = std::uint64_t{1} << 30U;
+    spec.max_seconds = 1.5;
+    SeriesEvents events;
+    std::size_t done = 0;
+    std::size_t told_in_first = 0;
+    events.on_progress = [&](const Progress& progress) {
+        const bool is_first = done == 10;
+        told_in_first += is_first ? 1 : 0;
+        EXPECT_GE(progress.fraction, is_first ? 0 : .5);
+        EXPECT_LE(progress.fraction, is_first ? .5 : 1);
+    };
+    events.on_time_step = [&](std::size_t i, const Result&, std::size_t) { done = i + 1; };
+    run_series(make_scene(), time_steps, spec, events);
+    EXPECT_EQ(done, 12U);
+    EXPECT_GT(told_in_first, 0U);
+}
+
 TEST(SpreadEffort, FollowsTheLightOfTheDay) {
     std::vector<TimeStep> time_steps = fading_day();
     auto plans = plan_series(time_steps);

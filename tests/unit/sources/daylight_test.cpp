@@ -62,6 +62,25 @@ TEST(SolarReference, IsTheWholeTable) {
 
 /// McCree (1972) and Thimijan and Heins (1983): 4.57 umol J-1 of PAR, 2.0 to 2.1 umol per J of
 /// global light, 54 lx per umol m-2 s-1, in sun and sky.
+TEST(SolarReference, ContinuesAPartOfItselfToTheWhole) {
+    const Spectrum& whole = reference_global();
+    std::vector<double> nm, values;
+    for (const double each : whole.wavelengths()) {
+        if (each >= 400 && each <= 1100) {
+            nm.push_back(each);
+            values.push_back(3 * whole.at(each));
+        }
+    }
+    const Spectrum all = continued(Spectrum(nm, values), whole);
+    EXPECT_EQ(all.wavelengths(), whole.wavelengths());
+    for (const double each : {290., 399.5, 400., 700., 1100., 1101., 2500., 4000.}) {
+        EXPECT_NEAR(all.at(each), 3 * whole.at(each), 1e-9) << each;
+    }
+    const Spectrum dark = continued(Spectrum({400, 500, 600}, {0, 1, 0}), whole);
+    EXPECT_EQ(dark.low_nm(), 400) << "a row of 0 is the end of the light";
+    EXPECT_EQ(dark.high_nm(), 600);
+}
+
 TEST(Daylight, HasTheKnownConversions) {
     const DaylightSpectra spectra;
     const Daylight light = spectra.from_fraction(1000, LightUnit::full_spectrum, .2);

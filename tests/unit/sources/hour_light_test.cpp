@@ -147,12 +147,49 @@ TEST(MeasuredLight, IsDiffuseAtDuskWhereThatIsALittleMoreThanAll) {
 }
 
 TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
-    const SunPath dawn = sun_path(kWageningen, june(4), 3600, 300);
-    const double most = dawn.outside() * dawn.mean_sine();
-    const HourLight light = light_of_reading(dawn, {.direct_horizontal = 2 * most, .diffuse = 10});
-    EXPECT_EQ(light.note, ReadingNote::sun_too_low);
-    EXPECT_EQ(light.daylight.direct, 0);
-    EXPECT_NEAR(light.daylight.diffuse, 2 * most + 10, 1e-9);
+    for (const int hour : {4, 5}) {
+        const SunPath dawn = sun_path(kWageningen, june(hour), 3600, 300);
+        const double most = 2 * clear_light(dawn, {}).daylight.direct;
+        const HourLight light =
+            light_of_reading(dawn, {.direct_horizontal = 1.5 * most, .diffuse = 10});
+        EXPECT_EQ(light.note, ReadingNote::beam_too_strong);
+        EXPECT_NEAR(light.daylight.direct, most, 1e-9);
+        EXPECT_NEAR(light.daylight.diffuse, .5 * most + 10, 1e-9);
+        const HourLight less =
+            light_of_reading(dawn, {.direct_horizontal = .99 * most, .diffuse = 10});
+        EXPECT_EQ(less.note, ReadingNote::none);
+        EXPECT_NEAR(less.daylight.direct, .99 * most, 1e-9);
+    }
+    const SunPath night = sun_path(kWageningen, june(23), 3600, 300);
+    EXPECT_EQ(light_of_reading(night, {.direct_horizontal = 9, .diffuse = 10}).daylight.direct, 0);
+}
+
+/// 20 W m-2 on the horizontal with the sun at 2 degrees for 25 minutes is no beam of 1310 W m-2.
+TEST(MeasuredLight, HasNoBeamAtSunriseThatNoSkyLetsThrough) {
+    const Place place{.latitude_deg = 40, .longitude_deg = 15};
+    const SunPath sunrise = sun_path(place, {2024, 6, 21, 4, 0, 0, 1}, 3600, 300);
+    ASSERT_GT(20 / sunrise.mean_sine(), 1000);
+    const HourLight light = light_of_reading(sunrise, {.direct_horizontal = 20, .diffuse = 10});
+    const HourLight clear = clear_light(sunrise, {});
+    EXPECT_NEAR(light.daylight.direct, 2 * clear.daylight.direct, 1e-9);
+    EXPECT_LT(light.facing.back(), 150);
+    EXPECT_NEAR(light.daylight.global(), 30, 1e-9) << "no light is lost";
+}
+
+TEST(MeasuredLight, IsNothingAtNightAndNeverBelowZeroByDay) {
+    const SunPath night = sun_path(kWageningen, june(0), 3600, 300);
+    const HourLight dark = light_of_reading(night, {.global = 3});
+    EXPECT_EQ(dark.daylight.global(), 0);
+    EXPECT_EQ(dark.note, ReadingNote::light_at_night);
+    const SunPath dusk = sun_path(kWageningen, june(20), 3600, 300);
+    EXPECT_NEAR(light_of_reading(dusk, {.global = 3}).daylight.global(), 3, 1e-9);
+    const SunPath noon = sun_path(kWageningen, june(12), 3600, 300);
+    EXPECT_EQ(light_of_reading(noon, {.global = -7}).note, ReadingNote::negative_by_day);
+    EXPECT_EQ(
+        light_of_reading(noon, {.beam_normal = -1, .diffuse = -7}).note,
+        ReadingNote::negative_by_day);
+    EXPECT_EQ(light_of_reading(noon, {.beam_normal = -1, .diffuse = 300}).note, ReadingNote::none)
+        << "the beam of an overcast noon";
 }
 
 TEST(MeasuredLight, TellsOfReadingsThatDisagree) {
