@@ -63,6 +63,7 @@ class SeriesRun {
                 last_use_[plans_[i].traced] = i;
             }
         }
+        effort_ = effort_left_;
     }
 
     SeriesSummary run() {
@@ -214,15 +215,14 @@ class SeriesRun {
         control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
-    /// Progress of the series: traces take about equally long.
+    /// Progress of the series: a trace takes as long as its effort, and dark times take none.
     [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
         if (!in_.events.on_progress) {
             return {};
         }
         return [this, i](const Progress& own) {
-            const auto before = static_cast<double>(i);
-            const double fraction =
-                (before + own.fraction) / static_cast<double>(in_.time_steps.size());
+            const double done = effort_ - effort_left_ + own.fraction * plans_[i].effort;
+            const double fraction = done / effort_;
             in_.events.on_progress(
                 {fraction, seconds(), seconds() / fraction, own.fraction_at_target});
         };
@@ -272,7 +272,8 @@ class SeriesRun {
     GroupResults groups_;         // of darkness
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
-    double effort_left_ = 0;      // of what is to be traced
+    double effort_ = 0;           // of all traces
+    double effort_left_ = 0;      // of those still to be done
     SeriesSummary summary_;
 };
 
