@@ -157,9 +157,7 @@ class SeriesRun {
             given = in_.events.sums_of(i);
             control.sums = &*given;
         }
-        Result result =
-            shared_.has(i) ? run_shared(i, spec, control)
-                           : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+        Result result = run_one(i, spec, control);
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
@@ -179,6 +177,20 @@ class SeriesRun {
             least_chance_ = std::min(least_chance_, result.audit->chance);
         }
         return result;
+    }
+
+    /// The run of a moment. One that is stopped before it has a result has taken time as well.
+    Result run_one(std::size_t i, const RunSpec& spec, const RunControl& control) {
+        const Stopwatch watch;
+        try {
+            return shared_.has(i)
+                       ? run_shared(i, spec, control)
+                       : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+        } catch (const Stopped&) {
+            summary_.trace_seconds += watch.seconds();
+            summary_.trace_cpu_seconds += watch.cpu_seconds();
+            throw;
+        }
     }
 
     /// The run of a moment that the processes of the team have traced, each some.

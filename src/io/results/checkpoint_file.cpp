@@ -23,7 +23,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 3\n";
+constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\n";
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
 constexpr std::array<std::string_view, 5> kEnds{

@@ -102,26 +102,6 @@ TEST(Series, TracesProportionalMomentsOnce) {
     EXPECT_TRUE(results[4].sunlit_fraction.empty());
 }
 
-/// Dark times and those that share a trace take no time.
-TEST(Series, TellsHowMuchOfTheTracingIsDone) {
-    const std::vector<TimeStep> times{
-        moment_of({}, ""),
-        moment_of({}, ""),
-        moment_of({sun(30, {1})}, "a"),
-        moment_of({sun(40, {1})}, "b"),
-        moment_of({sun(40, {2})}, "b"),
-        moment_of({}, "")};
-    std::vector<double> fractions;
-    SeriesEvents events;
-    events.on_progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
-    std::vector<double> done;
-    events.on_time_step = [&](std::size_t, const Result&, std::size_t) {
-        done.push_back(fractions.empty() ? 0 : fractions.back());
-    };
-    run_series(make_scene(), times, small_spec(), events);
-    EXPECT_EQ(done, (std::vector<double>{0, 0, .5, 1, 1, 1}));
-}
-
 TEST(Series, GivesEachTraceNumbersOfItsOwn) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
