@@ -3,11 +3,13 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "base/memory_need.h"
 #include "commands.h"
 #include "io/standard_streams.h"
 #include "quasimc/quasimc.h"
+#include "rank_team.h"
 
 namespace {
 
@@ -40,7 +42,15 @@ Program make_program(bool& dump_default) {
          report_command(), sky_command()}};
 }
 
+/// Ranks that MPI's launcher has started share the work of `run`. All else the first does alone.
+bool is_left_to_the_first_rank(int argc, char** argv) {
+    return RankTeam::is_another_rank() && (argc < 2 || std::string_view(argv[1]) != "run");
+}
+
 Exit run_program(int argc, char** argv) {
+    if (is_left_to_the_first_rank(argc, argv)) {
+        return Exit::done;
+    }
     bool dump_default = false;
     const Program program = make_program(dump_default);
     const Parsed parsed = parse_command_line(program, argc, argv);
