@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "base/memory_need.h"
 #include "coupling/environment.h"
 #include "io/standard_streams.h"
 #include "quasimc/run.h"
@@ -98,6 +99,9 @@ int main(int argc, char** argv) {
         return kInputError;
     } catch (const quasimc::Stopped& stopped) {
         tell(stopped.what());
+        return kInputError;
+    } catch (const quasimc::OutOfMemory& error) {
+        tell(error.what());
         return kInputError;
     } catch (const std::bad_alloc&) {
         tell("there is not enough memory");

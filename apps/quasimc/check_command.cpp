@@ -50,17 +50,15 @@ Exit check(const CheckArguments& arguments) {
     const std::size_t warnings = sweep.warnings().size();
     print_warnings(sweep.warnings());
     const quasimc::RunFile run = sweep.take(0);
-    const std::string text = fmt::format(
+    std::string text = fmt::format(
         "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {}\n",
         run.path, warnings, run.scene.organs().size(), run.scene.triangle_count(),
         run.scene.material_names().size(), run.scene.bands().size(), light_of(run));
-    std::fputs(text.c_str(), stdout);
     if (run.sweep) {
-        fmt::print(stdout, "a sweep of {} points\n", sweep.size());
+        text += fmt::format("a sweep of {} points\n", sweep.size());
     }
-    if (run.series) {
-        std::fputs(times_of(*run.series).c_str(), stdout);
-    }
+    text += run.series ? times_of(*run.series) : "";
+    std::fputs(text.c_str(), stdout);
     return Exit::done;
 }
 

@@ -17,6 +17,7 @@ enum class Exit {
     internal_error = 3,
     target_missed = 4,  ///< or the paths that were asked for, for want of time
     interrupted = 130,  ///< by Ctrl-C, as a shell says it
+    reader_gone = 141,  ///< from standard output, as a shell reports SIGPIPE
 };
 
 /// What a flag sets. Whoever owns it must outlive the parsing.

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "base/start_thread.h"
 #include "command_line.h"
 
 InterruptWatch::InterruptWatch(std::function<void()> on_first) : on_first_(std::move(on_first)) {
@@ -17,7 +18,7 @@ InterruptWatch::InterruptWatch(std::function<void()> on_first) : on_first_(std::
     sigemptyset(&signals_);
     sigaddset(&signals_, SIGINT);
     ::pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-    thread_ = std::jthread([this](const std::stop_token& ends) { wait(ends); });
+    thread_ = quasimc::start_thread([this](const std::stop_token& ends) { wait(ends); });
 }
 
 InterruptWatch::~InterruptWatch() {

@@ -3,11 +3,13 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "base/memory_need.h"
 #include "commands.h"
 #include "io/standard_streams.h"
 #include "quasimc/quasimc.h"
+#include "rank_team.h"
 
 namespace {
 
@@ -28,8 +30,11 @@ Program make_program(bool& dump_default) {
         "quasimc " + std::string(quasimc::version()),
         "Light on virtual plants: what every organ absorbs, with standard errors",
         "Exit status: 0 done, 1 the input has faults, 2 wrong usage, 3 internal error,\n"
-        "4 stopped before the target error or all paths were reached, 130 stopped by Ctrl-C (in\n"
-        "both cases the results so far are written, if there are any).",
+        "4 stopped before the target error or all paths were reached, 130 stopped by Ctrl-C (in "
+        "both\n"
+        "cases the results so far are written, if there are any), 141 the reader of standard "
+        "output\n"
+        "has ended, as head does.",
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
         {run_command(), merge_command(), check_command(), info_command(), convert_command(),
@@ -37,7 +42,15 @@ Program make_program(bool& dump_default) {
          report_command(), sky_command()}};
 }
 
+/// Ranks that MPI's launcher has started share the work of `run`. All else the first does alone.
+bool is_left_to_the_first_rank(int argc, char** argv) {
+    return RankTeam::is_another_rank() && (argc < 2 || std::string_view(argv[1]) != "run");
+}
+
 Exit run_program(int argc, char** argv) {
+    if (is_left_to_the_first_rank(argc, argv)) {
+        return Exit::done;
+    }
     bool dump_default = false;
     const Program program = make_program(dump_default);
     const Parsed parsed = parse_command_line(program, argc, argv);
@@ -55,6 +68,20 @@ Exit run_program(int argc, char** argv) {
     return parsed.command->run();
 }
 
+/// Writes what is left for standard output.
+/// @param exit  of the command. @returns the program's
+Exit finish_output(Exit exit) {
+    const bool is_whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (is_whole || !quasimc::has_standard_output()) {
+        return exit;
+    }
+    if (quasimc::is_reader_gone()) {
+        return exit == Exit::done ? Exit::reader_gone : exit;
+    }
+    std::fprintf(stderr, "standard output: can't be written\n");
+    return Exit::input_error;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,15 +90,9 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        const int status = status_of(run_program(argc, argv));
-        if (!quasimc::has_standard_output()) {
-            return status;
-        }
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-            std::fprintf(stderr, "standard output: can't be written\n");
-            return status_of(Exit::input_error);
-        }
-        return status;
+        return status_of(finish_output(run_program(argc, argv)));
+    } catch (const quasimc::ReaderGone&) {
+        return status_of(Exit::reader_gone);
     } catch (const quasimc::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return status_of(Exit::input_error);

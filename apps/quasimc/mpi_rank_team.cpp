@@ -209,6 +209,10 @@ class MpiRankTeam final : public RankTeam {
 
 }  // namespace
 
+bool RankTeam::is_another_rank() {
+    return are_several() && (number_in("OMPI_COMM_WORLD_RANK") > 0 || number_in("PMIX_RANK") > 0);
+}
+
 std::unique_ptr<RankTeam> RankTeam::join() {
     if (!are_several()) {
         return nullptr;

@@ -5,3 +5,7 @@
 std::unique_ptr<RankTeam> RankTeam::join() {
     return nullptr;
 }
+
+bool RankTeam::is_another_rank() {
+    return false;
+}

@@ -14,6 +14,9 @@ class RankTeam {
     /// @throws quasimc::InputError  if there are, but MPI can't be started
     [[nodiscard]] static std::unique_ptr<RankTeam> join();
 
+    /// Whether the launcher has started several, and this is not the first of them.
+    [[nodiscard]] static bool is_another_rank();
+
     virtual ~RankTeam() = default;
     RankTeam(const RankTeam&) = delete;
     RankTeam& operator=(const RankTeam&) = delete;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "io/file_identity.h"
 #include "io/results/field_formats.h"
 #include "io/results/series_words.h"
 #include "progress.h"
@@ -37,16 +38,12 @@ void refuse_checkpoint(
     }
     quasimc::Faults faults;
     const auto name_of = [](const std::string& path) {
-        std::error_code error;
-        const fs::path name = fs::weakly_canonical(fs::absolute(path), error);
-        return error ? fs::absolute(path) : name;
+        return quasimc::followed(fs::absolute(path)).string();
     };
+    const std::string own = name_of(checkpoint);
     for (const quasimc::OutputPath& output : outputs) {
-        const bool is_one =
-            output.path != "-" && (name_of(output.path) == name_of(checkpoint) ||
-                                   name_of(output.path) == name_of(checkpoint + ".done") ||
-                                   name_of(output.path) == name_of(checkpoint + ".lock"));
-        if (is_one) {
+        const std::string name = output.path == "-" ? "" : name_of(output.path);
+        if (name == own || name == own + ".done" || name == own + ".lock") {
             faults.add(
                 {output.place, output.path + " is a file of the checkpoint", "",
                  "name another file"});

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/process_time.h"
 #include "part_run.h"
 #include "progress.h"
 #include "sweep_jobs.h"
@@ -120,6 +121,7 @@ bool SweepRun::trace(const std::stop_token& stop) {
         constexpr double kLeast = 1e-3;
         spec.max_seconds = std::max(spec.max_seconds - all_.seconds, kLeast) / points_left;
     }
+    const quasimc::Stopwatch watch;
     try {
         const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(*run_);
         checkpoint_.set_moments_before(moments_before_);
@@ -131,7 +133,10 @@ bool SweepRun::trace(const std::stop_token& stop) {
             throw;
         }
         last_ = {};
-        last_.stop = all_.stop = stopped.why();
+        last_.seconds = last_.trace_seconds = watch.seconds();
+        last_.trace_cpu_seconds = watch.cpu_seconds();
+        last_.stop = stopped.why();
+        add_point(last_, all_);
         return false;
     } catch (const quasimc::InputError& error) {
         writers_.throw_if_given_up();

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/start_thread.h"
+
 namespace quasimc {
 
 void parallel_blocks(
@@ -48,8 +50,13 @@ void parallel_blocks(
             1);
         std::vector<std::jthread> threads;
         threads.reserve(extra);
-        for (unsigned worker = 1; worker <= extra; ++worker) {
-            threads.emplace_back(loop, worker);
+        try {
+            for (unsigned worker = 1; worker <= extra; ++worker) {
+                threads.push_back(start_thread([&loop, worker] { loop(worker); }));
+            }
+        } catch (const OutOfMemory&) {
+            next = blocks;  // for those that were started
+            throw;
         }
         loop(0);
     }

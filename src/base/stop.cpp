@@ -1,5 +1,7 @@
 #include "base/stop.h"
 
+#include "base/start_thread.h"
+
 namespace quasimc {
 
 void StopAlarm::set(Clock::time_point at) {
@@ -9,7 +11,7 @@ void StopAlarm::set(Clock::time_point at) {
     }
     changed_.notify_all();
     if (!thread_.joinable()) {
-        thread_ = std::jthread([this](const std::stop_token& ends) { wait(ends); });
+        thread_ = start_thread([this](const std::stop_token& ends) { wait(ends); });
     }
 }
 

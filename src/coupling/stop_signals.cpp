@@ -11,6 +11,8 @@
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
 
+#include "base/start_thread.h"
+
 namespace quasimc {
 namespace {
 
@@ -32,7 +34,7 @@ StopSignals::StopSignals(std::function<void(int)> on_signal) : on_signal_(std::m
     ::pthread_sigmask(SIG_BLOCK, &stops, &before_);
     signals_ = ::signalfd(-1, &stops, SFD_CLOEXEC);
     end_ = ::eventfd(0, EFD_CLOEXEC);
-    thread_ = std::thread([this] { wait(); });
+    thread_ = start_thread<std::thread>([this] { wait(); });
 }
 
 StopSignals::~StopSignals() {

@@ -149,6 +149,9 @@ void AtomicFile::name_temporary() {
 }
 
 void AtomicFile::fail() const {
+    if (path_ == "-" && errno == EPIPE) {
+        throw ReaderGone();
+    }
     const std::string why = std::generic_category().message(errno);
     const std::string place = path_ == "-" ? "standard output" : path_.string();
     throw InputError({{place, "can't be written", why, ""}});

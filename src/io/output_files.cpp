@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "io/file_identity.h"
+#include "io/standard_streams.h"
 
 namespace quasimc {
 namespace {
@@ -69,6 +70,9 @@ void OutputFiles::attempt(std::size_t output, Action action) {
     }
     try {
         action(*files_[output]);
+    } catch (const ReaderGone&) {
+        files_[output].reset();
+        throw_if_none_is_left();
     } catch (const InputError& error) {
         give_up(output, error);
     }
@@ -85,9 +89,14 @@ void OutputFiles::give_up(std::size_t output, const InputError& error) {
         files_[output].reset();
         faults_.add(error);
     }
+    throw_if_none_is_left();
+}
+
+void OutputFiles::throw_if_none_is_left() const {
     const auto is_left = [](const auto& file) { return file != nullptr; };
     if (std::none_of(files_.begin(), files_.end(), is_left)) {
         throw_if_given_up();
+        throw ReaderGone();
     }
 }
 

@@ -22,7 +22,8 @@ struct OutputPath {
 /// The files that one run writes. They are opened together, so that a wrong one is told before
 /// anything is computed, and get their names together at the end. One that can't be written any
 /// more (a full disk, a pipe that nobody reads) is given up, and the others are written all the
-/// same.
+/// same. Standard output whose reader has ended is given up without a fault; ReaderGone is thrown
+/// if no other output is left.
 class OutputFiles {
   public:
     /// @param inputs  the files that were read, which no output may be
@@ -45,6 +46,7 @@ class OutputFiles {
     void throw_if_given_up() const { faults_.throw_if_any(); }
 
   private:
+    void throw_if_none_is_left() const;
     /// Does it with an output that is left.
     template <typename Action>
     void attempt(std::size_t output, Action action);

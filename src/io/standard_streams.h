@@ -1,6 +1,16 @@
 #pragma once
 
+#include "quasimc/error.h"
+
 namespace quasimc {
+
+/// Thrown when standard output is a pipe whose reader has ended, as `head` does once it has enough:
+/// no error, but nothing more is to be written there.
+class ReaderGone : public InputError {
+  public:
+    ReaderGone()
+        : InputError({{"standard output", "can't be written", "its reader is gone", ""}}) {}
+};
 
 /// Opens what the program was started without of standard input, output and error, so that no file
 /// that is opened later takes their place. Nothing can be read from or written to these then. To be
@@ -9,5 +19,8 @@ void open_standard_streams();
 
 /// Whether the program was started with a standard output.
 [[nodiscard]] bool has_standard_output();
+
+/// Whether standard output is a pipe or a socket whose reader has ended.
+[[nodiscard]] bool is_reader_gone();
 
 }  // namespace quasimc

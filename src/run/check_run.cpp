@@ -10,6 +10,7 @@
 #include "quasimc/run.h"
 #include "results/groups.h"
 #include "samplers/catalogue.h"
+#include "solvers/bundle_memory.h"
 #include "solvers/catalogue.h"
 #include "solvers/ray_bundles.h"
 #include "solvers/run_limits.h"
@@ -203,6 +204,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
         check_matt(scene, faults);
+        check_bundle_memory(scene, spec, faults);
     }
 }
 

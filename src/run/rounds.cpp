@@ -9,11 +9,13 @@ namespace {
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30U;
 /// A trial has so many times the paths of the one before.
 constexpr std::uint64_t kTrialGrowth = 4;
-/// The most of the time left that a trial may take: of the second, without which it isn't known
-/// what rounds cost and what paths, and of later ones.
-constexpr double kMostForSecond = 0.5, kMostForLater = 0.1;
 /// What is begun anew should be done by this part of the time left: predictions have errors.
 constexpr double kSureOfTime = 0.85;
+/// So many times the paths of a trial may be begun straight after it if that seems to take half of
+/// the time left. More may cost more than a trial of few can tell, and a round that is not done in
+/// time is lost.
+constexpr std::uint64_t kFarthestLeap = 16;
+constexpr double kSureOfLeap = 0.5;
 
 /// A round is huge from so many paths on; trials before it have so many at first, and in the end at
 /// most this part of it.
@@ -49,6 +51,12 @@ bool Rounds::fits(std::uint64_t paths) const {
     return state_.pace.seconds_for(paths) <= kSureOfTime * seconds_left();
 }
 
+/// Whether all paths may be begun straight after a trial.
+bool Rounds::may_leap() const {
+    return spec_.paths <= kFarthestLeap * state_.done &&
+           state_.pace.seconds_for(spec_.paths) <= kSureOfLeap * seconds_left();
+}
+
 Round Rounds::begin(std::uint64_t paths) {
     state_.is_trial = paths < spec_.paths;
     state_.done = 0;
@@ -58,7 +66,6 @@ Round Rounds::begin(std::uint64_t paths) {
 
 std::optional<Round> Rounds::next() {
     if (state_.done == 0) {
-        ++state_.trials;
         return begin(first_paths());
     }
     return state_.is_trial ? after_trial() : as_many_again();
@@ -72,33 +79,17 @@ std::uint64_t Rounds::first_paths() const {
     return is_huge ? std::clamp(fewest_, kFirstInsured, spec_.paths) : spec_.paths;
 }
 
-/// All paths if they fit; if not, another trial if that costs little; if not, the most that fit.
+/// All paths if they fit; if not, a larger trial as long as that fits; if not, as many again. Each
+/// trial is the result if the next one is not done in time.
 std::optional<Round> Rounds::after_trial() {
+    const std::uint64_t next = std::min(kTrialGrowth * state_.done, spec_.paths);
     if (!has_limit()) {
-        const std::uint64_t next = kTrialGrowth * state_.done;
         return begin(next <= spec_.paths / kInsuredPart ? next : spec_.paths);
     }
-    if (fits(spec_.paths)) {
-        return begin(spec_.paths);
-    }
-    const std::uint64_t tried = state_.done;
-    const double most_for_trial =
-        (state_.trials == 1 ? kMostForSecond : kMostForLater) * seconds_left();
-    if (kTrialGrowth * tried < spec_.paths &&
-        kTrialGrowth * state_.pace.seconds_for(tried) <= most_for_trial) {
-        ++state_.trials;
-        return begin(kTrialGrowth * tried);
+    if (may_leap() || fits(next)) {
+        return begin(may_leap() ? spec_.paths : next);
     }
     state_.is_trial = false;
-    std::uint64_t paths = tried;
-    while (2 * paths < spec_.paths && fits(2 * paths)) {
-        paths *= 2;
-    }
-    if (paths >= kTrialGrowth * tried) {
-        const Round round = begin(paths);
-        state_.is_trial = false;
-        return round;
-    }
     return as_many_again();
 }
 

@@ -28,8 +28,7 @@ struct Pace {
 /// How far the rounds of a run are, between two of them.
 struct RoundsState {
     std::uint64_t done = 0;  ///< paths
-    int trials = 0;
-    bool is_trial = false;  ///< what is done
+    bool is_trial = false;   ///< what is done
     Pace pace;
 };
 
@@ -38,9 +37,9 @@ struct RoundsState {
 /// stop).
 ///
 /// With a limit of time that is known to be long enough only once something was traced, a run
-/// begins with trials of few paths. If the specification's paths fit into what is left, they are
-/// traced as if there were no limit; if not, the run begins with as many as fit
-/// (docs/develop/decisions/time-limits.md).
+/// begins with trials of few paths, each larger than the one before. Once the specification's paths
+/// fit into what is left, they are traced as if there were no limit; if they never do, the run goes
+/// on from the last trial (docs/develop/decisions/time-limits.md).
 ///
 /// A run that somebody may stop, and whose first round is huge, begins with trials as well: they
 /// are what is left if it is stopped, and cost 2 % at most.
@@ -93,6 +92,7 @@ class Rounds {
     [[nodiscard]] bool has_limit() const { return spec_.max_seconds > 0; }
     [[nodiscard]] double seconds_left() const { return spec_.max_seconds - seconds_; }
     [[nodiscard]] bool fits(std::uint64_t paths) const;
+    [[nodiscard]] bool may_leap() const;
     [[nodiscard]] Round begin(std::uint64_t paths);
     [[nodiscard]] std::uint64_t first_paths() const;
     [[nodiscard]] std::optional<Round> after_trial();

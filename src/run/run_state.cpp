@@ -44,7 +44,7 @@ std::optional<Sums> read_block(std::string_view& bytes) {
 template <typename Visit, typename PositionOrConst>
 void visit_numbers(const Visit& visit, PositionOrConst& position) {
     auto& rounds = position.rounds;
-    visit(rounds.done), visit(rounds.trials), visit(rounds.is_trial);
+    visit(rounds.done), visit(rounds.is_trial);
     visit(rounds.pace.last.paths), visit(rounds.pace.last.seconds);
     visit(rounds.pace.before.paths), visit(rounds.pace.before.seconds);
     visit(position.first_paths), visit(position.asked_paths);

@@ -157,9 +157,7 @@ class SeriesRun {
             given = in_.events.sums_of(i);
             control.sums = &*given;
         }
-        Result result =
-            shared_.has(i) ? run_shared(i, spec, control)
-                           : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+        Result result = run_one(i, spec, control);
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
@@ -179,6 +177,20 @@ class SeriesRun {
             least_chance_ = std::min(least_chance_, result.audit->chance);
         }
         return result;
+    }
+
+    /// The run of a moment. One that is stopped before it has a result has taken time as well.
+    Result run_one(std::size_t i, const RunSpec& spec, const RunControl& control) {
+        const Stopwatch watch;
+        try {
+            return shared_.has(i)
+                       ? run_shared(i, spec, control)
+                       : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+        } catch (const Stopped&) {
+            summary_.trace_seconds += watch.seconds();
+            summary_.trace_cpu_seconds += watch.cpu_seconds();
+            throw;
+        }
     }
 
     /// The run of a moment that the processes of the team have traced, each some.
@@ -215,8 +227,7 @@ class SeriesRun {
         control.grace_seconds = left + kGrace - spec.max_seconds;
     }
 
-    /// Progress of the series, by the work of its traces: times in the dark and those that share a
-    /// trace take none.
+    /// Progress of the series: a trace takes as long as its effort, and dark times take none.
     [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
         if (!in_.events.on_progress) {
             return {};
@@ -271,10 +282,11 @@ class SeriesRun {
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;
     SeriesAdder day_, total_;
-    GroupResults groups_;                  // of darkness
-    std::optional<Result> dark_;           // once it was needed
-    double least_chance_ = 1;              // of an audit
-    double effort_ = 0, effort_left_ = 0;  // of what is to be traced, all and yet
+    GroupResults groups_;         // of darkness
+    std::optional<Result> dark_;  // once it was needed
+    double least_chance_ = 1;     // of an audit
+    double effort_ = 0;           // of all traces
+    double effort_left_ = 0;      // of those still to be done
     SeriesSummary summary_;
 };
 

@@ -69,7 +69,6 @@ RunState state_of(std::vector<TracedJob> parts, double seconds) {
     RunState state;
     state.position.rounds.done = sums.paths;
     state.position.first_paths = state.position.asked_paths = sums.paths;
-    state.position.rounds.trials = 1;
     state.position.rounds.pace.add(sums.paths, seconds);
     state.position.digest = sums.digest;
     state.done = std::move(sums);

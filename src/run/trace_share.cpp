@@ -37,23 +37,26 @@ void trace_share(
     check_share(spec, faults);
     faults.throw_if_any();
     const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
-    Simulator simulator;
-    std::uint64_t traces = 0;
+    std::vector<std::size_t> traced;
     for (std::size_t i = 0; i < time_steps.size(); ++i) {
-        if (plans[i].factor == 0 || plans[i].traced != i) {
-            continue;
+        if (plans[i].factor > 0 && plans[i].traced == i) {
+            traced.push_back(i);
         }
-        const RunSpec traced = trace_spec(spec, plans[i], traces++);
+    }
+    Simulator simulator;
+    for (std::size_t n = 0; n < traced.size(); ++n) {
+        const std::size_t i = traced[n];
         RunControl own{.stop = control.stop};
         if (control.on_progress) {
             own.on_progress = [&](const Progress& progress) {
-                const auto all = static_cast<double>(time_steps.size());
                 Progress of_all = progress;
-                of_all.fraction = (static_cast<double>(i) + progress.fraction) / all;
+                of_all.fraction = (static_cast<double>(n) + progress.fraction) /
+                                  static_cast<double>(traced.size());
                 control.on_progress(of_all);
             };
         }
-        on_sums(i, simulator.sums(scene, time_steps[i].sources, traced, 0, share, own));
+        const RunSpec traced_spec = trace_spec(spec, plans[i], n);
+        on_sums(i, simulator.sums(scene, time_steps[i].sources, traced_spec, 0, share, own));
     }
 }
 

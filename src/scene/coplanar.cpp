@@ -159,6 +159,9 @@ std::vector<Triangle> parts_beside(
     const Plane plane(t);
     std::vector<Polygon> parts{plane.flat(t)};
     for (const Triangle& w : windows) {
+        if (parts.empty()) {
+            break;
+        }
         Polygon window = plane.flat(w);
         if (area_of(window) < 0) {
             std::reverse(window.begin(), window.end());

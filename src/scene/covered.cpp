@@ -11,6 +11,9 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "quasimc/error.h"
 #include "scene/coplanar.h"
 #include "scene/overlap_search.h"
 
@@ -102,6 +105,22 @@ Overlaps find_with(
     return known->find(triangles, owners);
 }
 
+/// @throws InputError  if most of what lies on each other are images of the same few triangles:
+/// more than could be compared, as of organs in centimetres in a cell in metres
+void refuse_pile_of_images(std::size_t images, std::size_t triangles) {
+    constexpr std::size_t kMostOfEach = 100;
+    if (images > kMostOfEach * triangles) {
+        throw InputError(
+            {{"cell",
+              fmt::format(
+                  "each triangle appears {} times in it on average, and too many of these images "
+                  "lie on each other in one plane",
+                  images / triangles),
+              "organs are as large as the cell, or some times larger",
+              "state cell and organs in the same unit of length"}});
+    }
+}
+
 FoundCovers find_pairs(
     const std::shared_ptr<const SceneGeometry>& scene,
     const Owners& owners,
@@ -120,6 +139,9 @@ FoundCovers find_pairs(
     const Overlaps found = find_with(known, wrapped.geometry, [&](std::uint32_t i) {
         return owners.key(wrapped.source_of(i, wrapped.geometry->ranges()));
     });
+    if (found.gave_up) {
+        refuse_pile_of_images(wrapped.geometry->size(), scene->size());
+    }
     return {through_borders(found.pairs, *scene, wrapped, cell), found.is_left_out, found.gave_up};
 }
 

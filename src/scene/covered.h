@@ -47,6 +47,8 @@ struct CutGeometry {
 /// their areas; Organ::covered_area tells how much was cut away. Sensors, which let light pass,
 /// neither cover nor are covered: where one lies on a surface it is lifted a little to its own
 /// upper side, so that light meets both.
+/// @throws InputError  if so many images of the same triangles lie on each other in the cell that
+/// they can't be compared
 /// @param known  of the scene before, for one that differs little from it; or null
 [[nodiscard]] CutGeometry cut_covered(
     DraftAssembly& scene,

@@ -136,7 +136,7 @@ Scene SceneBuilder::build_after(KnownOverlaps* known) && {
         }
     }
     if (faults.size() == before) {
-        check_images(cell_, draft, faults);
+        check_images(cell_, draft, bounds, faults);
     }
     check_fields_of_view(draft, materials_, organ_faults);
     organ_faults.finish();

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "scene/coplanar.h"
+#include "scene/overlap_search.h"
 #include "scene/scene_draft.h"
 
 namespace quasimc {
@@ -99,6 +101,48 @@ double images_in(const Cell& cell, const SceneDraft& draft) {
         images += static_cast<double>(copy.mesh->size());
     }
     return images;
+}
+
+/// Horizontal surfaces, whose images in a periodic cell lie on each other.
+class FlatSurfaces {
+  public:
+    explicit FlatSurfaces(double scene_size) : scene_size_(scene_size) {}
+
+    void add(const Triangle& t) {
+        const Bounds bounds = bounds_of(t);
+        const double rise = bounds.size().z;
+        const double tolerance = coplanar_tolerance(size_of(bounds), scene_size_);
+        const double part = tolerance / std::max(rise, tolerance);  // of its images, in one plane
+        constexpr double kLeastPart = 0.01;
+        if (part > kLeastPart) {
+            area_ += part * std::abs(area_vector(t).z) / 2;
+            bounds_.include(bounds);
+        }
+    }
+    /// How many layers they form in the cell on average, wherever they are along an open axis.
+    [[nodiscard]] double layers_in(const Cell& cell) const {
+        const double x = cell.along_x ? cell.size_x : bounds_.size().x;
+        const double y = cell.along_y ? cell.size_y : bounds_.size().y;
+        return area_ > 0 ? area_ / (x * y) : 0;
+    }
+
+  private:
+    double scene_size_;
+    double area_ = 0;
+    Bounds bounds_;
+};
+
+double flat_layers_in(const Cell& cell, const SceneDraft& draft, double scene_size) {
+    FlatSurfaces flat(scene_size);
+    for (std::size_t i = 0; i < draft.mesh.size(); ++i) {
+        flat.add(draft.mesh[i]);
+    }
+    for (const Instance& copy : draft.copies) {
+        for (std::size_t i = 0; i < copy.mesh->size(); ++i) {
+            flat.add(copy.triangle(i));
+        }
+    }
+    return flat.layers_in(cell);
 }
 
 /// Whether everything is finite and not too large: then organs need not be looked at one by one.
@@ -205,14 +249,28 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults) {
     }
 }
 
-void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults) {
-    constexpr double kMostImages = 1e8;
-    const double images = cell.periodic() ? images_in(cell, draft) : 0;
+void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organs, Faults& faults) {
+    constexpr double kMostImages = 1e8, kMostLayers = 1000;
+    constexpr const char* kSameUnit = "state cell and organs in the same unit of length";
+    if (!cell.periodic()) {
+        return;
+    }
+    const double images = images_in(cell, draft);
     if (images > kMostImages) {
         faults.add(
             {"cell", fmt::format("the triangles reach over {:.0f} cells in all", images),
-             "their images in each are traced",
-             "state cell and organs in the same unit of length"});
+             "their images in each are traced", kSameUnit});
+        return;
+    }
+    const double layers = flat_layers_in(cell, draft, size_of(organs));
+    if (layers > kMostLayers) {
+        faults.add(
+            {"cell",
+             fmt::format(
+                 "horizontal surfaces are {:.0f} times as large as the cell: so many of their "
+                 "images lie on each other",
+                 layers),
+             "organs are as large as the cell, or some times larger", kSameUnit});
     }
 }
 

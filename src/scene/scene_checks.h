@@ -64,8 +64,10 @@ void check_north(const Orientation& orientation, Faults& faults);
 void check_cell(const Cell& cell, const Bounds& organs, Faults& faults);
 
 /// Adds a fault if the organs, finite and z up, reach over so many cells that tracing would drown
-/// in images. The cell has no fault.
-void check_images(const Cell& cell, const SceneDraft& draft, Faults& faults);
+/// in images, or so many images of horizontal surfaces lie on each other that cutting them would
+/// not end. The cell has no fault.
+/// @param organs  their bounds
+void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organs, Faults& faults);
 
 /// Ids of organs are less than this.
 inline constexpr std::int64_t kLastId = std::numeric_limits<std::int64_t>::max();

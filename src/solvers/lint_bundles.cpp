@@ -4,6 +4,7 @@
 
 #include "scene/lint.h"
 #include "solvers/bundle_budget.h"
+#include "solvers/bundle_memory.h"
 #include "solvers/long_patches.h"
 #include "solvers/near_lamp.h"
 #include "solvers/patch_size.h"
@@ -64,7 +65,8 @@ std::vector<Warning> lint_bundles(const Scene& scene, const Sources& sources, co
     }
     const PatchSize size = patch_size(scene, patches_for(spec.paths));
     std::vector<Warning> all = lint_long(scene, size);
-    for (const auto& more : {lint_large(size), lint_lamps(scene, sources)}) {
+    for (const auto& more :
+         {lint_large(size), lint_lamps(scene, sources), lint_bundle_memory(scene, spec, size)}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

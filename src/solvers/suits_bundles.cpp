@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solvers/bundle_budget.h"
+#include "solvers/bundle_memory.h"
 #include "solvers/long_patches.h"
 #include "solvers/patch_light.h"
 #include "solvers/patch_size.h"
@@ -19,9 +20,6 @@ constexpr double kMostPathsPerOrgan = 1000;
 /// whose error does not get less with more paths.
 constexpr double kManyStems = 0.15, kMostPathsBesideStems = 4;
 constexpr std::size_t kFewestOrgans = 16;
-/// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
-/// at work.
-constexpr double kMostBytes = 400e6;
 
 bool is_matt(const Side& side) {
     return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
@@ -53,7 +51,7 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool ha
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
         if (!size.holds_shadows || !size.are_alike ||
-            bytes_of_patch_light(size.count, scene.bands().size()) > kMostBytes) {
+            bytes_of_patch_light(size.count, scene.bands().size()) > kMostBytesUnasked) {
             return false;
         }
         const LongPatches are_long = find_long_patches(scene, size);

@@ -5,6 +5,8 @@
 
 #include <sys/resource.h>
 
+#include "base/start_thread.h"
+
 namespace quasimc {
 namespace {
 
@@ -20,7 +22,7 @@ WindowThread::WindowThread(WindowSite site, int port) : server_(std::move(site),
     sigset_t all{}, before{};
     sigfillset(&all);
     ::pthread_sigmask(SIG_BLOCK, &all, &before);
-    thread_ = std::jthread([this](const std::stop_token& ends) {
+    thread_ = start_thread([this](const std::stop_token& ends) {
         give_way();
         server_.serve([&ends] { return ends.stop_requested(); });
     });

@@ -199,6 +199,31 @@ TEST_F(CheckpointTest, IsOfOneRunAtATime) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c.lock"));
 }
 
+TEST_F(CheckpointTest, HasOneLockByAnyName) {
+    std::filesystem::create_symlink("c", folder_.path() / "k");
+    folder_.write("c.lock", "process 1 on another machine");
+    for (const char* name : {"c", "k"}) {
+        const Outcome outcome = shell(
+            "exec 9<>c.lock; flock -n 9 || exit 99; \"$quasimc\" run run.toml --checkpoint " +
+            std::string(name));
+        EXPECT_EQ(outcome.status, 1) << name;
+        EXPECT_NE(
+            outcome.err.find("c: is in use by another run (process 1 on another machine)"),
+            std::string::npos)
+            << name << outcome.err;
+    }
+    const Outcome done = shell("\"$quasimc\" run day.toml -q --every 0 --checkpoint k");
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "k"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "c.done"));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "k.done"));
+    for (const char* output : {"c", "k", "c.done"}) {
+        const Outcome taken =
+            shell("\"$quasimc\" run run.toml --checkpoint k --resume --csv " + std::string(output));
+        EXPECT_NE(taken.err.find("is a file of the checkpoint"), std::string::npos) << taken.err;
+    }
+}
+
 TEST_F(CheckpointTest, TakesNoFilesOfOthers) {
     for (const std::string name : {"c.done", "c.lock"}) {
         folder_.write(name, good_leaves());

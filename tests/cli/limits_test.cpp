@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 
 #include "program.h"
+#include "support/sanitized.h"
 
 namespace quasimc::test {
 namespace {
@@ -118,6 +119,27 @@ TEST_F(LimitsTest, CtrlCBeforeAnyPathEndsWritesNothing) {
     EXPECT_EQ(interrupted("run box.toml --paths 1024"), 130) << folder_.read("err");
     EXPECT_TRUE(contains(folder_.read("err"), "Nothing was written")) << folder_.read("err");
     EXPECT_EQ(folder_.read("box.csv"), "of an earlier run\n");
+}
+
+/// From no memory for a thread to enough: what is missing is said, and is no fault of the program.
+TEST_F(LimitsTest, TooLittleMemoryForThreadsIsNoFaultOfTheProgram) {
+    if (kIsSanitized) {
+        GTEST_SKIP() << "sanitizers need more address space than the limit leaves";
+    }
+    int refused = 0;
+    for (int kilobytes = 40'000; kilobytes < 600'000; kilobytes += 20'000) {
+        const Outcome outcome = shell(
+            "ulimit -v " + std::to_string(kilobytes) +
+            "; \"$quasimc\" run run.toml -q --threads 16");
+        if (outcome.status == 127 || outcome.status == 0) {
+            continue;  // the program's libraries don't fit, or all does
+        }
+        ++refused;
+        EXPECT_EQ(outcome.status, 1) << kilobytes << outcome.err;
+        EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.err.find("about 0 MB"), std::string::npos) << outcome.err;
+    }
+    EXPECT_GT(refused, 0);
 }
 
 TEST_F(LimitsTest, QuietPrintsNothing) {

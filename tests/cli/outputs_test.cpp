@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace quasimc::test {
 namespace {
@@ -138,11 +139,31 @@ TEST_F(OutputsTest, ThatFailDoNotCostTheOthers) {
         << full.err;
     EXPECT_TRUE(has_new_json());
     EXPECT_EQ(full.out.find("/dev/full"), std::string::npos) << full.out;
-    const Outcome gone = shell(
-        "\"$quasimc\" run run.toml --json - 2>err | true; cat err; "
-        "exit ${PIPESTATUS[0]}");
-    EXPECT_NE(gone.out.find("standard output: can't be written (Broken pipe)"), std::string::npos)
-        << gone.out;
+    ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+    const Outcome gone = shell("true <pipe & \"$quasimc\" run run.toml --json pipe");
+    EXPECT_EQ(gone.status, 1);
+    EXPECT_NE(gone.err.find("pipe: can't be written (Broken pipe)"), std::string::npos) << gone.err;
+    EXPECT_TRUE(has_new_csv());
+}
+
+// As of programs that SIGPIPE ends: the status is that which a shell reports for them.
+TEST_F(OutputsTest, AReaderOfStandardOutputThatEndsIsNoFault) {
+    for (const char* command :
+         {"list options", "list formats", "formats", "--help", "run --help", "--dump-default",
+          "check run.toml", "info run.toml", "export run.toml - --format obj",
+          "run run.toml --csv - -q", "sky --place 50,8 --time 2024-06-21T09:00Z"}) {
+        const Outcome gone = shell(
+            "{ sleep 0.2; \"$quasimc\" " + std::string(command) +
+            "; echo $? >status; } | true; cat status");
+        EXPECT_EQ(gone.out, "141\n") << command << ": " << gone.err;
+        EXPECT_EQ(gone.err, "") << command;
+    }
+    write_old();
+    const Outcome other = shell(
+        "{ sleep 0.2; \"$quasimc\" run run.toml --json - -q; echo $? >status; } | true; cat "
+        "status");
+    EXPECT_EQ(other.out, "141\n") << other.err;
+    EXPECT_EQ(other.err, "");
     EXPECT_TRUE(has_new_csv());
 }
 

@@ -46,6 +46,17 @@ class RanksTest : public ProgramTest {
 
 class RanksOfMethods : public RanksTest, public ::testing::WithParamInterface<const char*> {};
 
+TEST_F(RanksTest, PrintOnceWhatTheyDoNotShare) {
+    for (const char* command : {"check run.toml", "list samplers", "info run.toml", "--version"}) {
+        const Outcome alone = shell("\"$quasimc\" " + std::string(command));
+        const Outcome all =
+            shell(kOpenMpi + "'" QUASIMC_MPIRUN "' -n 3 \"$quasimc\" " + std::string(command));
+        EXPECT_EQ(all.status, 0) << all.err;
+        EXPECT_EQ(all.out, alone.out);
+    }
+    EXPECT_NE(shell(kOpenMpi + "'" QUASIMC_MPIRUN "' -n 3 \"$quasimc\" check none.toml").status, 0);
+}
+
 TEST_P(RanksOfMethods, GiveTheSameBitsInAnyNumber) {
     const std::string run = std::string("run.toml --paths 32768 --method ") + GetParam();
     ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);

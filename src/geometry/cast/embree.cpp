@@ -21,6 +21,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "base/memory_need.h"
 #include "base/stop.h"
 #include "geometry/cast/intersector.h"
 #include "geometry/cast/rounding.h"
@@ -51,6 +52,9 @@ void throw_if_failed(RTCDevice device) {
     }
     if (error == RTC_ERROR_CANCELLED) {
         throw StopRequested();
+    }
+    if (error == RTC_ERROR_UNKNOWN) {  // of the system: a thread of its own that could not start
+        throw OutOfMemory::for_threads();
     }
     if (error != RTC_ERROR_NONE) {
         throw std::runtime_error("Embree failed with error " + std::to_string(error));

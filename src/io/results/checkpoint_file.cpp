@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "io/atomic_file.h"
+#include "io/file_identity.h"
 #include "io/input_files.h"
 #include "io/results/part_difference.h"
 #include "io/results/run_head.h"
@@ -22,7 +23,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 3\n";
+constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\n";
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
 constexpr std::array<std::string_view, 5> kEnds{
@@ -31,6 +32,13 @@ constexpr std::array<std::string_view, 5> kEnds{
 
 std::string block_of(std::string_view bytes) {
     return number_bytes(bytes.size()).append(bytes);
+}
+
+/// The file itself where its name is a link: it has one lock and one second file, by whatever name
+/// a run knows it.
+std::string without_links(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_symlink(path, error) ? followed(path).string() : path;
 }
 
 std::string done_path(const std::string& path) {
@@ -72,8 +80,8 @@ std::uint64_t ByteReader::number() {
 }
 
 CheckpointFile::CheckpointFile(
-    std::string path, const RunFile& run, double every, CheckpointStart start)
-    : path_(std::move(path)), lock_(path_), head_(head_of_run(run)), every_(every) {
+    const std::string& path, const RunFile& run, double every, CheckpointStart start)
+    : path_(without_links(path)), lock_(path_), head_(head_of_run(run)), every_(every) {
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {

@@ -51,10 +51,12 @@ enum class CheckpointStart {
 /// points of a sweep and their times.
 class CheckpointFile {
   public:
+    /// @param path  of the file, or of a symbolic link to it
     /// @param every  seconds from the end of one save to the next
     /// @throws InputError  if the file is damaged, of another run, in use by another process, or
     ///         there though the run begins anew
-    CheckpointFile(std::string path, const RunFile& run, double every, CheckpointStart start);
+    CheckpointFile(
+        const std::string& path, const RunFile& run, double every, CheckpointStart start);
 
     /// Whether there was one to go on from.
     [[nodiscard]] bool was_there() const { return was_there_; }

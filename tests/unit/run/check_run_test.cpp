@@ -1,10 +1,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
+#include "solvers/bundle_memory.h"
 #include "statistical/scenes.h"
+#include "support/random_leaves.h"
 
 namespace quasimc::test {
 namespace {
@@ -58,6 +62,44 @@ TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
             plan_method(make_leaf_with(side), {sun(0, {1})}, spec).method, Method::ray_bundles);
         spec.method = Method::ray_bundles;
     }
+}
+
+/// A hundred copies of a plant of a thousand triangles, in forty bands.
+Scene make_large_scene() {
+    constexpr std::size_t kBands = 40;
+    SceneBuilder builder = make_builder(kBands);
+    builder.add_material(matt("leaf", .1, .1, kBands));
+    const auto plant = std::make_shared<const Mesh>(random_leaves(1000, .1, 1, 1));
+    for (int i = 0; i < 100; ++i) {
+        OrganSpec organ;
+        Affine place;
+        place.shift = {2. * i, 0, 0};
+        organ.parts.push_back({"leaf", {}, plant, place});
+        builder.add_organ(std::move(organ));
+    }
+    return std::move(builder).build();
+}
+
+TEST(CheckRun, RefusesRayBundlesThatTakeMoreMemoryThanThereIs) {
+    const Scene scene = make_large_scene();
+    const Sources sources{sun(0, std::vector<double>(40, 1))};
+    RunSpec spec = spec_of(Method::ray_bundles, 1024);
+    for (const auto& [threads, replicates, is_refused] :
+         {std::tuple(1024U, 1024U, true), std::tuple(1024U, 2U, false),
+          std::tuple(1U, 1024U, false)}) {
+        spec.threads = threads;
+        spec.replicates = replicates;
+        Faults faults;
+        check_run(scene, sources, spec, faults);
+        ASSERT_EQ(faults.size(), is_refused ? 1U : 0U);
+        if (is_refused) {
+            EXPECT_TRUE(faults.all()[0].problem.starts_with(
+                "ray_bundles takes about 1572.9 GB of memory for 400000 patches"))
+                << faults.all()[0].text();
+        }
+    }
+    EXPECT_FALSE(lint_bundle_memory(scene, spec, patch_size(scene, 1024)).empty());
+    EXPECT_TRUE(lint_bundle_memory(make_leaf_of_bands(), spec, {.count = 1024}).empty());
 }
 
 TEST(CheckRun, FindsNothingInAGoodSpecification) {

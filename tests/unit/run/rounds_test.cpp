@@ -107,11 +107,12 @@ struct Course {
     double seconds = 0, wasted = 0;
 };
 
-Course course_of(const RunSpec& spec, double fixed, double each) {
+template <typename SecondsOf>
+Course course_of(const RunSpec& spec, const SecondsOf& seconds_of) {
     Course course;
     Rounds rounds(spec, 256);
     while (const auto round = rounds.next()) {
-        const double takes = fixed + each * static_cast<double>(round->count);
+        const double takes = seconds_of(*round);
         const bool is_first = course.rounds.empty();
         if (spec.max_seconds > 0 && !is_first && course.seconds + takes > spec.max_seconds) {
             course.wasted = spec.max_seconds - course.seconds;
@@ -125,6 +126,11 @@ Course course_of(const RunSpec& spec, double fixed, double each) {
     }
     course.stop = rounds.stop();
     return course;
+}
+
+Course course_of(const RunSpec& spec, double fixed, double each) {
+    return course_of(
+        spec, [&](const Round& round) { return fixed + each * static_cast<double>(round.count); });
 }
 
 /// Paths of the result.
@@ -190,6 +196,28 @@ TEST(Rounds, OfAShortLimitUseTheTime) {
             EXPECT_EQ(course.wasted, 0) << limit << " " << fixed;
             EXPECT_LE(course.seconds, limit);
             EXPECT_GT(static_cast<double>(paths_of(course)), .2 * most) << limit << " " << fixed;
+        }
+    }
+}
+
+/// A method may do more for many paths than for few, as first hits, which looks at a large scene
+/// line by line only where paths are many: trials of few paths tell nothing of that.
+TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
+    RunSpec spec;
+    spec.paths = std::uint64_t{1} << 20U;
+    constexpr double kEach = 2e-5;
+    for (const double limit : {10., 40., 100.}) {
+        for (const std::uint64_t from : {512U, 4096U, 32768U}) {
+            for (const double fixed : {.25, .5, 1.}) {
+                spec.max_seconds = limit;
+                const Course course = course_of(spec, [&](const Round& round) {
+                    const auto paths = static_cast<double>(round.count);
+                    return round.count >= from ? fixed + kEach * paths : .02;
+                });
+                const double most = std::min((limit - fixed) / kEach, 0x1p20);
+                EXPECT_GT(static_cast<double>(paths_of(course)), .2 * most)
+                    << limit << " " << from << " " << fixed;
+            }
         }
     }
 }

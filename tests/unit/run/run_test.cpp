@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "quasimc/series.h"
 #include "sources/source.h"
 #include "statistical/scenes.h"
 
@@ -65,6 +66,19 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
     };
     (void)run(leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), listen);
     EXPECT_GT(calls, 0);
+}
+
+/// Were each time as long as the others, all of the tracing would be the last hundredth.
+TEST(Progress, OfASeriesIsThatOfTheTimesThatAreTraced) {
+    std::vector<TimeStep> times(99);
+    times.emplace_back().sources = {std::make_shared<TiredSky>()};
+    std::vector<double> fractions;
+    SeriesEvents events;
+    events.on_progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
+    run_series(leaf_over_ground(), times, long_run(), events);
+    ASSERT_FALSE(fractions.empty());
+    EXPECT_LT(fractions.front(), .99);
+    EXPECT_LE(fractions.back(), 1);
 }
 
 TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {

@@ -207,6 +207,63 @@ TEST(SceneFaults, RefuseCellsThatTheOrgansFillWithoutMeasure) {
     EXPECT_EQ(faults_of(std::move(both)).size(), 1U);
 }
 
+Cell square_cell(double size) {
+    Cell cell;
+    cell.along_x = cell.along_y = true;
+    cell.size_x = cell.size_y = size;
+    return cell;
+}
+
+/// A square of side 1 as 2 x 32 x 32 triangles.
+OrganSpec fine_leaf(double rise) {
+    constexpr int kSteps = 32;
+    OrganSpec leaf = one_triangle("leaf", flat_triangle({}));
+    std::vector<Triangle> triangles;
+    const auto p = [&](int i, int k) {
+        return Vec3{1. / kSteps * i, 1. / kSteps * k, 1 + rise * (i * 0.02 + k * 0.03)};
+    };
+    for (int i = 0; i < kSteps; ++i) {
+        for (int k = 0; k < kSteps; ++k) {
+            triangles.push_back({p(i, k), p(i + 1, k), p(i, k + 1)});
+            triangles.push_back({p(i + 1, k), p(i + 1, k + 1), p(i, k + 1)});
+        }
+    }
+    leaf.parts = {{"leaf", triangles}};
+    return leaf;
+}
+
+/// A leaf in centimetres in a cell in metres: thousands of its images lie on each other.
+TEST(SceneFaults, RefuseFlatOrgansThousandsOfTimesLargerThanTheCell) {
+    for (const bool is_fine : {false, true}) {
+        SceneBuilder builder = one_band_builder();
+        builder.add_organ(is_fine ? fine_leaf(0) : one_triangle("leaf", flat_triangle({}, 1.5)));
+        builder.set_cell(square_cell(0.01));
+        const Texts faults = faults_of(std::move(builder));
+        ASSERT_EQ(faults.size(), 1U);
+        EXPECT_TRUE(faults[0].starts_with("cell: horizontal surfaces are 1")) << faults[0];
+        EXPECT_NE(faults[0].find("in the same unit of length"), std::string::npos) << faults[0];
+    }
+}
+
+/// Images of a wall along the cell lie on each other as well.
+TEST(SceneFaults, RefuseWallsThousandsOfTimesLongerThanTheCell) {
+    SceneBuilder builder = one_band_builder();
+    builder.add_organ(one_triangle("wall", {Vec3{0, 0, 0}, {10, 0, 0}, {10, 0, 2}}));
+    builder.set_cell(cell_along_x(0, 0.002));
+    const Texts faults = faults_of(std::move(builder));
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_TRUE(faults[0].starts_with("cell: each triangle appears 500")) << faults[0];
+}
+
+TEST(SceneFaults, LetOrgansBeSomeTimesLargerThanTheCell) {
+    for (const double rise : {0., 1.}) {
+        SceneBuilder builder = one_band_builder();
+        builder.add_organ(fine_leaf(rise));
+        builder.set_cell(square_cell(0.07));
+        EXPECT_EQ(faults_of(std::move(builder)), Texts{});
+    }
+}
+
 TEST(SceneFaults, LookAtPeriodicAxesOnly) {
     SceneBuilder builder = sound_builder();
     Cell cell;
