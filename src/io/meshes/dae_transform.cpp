@@ -86,7 +86,7 @@ std::optional<Affine> dae_transform(const XmlTree& tree, std::size_t node, DaeLi
 Affine dae_axes(const XmlTree& tree, DaeLibrary& library, FormatContext& context) {
     const auto asset = tree.child(0, "asset");
     const auto unit = asset ? tree.child(*asset, "unit") : std::nullopt;
-    const auto up = asset ? tree.child(*asset, "up_axis") : std::nullopt;
+    const std::size_t up = asset ? tree.child(*asset, "up_axis").value_or(0) : 0;  // 0: none
     double metres = 1;
     if (unit && !tree[*unit].attribute("meter").empty()) {
         metres = parse_real(trimmed(tree[*unit].attribute("meter"))).value_or(0);
@@ -96,15 +96,15 @@ Affine dae_axes(const XmlTree& tree, DaeLibrary& library, FormatContext& context
         }
     }
     const Affine from_y = from_y_up(context.up, metres * context.units_per_metre());
-    const std::string_view word = up ? trimmed(tree[*up].text) : "Y_UP";
+    const std::string_view word = up != 0 ? trimmed(tree[up].text) : "Y_UP";
     if (word == "Z_UP") {
         return after(from_y, to_y_up(UpAxis::z, 1));
     }
     if (word == "X_UP") {  // its right is -y, and in is z
         return after(from_y, {{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}, {}});
     }
-    if (up && word != "Y_UP") {
-        library.fault(*up, fmt::format("<up_axis> is {}", shown(word)), "it is X_UP, Y_UP or Z_UP");
+    if (word != "Y_UP") {
+        library.fault(up, fmt::format("<up_axis> is {}", shown(word)), "it is X_UP, Y_UP or Z_UP");
     }
     return from_y;
 }
