@@ -52,7 +52,7 @@ Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEn
                                          ? quasimc::format_of_path(arguments.output)
                                          : quasimc::find_format(arguments.to);
     if (to == nullptr) {
-        refuse_output(arguments.output, "geometry", geometry_names());
+        refuse_output(arguments.output, "geometry", quasimc::writable_formats());
     }
     const quasimc::GeometryScene read = quasimc::read_geometry_scene(arguments.input, from);
     print_warnings(read.warnings);
@@ -165,7 +165,7 @@ Command convert_command() {
          {.name = "--to",
           .target = &arguments->to,
           .summary = "format of OUTPUT, if its name does not tell; of geometry",
-          .choices = geometry_names()},
+          .choices = quasimc::writable_formats()},
          {"--time", &choice.time,
           "of a result with [time]: the time that begins so; by default the sum"},
          {.name = "--day",

@@ -1,5 +1,8 @@
 #include <memory>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "commands.h"
 #include "io/meshes/formats.h"
 #include "io/output_files.h"
@@ -18,7 +21,9 @@ const quasimc::FormatEntry& format_of(const ExportArguments& arguments) {
                                             : quasimc::find_format(arguments.format);
     if (entry == nullptr) {
         throw quasimc::InputError(
-            {{arguments.output, "its format can't be told from its name", "", "add --format"}});
+            {{arguments.output, "its format can't be told from its name", "",
+              fmt::format(
+                  "add --format, or use {}", fmt::join(quasimc::writable_formats(), ", "))}});
     }
     return *entry;
 }
@@ -38,10 +43,6 @@ Exit export_scene(const ExportArguments& arguments) {
 
 Command export_command() {
     const auto arguments = std::make_shared<ExportArguments>();
-    std::vector<std::string> formats;
-    for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
-        formats.emplace_back(entry.name);
-    }
     return {
         "export",
         "write the triangles of a scene as a geometry file",
@@ -50,6 +51,6 @@ Command export_command() {
          {.name = "--format",
           .target = &arguments->format,
           .summary = "if the name of OUTPUT does not tell",
-          .choices = formats}},
+          .choices = quasimc::writable_formats()}},
         [arguments] { return export_scene(*arguments); }};
 }

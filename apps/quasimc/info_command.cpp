@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "commands.h"
 #include "io/meshes/geometry_scene.h"
 #include "option_flags.h"
@@ -18,6 +19,12 @@ struct InfoArguments {
     std::string file, format;
 };
 
+/// A line of the report. Names come from strangers' files: what they hold of control characters
+/// must not reach the terminal, nor end the line.
+std::string line(std::string_view word, const std::string& text) {
+    return fmt::format("{:<10}{}\n", word, quasimc::one_line(quasimc::printable(text)));
+}
+
 /// @param unit  of length; "" if the file does not say
 std::string bounds_text(const quasimc::Scene& scene, const std::string& unit) {
     const quasimc::Vec3 a = scene.orientation().outward(scene.bounds().low);
@@ -26,9 +33,10 @@ std::string bounds_text(const quasimc::Scene& scene, const std::string& unit) {
         return fmt::format(
             "{} {:.6g} to {:.6g} ({:.6g})", name, std::min(p, q), std::max(p, q), std::abs(q - p));
     };
-    return fmt::format(
-        "bounds    {}, {}, {}{}\n", axis("x", a.x, b.x), axis("y", a.y, b.y), axis("z", a.z, b.z),
-        unit.empty() ? "; the file states no unit" : " " + unit);
+    return line(
+        "bounds", fmt::format(
+                      "{}, {}, {}{}", axis("x", a.x, b.x), axis("y", a.y, b.y), axis("z", a.z, b.z),
+                      unit.empty() ? "; the file states no unit" : " " + unit));
 }
 
 std::string areas_text(const quasimc::Scene& scene, const std::string& unit) {
@@ -40,10 +48,11 @@ std::string areas_text(const quasimc::Scene& scene, const std::string& unit) {
         least = least == nullptr || organ.area < least->area ? &organ : least;
         most = most == nullptr || organ.area > most->area ? &organ : most;
     }
-    return fmt::format(
-        "area      {:.6g}{} one-sided; smallest organ {:.3g} ('{}'), largest {:.3g} ('{}')\n", all,
-        unit.empty() ? "" : fmt::format(" {}2", unit), least->area, least->name, most->area,
-        most->name);
+    return line(
+        "area", fmt::format(
+                    "{:.6g}{} one-sided; smallest organ {:.3g} ('{}'), largest {:.3g} ('{}')", all,
+                    unit.empty() ? "" : fmt::format(" {}2", unit), least->area, least->name,
+                    most->area, most->name));
 }
 
 std::string materials_text(const quasimc::Scene& scene) {
@@ -59,7 +68,8 @@ std::string materials_text(const quasimc::Scene& scene) {
     }
     std::string text;
     for (const auto& [name, use] : uses) {
-        text += fmt::format("material  {}: {} organs, area {:.6g}\n", name, use.organs, use.area);
+        text +=
+            line("material", fmt::format("{}: {} organs, area {:.6g}", name, use.organs, use.area));
     }
     return text;
 }
@@ -76,12 +86,12 @@ std::string labels_text(const quasimc::Scene& scene) {
     }
     std::string text;
     for (const auto& [key, all] : values) {
-        text += fmt::format("label     {}: {} organs, {} values:", key, organs[key], all.size());
+        std::string label = fmt::format("{}: {} organs, {} values:", key, organs[key], all.size());
         std::size_t shown = 0;
         for (auto value = all.begin(); value != all.end() && shown < kShown; ++value, ++shown) {
-            text += fmt::format(" {}", *value);
+            label += fmt::format(" {}", *value);
         }
-        text += all.size() > kShown ? " ...\n" : "\n";
+        text += line("label", label + (all.size() > kShown ? " ..." : ""));
     }
     return text;
 }
@@ -96,17 +106,18 @@ std::string triangles_text(const quasimc::Scene& scene) {
         }
     }
     if (areas.empty()) {
-        return "triangles 0\n";
+        return line("triangles", "0");
     }
     const auto none = std::count(areas.begin(), areas.end(), 0.0);
     std::nth_element(areas.begin(), areas.begin() + areas.size() / 2, areas.end());
-    return fmt::format(
-        "triangles {}, median area {:.3g}, {} without area\n", areas.size(),
-        areas[areas.size() / 2], none);
+    return line(
+        "triangles", fmt::format(
+                         "{}, median area {:.3g}, {} without area", areas.size(),
+                         areas[areas.size() / 2], none));
 }
 
 std::string scene_text(const quasimc::Scene& scene, const std::string& unit) {
-    return bounds_text(scene, unit) + fmt::format("organs    {}\n", scene.organs().size()) +
+    return bounds_text(scene, unit) + line("organs", std::to_string(scene.organs().size())) +
            triangles_text(scene) + areas_text(scene, unit) + materials_text(scene) +
            labels_text(scene);
 }
@@ -114,9 +125,9 @@ std::string scene_text(const quasimc::Scene& scene, const std::string& unit) {
 std::string warnings_text(const std::vector<quasimc::Warning>& warnings) {
     std::string text;
     for (const quasimc::Warning& warning : warnings) {
-        text += fmt::format("warning   {}: {}\n", warning.place, warning.text);
+        text += line("warning", fmt::format("{}: {}", warning.place, warning.text));
     }
-    return text.empty() ? "warning   none\n" : text;
+    return text.empty() ? line("warning", "none") : text;
 }
 
 std::string geometry_text(const std::string& path, const quasimc::FormatEntry& format) {
@@ -124,7 +135,7 @@ std::string geometry_text(const std::string& path, const quasimc::FormatEntry& f
     for (quasimc::Warning& warning : quasimc::lint(read.scene)) {
         read.warnings.push_back(std::move(warning));
     }
-    return fmt::format("file      {}: {}, {}\n", path, format.name, format.summary) +
+    return line("file", fmt::format("{}: {}, {}", path, format.name, format.summary)) +
            scene_text(read.scene, read.unit) + warnings_text(read.warnings);
 }
 
@@ -134,9 +145,9 @@ std::string run_text(const std::string& path) {
     const std::size_t points = sweep.size();
     const quasimc::RunFile run = sweep.take(0);
     std::string text =
-        fmt::format("file      {}: run file, {} point{}\n", path, points, points == 1 ? "" : "s");
+        line("file", fmt::format("{}: run file, {} point{}", path, points, points == 1 ? "" : "s"));
     for (const quasimc::Band& band : run.scene.bands()) {
-        text += fmt::format("band      {} [{}]\n", band.name, band.unit);
+        text += line("band", fmt::format("{} [{}]", band.name, band.unit));
     }
     return text + scene_text(run.scene, run.scene.length_unit()) + warnings_text(warnings);
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "io/runfile/options.h"
 
 OptionFlags::OptionFlags() {
@@ -46,6 +47,8 @@ std::vector<quasimc::Override> OptionFlags::overrides() const {
 void print_warnings(const std::vector<quasimc::Warning>& warnings) {
     for (const quasimc::Warning& warning : warnings) {
         const std::string place = warning.place.empty() ? "" : warning.place + ": ";
-        std::fprintf(stderr, "warning: %s%s\n", place.c_str(), warning.text.c_str());
+        std::fprintf(
+            stderr, "warning: %s\n",
+            quasimc::one_line(quasimc::printable(place + warning.text)).c_str());
     }
 }

@@ -16,7 +16,7 @@ Node table_node(const py::dict& dict, int depth) {
     Node::Table table;
     for (const auto& [key, value] : dict) {
         if (!value.is_none()) {
-            table.push_back({py::str(key), 0, to_node_at(value, depth + 1)});
+            table.push_back({text_of(py::str(key)), 0, to_node_at(value, depth + 1)});
         }
     }
     return {std::move(table)};
@@ -67,7 +67,7 @@ Node to_node_at(py::handle object, int depth) {
         return {object.cast<double>()};
     }
     if (py::isinstance<py::str>(object)) {
-        return {object.cast<std::string>()};
+        return {text_of(object)};
     }
     if (py::isinstance<py::dict>(object)) {
         return table_node(py::reinterpret_borrow<py::dict>(object), depth);
@@ -79,6 +79,21 @@ Node to_node_at(py::handle object, int depth) {
 }
 
 }  // namespace
+
+std::string text_of(py::handle text) {
+    Py_ssize_t size = 0;
+    const char* bytes = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+    if (bytes == nullptr) {
+        PyErr_Clear();
+        const std::string ascii =
+            py::str(py::reinterpret_steal<py::object>(PyObject_ASCII(text.ptr())));
+        throw InputError(
+            {{"", "the text " + ascii + " can't be written in UTF-8",
+              "it holds a lone surrogate, which is half a character",
+              "decode the bytes by the encoding that they are in"}});
+    }
+    return {bytes, static_cast<std::size_t>(size)};
+}
 
 Node to_node(py::handle object) {
     return to_node_at(object, 0);

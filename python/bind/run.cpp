@@ -5,6 +5,7 @@
 
 #include <pybind11/stl.h>
 
+#include "base/text.h"
 #include "bind.h"
 #include "io/input_files.h"
 #include "quasimc/run.h"
@@ -38,7 +39,7 @@ std::shared_ptr<Result> run_light(
 py::list texts_of(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
-        texts.append(py::str(warning.place + ": " + warning.text));
+        texts.append(py::str(printable(warning.place + ": " + warning.text)));
     }
     return texts;
 }

@@ -10,6 +10,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "base/text.h"
 #include "bind.h"
 #include "document.h"
 #include "io/input_files.h"
@@ -43,6 +44,18 @@ std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> texts_of(const py::object& list) {
+    std::vector<std::string> texts;
+    for (const py::handle text : list) {
+        texts.push_back(text_of(text));
+    }
+    return texts;
+}
+
+}  // namespace
+
 MeshArrays arrays_of(const py::dict& mesh) {
     MeshArrays arrays;
     arrays.place = mesh["place"].cast<std::string>();
@@ -51,10 +64,13 @@ MeshArrays arrays_of(const py::dict& mesh) {
     arrays.order = span_of<std::int64_t>(mesh["order"]);
     arrays.starts = span_of<std::int64_t>(mesh["starts"]);
     arrays.ids = span_of<std::int64_t>(mesh["ids"]);
-    arrays.materials = mesh["materials"].cast<std::vector<std::string>>();
+    arrays.materials = texts_of(mesh["materials"]);
     arrays.material_of_face = span_of<std::uint32_t>(mesh["material_of_face"]);
-    arrays.names = mesh["names"].cast<std::vector<std::string>>();
-    arrays.labels = mesh["labels"].cast<decltype(arrays.labels)>();
+    arrays.names = texts_of(mesh["names"]);
+    for (const py::handle label : mesh["labels"]) {
+        const auto [key, values] = label.cast<std::pair<py::object, py::object>>();
+        arrays.labels.emplace_back(text_of(key), texts_of(values));
+    }
     arrays.measured = mesh["measured"].cast<bool>();
     arrays.field_of_view_deg = mesh["field_of_view_deg"].cast<double>();
     return arrays;
@@ -164,8 +180,8 @@ py::list bands_of(const Scene& scene) {
 py::list warning_texts(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
-        texts.append(
-            py::str(warning.place.empty() ? warning.text : warning.place + ": " + warning.text));
+        texts.append(py::str(
+            printable(warning.place.empty() ? warning.text : warning.place + ": " + warning.text)));
     }
     return texts;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/checks.h"
+#include "base/text.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -20,6 +21,17 @@ std::string joined(const std::vector<Fault>& faults) {
     return text;
 }
 
+/// Faults name what strangers' files hold: their terminal escapes must not reach a terminal, nor
+/// their bytes a text of Python.
+std::vector<Fault> shown_faults(std::vector<Fault> faults) {
+    for (Fault& fault : faults) {
+        for (std::string* text : {&fault.place, &fault.problem, &fault.why, &fault.suggestion}) {
+            *text = printable(*text);
+        }
+    }
+    return faults;
+}
+
 }  // namespace
 
 std::string Fault::text() const {
@@ -34,7 +46,7 @@ std::string Fault::text() const {
 }
 
 InputError::InputError(std::vector<Fault> faults)
-    : std::runtime_error(joined(faults)), faults_(std::move(faults)) {
+    : std::runtime_error(printable(joined(faults))), faults_(shown_faults(std::move(faults))) {
     EXPECT(!faults_.empty());
 }
 

@@ -34,6 +34,54 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return d[a.size()][b.size()];
 }
 
+/// How many bytes the first character of a text that is not empty has; 0 if it is not UTF-8.
+/// Overlong forms and surrogates are none (Unicode 15, table 3-7).
+std::size_t character_size(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned lead = byte(0);
+    if (lead < 0x80) {
+        return 1;
+    }
+    const std::size_t size = lead < 0xC2   ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
+    if (size == 0 || text.size() < size) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < size; ++i) {
+        const unsigned low = i > 1 ? 0x80 : lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
+        const unsigned high = i > 1 ? 0xBF : lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+        if (byte(i) < low || byte(i) > high) {
+            return 0;
+        }
+    }
+    return size;
+}
+
+/// Whether a character of UTF-8 is a control character (C0, DEL or C1).
+bool is_control(std::string_view character) {
+    const auto first = static_cast<unsigned char>(character.front());
+    return first < 0x20 || first == 0x7F ||
+           (first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);
+}
+
+/// A text with each character, and each byte that is none, replaced.
+/// @param replace  gives what stands for a character; its second argument: whether it is UTF-8
+template <typename Replace>
+std::string replaced(std::string_view text, Replace replace) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(size, 1));
+        out += replace(character, size > 0);
+        text.remove_prefix(character.size());
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
@@ -74,6 +122,40 @@ std::string_view trimmed(std::string_view text) {
         text.remove_suffix(1);
     }
     return text;
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        if (size == 0) {
+            return false;
+        }
+        text.remove_prefix(size);
+    }
+    return true;
+}
+
+std::string printable(std::string_view text) {
+    return replaced(text, [](std::string_view character, bool is_good) {
+        const std::string_view blank = " ", mark = "?";
+        return !is_good ? mark : is_control(character) && character != "\n" ? blank : character;
+    });
+}
+
+std::string one_line(std::string_view text) {
+    return replaced(text, [](std::string_view character, bool is_good) {
+        return is_good && is_control(character) ? std::string_view(" ") : character;
+    });
+}
+
+std::string shown(std::string_view word) {
+    constexpr std::size_t kLongest = 40;
+    std::string text;
+    for (const char c : word.substr(0, kLongest)) {
+        const bool is_plain = c >= ' ' && c <= '~';
+        text += is_plain ? c : '?';
+    }
+    return "'" + text + (word.size() > kLongest ? "...'" : "'");
 }
 
 std::string joined(std::span<const std::string_view> items, std::string_view separator) {

@@ -21,6 +21,19 @@ namespace quasimc {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
+/// Whether the bytes are UTF-8.
+[[nodiscard]] bool is_utf8(std::string_view text);
+
+/// A text as a terminal may show it: control characters but the end of a line become blanks, bytes
+/// that are not UTF-8 become '?'.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// A text on one line: control characters become blanks. Bytes that are not UTF-8 stay.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+/// A word as a message shows it: quoted, not too long, nothing but ASCII.
+[[nodiscard]] std::string shown(std::string_view word);
+
 /// The items joined by `separator`.
 [[nodiscard]] std::string joined(
     std::span<const std::string_view> items, std::string_view separator);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <new>
 
+#include "base/text.h"
 #include "quasimc/error.h"
 #include "quasimc/run.h"
 #include "quasimc/version.h"
@@ -62,11 +63,15 @@ std::span<const double> of_bands(const double* numbers, std::int64_t bands, cons
 }
 
 std::string text_of(const char* text, const char* name) {
-    return &deref(text, name);
+    const std::string copy = &deref(text, name);
+    if (!is_utf8(copy)) {
+        throw InputError({{name, shown(copy) + " is not UTF-8", "texts are in UTF-8", ""}});
+    }
+    return copy;
 }
 
 std::string optional_text(const char* text) {
-    return text == nullptr ? "" : text;
+    return text == nullptr ? "" : text_of(text, "text");
 }
 
 InUse::InUse(bool& flag) : flag_(flag) {

@@ -41,6 +41,7 @@ T& deref(T* pointer, const char* name) {
 /// The numbers of an array, one for each band. @throws Misuse  if it is NULL, or there is none
 [[nodiscard]] std::span<const double> of_bands(
     const double* numbers, std::int64_t bands, const char* name);
+/// A copy of a text. @throws Misuse  if it is NULL @throws InputError  if it is not UTF-8
 [[nodiscard]] std::string text_of(const char* text, const char* name);
 /// The same of a text that may be NULL: "".
 [[nodiscard]] std::string optional_text(const char* text);

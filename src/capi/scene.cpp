@@ -45,7 +45,7 @@ int quasimc_scene_new(quasimc_scene** scene) {
 }
 
 int quasimc_scene_load(const char* run_file, quasimc_scene** scene) {
-    return guarded([&] { make_scene(scene, text_of(run_file, "run_file")); });
+    return guarded([&] { make_scene(scene, std::string(&deref(run_file, "run_file"))); });
 }
 
 void quasimc_scene_free(quasimc_scene* scene) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
+
 namespace quasimc {
 
 /// The text without the byte-order mark that some editors put in front.
@@ -75,14 +77,5 @@ inline constexpr Separators kBetweenWords = kBlanks;
     line.remove_prefix(static_cast<std::size_t>(end - line.begin()));
     return {begin, end};
 }
-
-/// A word as a message shows it: not too long, nothing unprintable.
-[[nodiscard]] std::string shown(std::string_view word);
-
-/// A text on one line: control characters become blanks.
-[[nodiscard]] std::string one_line(std::string text);
-
-/// Whether the bytes are UTF-8.
-[[nodiscard]] bool is_utf8(std::string_view text);
 
 }  // namespace quasimc

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "base/text.h"
 #include "io/line_scanner.h"
@@ -121,6 +122,37 @@ std::optional<std::string_view> XmlScanner::attribute(std::string_view key) cons
         }
     }
     return std::nullopt;
+}
+
+std::optional<std::string> xml_from_latin1(std::string_view text) {
+    constexpr std::array<std::string_view, 5> kLatin1{
+        "iso-8859-1", "iso_8859-1", "latin1", "latin-1", "windows-1252"};
+    const std::string_view head = text.substr(0, text.find("?>"));
+    const std::size_t at = head.find("encoding");
+    if (!head.starts_with("<?xml") || at == std::string_view::npos || is_utf8(text)) {
+        return std::nullopt;
+    }
+    const std::size_t begin = std::min(head.find_first_of("\"'", at), head.size() - 1) + 1;
+    std::string name(head.substr(begin, head.find_first_of("\"'", begin) - begin));
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    const bool has_other = std::any_of(text.begin(), text.end(), [](unsigned char c) {
+        return c >= 0x80 && c < 0xA0;  // Windows-1252 has letters there, Latin-1 control characters
+    });
+    if (has_other || std::find(kLatin1.begin(), kLatin1.end(), name) == kLatin1.end()) {
+        return std::nullopt;
+    }
+    std::string recoded;
+    for (const unsigned char c : text) {
+        if (c < 0x80) {
+            recoded += static_cast<char>(c);
+        } else {
+            recoded += static_cast<char>(0xC0 | (c >> 6));
+            recoded += static_cast<char>(0x80 | (c & 0x3F));
+        }
+    }
+    return recoded;
 }
 
 std::string xml_text(std::string_view text) {

@@ -59,6 +59,10 @@ class XmlScanner {
     bool closes_itself_ = false;
 };
 
+/// An XML text in UTF-8 if it is not, but says that it is in Latin-1 (ISO 8859-1, or Windows-1252
+/// where that is the same); else nothing.
+[[nodiscard]] std::optional<std::string> xml_from_latin1(std::string_view text);
+
 /// A text with its five named entities (&amp; &lt; &gt; &quot; &apos;) replaced, without blanks at
 /// its ends.
 [[nodiscard]] std::string xml_text(std::string_view text);

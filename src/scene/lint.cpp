@@ -35,6 +35,16 @@ Bounds bounds_of(const Scene& scene, const Organ& organ, const std::vector<Bound
     return bounds;
 }
 
+bool is_black(const Material& material) {
+    const auto all_zero = [](std::span<const double> albedo) {
+        return std::all_of(albedo.begin(), albedo.end(), [](double a) { return a == 0; });
+    };
+    return all_zero(material.side(SurfaceSide::upper).albedo()) &&
+           all_zero(material.side(SurfaceSide::lower).albedo());
+}
+
+}  // namespace
+
 Survey survey_of(const Scene& scene) {
     Survey survey{scene, {}, {}};
     survey.organ_bounds.reserve(scene.organs().size());
@@ -49,7 +59,6 @@ Survey survey_of(const Scene& scene) {
     return survey;
 }
 
-/// The median diagonal of the organs, the ground left out; 0 if there are none.
 double median_size(const Survey& survey) {
     std::vector<double> sizes;
     for (std::size_t i = 0; i < survey.organ_bounds.size(); ++i) {
@@ -64,16 +73,6 @@ double median_size(const Survey& survey) {
     std::nth_element(sizes.begin(), middle, sizes.end());
     return *middle;
 }
-
-bool is_black(const Material& material) {
-    const auto all_zero = [](std::span<const double> albedo) {
-        return std::all_of(albedo.begin(), albedo.end(), [](double a) { return a == 0; });
-    };
-    return all_zero(material.side(SurfaceSide::upper).albedo()) &&
-           all_zero(material.side(SurfaceSide::lower).albedo());
-}
-
-}  // namespace
 
 std::vector<Warning> lint_unit(const Survey& survey) {
     const std::string& unit = survey.scene.length_unit();

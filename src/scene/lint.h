@@ -28,6 +28,9 @@ struct Survey {
     Bounds canopy;  ///< of all organs but the ground; empty if there is only ground
 };
 
+[[nodiscard]] Survey survey_of(const Scene& scene);
+/// The median diagonal of the organs, the ground left out; 0 if there are none.
+[[nodiscard]] double median_size(const Survey& survey);
 /// The ground of a scene, or null.
 [[nodiscard]] const Organ* ground_of(const Scene& scene);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "scene/scene_checks.h"
 #include "scene/scene_draft.h"
 
@@ -45,6 +46,13 @@ void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
     }
 }
 
+bool has_utf8_names(const Organ& organ) {
+    const auto is_good = [](const auto& label) {
+        return is_utf8(label.first) && is_utf8(label.second);
+    };
+    return is_utf8(organ.name) && std::all_of(organ.labels.begin(), organ.labels.end(), is_good);
+}
+
 }  // namespace
 
 std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
@@ -61,6 +69,11 @@ std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
                 draft, i,
                 {"", fmt::format("id {} is too large", organ.id),
                  fmt::format("ids end at {}", kLastId - 1), ""});
+        }
+        if (!has_utf8_names(organ)) {
+            faults.add(
+                draft, i,
+                {"", "its name or a label is not UTF-8", "results are written in UTF-8", ""});
         }
         ascending = ascending && (i == 0 || organ.id > draft.organs[i - 1].id);
     }

@@ -24,6 +24,8 @@ MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, F
         const auto [other, is_new] = numbers.try_emplace(spec.name, i);
         if (spec.name.empty()) {
             faults.add({where, "it has no name", "organs name their materials", ""});
+        } else if (!is_utf8(spec.name)) {
+            faults.add({where, "its name is not UTF-8", "", ""});
         } else if (!is_new) {
             const std::string& first = materials[other->second].second;
             const std::string why = first.empty() ? "names are unique" : "the first is at " + first;

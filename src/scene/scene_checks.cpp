@@ -218,6 +218,9 @@ void check_bands(const std::vector<Band>& bands, Faults& faults) {
             faults.add({"bands", fmt::format("band {} has no name", i + 1), "", ""});
             continue;
         }
+        if (!is_utf8(name)) {
+            faults.add({"bands", fmt::format("the name '{}' is not UTF-8", name), "", ""});
+        }
         const auto same = [&](const Band& band) { return band.name == name; };
         if (std::any_of(bands.begin(), bands.begin() + static_cast<std::ptrdiff_t>(i), same)) {
             faults.add(

@@ -102,6 +102,7 @@ TEST_F(ConvertCommand, RefusesWhatItCannotDo) {
     expect_fault({"convert", "leaves.tri", "a.opf"}, "format opf can be read, not written");
     expect_fault(
         {"convert", "leaves.tri", "a.xyz"}, "is no format that geometry can be written in");
+    expect_fault({"convert", "leaves.tri", "a.mtl"}, "use tri, obj, ply, stl, can, glb\n");
     expect_fault({"convert", "run.toml", "a.vtp"}, "is neither geometry nor a JSON result");
     expect_fault({"convert", "leaves.tri", "leaves.tri"}, "leaves.tri");
     expect_fault({"info", "none.can"}, "none.can");
@@ -114,6 +115,44 @@ TEST_F(ConvertCommand, PrintsTheTableOfFormats) {
          {"tri ", "obj ", "ply ", "stl ", "can ", "opf ", "vgx ", "vtp ", "nc "}) {
         expect_in(outcome.out, name);
     }
+}
+
+TEST_F(ConvertCommand, ShowsNamesWithoutWhatATerminalRuns) {
+    folder_.write(
+        "evil.toml",
+        "bands = ['PAR']\n[[material]]\nname = \"m\\u001b]0;x\\u0007\"\nreflectance = 0.1\n"
+        "[[source]]\ntype = 'uniform_sky'\nirradiance_horizontal = 1\n"
+        "[[organ]]\nname = \"o\\u001b[2J\\u0000x\\u009b\"\nlabels = {\"k\\nwarning   none\" = "
+        "\"v\"}\n"
+        "material = \"m\\u001b]0;x\\u0007\"\nshape = 'triangle'\n"
+        "corners = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]\n");
+    const Outcome outcome = run({"info", "evil.toml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    expect_in(outcome.out, "smallest organ 0.5 ('o [2J x  ')");
+    expect_in(outcome.out, "material  m ]0;x : 1 organs");
+    expect_in(outcome.out, "label     k warning   none: 1 organs");
+    const std::string all = outcome.out + outcome.err + run({"check", "evil.toml"}).err;
+    for (const char c : {'\x1B', '\a', '\0'}) {
+        EXPECT_EQ(all.find(c), std::string::npos) << static_cast<int>(c);
+    }
+}
+
+TEST_F(ConvertCommand, NamesFilesThatAreNoRunFiles) {
+    folder_.write("plant.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+    folder_.write("plant.bgeom", "GEOM");
+    for (const char* command : {"run", "check"}) {
+        const Outcome outcome = run({command, "plant.obj"});
+        EXPECT_EQ(outcome.status, 1);
+        expect_in(
+            outcome.err,
+            "plant.obj: is a file of geometry, not a run file (its name ends as those of the "
+            "format obj do); name it in a run file, by [[geometry]] file = \"plant.obj\"; "
+            "`quasimc info` and `quasimc convert` take it as it is");
+    }
+    expect_in(
+        run({"info", "plant.bgeom"}).err,
+        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not read); let PlantGL "
+        "write triangles");
 }
 
 }  // namespace

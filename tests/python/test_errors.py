@@ -6,6 +6,8 @@ import pytest
 import quasimc
 from canopies import FEW, canopy, leaves
 
+TRIANGLE = [[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]]
+
 
 def test_all_faults_of_a_scene_are_told_at_once():
     scene = quasimc.Scene("PAR")
@@ -22,6 +24,23 @@ def test_errors_are_value_errors_where_that_fits():
     assert issubclass(quasimc.InputError, ValueError)
     assert issubclass(quasimc.InputError, quasimc.Error)
     assert not issubclass(quasimc.Stopped, ValueError)
+
+
+@pytest.mark.parametrize(
+    "state",
+    [
+        lambda scene, text: scene.add_material(text, reflectance=0.1),
+        lambda scene, text: scene.add_mesh(*TRIANGLE, material="leaf", name=text),
+        lambda scene, text: scene.add_mesh(*TRIANGLE, material="leaf", labels={"plant": text}),
+        lambda scene, text: scene.add_mesh(*TRIANGLE, material="leaf", labels={text: "1"}),
+    ],
+)
+def test_half_a_character_is_refused_as_such(state):
+    scene = quasimc.Scene("PAR")
+    scene.add_material("leaf", reflectance=0.1)
+    with pytest.raises(quasimc.InputError, match="lone surrogate"):
+        state(scene, "bl\udce4tt")
+        scene.build()
 
 
 def test_errors_reach_other_processes():

@@ -128,7 +128,7 @@ def check_single(program, folder):
     data = case.data
     assert data.absorbed_flux.dims == ("band", "organ")
     assert list(data.band.values) == ["PAR", "NIR"]
-    assert data.absorbed_flux.attrs["units"] == "W m-2 cm2", data.absorbed_flux.attrs
+    assert data.absorbed_flux.attrs["units"] == "1e-4 W", data.absorbed_flux.attrs
     assert data.absorbed_flux.attrs["ancillary_variables"].split()[0] == "absorbed_flux_standard_error"
     assert compare(data, (), case.json["organs"], ["PAR", "NIR"], False) == 2 * 6 * 2 * 4
     assert data.light_ratio.dims == ("ratio", "organ") and list(data.ratio.values) == ["PAR:NIR"]

@@ -22,7 +22,9 @@ constexpr Separators kDaeBlanks = " \t\r\n\v\f";
 DaeLibrary::DaeLibrary(const XmlTree& tree, Reporter& reporter) : tree_(tree), reporter_(reporter) {
     for (std::size_t i = 0; i < tree.size(); ++i) {
         if (const std::string_view id = tree[i].attribute("id"); !id.empty()) {
-            ids_.emplace(id, i);
+            if (!ids_.emplace(id, i).second && ++repeated_ids_ == 1) {
+                first_repeated_ = fmt::format("{} in line {}", shown(id), tree[i].line);
+            }
         }
     }
 }
@@ -112,6 +114,10 @@ const DaeGeometry& DaeLibrary::geometry(std::size_t element) {
 void DaeLibrary::read_mesh(std::size_t mesh, DaeGeometry& geometry) {
     constexpr std::array<std::string_view, 5> kFaces{
         "triangles", "polylist", "polygons", "trifans", "tristrips"};
+    constexpr std::array<std::string_view, 10> kKnown{
+        "triangles", "polylist",   "polygons", "trifans",  "tristrips",
+        "lines",     "linestrips", "source",   "vertices", "extra"};
+    check_children(mesh, kKnown);
     for (const std::size_t child : tree_[mesh].children) {
         const std::string_view name = tree_[child].name;
         if (std::find(kFaces.begin(), kFaces.end(), name) != kFaces.end()) {
@@ -129,11 +135,14 @@ void DaeLibrary::read_primitive(std::size_t primitive, DaeGeometry& geometry) {
         return;
     }
     DaePart part{tree_[primitive].attribute("material"), {std::move(*points), {}}};
+    std::size_t all = 0;
     for (const std::size_t list : tree_.children(primitive, "p")) {
         if (const auto numbers = read_corners(list, *corners, part.triangles.points.size())) {
             add_faces(primitive, list, *numbers, part);
+            all += numbers->size();
         }
     }
+    check_faces(primitive, all);
     if (tree_.child(primitive, "ph")) {
         fault(
             primitive, "<polygons> has faces with holes", "these are not read",
@@ -197,12 +206,16 @@ std::optional<std::vector<Vec3>> DaeLibrary::read_points(std::size_t source) {
     if (!values) {
         return std::nullopt;
     }
+    check_count(*array, values->size());
     std::vector<Vec3> points;
     const auto step = static_cast<std::size_t>(stride);
     for (auto at = static_cast<std::size_t>(first);
          at < values->size() && values->size() - at >= kAxes;
          at += std::min(step, values->size() - at)) {
         points.push_back({(*values)[at], (*values)[at + 1], (*values)[at + 2]});
+    }
+    if (accessor) {
+        check_count(*accessor, points.size());
     }
     return points;
 }
@@ -289,8 +302,61 @@ void DaeLibrary::add_face(
     }
 }
 
+void DaeLibrary::check_count(std::size_t element, std::size_t found) {
+    const std::string_view stated = tree_[element].attribute("count");
+    const auto count = parse_integer(trimmed(stated));
+    const bool is_right =
+        stated.empty() || (count && *count >= 0 && static_cast<std::uint64_t>(*count) == found);
+    if (!is_right && ++wrong_counts_ == 1) {
+        first_wrong_ = fmt::format(
+            "<{}> of line {} states {} and has {}", tree_[element].name, tree_[element].line,
+            shown(stated), found);
+    }
+}
+
+/// @param corners  in all lists of the primitive
+void DaeLibrary::check_faces(std::size_t primitive, std::size_t corners) {
+    const std::string_view kind = tree_[primitive].name;
+    std::size_t faces = tree_.children(primitive, "p").size();
+    if (kind == "triangles") {
+        faces = corners / 3;
+    } else if (kind == "polylist") {
+        const auto sizes = tree_.child(primitive, "vcount");
+        std::string_view text = sizes ? tree_[*sizes].text : std::string_view();
+        for (faces = 0; !take_word(text, kDaeBlanks).empty();) {
+            ++faces;
+        }
+    } else if (kind == "polygons") {
+        faces += tree_.children(primitive, "ph").size();
+    }
+    check_count(primitive, faces);
+}
+
+void DaeLibrary::check_children(std::size_t element, std::span<const std::string_view> known) {
+    for (const std::size_t child : tree_[element].children) {
+        unknown_.check(tree_[child].name, fmt::format("line {}", tree_[child].line), known);
+    }
+}
+
 void DaeLibrary::finish() {
     crossed_.warn(reporter_);
+    unknown_.warn("elements that COLLADA does not have there", reporter_);
+    if (wrong_counts_ > 0) {
+        reporter_.warnings.push_back(
+            {reporter_.file,
+             fmt::format(
+                 "counts differ from what is there ({} in all; the first: {}): the file may be cut "
+                 "short or damaged",
+                 wrong_counts_, first_wrong_)});
+    }
+    if (repeated_ids_ > 0) {
+        reporter_.warnings.push_back(
+            {reporter_.file,
+             fmt::format(
+                 "ids occur twice ({} in all, the first is {}): the element that comes first is "
+                 "taken",
+                 repeated_ids_, first_repeated_)});
+    }
     if (left_out_ > 0) {
         reporter_.warnings.push_back(
             {reporter_.file, fmt::format("{} parts are lines: left out", left_out_)});

@@ -10,6 +10,7 @@
 
 #include "io/meshes/formats.h"
 #include "io/meshes/placed_triangles.h"
+#include "io/meshes/unknown_words.h"
 #include "io/xml_tree.h"
 
 namespace quasimc {
@@ -45,7 +46,9 @@ class DaeLibrary {
         std::size_t element, std::optional<std::size_t> count = {});
     void fault(
         std::size_t element, std::string problem, std::string why = {}, std::string what = {});
-    /// Warns of what was left out and of faces whose sides cross.
+    /// Notes elements in a node or a mesh that COLLADA has not.
+    void check_children(std::size_t element, std::span<const std::string_view> known);
+    /// Warns of what was left out, of numbers that don't fit and of faces whose sides cross.
     void finish();
 
   private:
@@ -69,13 +72,19 @@ class DaeLibrary {
         DaePart& part);
     void add_face(
         std::size_t list, std::span<const std::uint32_t> corners, LocalTriangles& triangles);
+    /// Notes it if an element's attribute `count` is not what it holds.
+    void check_count(std::size_t element, std::size_t found);
+    void check_faces(std::size_t primitive, std::size_t corners);
 
     const XmlTree& tree_;
     Reporter& reporter_;
     std::map<std::string_view, std::size_t> ids_;
     std::map<std::size_t, DaeGeometry> geometries_;
     CrossedFaces crossed_;
+    UnknownWords unknown_;
     std::size_t left_out_ = 0;  // lines
+    std::size_t repeated_ids_ = 0, wrong_counts_ = 0;
+    std::string first_repeated_, first_wrong_;
 };
 
 }  // namespace quasimc

@@ -117,6 +117,21 @@ struct FormatEntry {
 /// The row for the extension of a path, whatever its case, or null.
 [[nodiscard]] const FormatEntry* format_of_path(std::string_view path);
 
+/// The names of the formats that have a writer.
+[[nodiscard]] std::vector<std::string> writable_formats();
+
+/// A format of geometry that is not read, and what to do with its files.
+struct ForeignFormat {
+    std::string_view extension, name, advice;
+};
+/// The row for the extension of a path, or null.
+[[nodiscard]] const ForeignFormat* foreign_format_of_path(std::string_view path);
+
+/// Reads a file, and checks what no format's reader needs to know: names are UTF-8 (XML in Latin-1
+/// that says so becomes UTF-8), and coordinates are not too coarse for the triangles.
+[[nodiscard]] MeshFile read_mesh(
+    const FormatEntry& format, std::string_view bytes, FormatContext& context);
+
 /// Writes the triangles of a scene.
 /// @throws InputError  if the format has no writer
 void write_geometry(const FormatEntry& format, const Scene& scene, const TextSink& sink);

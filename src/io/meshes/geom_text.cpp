@@ -1,5 +1,6 @@
 #include "io/meshes/geom_text.h"
 
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "io/line_scanner.h"
 #include "io/meshes/geom_words.h"
+#include "io/meshes/unknown_words.h"
 #include "io/numbers.h"
 
 namespace quasimc {
@@ -30,8 +32,14 @@ class GeomReader {
                 const std::size_t object = read_object(type);
                 if (type == "Shape") {
                     text_.shapes.push_back(object);
+                } else if (!is_geom_type(type)) {
+                    constexpr std::array<std::string_view, 2> kUsual{"Shape", "Material"};
+                    unknown_objects_.check(
+                        type, fmt::format("line {}", text_.objects[object].line), kUsual);
                 }
             }
+            unknown_objects_.warn("objects of kinds that PlantGL does not know", reporter_);
+            unknown_fields_.warn("fields that PlantGL does not know", reporter_);
         } catch (const GeomFault& fault) {
             reporter_.fault(words_.line(), fault.problem, fault.why, fault.suggestion);
             return std::nullopt;
@@ -49,12 +57,12 @@ class GeomReader {
             throw GeomFault{
                 fmt::format("{} is not read", shown(word)),
                 "macros, included files and functions are PlantGL's own",
-                "let PlantGL write the scene anew: scene.save(\"all.geom\")"};
+                "let PlantGL write triangles: scene.save(\"all.obj\")"};
         }
         if (word.find_first_of("+-*/()") != std::string_view::npos && !parse_real(word)) {
             throw GeomFault{
                 fmt::format("{} is not read", shown(word)), "expressions are not computed",
-                "let PlantGL write the scene anew: scene.save(\"all.geom\")"};
+                "let PlantGL write triangles: scene.save(\"all.obj\")"};
         }
         throw GeomFault{
             fmt::format("{} stands where {} is expected", shown(word), expected), "", ""};
@@ -100,7 +108,7 @@ class GeomReader {
         if (type == "Inline") {
             throw GeomFault{
                 "Inline is not read", "it is a scene of another file",
-                "let PlantGL write the scene anew: scene.save(\"all.geom\")"};
+                "let PlantGL write triangles: scene.save(\"all.obj\")"};
         }
         GeomObject object{type, {}, words_.line(), {}};
         if (words_.is_name()) {
@@ -135,6 +143,9 @@ class GeomReader {
         } else {
             field.name = word;
             field.value = read_value();
+            if (const auto fields = geom_fields(object.type); !fields.empty()) {
+                unknown_fields_.check(word, fmt::format("line {}", field.line), fields);
+            }
         }
         object.fields.push_back(std::move(field));
     }
@@ -239,6 +250,7 @@ class GeomReader {
 
     GeomWords words_;
     Reporter& reporter_;
+    UnknownWords unknown_objects_, unknown_fields_;
     GeomText text_;
     std::map<std::string_view, std::size_t> names_;
     int depth_ = 0;

@@ -105,7 +105,7 @@ std::optional<Affine> geom_transform(const GeomObject& object, Reporter& reporte
     reporter.fault(
         object.line, fmt::format("{} is not read", shown(type)),
         "only TriangleSet, QuadSet and FaceSet are, moved and grouped",
-        "let PlantGL make triangles: t = Tesselator(); shape.apply(t); Shape(t.result, ...)");
+        "let PlantGL write triangles: scene.save(\"all.obj\")");
     return std::nullopt;
 }
 

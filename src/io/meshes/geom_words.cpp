@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "io/line_scanner.h"
 
@@ -127,6 +128,40 @@ bool is_geom_type(std::string_view word) {
         "AxisRotation",
         "EulerRotation"};
     return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end();
+}
+
+std::span<const std::string_view> geom_fields(std::string_view type) {
+    using Words = std::span<const std::string_view>;
+    static constexpr std::array<std::string_view, 4> kShape{
+        "Geometry", "Appearance", "Id", "ParentId"};
+    static constexpr std::array<std::string_view, 6> kMaterial{
+        "Ambient", "Diffuse", "Specular", "Emission", "Shininess", "Transparency"};
+    static constexpr std::array<std::string_view, 13> kFaces{
+        "PointList", "IndexList",      "NormalList",     "NormalIndexList", "NormalPerVertex",
+        "ColorList", "ColorIndexList", "ColorPerVertex", "TexCoordList",    "TexCoordIndexList",
+        "CCW",       "Solid",          "Skeleton"};
+    static constexpr std::array<std::string_view, 2> kTranslated{"Translation", "Geometry"};
+    static constexpr std::array<std::string_view, 2> kScaled{"Scale", "Geometry"};
+    static constexpr std::array<std::string_view, 3> kAxisRotated{"Axis", "Angle", "Geometry"};
+    static constexpr std::array<std::string_view, 4> kEulerRotated{
+        "Azimuth", "Elevation", "Roll", "Geometry"};
+    static constexpr std::array<std::string_view, 3> kOriented{"Primary", "Secondary", "Geometry"};
+    static constexpr std::array<std::string_view, 2> kGroup{"GeometryList", "Skeleton"};
+    static constexpr std::array<std::pair<std::string_view, Words>, 11> kAll{
+        {{"Shape", kShape},
+         {"Material", kMaterial},
+         {"TriangleSet", kFaces},
+         {"QuadSet", kFaces},
+         {"FaceSet", kFaces},
+         {"Translated", kTranslated},
+         {"Scaled", kScaled},
+         {"AxisRotated", kAxisRotated},
+         {"EulerRotated", kEulerRotated},
+         {"Oriented", kOriented},
+         {"Group", kGroup}}};
+    const auto* const found = std::find_if(
+        kAll.begin(), kAll.end(), [type](const auto& row) { return row.first == type; });
+    return found == kAll.end() ? Words() : found->second;
 }
 
 }  // namespace quasimc

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace quasimc {
@@ -34,5 +35,8 @@ class GeomWords {
 
 /// Whether a word is what PlantGL calls a kind of object.
 [[nodiscard]] bool is_geom_type(std::string_view word);
+
+/// The fields of a kind of object that is read; none of another one.
+[[nodiscard]] std::span<const std::string_view> geom_fields(std::string_view type);
 
 }  // namespace quasimc

@@ -66,7 +66,7 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
     const std::string bytes = files.read(name);
     Reporter reporter{path, {}, {}};
     FormatContext context{reporter, files, ""};
-    MeshFile file = format.read(bytes, context);
+    MeshFile file = read_mesh(format, bytes, context);
     reporter.faults.throw_if_any();
     if (file.groups.empty() || file.groups.front().parts.empty() ||
         file.groups.front().parts.front().faces.empty()) {

@@ -51,6 +51,10 @@ double component_at(const GltfAccessor& accessor, std::size_t at) {
 
 }  // namespace
 
+bool GltfAccessor::is_whole() const {
+    return component_type != kGltfFloat && !is_normalized;
+}
+
 double GltfAccessor::at(std::size_t element, std::size_t component) const {
     const std::size_t at = element * stride + component * component_bytes(component_type);
     switch (component_type) {
@@ -80,6 +84,24 @@ GltfBuffers::GltfBuffers(const Node& root, const GltfContainer& container, Forma
 }
 
 void GltfBuffers::read_buffer(const Node& json, std::size_t number, FormatContext& context) {
+    find_buffer(json, number, context);
+    const std::string place = fmt::format("buffer {}", number);
+    const auto length = values_.whole(json, "byteLength", place);
+    if (!bytes_[number] || !length || *length == bytes_[number]->size()) {
+        return;
+    }
+    constexpr std::uint64_t kPadding = 3;  // a part of a GLB ends on a multiple of four
+    const std::uint64_t size = bytes_[number]->size();
+    if (*length > size || size - *length > kPadding) {
+        context.reporter.warnings.push_back(
+            {context.reporter.file,
+             fmt::format(
+                 "{} has {} bytes, its byteLength is {}: the file may be cut short or damaged",
+                 place, size, *length)});
+    }
+}
+
+void GltfBuffers::find_buffer(const Node& json, std::size_t number, FormatContext& context) {
     if (json.find("uri") == nullptr) {
         bytes_[number] = number == 0 ? binary_ : std::nullopt;
         return;
@@ -154,6 +176,8 @@ std::optional<GltfAccessor> GltfBuffers::accessor(std::size_t number) {
     accessor.components = components_of(gltf_text(json, "type"));
     const Node* normalized = json.find("normalized");
     const bool* flag = normalized != nullptr ? normalized->as<bool>() : nullptr;
+    accessor.low = gltf_numbers(json, "min");
+    accessor.high = gltf_numbers(json, "max");
     accessor.is_normalized = flag != nullptr && *flag;
     if (accessor.components == 0 || component_bytes(accessor.component_type) == 0) {
         values_.fault(place + " has no type that is known", "");

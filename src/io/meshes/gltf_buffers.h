@@ -20,6 +20,10 @@ struct GltfAccessor {
     std::uint32_t component_type = 0;  ///< 5120 to 5126: int8, uint8, int16, uint16, uint32, float
     std::size_t components = 0;        ///< of an element: 1 (SCALAR) to 4
     bool is_normalized = false;        ///< integers stand for fractions
+    std::vector<double> low, high;     ///< as the file states them, of each component; or empty
+
+    /// Whether its numbers are integers, which stand for themselves.
+    [[nodiscard]] bool is_whole() const;
 
     /// A component of an element, both of which are there.
     [[nodiscard]] double at(std::size_t element, std::size_t component) const;
@@ -36,6 +40,7 @@ class GltfBuffers {
     [[nodiscard]] std::optional<GltfAccessor> accessor(std::size_t number);
 
   private:
+    void find_buffer(const Node& json, std::size_t number, FormatContext& context);
     void read_buffer(const Node& json, std::size_t number, FormatContext& context);
     bool find_bytes(const Node& json, GltfAccessor& accessor, const std::string& place);
     std::optional<std::pair<std::string_view, std::uint64_t>> view_bytes(

@@ -31,6 +31,12 @@ std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter
             fmt::format("its header states {} bytes, it has {}", stated, bytes.size()));
         return std::nullopt;
     }
+    if (stated < bytes.size()) {
+        reporter.warnings.push_back(
+            {reporter.file, fmt::format(
+                                "its header states {} bytes, it has {}: the rest is not read",
+                                stated, bytes.size())});
+    }
     GltfContainer parts;
     bytes = bytes.substr(0, stated).substr(std::min<std::size_t>(kGlbHeader, stated));
     while (bytes.size() >= kGlbChunkHeader) {

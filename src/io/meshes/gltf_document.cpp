@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "io/line_scanner.h"
+#include "io/meshes/gltf_keys.h"
 #include "io/meshes/gltf_values.h"
 
 namespace quasimc {
@@ -73,6 +74,7 @@ class GltfDocumentReader {
         check_version();
         check_extensions();
         if (reporter_.faults.size() == before) {
+            warn_of_unknown_keys(root_, reporter_);
             read_materials();
             read_meshes();
             read_nodes();
@@ -90,6 +92,13 @@ class GltfDocumentReader {
             values_.fault(
                 "it is no glTF 2.0",
                 version.empty() ? "it has no asset with a version" : "its version is " + version,
+                "export it as glTF 2.0");
+            return;
+        }
+        const std::string least = gltf_text(*asset, "minVersion");
+        if (!least.empty() && least != "2.0") {
+            values_.fault(
+                "it needs a reader of glTF " + least, "its minVersion says so; 2.0 is read",
                 "export it as glTF 2.0");
         }
     }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "io/meshes/float_steps.h"
+
 namespace quasimc {
 namespace {
 
@@ -31,7 +33,31 @@ std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primiti
             fmt::format("a part with {} corners", corners->size()), "triangles have three each");
         return std::nullopt;
     }
-    return LocalTriangles{std::move(*points), faces_of(primitive.mode, *corners)};
+    LocalTriangles triangles{std::move(*points), faces_of(primitive.mode, *corners)};
+    const std::span<const Face> faces(triangles.faces);
+    const std::string steps = describe_float_steps(triangles.points, {&faces, 1});
+    if (!steps.empty() && ++coarse_.count == 1) {
+        coarse_.first = steps;
+    }
+    return triangles;
+}
+
+void GltfShapes::finish() {
+    const auto warn = [this](std::string text) {
+        reporter_.warnings.push_back({reporter_.file, std::move(text)});
+    };
+    if (other_bounds_.count > 0) {
+        warn(fmt::format(
+            "points are not within the min and max that the file gives for them ({} accessors, the "
+            "first is {}): a type or an offset may be wrong, or the file is damaged",
+            other_bounds_.count, other_bounds_.first));
+    }
+    if (coarse_.count > 0) {
+        warn(
+            coarse_.count == 1
+                ? coarse_.first
+                : fmt::format("{} (the first of {} meshes)", coarse_.first, coarse_.count));
+    }
 }
 
 std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {
@@ -40,8 +66,11 @@ std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {
     if (!accessor) {
         return std::nullopt;
     }
-    if (accessor->components != kAxes) {
-        values_.fault(fmt::format("accessor {} is no list of points", number), "it needs VEC3");
+    constexpr std::uint32_t kUint32 = 5125;
+    if (accessor->components != kAxes || accessor->component_type == kUint32) {
+        values_.fault(
+            fmt::format("accessor {} is no list of points", number),
+            "it needs VEC3 of float, or of quantized 8 or 16 bits");
         return std::nullopt;
     }
     std::vector<Vec3> points;
@@ -53,13 +82,44 @@ std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {
             return std::nullopt;
         }
     }
+    check_bounds(number, *accessor, points);
     return points;
+}
+
+/// The file states the bounds of its points. Others mean that a type, an offset or bytes are wrong.
+void GltfShapes::check_bounds(
+    std::size_t number, const GltfAccessor& accessor, const std::vector<Vec3>& points) {
+    constexpr double kTolerance = 1e-3, kRounding = 1e-6;
+    constexpr std::size_t kAxes = 3;
+    if (accessor.is_normalized || accessor.low.size() != kAxes || accessor.high.size() != kAxes) {
+        return;
+    }
+    Bounds bounds, stated;
+    for (const Vec3& point : points) {
+        bounds.add(point);
+    }
+    const auto point_of = [](const std::vector<double>& v) { return Vec3{v[0], v[1], v[2]}; };
+    const Vec3 low = point_of(accessor.low), high = point_of(accessor.high);
+    // Texts of bounds may be rounded to single precision.
+    const double tolerance = kTolerance * (length(high - low) + length(bounds.size())) +
+                             kRounding * (length(low) + length(high));
+    const bool is_other =
+        length(bounds.low - low) > tolerance || length(bounds.high - high) > tolerance;
+    if (!points.empty() && is_other && ++other_bounds_.count == 1) {
+        other_bounds_.first = fmt::format("accessor {}", number);
+    }
 }
 
 std::optional<std::vector<std::uint32_t>> GltfShapes::read_indices(
     std::size_t number, std::size_t count) {
     const std::optional<GltfAccessor> accessor = buffers_.accessor(number);
     if (!accessor) {
+        return std::nullopt;
+    }
+    if (accessor->components != 1 || !accessor->is_whole()) {
+        values_.fault(
+            fmt::format("accessor {} is no list of indices", number),
+            "it needs SCALAR of integers");
         return std::nullopt;
     }
     std::vector<std::uint32_t> indices;

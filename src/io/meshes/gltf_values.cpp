@@ -85,13 +85,7 @@ std::optional<std::vector<double>> GltfValues::numbers(
     if (object.find(key) == nullptr) {
         return std::nullopt;
     }
-    std::vector<double> all;
-    for (const Node& value : gltf_list(object, key)) {
-        const std::optional<double> number = gltf_number(value);
-        if (number && std::isfinite(*number)) {
-            all.push_back(*number);
-        }
-    }
+    std::vector<double> all = gltf_numbers(object, key);
     if (all.size() != count || gltf_list(object, key).size() != count) {
         fault(fmt::format("{}: {} is no list of {} finite numbers", place, key, count), "");
         return std::nullopt;
@@ -128,6 +122,17 @@ Affine GltfValues::transform(const Node& node, const std::string& place) {
     }
     result.rows = rotation_rows(turn, {scale[0], scale[1], scale[2]});
     return result;
+}
+
+std::vector<double> gltf_numbers(const Node& object, std::string_view key) {
+    std::vector<double> all;
+    for (const Node& value : gltf_list(object, key)) {
+        const std::optional<double> number = gltf_number(value);
+        if (number && std::isfinite(*number)) {
+            all.push_back(*number);
+        }
+    }
+    return all;
 }
 
 std::string gltf_text(const Node& object, std::string_view key) {

@@ -45,6 +45,8 @@ class GltfValues {
     Reporter& reporter_;
 };
 
+/// The finite numbers in the list of a key; none if there is no list.
+[[nodiscard]] std::vector<double> gltf_numbers(const Node& object, std::string_view key);
 /// The text of a key; "" if it has none.
 [[nodiscard]] std::string gltf_text(const Node& object, std::string_view key);
 /// The list of a key; an empty one if it has none.

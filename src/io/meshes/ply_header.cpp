@@ -52,7 +52,7 @@ PlyRole role_of(const std::string& element, const PlyProperty& property) {
                : name == "z" ? PlyRole::z
                              : PlyRole::none;
     }
-    if (element == "face" && property.is_list) {
+    if (property.is_list) {
         const bool is_corners = name == "vertex_indices" || name == "vertex_index";
         return is_corners ? PlyRole::corners : PlyRole::none;
     }
@@ -132,6 +132,9 @@ class HeaderReader {
             return shown(word) + " is no number of elements";
         }
         element.count = static_cast<std::uint64_t>(*count);
+        if (element.name == "vertex" && has("vertex", PlyRole::x)) {
+            return "element 'vertex' is there twice";
+        }
         header.elements.push_back(std::move(element));
         return "";
     }
@@ -160,6 +163,14 @@ class HeaderReader {
         property.type = *found;
         property.name = take_word(line);
         property.role = role_of(element.name, property);
+        const bool is_known = std::any_of(
+            element.properties.begin(), element.properties.end(), [&](const PlyProperty& other) {
+                return property.role != PlyRole::none && other.role == property.role;
+            });
+        if (is_known) {
+            return fmt::format(
+                "{} has two properties like {}", shown(element.name), shown(property.name));
+        }
         element.properties.push_back(std::move(property));
         return "";
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -73,6 +74,23 @@ class DaeReader {
 
     /// What is in a node or scene comes next, in the order of the file.
     void open_children(std::size_t of, const Open& above) {
+        constexpr std::array<std::string_view, 15> kKnown{
+            "asset",
+            "lookat",
+            "matrix",
+            "rotate",
+            "scale",
+            "skew",
+            "node",
+            "translate",
+            "instance_camera",
+            "extra",
+            "evaluate_scene",
+            "instance_controller",
+            "instance_geometry",
+            "instance_light",
+            "instance_node"};
+        library_.check_children(of, kKnown);
         const std::vector<std::size_t>& children = tree_[of].children;
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
             if (tree_[*child].name == "node") {

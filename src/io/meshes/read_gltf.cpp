@@ -121,6 +121,7 @@ class GltfSceneReader {
                 "material '{}' is transparent in part (alphaMode): its triangles are taken whole",
                 name));
         }
+        shapes_.finish();
         drop_repeated_ids(file_, "node", context_.reporter);
     }
 

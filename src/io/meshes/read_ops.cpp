@@ -177,7 +177,7 @@ class OpsReader {
         MeshFile plant;
         try {
             const std::string bytes = context_.files.read(path);
-            plant = format->read(bytes, context);
+            plant = read_mesh(*format, bytes, context);
         } catch (const InputError& error) {
             reporter_.fault(
                 row.line, fmt::format("{} can't be read", shown(path)), error.faults().front().why);

@@ -16,6 +16,11 @@
 namespace quasimc {
 namespace {
 
+/// "1 word", "2 words"
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 /// Takes the values of a PLY file one after the other, whatever its encoding.
 class PlyValues {
   public:
@@ -26,6 +31,27 @@ class PlyValues {
         return encoding_ == PlyEncoding::ascii ? next_word() : next_binary(type);
     }
     [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
+
+    /// How much follows the last value: "2 words". Blanks, comments and the zeros that fill
+    /// up a block are nothing: "".
+    [[nodiscard]] std::string rest() const {
+        constexpr std::string_view kFilling("\0 \t\r\n\v\f", 7);
+        if (encoding_ != PlyEncoding::ascii) {
+            const bool is_empty = rest_.find_first_not_of(kFilling) == std::string_view::npos;
+            return is_empty ? "" : counted(rest_.size(), "byte");
+        }
+        std::size_t words = 0;
+        LineScanner lines(rest_);
+        while (lines.next()) {
+            std::string_view line = lines.line();
+            std::string_view word = take_word(line);
+            const bool is_comment = word == "comment" || word == "obj_info";
+            for (; !word.empty() && !is_comment; word = take_word(line)) {
+                ++words;
+            }
+        }
+        return words == 0 ? "" : counted(words, "word");
+    }
 
   private:
     std::optional<double> next_word() {
@@ -89,6 +115,7 @@ class PlyReader {
             for (const PlyElement& element : header_.elements) {
                 read_element(element);
             }
+            warn_of_rest();
         } catch (const Broken& broken) {
             context_.reporter.fault(0, broken.problem, broken.why);
         }
@@ -98,6 +125,23 @@ class PlyReader {
     }
 
   private:
+    void warn(std::string text) {
+        context_.reporter.warnings.push_back({context_.reporter.file, std::move(text)});
+    }
+
+    /// A file that holds more than its header says has lost faces, or its lists are misread.
+    void warn_of_rest() {
+        if (const std::string rest = values_.rest();
+            !rest.empty() && !context_.reporter.is_full()) {
+            warn(fmt::format(
+                "after the last element that its header names there is more ({}), which is not "
+                "read: "
+                "the header's counts or the lengths of lists are wrong, and faces may be missing; "
+                "write the file anew",
+                rest));
+        }
+    }
+
     void read_element(const PlyElement& element) {
         if (element.properties.empty()) {
             return;
@@ -116,6 +160,14 @@ class PlyReader {
             } else {
                 skip(element);
             }
+        }
+        const bool has_corners = std::any_of(
+            element.properties.begin(), element.properties.end(),
+            [](const PlyProperty& property) { return property.role == PlyRole::corners; });
+        if (element.name != "face" && has_corners && element.count > 0) {
+            warn(fmt::format(
+                "elements {} have corners and are left out ({} in all): only 'face' is read",
+                shown(element.name), element.count));
         }
     }
 

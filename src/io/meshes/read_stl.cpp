@@ -60,8 +60,12 @@ class StlReader {
             line_ = scanner.number();
             read_statement(scanner.line());
         }
-        if (is_open_) {
+        if (is_open_ || !corners_.empty()) {
             fault("the file ends within a loop");
+        } else if (is_in_solid_) {
+            reporter_.warnings.push_back(
+                {reporter_.place(line_),
+                 "the file ends without endsolid: it may be cut short; write it anew"});
         }
         finish_group();
         file_.vertices = std::move(mesh_.vertices);
@@ -74,6 +78,7 @@ class StlReader {
         if (word == "solid") {
             finish_group();
             read_name(line);
+            is_in_solid_ = true;
         } else if (word == "vertex") {
             const auto numbers = numbers_of_line(line, line_, "a vertex is x y z", reporter_);
             if (numbers && numbers->size() == 3) {
@@ -82,11 +87,16 @@ class StlReader {
                 fault(fmt::format("a vertex of {} numbers", numbers->size()));
             }
         } else if (word == "outer") {
+            if (!corners_.empty()) {
+                fault("a loop begins before the last one ends (endloop)");
+            }
             corners_.clear();
             is_open_ = true;
         } else if (word == "endloop") {
             finish_loop();
-        } else if (!word.empty() && word != "facet" && word != "endfacet" && word != "endsolid") {
+        } else if (word == "endsolid") {
+            is_in_solid_ = false;
+        } else if (!word.empty() && word != "facet" && word != "endfacet") {
             fault(shown(word) + " is no statement of STL");
         }
     }
@@ -131,7 +141,7 @@ class StlReader {
     std::vector<std::uint32_t> lines_;
     std::vector<Vec3> corners_;
     std::string name_;
-    bool is_open_ = false;
+    bool is_open_ = false, is_in_solid_ = false;
     std::uint32_t line_ = 0;
 };
 

@@ -169,7 +169,7 @@ class VgxReader {
                 line_, fmt::format("Obj {} is not read", kind),
                 shape ? "the columns that say where it is are not there"
                       : "only 0, 11 to 13, 21, 31, 32 and 33 are",
-                shape ? "" : "let PlantGL make triangles of it: Scene('in.vgx').save('out.geom')");
+                shape ? "" : "let PlantGL make triangles of it: Scene('in.vgx').save('out.obj')");
             return;
         }
         is_triangle ? add_triangle(row) : add_shape(row, *shape);

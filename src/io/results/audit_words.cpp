@@ -22,9 +22,10 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
     std::string text =
         fmt::format("{}: reduced chi-square {:.3g}", band.name, audit.reduced_chi_square);
     if (std::isfinite(audit.difference)) {
+        const FluxUnit unit = named_flux_unit(band.unit, length_unit);
         text += fmt::format(
-            "; organs absorb {:.3g} +- {:.2g} {} more than in the audit", audit.difference,
-            audit.standard_error, flux_unit(band.unit, length_unit));
+            "; organs absorb {:.3g} +- {:.2g} {} more than in the audit",
+            unit.factor * audit.difference, unit.factor * audit.standard_error, unit.name);
     }
     return text;
 }

@@ -50,6 +50,12 @@ std::string series_comments(const RunFile& run) {
 
 SummedUnit summed_unit(const std::string& unit) {
     constexpr double kMicro = 1e-6;
+    if (!unit.empty() && unit.front() >= '0' && unit.front() <= '9') {  // "1e-4 W"
+        const std::size_t end = std::min(unit.find(' '), unit.size() - 1) + 1;
+        SummedUnit summed = summed_unit(unit.substr(end));
+        summed.name = unit.substr(0, end) + summed.name;
+        return summed;
+    }
     if (unit.starts_with("W ") || unit == "W") {
         return {"J" + unit.substr(1), 1};
     }

@@ -13,6 +13,7 @@
 #include "quasimc/source.h"
 #include "scene/lint.h"
 #include "solvers/lint_bundles.h"
+#include "solvers/lint_lamps.h"
 #include "solvers/lint_wedges.h"
 
 namespace quasimc {
@@ -85,6 +86,7 @@ struct Sections {
     RunOptions options;
     OutputSpec output;
     bool is_on_base = false;  ///< whether its geometry is that of the base
+    UnitOrigin unit_origin = UnitOrigin::assumed;
 };
 
 void read_geometry_sections(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
@@ -109,6 +111,10 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .has_time = top.any("time") != nullptr};
 }
 
+UnitOrigin unit_origin(TableReader& top) {
+    return top.any("length_unit") != nullptr ? UnitOrigin::given : UnitOrigin::assumed;
+}
+
 SceneBuilder begin_scene(const RunFileContext& context) {
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
@@ -123,6 +129,7 @@ Sections read_sections(
     Sections sections;
     sections.title = top.text("title").value_or("");
     RunFileContext context = read_context(top, files);
+    sections.unit_origin = unit_origin(top);
     SceneBuilder builder = begin_scene(context);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
@@ -267,7 +274,8 @@ std::vector<Warning> lint_of(const Sections& sections) {
         sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
     const Sources& sources = sections.sources.sources;
     for (auto& more :
-         {lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
+         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_places(scene, sources),
+          lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
         found.insert(found.end(), more.begin(), more.end());
     }
     return found;
@@ -275,10 +283,25 @@ std::vector<Warning> lint_of(const Sections& sections) {
 
 /// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
 Node read_file_of_run(const std::string& text, const std::string& name) {
+    const std::string extension = std::filesystem::path(name).extension().string();
     try {
         return read_toml(text, name);
     } catch (const InputError& error) {
-        const std::string extension = std::filesystem::path(name).extension().string();
+        if (const ForeignFormat* foreign = foreign_format_of_path(name)) {
+            throw InputError(
+                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not read",
+                  std::string(foreign->advice)}});
+        }
+        const FormatEntry* geometry = extension == ".txt" ? nullptr : format_of_path(name);
+        if (geometry != nullptr) {
+            throw InputError(
+                {{name, "is a file of geometry, not a run file",
+                  fmt::format("its name ends as those of the format {} do", geometry->name),
+                  fmt::format(
+                      "name it in a run file, by [[geometry]] file = \"{}\"; `quasimc info` and "
+                      "`quasimc convert` take it as it is",
+                      std::filesystem::path(name).filename().string())}});
+        }
         if (extension.empty() || extension == ".toml") {
             throw;
         }
@@ -395,6 +418,11 @@ LightOfRun read_light_document(
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
+    for (auto& more :
+         {lint_lamp_unit(scene, sections.sources.sources, unit_origin(top)),
+          lint_lamp_places(scene, sections.sources.sources)}) {
+        reporter.warnings.insert(reporter.warnings.end(), more.begin(), more.end());
+    }
     return {
         std::move(sections.sources.sources), std::move(sections.options.spec),
         std::move(sections.series), std::move(sections.sources.notes),

@@ -256,9 +256,10 @@ std::optional<Vec3> read_direction(
 std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
     std::string text = "emits";
     for (std::size_t b = 0; b < flux.size(); ++b) {
+        const FluxUnit unit = named_flux_unit(context.bands[b].unit, context.length_unit);
         text += fmt::format(
-            "{} {} {} {}", b == 0 ? "" : ",", context.bands[b].name, shortest(flux[b]),
-            flux_unit(context.bands[b].unit, context.length_unit));
+            "{} {} {:.6g} {}", b == 0 ? "" : ",", context.bands[b].name, unit.factor * flux[b],
+            unit.name);
     }
     return text;
 }

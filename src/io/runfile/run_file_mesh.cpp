@@ -16,7 +16,11 @@ const FormatEntry* read_format(TableReader& table, const std::string& file) {
         return name ? find_format(*name) : nullptr;
     }
     const FormatEntry* entry = format_of_path(file);
-    if (entry == nullptr && !file.empty()) {
+    if (const ForeignFormat* foreign = foreign_format_of_path(file); foreign != nullptr) {
+        table.fault_at(
+            "file", fmt::format("'{}' is {}, which is not read", file, foreign->name), "",
+            std::string(foreign->advice));
+    } else if (entry == nullptr && !file.empty()) {
         table.fault_at(
             "file", fmt::format("the format of '{}' can't be told from its name", file),
             fmt::format("the formats that are read are {}", joined(names, ", ")),
@@ -49,7 +53,7 @@ std::optional<MeshFile> read_bytes(
         FormatContext inner{
             reporter, *context.files, slash == std::string::npos ? "" : file.substr(0, slash + 1),
             context.orientation.up(), context.length_unit};
-        mesh = format.read(bytes, inner);
+        mesh = read_mesh(format, bytes, inner);
     } catch (const InputError& error) {
         table.fault_at(
             "file", fmt::format("file '{}' can't be read", file), error.faults().front().why);

@@ -1,6 +1,7 @@
 #include "io/weather/read_ies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kMostAngles = 10000;
 constexpr std::size_t kMostIntensities = 1000000;
+constexpr double kMostIntensity = 1e30;
 constexpr double kMetresPerFoot = 0.3048;
 
 /// The numbers of the file, one after the other, over its lines.
@@ -29,11 +31,7 @@ class Numbers {
         if (failed_) {
             return 0;
         }
-        std::string_view word = take();
-        while (word.empty() && scanner_.next()) {
-            line_ = scanner_.line();
-            word = take();
-        }
+        const std::string_view word = rest();
         const std::optional<double> value = parse_real(word);
         if (!value || !std::isfinite(*value)) {
             fail(
@@ -50,6 +48,19 @@ class Numbers {
             values.push_back(next(what));
         }
         return values;
+    }
+    /// The first word that is left; "" at the end of the file, which DOS marks by a character.
+    std::string_view rest() {
+        constexpr std::string_view kEndOfFile = "\x1A";
+        std::string_view word = take();
+        while (word.empty() && scanner_.next()) {
+            line_ = scanner_.line();
+            word = take();
+        }
+        return word == kEndOfFile ? std::string_view() : word;
+    }
+    void warn(const std::string& text) {
+        reporter_.warnings.push_back({reporter_.place(scanner_.number()), text});
     }
     void fail(const std::string& problem, const std::string& why, const std::string& advice = "") {
         if (!failed_) {
@@ -78,6 +89,22 @@ std::optional<std::string> find_tilt(LineScanner& scanner) {
         }
     }
     return std::nullopt;
+}
+
+/// Whether a text is EULUMDAT (.ldt): after a line of text its kind (1 to 3), its symmetry (0 to
+/// 4), and numbers of planes and angles, each on a line.
+bool is_eulumdat(std::string_view text) {
+    constexpr std::array<double, 5> kMost{3, 4, 721, 360, 361};
+    LineScanner scanner(text);
+    bool is_like_it = scanner.next();
+    for (const double most : kMost) {
+        is_like_it = is_like_it && scanner.next();
+        std::string number(trimmed(scanner.line()));
+        std::replace(number.begin(), number.end(), ',', '.');
+        const std::optional<double> value = parse_real(number);
+        is_like_it = is_like_it && value && *value >= 0 && *value <= most;
+    }
+    return is_like_it;
 }
 
 /// TILT=INCLUDE: how much a lamp emits that is tilted. Whoever uses the file states what the lamp
@@ -122,13 +149,25 @@ void check_angles(const PhotometricWeb& web, Numbers& numbers) {
                 "the horizontal angles go from {} to {}", shortest(horizontal.front()),
                 shortest(horizontal.back())),
             "they ascend from 0 to 0, 90, 180 or 360");
-    } else if (std::any_of(
-                   web.candela.begin(), web.candela.end(), [](double x) { return x < 0; })) {
-        numbers.fail("an intensity is negative", "0 or more");
+    } else if (std::any_of(web.candela.begin(), web.candela.end(), [](double x) {
+                   return !(x >= 0 && x <= kMostIntensity);
+               })) {
+        numbers.fail(
+            "an intensity is negative or too large",
+            fmt::format("with its multipliers it is 0 to {} cd", kMostIntensity));
     } else if (std::all_of(
                    web.candela.begin(), web.candela.end(), [](double x) { return x == 0; })) {
         numbers.fail("all intensities are 0", "the luminaire is dark");
     }
+}
+
+/// Metres of the unit that a number stands for.
+double unit_of_length(double number, Numbers& numbers) {
+    constexpr double kFeet = 1, kMetres = 2;
+    if (number != kFeet && number != kMetres) {
+        numbers.fail(fmt::format("unit of length {}", shortest(number)), "1 is feet, 2 is metres");
+    }
+    return number == kFeet ? kMetresPerFoot : 1;
 }
 
 /// How many angles a number says there are.
@@ -149,12 +188,22 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     LineScanner scanner(text);
     Numbers numbers(scanner, reporter);
     const std::optional<std::string> tilt = find_tilt(scanner);
+    if (!tilt && is_eulumdat(text)) {
+        numbers.fail(
+            "is a EULUMDAT file (.ldt)", "only IES files (LM-63) are read",
+            "export or convert it to IES, of photometric type C");
+        return file;
+    }
     if (!tilt) {
         numbers.fail("there is no line TILT=", "every IES file has one before its numbers");
         return file;
     }
     if (*tilt == "INCLUDE") {
         skip_tilt(numbers);
+    } else if (*tilt != "NONE") {
+        numbers.warn(fmt::format(
+            "TILT names {}, which is not read: its factors for tilted lamps do not count",
+            shown(*tilt)));
     }
     numbers.next("the number of lamps");
     numbers.next("the lumens of a lamp");
@@ -175,7 +224,7 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
             "only type C (1) is read; 2 and 3 are types B and A, of floodlights and headlamps",
             "convert the file to type C");
     }
-    const double unit = numbers.next("the unit of length") == 1 ? kMetresPerFoot : 1;
+    const double unit = unit_of_length(numbers.next("the unit of length"), numbers);
     const double width = numbers.next("the width of the opening");
     const double length = numbers.next("the length of the opening");
     numbers.next("the height of the opening");
@@ -191,6 +240,11 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     }
     if (!numbers.failed()) {
         check_angles(file.web, numbers);
+        if (const std::string_view word = numbers.rest(); !word.empty()) {
+            numbers.warn(fmt::format(
+                "{} follows the last intensity, and is not read: are the numbers of angles right?",
+                shown(word)));
+        }
     }
     return file;
 }

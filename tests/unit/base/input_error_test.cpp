@@ -60,5 +60,11 @@ TEST(Faults, ThrowAllAtOnce) {
     }
 }
 
+TEST(InputError, HoldsNothingThatATerminalRunsOrThatIsNotUtf8) {
+    const InputError error({{"a\x1B", "name 'bl\xE4tt'", "", ""}});
+    EXPECT_STREQ(error.what(), "a : name 'bl?tt'");
+    EXPECT_EQ(error.faults()[0].problem, "name 'bl?tt'");
+}
+
 }  // namespace
 }  // namespace quasimc

@@ -89,5 +89,24 @@ TEST(Joined, PutsTheSeparatorBetweenItems) {
     EXPECT_EQ(joined(Words{}, ", "), "");
 }
 
+TEST(IsUtf8, TakesWhatTheTableOfUnicodeHas) {
+    for (const char* good : {"", "leaf", "bl\xC3\xA4tt", "\xE8\x91\x89", "\xF0\x9F\x8C\xBF"}) {
+        EXPECT_TRUE(is_utf8(good)) << good;
+    }
+    for (const char* bad :
+         {"bl\xE4tt", "\xFF", "\xC3", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80",
+          "\xF0\x80\x80\x80", "\xF4\x90\x80\x80", "\x80"}) {
+        EXPECT_FALSE(is_utf8(bad)) << ::testing::PrintToString(std::string(bad));
+    }
+}
+
+TEST(Printable, LeavesNothingThatATerminalRuns) {
+    EXPECT_EQ(printable("o\x1B[2J\nbl\xC3\xA4tt"), "o [2J\nbl\xC3\xA4tt");
+    EXPECT_EQ(printable(std::string_view("o\0x", 3)), "o x");
+    EXPECT_EQ(printable("\x7F|\xC2\x9B|\xE4"), " | |?");
+    EXPECT_EQ(one_line("a\nb\x1B\xC2\x9B"), "a b  ");
+    EXPECT_EQ(one_line("bl\xE4tt"), "bl\xE4tt") << "a reader must still see what is wrong";
+}
+
 }  // namespace
 }  // namespace quasimc

@@ -31,6 +31,16 @@ TEST(CResults, NamesLabelsAndAreasAreThoseStated) {
     EXPECT_STREQ(quasimc_quantity_name(0), "absorbed_flux");
 }
 
+TEST(CResults, TextsAreUtf8) {
+    const SceneHandle scene = small_canopy(1);
+    EXPECT_EQ(quasimc_scene_set_name(scene.get(), 1, "\xff"), QUASIMC_INPUT_ERROR);
+    EXPECT_STREQ(quasimc_last_error(), "name: '?' is not UTF-8 (texts are in UTF-8)");
+    EXPECT_EQ(quasimc_scene_set_label(scene.get(), 1, "plant", "bl\xE4tt"), QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(quasimc_scene_add_band(scene.get(), "R", "W m\xB2"), QUASIMC_INPUT_ERROR);
+    EXPECT_EQ(quasimc_scene_set_name(scene.get(), 1, "bl\xC3\xA4tt"), QUASIMC_DONE);
+    EXPECT_TRUE(run(*scene));
+}
+
 TEST(CResults, TotalsAndGroupsAreSumsOfOrgans) {
     const SceneHandle scene = small_canopy(4);
     for (std::int64_t id = 1; id <= 4; ++id) {

@@ -147,8 +147,7 @@ TEST(StatedSources, AreMadeFromTheKeysOfTheirRow) {
     EXPECT_DOUBLE_EQ(read.noted->source->spectrum()[0], 5e4) << "W per square metre of cm";
     EXPECT_EQ(
         read.noted->note,
-        "torch: torch, width 15, height 2, position (1, 2, 3), aim (0, -1, 0), emits PAR 50000 W "
-        "m-2 cm2");
+        "torch: torch, width 15, height 2, position (1, 2, 3), aim (0, -1, 0), emits PAR 5 W");
 }
 
 TEST(StatedSources, MayStateAnIrradiance) {

@@ -1,8 +1,10 @@
 #include "io/meshes/formats.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "io/line_scanner.h"
@@ -196,6 +198,68 @@ TEST(IsUtf8, TellsTextFromBytes) {
     for (const char* bytes : {"Bl\xE4tter", "\xC3", "\xC0\x80", "\xF5\x80\x80\x80", "\x80"}) {
         EXPECT_FALSE(is_utf8(bytes));
     }
+}
+
+/// Leaves of 0.1 m, 2 triangles each, at a place of a map; each number rounded by `store`.
+template <typename Store>
+std::string leaves_on_a_map(double x, double y, const Store& store) {
+    std::string text;
+    for (int i = 0; i < 60; ++i) {
+        const double a = x + 0.37 * i, b = y + 0.23 * i, z = 1 + 0.01 * i;
+        for (const double side : {1.0, -1.0}) {
+            for (const double number :
+                 {a, b, z, a + 0.07 * side, b + 0.05, z, a + 0.01 * side, b + 0.11 * side, z}) {
+                text += fmt::format("{} ", store(number));
+            }
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+double as_float(double number) {
+    return static_cast<double>(static_cast<float>(number));
+}
+
+TEST(Formats, WarnOfSinglePrecisionThatIsTooCoarseForTheTriangles) {
+    const auto exact = [](double number) { return number; };
+    const auto warnings = [](const std::string& text) {
+        return read_mesh_text("tri", text).warnings;
+    };
+    const std::vector<std::string> coarse = warnings(leaves_on_a_map(6e5, 4.265e6, as_float));
+    ASSERT_EQ(coarse.size(), 1U);
+    EXPECT_TRUE(mentions(coarse, "single precision, which has steps of 0.5 near y = 4265014"))
+        << coarse[0];
+    EXPECT_TRUE(warnings(leaves_on_a_map(6e5, 4.265e6, exact)).empty());
+    EXPECT_TRUE(warnings(leaves_on_a_map(0, 0, as_float)).empty());
+    EXPECT_TRUE(warnings(leaves_on_a_map(3, 400, as_float)).empty());
+    EXPECT_TRUE(warnings("600000 4265000 1 600001 4265000 1 600000 4265001 1\n").empty())
+        << "whole numbers are exact";
+}
+
+TEST(Formats, OfEveryKindRefuseNamesThatAreNotUtf8) {
+    const std::string bad = "bl\xE4tt";
+    const std::map<std::string, std::string> files{
+        {"obj", "o " + bad + "\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n"},
+        {"stl", "solid " + bad +
+                    "\nfacet normal 0 0 1\nouter loop\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\n"
+                    "endloop\nendfacet\nendsolid\n"},
+        {"vgx", "Obj X1 Y1 Z1 X2 Y2 Z2 X3 Y3 Z3 " + bad + "\n0 0 0 1 1 0 1 0 1 1 5\n"},
+        {"gltf", R"({"asset":{"version":"2.0","generator":")" + bad + R"("}})"}};
+    for (const auto& [format, text] : files) {
+        EXPECT_FALSE(read_mesh_text(format, text).faults.empty()) << format;
+    }
+    EXPECT_TRUE(
+        mentions(read_mesh_text("vgx", files.at("vgx")).faults, "the label 'bl?tt' is not UTF-8"));
+}
+
+TEST(Formats, NameTheOnesThatAreNotRead) {
+    RunText text;
+    text.organs = "[[geometry]]\nfile = 'tree.bgeom'\nmaterial = 'leaf'\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()),
+        "'tree.bgeom' is a binary scene of PlantGL, which is not read; let PlantGL write "
+        "triangles: Scene(\"plant.bgeom\").save(\"plant.obj\")"));
 }
 
 }  // namespace

@@ -226,5 +226,49 @@ TEST(ReadDae, EndsWhereNodesNameEachOther) {
     EXPECT_TRUE(mentions(read_dae_text(dae).faults, "it places more than 1000000 nodes"));
 }
 
+TEST(ReadDae, WarnsOfCountsThatAreNotWhatIsThere) {
+    const auto first = [](const DaeText& dae) {
+        const ReadMesh read = read_dae_text(dae);
+        EXPECT_EQ(read.faults, Texts{});
+        return read.warnings.empty() ? "" : read.warnings.front();
+    };
+    DaeText faces;
+    faces.primitive.replace(faces.primitive.find("\"1\""), 3, "\"5\"");
+    EXPECT_EQ(
+        first(faces),
+        "file: counts differ from what is there (1 in all; the first: <triangles> of line 7 states "
+        "'5' and has 1): the file may be cut short or damaged");
+    DaeText points;
+    points.array += " 7 7 7";
+    EXPECT_NE(
+        first(points).find("<float_array> of line 5 states '12' and has 15"), std::string::npos)
+        << first(points);
+    DaeText ids;
+    ids.more = "<library_geometries><geometry id=\"g\"><mesh/></geometry></library_geometries>";
+    EXPECT_NE(
+        first(ids).find("ids occur twice (1 in all, the first is 'g' in line"), std::string::npos)
+        << first(ids);
+    DaeText kind;
+    kind.primitive += "<trianglez count=\"1\"/>";
+    EXPECT_NE(first(kind).find("'trianglez' in line"), std::string::npos) << first(kind);
+    DaeText moved;
+    moved.nodes.insert(moved.nodes.find("<instance"), "<translat>1 0 0</translat>");
+    EXPECT_NE(first(moved).find("did you mean 'translate'?"), std::string::npos) << first(moved);
+}
+
+TEST(ReadDae, RefusesNamesThatAreNotUtf8AndReadsLatin1ThatSaysSo) {
+    DaeText dae;
+    dae.nodes = "<node name=\"bl\xE4tt\"><instance_geometry url=\"#g\"/></node>";
+    EXPECT_EQ(
+        read_dae_text(dae).faults,
+        Texts{"file:12: the name 'bl?tt' is not UTF-8; save the file as UTF-8"});
+    std::string latin = dae.text();
+    latin.replace(latin.find("utf-8"), 5, "ISO-8859-1");
+    const ReadMesh read = read_mesh_text("dae", latin);
+    EXPECT_EQ(read.faults, Texts{});
+    ASSERT_EQ(read.mesh.groups.size(), 1U);
+    EXPECT_EQ(read.mesh.groups[0].name, "bl\xC3\xA4tt");
+}
+
 }  // namespace
 }  // namespace quasimc::test

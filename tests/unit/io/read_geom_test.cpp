@@ -148,7 +148,7 @@ TEST(ReadGeom, TellsFaultsWithTheirLines) {
         EXPECT_TRUE(mentions(faults, part)) << part << "\n" << (faults.empty() ? "" : faults[0]);
     };
     expect("Cylinder { Radius 1 }", ":2: 'Cylinder' is not read");
-    expect("Sphere { }", "t = Tesselator()");
+    expect("Sphere { }", "scene.save(\"all.obj\")");
     expect(
         "BezierPatch { CtrlPointMatrix [ [ <0,0,0,1>, <1,0,0,1> ], [ <0,1,0,1>, <1,1,0,1> ] ] }",
         "'BezierPatch' is not read");
@@ -197,6 +197,28 @@ TEST(ReadGeom, EndsWhereGroupsGrowWithoutEnd) {
     }
     const ReadMesh read = read_mesh_text("geom", text + "Shape { Geometry g8 }\n");
     EXPECT_TRUE(mentions(read.faults, "it places more than 1000000 objects"));
+}
+
+TEST(ReadGeom, WarnsOfWordsThatPlantGlDoesNotKnow) {
+    const std::string shape = "Shape leaf { Geometry " + kGeomTriangle + " }\n";
+    const auto warnings = [](const std::string& text) {
+        const ReadMesh read = read_mesh_text("geom", text);
+        EXPECT_EQ(read.faults, Texts{});
+        return read.warnings;
+    };
+    EXPECT_EQ(warnings(shape), Texts{});
+    EXPECT_EQ(
+        warnings(shape + "Sxape leaf_1 { Geometry " + kGeomTriangle + " }\n"),
+        Texts{"file: objects of kinds that PlantGL does not know are left out: 1 in all, the first "
+              "is "
+              "'Sxape' in line 2; did you mean 'Shape'?"});
+    EXPECT_EQ(
+        warnings(
+            "Shape { Geometry AxisRotated { Axis <0,0,1> Angel 90 Geometry " + kGeomTriangle +
+            " } }\n"),
+        Texts{"file: fields that PlantGL does not know are left out: 1 in all, the first is "
+              "'Angel' in "
+              "line 1; did you mean 'Angle'?"});
 }
 
 }  // namespace

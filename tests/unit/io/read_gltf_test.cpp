@@ -326,5 +326,64 @@ TEST(DecodeBase64, TakesWhatItWasMadeFromAndNothingElse) {
     }
 }
 
+TEST(ReadGltf, SaysWhatDoesNotFit) {
+    const auto warning = [](const GltfText& gltf) {
+        const ReadMesh read = read_gltf_text(gltf);
+        EXPECT_EQ(read.faults, Texts{});
+        return read.warnings.empty() ? "" : read.warnings.front();
+    };
+    GltfText length;
+    length.buffer = R"({"uri":"a.bin","byteLength":1000000000000000})";
+    EXPECT_EQ(
+        warning(length),
+        "file: buffer 0 has 48 bytes, its byteLength is 1000000000000000: the file may be cut "
+        "short or damaged");
+    GltfText bounds;
+    bounds.accessors = R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3,)"
+                       R"("min":[0,0,0],"max":[2,2,1]})";
+    EXPECT_NE(warning(bounds).find("not within the min and max"), std::string::npos);
+    bounds.accessors = R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3,)"
+                       R"("min":[0,0,1],"max":[2,2,1]})";
+    EXPECT_EQ(warning(bounds), "");
+    GltfText key;
+    key.scene = R"("nodes":[{"mesh":0,"name":"leaf","translatoin":[0,0,5]}],)";
+    EXPECT_EQ(
+        warning(key),
+        "file: keys that glTF 2.0 does not have are left out: 1 in all, the first is 'translatoin' "
+        "in node 0; "
+        "did you mean 'translation'?");
+}
+
+TEST(ReadGltf, RefusesIndicesAndPointsOfAnotherKind) {
+    GltfText gltf;
+    gltf.primitive = R"({"attributes":{"POSITION":0},"indices":1})";
+    const std::string points = gltf.accessors;
+    for (const char* kind :
+         {R"("SCALAR","componentType":5126)", R"("VEC3","componentType":5121)"}) {
+        gltf.accessors = points + R"(,{"bufferView":0,"count":3,"type":)" + std::string(kind) + "}";
+        EXPECT_EQ(
+            read_gltf_text(gltf).faults,
+            Texts{"file: accessor 1 is no list of indices (it needs SCALAR of integers)"})
+            << kind;
+    }
+    expect_gltf_fault(
+        "5126", "5125",
+        {"file: accessor 0 is no list of points (it needs VEC3 of float, or of quantized 8 or 16 "
+         "bits)"});
+    expect_gltf_fault(
+        R"("version":"2.0")", R"("version":"2.1","minVersion":"2.1")",
+        {"file: it needs a reader of glTF 2.1 (its minVersion says so; 2.0 is read); export it as "
+         "glTF 2.0"});
+}
+
+TEST(ReadGltf, WarnsOfBytesBehindTheEnd) {
+    GltfText text;
+    text.buffer = R"({"byteLength":48})";
+    const ReadMesh read =
+        read_mesh_text("glb", glb_of(text.text(), bytes_of(kGltfSquare)) + "more");
+    EXPECT_EQ(read.faults, Texts{});
+    EXPECT_TRUE(mentions(read.warnings, "the rest is not read"));
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -143,5 +143,42 @@ TEST(ReadPly, DoesNotTrustTheCountsOfItsHeader) {
         read_mesh_text("ply", lies + std::string(24, '\0')).faults, "vertex 3 is cut short"));
 }
 
+TEST(ReadPly, WarnsOfWhatFollowsTheLastElement) {
+    const std::string square = header("ascii", 4, 1) + kCorners;
+    const auto warnings = [](const std::string& bytes) {
+        const ReadMesh read = read_mesh_text("ply", bytes);
+        EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+        return read.warnings;
+    };
+    EXPECT_TRUE(mentions(warnings(square + "3 0 1 2\n3 0 2 3\n"), "there is more (4 words)"));
+    EXPECT_TRUE(mentions(warnings(square + "3 0 1 2 3\n"), "there is more (1 word)"));
+    EXPECT_TRUE(mentions(warnings(binary_square(true) + "more"), "there is more (4 bytes)"));
+    for (const std::string end : {"", "\n\n", " \t\r\n", "comment by hand\n"}) {
+        EXPECT_TRUE(warnings(square + "4 0 1 2 3\n" + end).empty()) << end;
+    }
+    EXPECT_TRUE(warnings(binary_square(false) + std::string("\n\0\0", 3)).empty());
+    const std::string strips =
+        "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    std::string with_strips = header("ascii", 4, 1);
+    with_strips.replace(with_strips.find("end_header\n"), 11, strips);
+    EXPECT_TRUE(mentions(
+        warnings(with_strips + kCorners + "3 0 1 2\n4 0 1 2 3\n"),
+        "elements 'tristrips' have corners and are left out (1 in all)"));
+}
+
+TEST(ReadPly, RefusesAHeaderThatSaysTheSameTwice) {
+    const std::string text = header("ascii", 4, 1);
+    const std::string vertex = "element vertex 4\nproperty float x\n";
+    std::string twice = text;
+    twice.insert(twice.find("element face"), vertex);
+    EXPECT_TRUE(mentions(
+        read_mesh_text("ply", twice + kCorners + kCorners + "4 0 1 2 3\n").faults,
+        "file:8: element 'vertex' is there twice"));
+    std::string two_x = text;
+    two_x.insert(two_x.find("property float y"), "property double x\n");
+    EXPECT_TRUE(
+        mentions(read_mesh_text("ply", two_x).faults, "'vertex' has two properties like 'x'"));
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -83,5 +83,21 @@ TEST(ReadStl, ReportsEveryFault) {
         read_mesh_text("stl", bytes).faults, (Texts{"file: triangle 1: a corner is not finite"}));
 }
 
+TEST(ReadStl, SaysWhereATextIsCutShort) {
+    const std::string solid = "solid a\n";
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nendloop\n"
+        "endfacet\n";
+    const ReadMesh cut = read_mesh_text("stl", solid + facet);
+    EXPECT_EQ(cut.faults, Texts{});
+    EXPECT_TRUE(mentions(cut.warnings, "file:8: the file ends without endsolid"));
+    EXPECT_EQ(read_mesh_text("stl", solid + facet + "endsolid a\n\n").warnings, Texts{});
+    std::string open = facet;
+    open.replace(open.find("endloop\n"), 8, "");
+    EXPECT_TRUE(mentions(
+        read_mesh_text("stl", solid + open + facet + "endsolid\n").faults,
+        "file:9: a loop begins before the last one ends"));
+}
+
 }  // namespace
 }  // namespace quasimc::test

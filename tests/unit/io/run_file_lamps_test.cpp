@@ -45,11 +45,14 @@ std::string lambertian_ies(int horizontal = 1, const std::string& tilt = "TILT=N
 
 struct ReadIes {
     IesFile file;
-    std::vector<std::string> faults;
+    std::vector<std::string> faults, warnings;
 };
 ReadIes ies(const std::string& text) {
     Reporter reporter{"lamp.ies", {}, {}};
-    ReadIes read{read_ies(text, reporter), {}};
+    ReadIes read{read_ies(text, reporter), {}, {}};
+    for (const Warning& warning : reporter.warnings) {
+        read.warnings.push_back(warning.place + ": " + warning.text);
+    }
     try {
         reporter.faults.throw_if_any();
     } catch (const InputError& error) {
@@ -238,6 +241,83 @@ TEST(RunFileLamps, AnIesFileOfALambertianPanelIsTheRectangle) {
         EXPECT_NEAR(file.mean, rectangle.mean, 3e-3 * rectangle.mean) << height;
         EXPECT_LT(rectangle.standard_error, 1e-3 * rectangle.mean);
     }
+}
+
+/// Warnings of a disk of this radius under a point lamp 100 above it.
+std::vector<std::string> lamp_warnings(const std::string& unit, double radius) {
+    RunText text;
+    text.top = "bands = ['PAR']\n" + unit;
+    text.materials = "[[material]]\nname = 'leaf'\nreflectance = 0.1\n";
+    text.sources = "[[source]]\ntype = 'point'\nposition = [0, 0, 150]\npower = 100\n";
+    text.organs = fmt::format(
+        "[[organ]]\nmaterial = 'leaf'\nshape = 'disk'\ncenter = [0, 0, 50]\nnormal = [0, 0, 1]\n"
+        "radius = {}\n",
+        radius);
+    std::vector<std::string> texts;
+    for (const Warning& warning : read_text(text.text()).warnings) {
+        texts.push_back(warning.place + ": " + warning.text);
+    }
+    return texts;
+}
+
+TEST(Lamps, WarnOfAUnitThatIsNotGivenAndOfPlantsOfStrangeSize) {
+    EXPECT_EQ(
+        lamp_warnings("", 5),
+        std::vector<std::string>{
+            "length_unit: is not given, so that coordinates are taken as metres (the median organ "
+            "measures 14.1 m); the irradiance that lamps give depends on it: set length_unit to "
+            "\"m\", \"cm\" or what the coordinates are in"});
+    EXPECT_EQ(lamp_warnings("", 0.1).size(), 1U);
+    EXPECT_EQ(lamp_warnings("length_unit = 'cm'\n", 5), std::vector<std::string>{});
+    EXPECT_EQ(lamp_warnings("length_unit = 'm'\n", 0.1), std::vector<std::string>{});
+    EXPECT_TRUE(mentions(
+        lamp_warnings("length_unit = 'm'\n", 5),
+        "the median organ measures 14.1 m if coordinates are in m"));
+    EXPECT_TRUE(mentions(
+        lamp_warnings("length_unit = 'mm'\n", 0.5),
+        "all organs together measure 0.00141 m if coordinates are in mm"));
+}
+
+TEST(Lamps, BelowTheGroundAreWarnedOf) {
+    for (const char* lamp :
+         {"type = 'point'\n", "type = 'disk'\nradius = 0.1\n", "type = 'spot'\ncone_deg = 20\n"}) {
+        for (const double height : {-0.5, 2.0}) {
+            RunText text;
+            text.top = "bands = ['PAR']\nlength_unit = 'm'\n";
+            text.sources = fmt::format(
+                "[[source]]\nname = 'lamp'\n{}position = [0.2, 0.3, {}]\npower = 100\n", lamp,
+                height);
+            text.rest = "[ground]\nmaterial = 'leaf'\n";
+            std::vector<std::string> texts;
+            for (const Warning& warning : read_text(text.text()).warnings) {
+                texts.push_back(warning.place + ": " + warning.text);
+            }
+            EXPECT_EQ(mentions(texts, "source 'lamp': is a lamp 0.5 below the ground"), height < 0)
+                << lamp;
+        }
+    }
+}
+
+TEST(Ies, RefusesOrWarnsOfWhatDoesNotFit) {
+    const auto with = [](const std::string& old, const std::string& text) {
+        std::string file = lambertian_ies();
+        file.replace(file.find(old), old.size(), text);
+        return ies(file);
+    };
+    EXPECT_EQ(
+        with("19 1 1 2 0.6", "19 1 1 3 0.6").faults,
+        std::vector<std::string>{"lamp.ies:4: unit of length 3 (1 is feet, 2 is metres)"});
+    EXPECT_TRUE(mentions(
+        with("1 -1 1 19", "1 -1 1e308 19").faults, "an intensity is negative or too large"));
+    EXPECT_TRUE(mentions(ies(lambertian_ies() + "17 more").warnings, "'17' follows the last"));
+    EXPECT_TRUE(ies(lambertian_ies() + "\r\n\x1A").warnings.empty());
+    EXPECT_TRUE(
+        mentions(ies(lambertian_ies(1, "TILT=other.tlt\n")).warnings, "TILT names 'other.tlt'"));
+    EXPECT_EQ(
+        ies("Maker of lamps\n1\n1\n4\n90\n19\n5\nreport\n").faults,
+        std::vector<std::string>{
+            "lamp.ies:8: is a EULUMDAT file (.ldt) (only IES files (LM-63) are read); export or "
+            "convert it to IES, of photometric type C"});
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(WriteCsv, LeavesErrorsEmptyWhereNothingWasHit) {
 TEST(WriteCsv, NamesTheUnitOfEveryColumn) {
     const std::vector<std::string> lines = lines_of(csv_text());
     EXPECT_TRUE(mentions(lines, "# column area [cm2]"));
-    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [W m-2 cm2]: "));
+    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [1e-4 W]: "));
     EXPECT_TRUE(mentions(lines, "# column incident_upper_FR [W m-2]: "));
     EXPECT_TRUE(mentions(lines, "# column ratio_R:FR [1]: "));
 }
@@ -225,7 +225,7 @@ TEST(WriteGroups, HasARowForEachGroup) {
 TEST(WriteGroups, NamesItsColumns) {
     const std::vector<std::string> lines = lines_of(groups_text(small_run()));
     EXPECT_TRUE(mentions(lines, "# column area [cm2]: of one side of all of them"));
-    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [W m-2 cm2]: "));
+    EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [1e-4 W]: "));
     EXPECT_TRUE(mentions(lines, "# column reflectance_BAND [1]: "));
 }
 
@@ -294,7 +294,7 @@ TEST(WriteJson, DigestTellsResultsApart) {
 TEST(Summary, IsShortAndTellsTheEnergy) {
     const std::string text = summary(small_run(), small_result(), {"a.csv"});
     EXPECT_LE(lines_of(text).size(), 12U) << text;
-    EXPECT_NE(text.find("FR [W m-2 cm2]: 7 +- 0.5 emitted"), std::string::npos) << text;
+    EXPECT_NE(text.find("FR [1e-4 W]: 7 +- 0.5 emitted"), std::string::npos) << text;
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
@@ -309,7 +309,7 @@ TEST(Summary, TellsOfEnergyThatAddsUp) {
     budget.escaped.mean = 16.6384;
     const std::string text = summary(small_run(), result, {});
     EXPECT_NE(
-        text.find("R [W m-2 cm2]: 20.5 emitted - 0.0016 by roulette = 20.4984; organs 1.86 +- "
+        text.find("R [1e-4 W]: 20.5 emitted - 0.0016 by roulette = 20.4984; organs 1.86 +- "
                   "0.01, ground 2, escaped 16.6384, cut off 0: together 20.4984"),
         std::string::npos)
         << text;
@@ -398,12 +398,12 @@ TEST(Audit, IsToldBandByBand) {
     EXPECT_EQ(json["paths"], 10);
     EXPECT_EQ(json["bands"]["R"]["reduced_chi_square"], 1.5);
     EXPECT_EQ(json["bands"]["R"]["difference"], -2.0);
-    EXPECT_EQ(json["bands"]["R"]["unit"], "W m-2 cm2");
+    EXPECT_EQ(json["bands"]["R"]["unit"], "1e-4 W");
     EXPECT_TRUE(json["bands"]["FR"]["difference"].is_null());
     const std::string text = summary(small_run(), result, {});
     EXPECT_NE(text.find("audit     agrees"), std::string::npos) << text;
     EXPECT_NE(
-        text.find("R: reduced chi-square 1.5; organs absorb -2 +- 1 W m-2 cm2 more"),
+        text.find("R: reduced chi-square 1.5; organs absorb -0.0002 +- 0.0001 W more"),
         std::string::npos);
 }
 
@@ -424,8 +424,14 @@ TEST(Audit, IsLoudWhenItDisagrees) {
 TEST(FluxUnit, TakesTheAreaOutWhereItCan) {
     EXPECT_EQ(flux_unit("W m-2", "m"), "W");
     EXPECT_EQ(flux_unit("umol m-2 s-1", "m"), "umol s-1");
-    EXPECT_EQ(flux_unit("W m-2", "cm"), "W m-2 cm2");
+    EXPECT_EQ(flux_unit("W m-2", "cm"), "1e-4 W");
     EXPECT_EQ(flux_unit("W cm-2", "cm"), "W");
+    EXPECT_EQ(flux_unit("W cm-2", "m"), "1e4 W");
+    EXPECT_EQ(flux_unit("umol m-2 s-1", "mm"), "1e-6 umol s-1");
+    EXPECT_EQ(flux_unit("W m-2", "ft"), "0.09290304 W");
+    EXPECT_EQ(flux_unit("W m-2", "voxel"), "W m-2 voxel2");
+    EXPECT_EQ(flux_unit("lx", "m"), "lm");
+    EXPECT_EQ(flux_unit("lx", "cm"), "1e-4 lm");
     EXPECT_EQ(flux_unit("m-2", "m"), "1");
     EXPECT_EQ(flux_unit("W", "m"), "W m2");
 }
