@@ -110,6 +110,21 @@ Document read_document(const std::string& path) {
     return {read_toml(text, path), path, std::filesystem::absolute(path).parent_path().string()};
 }
 
+/// What meshes are checked against: bands, materials, axes. Faulty materials are refused.
+FrameOfRun read_frame(const Document& document) {
+    const py::gil_scoped_release release;
+    InputFiles files(document.folder);
+    FrameOfRun frame = read_frame_document(document.node, document.name, files);
+    frame.builder.check_organs({});
+    return frame;
+}
+
+void check_mesh(const FrameOfRun& frame, const py::dict& mesh) {
+    const MeshArrays arrays = arrays_of(mesh);
+    const py::gil_scoped_release release;
+    frame.builder.check_organs(make_organs(arrays));
+}
+
 /// One number of each organ.
 template <typename T, typename Get>
 py::array_t<T> of_organs(const Scene& scene, Get get) {
@@ -200,6 +215,10 @@ void bind_scene(py::module_& module) {
         .def_readonly("folder", &Document::folder)
         .def("table", [](const Document& document) { return to_python(document.node); })
         .def("build", &build, py::arg("meshes"));
+
+    py::class_<FrameOfRun>(module, "Frame")
+        .def(py::init(&read_frame), py::arg("document"))
+        .def("check", &check_mesh, py::arg("mesh"));
 
     py::class_<SceneHandle>(module, "Scene")
         .def_property_readonly(

@@ -269,9 +269,8 @@ class Series:
     def to_pandas(self) -> Any: ...
 
 ProgressArgument = Union[bool, Callable[[Progress], object], None]
-SourcesArgument = Union[
-    Source, Mapping[str, Any], Iterable[Union[Source, Mapping[str, Any]]], None
-]
+Sources = Union[Source, Mapping[str, Any], Iterable[Union[Source, Mapping[str, Any]]]]
+SourcesArgument = Union[Sources, None]
 
 class Scene:
     def __init__(
@@ -309,6 +308,19 @@ class Scene:
         measured: bool = True,
         field_of_view_deg: float = 90.0,
     ) -> Scene: ...
+    def replace(
+        self,
+        name: str,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike | None = None,
+        *,
+        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
+        organ: npt.ArrayLike | None = None,
+        labels: Mapping[str, PerOrgan] | None = None,
+        measured: bool = True,
+        field_of_view_deg: float = 90.0,
+    ) -> Scene: ...
+    def remove(self, name: str) -> Scene: ...
     def add_organ(self, shape: str, *, material: str, **keys: Any) -> Scene: ...
     def add_file(self, file: str | os.PathLike[str], **keys: Any) -> Scene: ...
     def add_detector(self, type: str, **keys: Any) -> Scene: ...
@@ -360,9 +372,9 @@ class Scene:
     @overload
     def run(
         self,
-        sources: SourcesArgument = None,
+        sources: Sources,
         *,
-        time: None = None,
+        time: None = ...,
         progress: ProgressArgument = None,
         keep_times: bool = True,
         sampler: str = ...,
@@ -389,6 +401,69 @@ class Scene:
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
     ) -> Result: ...
+    @overload
+    def run(
+        self,
+        sources: None = None,
+        *,
+        time: None,
+        progress: ProgressArgument = None,
+        keep_times: bool = True,
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        max_depth: int = ...,
+        roulette_weight: float = ...,
+        window: str = ...,
+        engine: str = ...,
+        direct_light: str = ...,
+        effort: str = ...,
+        series: str = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        audit: float = ...,
+        tally_memory_mb: float = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+    ) -> Result: ...
+    @overload
+    def run(
+        self,
+        sources: None = None,
+        *,
+        progress: ProgressArgument = None,
+        keep_times: bool = True,
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        max_depth: int = ...,
+        roulette_weight: float = ...,
+        window: str = ...,
+        engine: str = ...,
+        direct_light: str = ...,
+        effort: str = ...,
+        series: str = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        audit: float = ...,
+        tally_memory_mb: float = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+    ) -> Result | Series: ...
 
 class GrowthSession:
     def __init__(self, scene: Scene) -> None: ...

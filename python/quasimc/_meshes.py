@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
 
 import numpy as np
@@ -34,6 +35,37 @@ def integers(place, what, values):
     if int(values.max()) > np.iinfo(np.int64).max:
         raise fault(place, f"{what} is {values.max()}", "integers end at 2^63 - 1")
     return values.astype(np.int64, copy=False)
+
+
+def owned(array, given):
+    """An array that the caller can't write to: a copy, unless it was made here."""
+    return array if array is None or (array.base is None and array is not given) else array.copy()
+
+
+def plain(value):
+    """A value of a run file, without arrays and other containers of the caller."""
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def ids_of(meshes):
+    """The ids of the organs of meshes, ascending."""
+    return np.sort(np.concatenate([np.empty(0, np.int64), *(m["ids"] for m in meshes if m["ids"] is not None)]))
+
+
+def digest(mesh):
+    """Equal for equal meshes, wherever they stand."""
+    marks = hashlib.blake2b(digest_size=16)
+    for key, value in mesh.items():
+        if isinstance(value, np.ndarray):
+            marks.update(f"{key} {value.dtype} {value.shape}".encode())
+            marks.update(value)
+        elif key != "place":
+            marks.update(repr((key, value)).encode("utf-8", "backslashreplace"))
+    return marks.hexdigest()
 
 
 def vertices_and_faces(place, vertices, faces):

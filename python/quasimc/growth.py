@@ -12,7 +12,7 @@ from ._meshes import integers, mesh_arrays
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import _warn
+from .scene import _OF_SCENE, _warn
 
 
 class GrowthSession:
@@ -143,7 +143,7 @@ class GrowthSession:
             built = self._core.scene()
             if self._core.scene_builds > builds:
                 _warn(built.warnings)
-            light = self._scene._light(built, sources, None, options)
+            light = self._scene._light(built, sources, _OF_SCENE, options)
             if light.has_times:
                 raise ValueError("a step has no times: give it sources, or use Scene.run")
             _warn(light.warnings)

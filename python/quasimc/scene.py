@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import copy
+import difflib
 import os
 import sys
 import warnings
 from collections.abc import Mapping
 
+import numpy as np
+
 from . import _core
 from ._lock import OneAtATime
-from ._meshes import fault, mesh_arrays
+from ._meshes import digest, fault, ids_of, mesh_arrays, owned, plain
 from ._progress import Listener
 from .errors import QuasimcWarning
 from .organs import Organs
@@ -19,6 +22,17 @@ from .sources import Source
 
 #: Keys of a document that say what light falls on.
 _SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "detector")
+
+#: Keys of a document whose entries are added one by one, and may have a name.
+_LISTS = ("organ", "geometry", "detector", "source")
+
+#: Keys of a document by which materials and meshes are checked.
+_FRAME_KEYS = (
+    "bands", "band", "irradiance_unit", "length_unit", "up", "north", "material", "material_file",
+)
+
+#: The time of a run that is not given one: that of the scene.
+_OF_SCENE = object()
 
 
 def options():
@@ -40,8 +54,10 @@ def _band_keys(bands):
 class Scene:
     """What light falls on: organs and their materials, perhaps a ground and a cell that repeats.
 
-    Everything is stated by the names of the run file (docs/formats/run-file.md), and checked when
-    the scene is built, which the first run does.
+    Everything is stated by the names of the run file (docs/formats/run-file.md). What is added is
+    copied: later writes to an array change nothing. A faulty material or mesh is refused at the
+    call, and the scene stays as it was; all else is checked when the scene is built, which the
+    first run does.
 
     Parameters
     ----------
@@ -80,7 +96,7 @@ class Scene:
             "place": place,
         }
         self._init(
-            {**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}},
+            plain({**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}}),
             "scene",
             None,
         )
@@ -90,8 +106,11 @@ class Scene:
         self._name = name
         self._folder = folder  # that paths are relative to; None: the current one
         self._meshes = []
+        self._ids = ids_of([])  # of the meshes, ascending
         self._document = None  # as it was read, with its lines, as long as nothing is changed
         self._built = None
+        self._frame = None  # what meshes are checked against; None: materials were changed
+        self._marks = None  # of all that was added; None: not looked at yet
         self._organs = None
         self._simulator = _core.Simulator()
         self._lock = OneAtATime()
@@ -108,6 +127,7 @@ class Scene:
         other = type(self).__new__(type(self))
         other._init(copy.deepcopy(self._table), self._name, self._folder)
         other._meshes = list(self._meshes)
+        other._ids = self._ids
         other._document = self._document
         return other
 
@@ -132,17 +152,21 @@ class Scene:
         **keys
             reflection_model, reflection_exponent and others.
         """
-        stated = dict(
-            name=name,
-            reflectance=reflectance,
-            transmittance=transmittance,
-            upper=upper,
-            lower=lower,
-            **keys,
+        stated = plain(
+            dict(
+                name=name,
+                reflectance=reflectance,
+                transmittance=transmittance,
+                upper=upper,
+                lower=lower,
+                **keys,
+            )
         )
         with self._lock.to_change():
             others = [m for m in self._table.get("material", []) if m.get("name") != name]
+            frame = self._frame_of([*others, stated])
             self._set("material", [*others, stated])
+            self._frame = frame
         return self
 
     def add_mesh(
@@ -159,8 +183,8 @@ class Scene:
     ):
         """Adds organs made of triangles. They come after the organs of `add_organ` and `add_file`.
 
-        Arrays of float64 (vertices) and of integers (faces) are read where they are; they must not
-        be changed before the scene is built.
+        Arrays are copied. A mesh whose name the scene has already, or that is equal to an earlier
+        one, is added beside it with a warning: `replace` puts it in its place.
 
         Parameters
         ----------
@@ -186,22 +210,145 @@ class Scene:
             Of sensors: half angle about the normal, degrees.
         """
         with self._lock.to_change():
-            place = f"{self._name}: mesh {len(self._meshes) + 1}"
-            self._meshes.append(
-                mesh_arrays(
-                    place,
-                    vertices,
-                    faces,
-                    organ,
-                    material,
-                    name,
-                    labels,
-                    measured,
-                    field_of_view_deg,
-                )
+            mesh = self._mesh(
+                vertices, faces, organ, material, name, labels, measured, field_of_view_deg
             )
+            ids = self._check_mesh(mesh, self._ids)
+            self._mark("mesh", mesh)
+            self._meshes.append(mesh)
+            self._ids = ids
             self._built = None
         return self
+
+    def replace(
+        self,
+        name,
+        vertices,
+        faces=None,
+        *,
+        material,
+        organ=None,
+        labels=None,
+        measured=True,
+        field_of_view_deg=90.0,
+    ):
+        """Adds a mesh in place of all that was added under its name; the others as in `add_mesh`.
+
+        Raises
+        ------
+        InputError
+            If nothing has this name, or the mesh is faulty; the scene stays as it was.
+        """
+        with self._lock.to_change():
+            mesh = self._mesh(
+                vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+            )
+            self._check_name(name)
+            others = [m for m in self._meshes if m["name"] != name]
+            ids = self._check_mesh(mesh, ids_of(others))
+            names = [m["name"] for m in self._meshes]
+            place = names.index(name) if name in names else len(names)
+            self._remove(name)
+            self._meshes.insert(place, mesh)
+            self._ids = ids
+        return self
+
+    def remove(self, name):
+        """Removes all that was added under a name: meshes, organs, files, detectors and sources.
+
+        Raises
+        ------
+        InputError
+            If nothing has this name.
+        """
+        with self._lock.to_change():
+            self._check_name(name)
+            self._remove(name)
+        return self
+
+    def _mesh(self, vertices, faces, organ, material, name, *others):
+        """A mesh that later writes to the arrays don't change."""
+        place = f"{self._name}: mesh {len(self._meshes) + 1}"
+        mesh = mesh_arrays(place, vertices, faces, organ, material, name, *others)
+        mesh["vertices"] = owned(mesh["vertices"], vertices)
+        mesh["faces"] = owned(mesh["faces"], faces)
+        mesh["name"] = name if isinstance(name, str) else None
+        mesh["digest"] = digest(mesh)
+        return mesh
+
+    def _check_mesh(self, mesh, taken):
+        """Refuses a faulty mesh, and ids that are taken; returns these with its own, ascending."""
+        frame = self._frame
+        if "geometry" in self._table or not {"material", "material_file"} & self._table.keys():
+            # Files may define materials, and scenes may get theirs later.
+            known = {m.get("name") for m in self._table.get("material", [])}
+            later = [{"name": m, "reflectance": 0} for m in mesh["materials"] if m not in known]
+            frame = self._frame_of([*self._table.get("material", []), *later])
+        elif frame is None:
+            frame = self._frame = self._frame_of(self._table.get("material", []))
+        frame.check(mesh)
+        if mesh["ids"] is None:
+            return taken
+        places = np.searchsorted(taken, mesh["ids"])
+        double = mesh["ids"][np.searchsorted(taken, mesh["ids"], side="right") > places]
+        if len(double):
+            raise fault(
+                mesh["place"],
+                f"an earlier mesh has an organ of the id {double[0]}",
+                "ids are unique",
+                "take other ids, or replace that mesh by its name",
+            )
+        return np.insert(taken, places, mesh["ids"])
+
+    def _frame_of(self, materials):
+        """Materials, checked, for meshes to be checked against."""
+        table = {key: self._table[key] for key in _FRAME_KEYS if key in self._table}
+        return _core.Frame(self._document_of({**table, "material": materials}))
+
+    def _names(self):
+        """All names under which something was added."""
+        entries = [entry for key in _LISTS for entry in self._table.get(key, [])]
+        return {entry.get("name") for entry in [*entries, *self._meshes]} - {None}
+
+    def _check_name(self, name):
+        names = self._names()
+        if name not in names:
+            near = difflib.get_close_matches(str(name), names, 1)
+            raise fault(
+                self._name,
+                f"nothing was added under the name {name!r}",
+                "" if names else "nothing has a name",
+                f"did you mean {near[0]!r}?" if near else "",
+            )
+
+    def _remove(self, name):
+        for key in _LISTS:
+            entries = self._table.get(key, [])
+            left = [entry for entry in entries if entry.get("name") != name]
+            if len(left) < len(entries):
+                self._set(key, left)
+        self._meshes = [mesh for mesh in self._meshes if mesh["name"] != name]
+        self._ids = ids_of(self._meshes)
+        self._built = self._marks = None
+
+    def _mark(self, key, entry):
+        """Warns of what is added twice: a cell of a notebook that was run again."""
+        if self._marks is None:
+            added = [(k, e) for k in _LISTS for e in self._table.get(k, [])]
+            added += [("mesh", mesh) for mesh in self._meshes]
+            self._marks = {mark for k, e in added for mark in _marks_of(k, e)}
+        what = {"geometry": "file"}.get(key, key)
+        for mark in _marks_of(key, entry):
+            if mark in self._marks:
+                same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
+                _warn(
+                    [
+                        f"{self._name}: the scene has a {what} {same} already, and now has both; "
+                        "use replace() or remove() to have one"
+                    ]
+                )
+                break
+        self._marks.update(_marks_of(key, entry))
 
     def add_organ(self, shape, *, material, **keys):
         """Adds an organ of a shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
@@ -243,8 +390,10 @@ class Scene:
             As `quasimc.sun` and others make it; or its type, with its keys.
         """
         source = source if isinstance(source, Source) else Source(source, **keys)
+        table = plain(source.table())
         with self._lock.to_change():
-            self._table["source"] = [*self._table.get("source", []), source.table()]
+            self._mark("source", table)
+            self._table["source"] = [*self._table.get("source", []), table]
             self._document = None
         return self
 
@@ -256,13 +405,13 @@ class Scene:
         if "file" in keys:
             keys["file"] = self._path(keys["file"])
         with self._lock.to_change():
-            self._set("ground", {"material": material, **keys})
+            self._set("ground", plain({"material": material, **keys}))
         return self
 
     def set_cell(self, x=None, y=None, z=None):
         """Repeats the scene without end along the axes that are given: x=(low, high), ..."""
         cell = {"x": x, "y": y, "z": z}
-        stated = {key: list(value) for key, value in cell.items() if value is not None}
+        stated = {key: plain(list(value)) for key, value in cell.items() if value is not None}
         with self._lock.to_change():
             self._set("cell", stated)
         return self
@@ -272,7 +421,9 @@ class Scene:
         return os.fspath(file) if self._folder is not None else os.path.abspath(file)
 
     def _add(self, key, table):
+        table = plain(table)
         with self._lock.to_change():
+            self._mark(key, table)
             self._set(key, [*self._table.get(key, []), table])
         return self
 
@@ -280,6 +431,7 @@ class Scene:
         self._table[key] = value
         self._document = None
         self._built = None
+        self._frame = None if key == "material" else self._frame
 
     # Building and running.
 
@@ -333,19 +485,22 @@ class Scene:
 
     def _light(self, built, sources, time, run_options):
         """What quasimc._core calls the light of a run, on a scene that was built."""
-        unchanged = sources is None and time is None and not run_options
+        unchanged = sources is None and time is _OF_SCENE and not run_options
         if unchanged and self._document is not None:
             return _core.Light(self._document, built)
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
             table["source"] = _source_tables(sources)
-        if time is not None:
+            table.pop("time", None)
+        if time is None:
+            table.pop("time", None)
+        elif time is not _OF_SCENE:
             table["time"] = dict(time)
         if run_options:
             table["run"] = {**table.get("run", {}), **run_options}
         return _core.Light(self._document_of(table), built)
 
-    def run(self, sources=None, *, time=None, progress=None, keep_times=True, **options):
+    def run(self, sources=None, *, time=_OF_SCENE, progress=None, keep_times=True, **options):
         """Computes the light on every organ.
 
         Ctrl-C stops a run: its result is then that of the paths that were done, if there are any.
@@ -353,10 +508,13 @@ class Scene:
         Parameters
         ----------
         sources : Source or dict, or list of them
-            Default: those of the scene. What files they name are looked for in the folder that is
-            the current one now (of a scene that was loaded: in that of its file).
-        time : dict
-            The keys of ``[time]``: day, times, from and to, weather, ...: the light of many times.
+            They replace the light of the scene: its sources, and the ``[time]`` of a scene that was
+            loaded. Default: the light of the scene. What files they name are looked for in the
+            folder that is the current one now (of a scene that was loaded: in that of its file).
+        time : dict or None
+            The keys of ``[time]``: day, times, from and to, weather, ...: the light of many times;
+            sources shine at all of them. None: no times. Default: without `sources`, the ``[time]``
+            of a scene that was loaded.
         progress : bool or callable
             True: a bar on stderr. A function is called now and then with a `Progress`; what it
             raises ends the run.
@@ -367,7 +525,8 @@ class Scene:
 
         Returns
         -------
-        Result, or Series of a run with times
+        Result, or Series of a run with times: one that is given `time`, or takes it from a scene that
+        was loaded.
 
         Raises
         ------
@@ -399,6 +558,13 @@ class Scene:
         if self._built is None:
             return f"<Scene {self._name!r}, not built>"
         return f"<Scene {self._name!r}: {self._organs!r}>"
+
+
+def _marks_of(key, entry):
+    """What is equal in two entries that are the same, or of the same name."""
+    if entry.get("name") is not None:
+        yield ("name", entry["name"])
+    yield (key, entry["digest"] if key == "mesh" else repr(entry))
 
 
 def _source_tables(sources):

@@ -11,12 +11,13 @@ TRIANGLE = [[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]]
 
 def test_all_faults_of_a_scene_are_told_at_once():
     scene = quasimc.Scene("PAR")
-    scene.add_material("leaf", reflectance=0.9, transmittance=0.6)
+    scene.add_material("leaf", reflectance=0.3, transmittance=0.6)
     scene.add_organ("disk", material="leef", center=[0, 0, 0], normal=[0, 0, 1], radius=1)
+    scene.add_organ("disk", material="leaf", center=[0, 0, 1e31], normal=[0, 0, 1], radius=1)
     with pytest.raises(quasimc.InputError) as caught:
         scene.build()
     assert len(caught.value.faults) == 2
-    assert "more than 1" in str(caught.value) and "leef" in str(caught.value)
+    assert "1e+31" in str(caught.value) and "leef" in str(caught.value)
     assert set(caught.value.faults[0]) == {"place", "problem", "why", "suggestion"}
 
 

@@ -1,4 +1,5 @@
 import copy
+import warnings
 
 import numpy as np
 import pytest
@@ -55,14 +56,114 @@ def test_faces_of_every_type_of_integer_are_the_same(dtype):
     assert np.array_equal(a, b) and np.all(a > 0)
 
 
+TRIANGLE = np.array([[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1.0]])
+
+
 @pytest.mark.parametrize("dtype", [np.int32, np.int64, np.uint32])
-def test_arrays_are_not_copied(dtype):
-    vertices, faces, _ = leaves(4)
-    faces = faces.astype(dtype)
-    scene = scene_of_material().add_mesh(vertices, faces, material="leaf")
-    mesh = scene._meshes[0]
-    assert np.shares_memory(mesh["vertices"], vertices)
-    assert np.shares_memory(mesh["faces"], faces)
+def test_later_writes_to_arrays_change_nothing(dtype):
+    vertices = TRIANGLE.copy()
+    faces = np.array([[0, 1, 2]], dtype=dtype)
+    corners = 2 * vertices
+    reflectance = np.array([0.1])
+    irradiance = np.array([100.0])
+    scene = quasimc.Scene("PAR").add_material("leaf", reflectance=reflectance)
+    scene.add_mesh(vertices, faces, material="leaf")
+    scene.add_mesh(memoryview(vertices[None] + 1), material="leaf")
+    scene.add_organ("triangle", corners=corners, material="leaf")
+    scene.add_source("uniform_sky", irradiance_horizontal=irradiance)
+    before = scene.run(**FEW)
+    for array in (vertices, faces, corners, reflectance, irradiance):
+        array *= 0
+    scene.add_material("soil", reflectance=0.1)
+    after = scene.run(**FEW)
+    assert np.allclose(before.organs.areas, [0.02, 0.005, 0.005])
+    assert np.array_equal(after.organs.areas, before.organs.areas)
+    assert np.array_equal(after["absorbed_flux"].mean, before["absorbed_flux"].mean)
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"material": "leef"}, "did you mean 'leaf'"),
+        ({"faces": [[0, 1, 3]]}, "face 0 names vertex 3"),
+        ({"faces": [[0, 1, -1]]}, "face 0 names vertex -1"),
+        ({"vertices": TRIANGLE + [0, np.nan, 0]}, "coordinates are finite"),
+        ({"vertices": TRIANGLE + [0, np.inf, 0]}, "coordinates are finite"),
+        ({"organ": 7}, "id 7"),
+    ],
+)
+def test_a_faulty_mesh_is_refused_at_the_call_and_leaves_the_scene_as_it_was(change, words):
+    scene = scene_of_material().add_mesh(TRIANGLE, [[0, 1, 2]], organ=7, material="leaf", name="a")
+    before = scene.run(SKY, **FEW)
+    mesh = {"vertices": TRIANGLE, "faces": [[0, 1, 2]], "material": "leaf", **change}
+    with pytest.raises(quasimc.InputError, match=words):
+        scene.add_mesh(**mesh)
+    if "organ" not in change:
+        with pytest.raises(quasimc.InputError, match=words):
+            scene.replace("a", **mesh)
+    after = scene.run(SKY, **FEW)
+    assert np.array_equal(after["absorbed_flux"].mean, before["absorbed_flux"].mean)
+
+
+def test_a_faulty_material_is_refused_at_the_call_and_leaves_the_scene_as_it_was():
+    scene = scene_of_material().add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf")
+    before = scene.run(SKY, **FEW)
+    with pytest.raises(quasimc.InputError, match="leaf.*more than 1"):
+        scene.add_material("leaf", reflectance=0.9, transmittance=0.3)
+    with pytest.raises(quasimc.InputError, match="3 values"):
+        scene.add_material("leaf", reflectance=[0.1, 0.2, 0.3])
+    after = scene.run(SKY, **FEW)
+    assert np.array_equal(after["absorbed_flux"].mean, before["absorbed_flux"].mean)
+
+
+def test_materials_may_come_after_their_meshes():
+    scene = quasimc.Scene("PAR").add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf")
+    scene.add_material("leaf", reflectance=0.1)
+    assert len(scene.organs) == 1
+
+
+def test_what_was_added_is_removed_and_replaced_by_its_name():
+    scene = scene_of_material()
+    scene.add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf", name="first")
+    scene.add_mesh(TRIANGLE + 1, [[0, 1, 2]], material="leaf", name="second")
+    scene.add_organ("triangle", corners=TRIANGLE + 2, material="leaf", name="third")
+    scene.add_source("uniform_sky", irradiance_horizontal=100, name="dim")
+    scene.add_source("uniform_sky", irradiance_horizontal=300, name="bright")
+    scene.replace("first", 2 * TRIANGLE, [[0, 1, 2]], material="leaf")
+    assert scene.organs.names == ["third", "first", "second"]
+    assert np.allclose(scene.organs.areas, [0.005, 0.02, 0.005])
+    scene.remove("third").remove("second")
+    assert scene.organs.names == ["first"]
+    both = scene.run(**FEW)["incident_upper"]["PAR"].mean[0]
+    one = scene.remove("bright").run(**FEW)["incident_upper"]["PAR"].mean[0]
+    assert both == pytest.approx(400, rel=0.05) and one == pytest.approx(100, rel=0.05)
+    for call in (scene.remove, lambda name: scene.replace(name, TRIANGLE[None], material="leaf")):
+        with pytest.raises(quasimc.InputError, match="'frist'.*did you mean 'first'"):
+            call("frist")
+    assert scene.organs.names == ["first"]
+
+
+@pytest.mark.parametrize(
+    "add",
+    [
+        lambda scene: scene.add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf"),
+        lambda scene: scene.add_mesh(
+            TRIANGLE + np.random.default_rng().uniform(0, 1), [[0, 1, 2]], material="leaf", name="a"
+        ),
+        lambda scene: scene.add_organ("triangle", corners=TRIANGLE, material="leaf"),
+        lambda scene: scene.add_source(SKY),
+        lambda scene: scene.add_detector("escaped_by_zenith"),
+    ],
+)
+def test_a_cell_of_a_notebook_that_runs_twice_warns(add):
+    scene = scene_of_material()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        add(scene)
+    with pytest.warns(quasimc.QuasimcWarning, match="already, and now has both"):
+        add(scene)
+    with pytest.warns(quasimc.QuasimcWarning, match="already, and now has both"):
+        add(copy.copy(scene))
 
 
 def test_numbers_beyond_all_vertices_are_refused_as_they_stand():
@@ -147,6 +248,47 @@ def test_a_scene_is_loaded_from_a_run_file(tmp_path):
     assert scene.run(paths=256).paths == 256
     assert scene.run(SKY, paths=128).paths == 128
     assert not (tmp_path / "leaf.csv").exists()
+
+
+DAY = """
+bands = ["PAR"]
+[run]
+paths = 64
+[place]
+latitude_deg = 52
+longitude_deg = 5.67
+[[material]]
+name = "leaf"
+reflectance = 0.1
+[[organ]]
+material = "leaf"
+shape = "disk"
+center = [0, 0, 1]
+normal = [0, 0, 1]
+radius = 0.1
+[time]
+day = "2024-06-21"
+utc_offset_hours = 1
+hours = [11, 13]
+"""
+
+
+def test_passed_sources_replace_the_times_of_a_scene_that_was_loaded(tmp_path):
+    (tmp_path / "day.toml").write_text(DAY)
+    scene = quasimc.load(tmp_path / "day.toml")
+    assert len(scene.run()) == 2
+    sun = quasimc.sun(azimuth_deg=180, elevation_deg=60, irradiance_facing=1500)
+    result = scene.run([sun], paths=64)
+    expected = 1500 * np.sin(np.radians(60))
+    assert result["incident_upper"]["PAR"].mean[0] == pytest.approx(expected, rel=1e-3)
+    with pytest.raises(quasimc.InputError, match="no source of light"):
+        scene.run(time=None)
+    assert isinstance(scene.run(sun, time=None), quasimc.Result)
+    hour = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [12, 13]}
+    series = scene.run(sun, time=hour)
+    assert len(series) == 1
+    assert series[0]["incident_upper"]["PAR"].mean[0] > expected + 1
+    assert len(scene.run()) == 2, "the scene is as it was"
 
 
 def test_lists_go_by_the_order_in_which_organs_appear():
