@@ -90,6 +90,18 @@ void ProgramTest::SetUp() {
     folder_.write("leaves.tri", good_leaves());
 }
 
+Outcome ProgramTest::run_within(
+    double seconds, std::vector<std::string> arguments, const std::string& words) const {
+    arguments.insert(arguments.end(), {"--max-seconds", ""});
+    for (;; seconds *= 2) {
+        arguments.back() = std::to_string(seconds);
+        Outcome outcome = run(arguments);
+        if (outcome.out.find(words) != std::string::npos || seconds > kLongestLimit) {
+            return outcome;
+        }
+    }
+}
+
 std::vector<std::string> ProgramTest::new_files() const {
     const std::set<std::string> own{"run.toml", "leaves.tri", "leaves.obj", "leaves.ply"};
     std::vector<std::string> names;

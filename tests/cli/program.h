@@ -8,6 +8,9 @@
 
 namespace quasimc::test {
 
+/// A limit of time in seconds beyond which no machine is too busy.
+inline constexpr double kLongestLimit = 30;
+
 /// How a run of the program ended.
 struct Outcome {
     int status = 0;  ///< exit status; 128 and more: ended by a signal
@@ -44,6 +47,10 @@ class ProgramTest : public FolderTest {
     [[nodiscard]] Outcome shell(const std::string& command, const std::string& input = {}) const {
         return run_shell(folder_.path(), command, input);
     }
+    /// Runs the program with a limit of time, which is doubled until the program prints some words:
+    /// a busy machine may need long for little.
+    [[nodiscard]] Outcome run_within(
+        double seconds, std::vector<std::string> arguments, const std::string& words) const;
     /// Names of the files in the folder, hidden ones too, without those that the test made.
     [[nodiscard]] std::vector<std::string> new_files() const;
 };

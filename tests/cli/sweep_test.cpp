@@ -106,7 +106,7 @@ TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
 TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     write_sweep("seed = [1, 2, 3]\n");
     const Outcome outcome =
-        run({"run", "sweep.toml", "--paths", "1073741824", "--max-seconds", "1.5"});
+        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points are done");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     const std::string csv = folder_.read("out.csv");
     EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;
