@@ -108,6 +108,9 @@ TEST(Lighting, OfADistributionFunctionIsWhatItGrowsBy) {
     const Lighting uniform =
         lighting("sky file: s\n", {{"s", distribution([](int, int) { return 1; })}});
     EXPECT_NEAR(uniform.on_horizontal(), 0.5, 1e-6);
+    // As the page of the format shows it.
+    const Lighting shown = lighting("sky file: s\n", {{"s", "# a sky\n2 3\n0\n0\n0\n0.5\n0\n1\n"}});
+    EXPECT_NEAR(shown.on_horizontal(), 0.5, 1e-6);
     // Only the zenith, from north (z) to east (x).
     const Lighting light = lighting(
         "sky file: s\n",
