@@ -15,6 +15,14 @@ std::string shown(std::string_view word) {
     return "'" + text + (word.size() > kLongest ? "...'" : "'");
 }
 
+std::string rest_of_line(std::string_view line) {
+    std::string text;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+        text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text;
+}
+
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');

@@ -76,6 +76,9 @@ inline constexpr Separators kBetweenWords = kBlanks;
     return {begin, end};
 }
 
+/// The words that are left of a line, with a blank between two.
+[[nodiscard]] std::string rest_of_line(std::string_view line);
+
 /// A word as a message shows it: not too long, nothing unprintable.
 [[nodiscard]] std::string shown(std::string_view word);
 

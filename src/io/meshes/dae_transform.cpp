@@ -96,15 +96,16 @@ Affine dae_axes(const XmlTree& tree, DaeLibrary& library, FormatContext& context
         }
     }
     const Affine from_y = from_y_up(context.up, metres * context.units_per_metre());
-    const std::string_view word = up ? trimmed(tree[*up].text) : "Y_UP";
+    const std::size_t at = up.value_or(0);
+    const std::string_view word = up ? trimmed(tree[at].text) : "Y_UP";
     if (word == "Z_UP") {
         return after(from_y, to_y_up(UpAxis::z, 1));
     }
     if (word == "X_UP") {  // its right is -y, and in is z
         return after(from_y, {{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}, {}});
     }
-    if (up && word != "Y_UP") {
-        library.fault(*up, fmt::format("<up_axis> is {}", shown(word)), "it is X_UP, Y_UP or Z_UP");
+    if (word != "Y_UP") {
+        library.fault(at, fmt::format("<up_axis> is {}", shown(word)), "it is X_UP, Y_UP or Z_UP");
     }
     return from_y;
 }

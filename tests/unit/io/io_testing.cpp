@@ -48,7 +48,7 @@ ReadMesh read_mesh_text(std::string_view format, std::string_view bytes, const F
     InputFiles inputs("/run", reader_of(files));
     FormatContext context{reporter, inputs, ""};
     ReadMesh result;
-    result.mesh = find_format(format)->read(bytes, context);
+    result.mesh = read_mesh_file(*find_format(format), bytes, context);
     try {
         reporter.faults.throw_if_any();
     } catch (const InputError& error) {
