@@ -56,7 +56,7 @@ Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEn
     }
     const quasimc::GeometryScene read = quasimc::read_geometry_scene(arguments.input, from);
     print_warnings(read.warnings);
-    print_warnings(quasimc::lint(read.scene));
+    print_warnings(quasimc::lost_when_written(*to, read.scene));
     write_scene(arguments, read.inputs, [&](const quasimc::TextSink& sink) {
         quasimc::write_geometry(*to, read.scene, sink);
     });

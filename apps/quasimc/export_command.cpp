@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "commands.h"
-#include "io/meshes/formats.h"
+#include "io/meshes/geometry_scene.h"
 #include "io/output_files.h"
 #include "option_flags.h"
 #include "quasimc/quasimc.h"
@@ -32,6 +32,7 @@ Exit export_scene(const ExportArguments& arguments) {
     const quasimc::FormatEntry& format = format_of(arguments);
     const quasimc::RunFile run = quasimc::read_run_file(arguments.file);
     print_warnings(run.warnings);
+    print_warnings(quasimc::lost_when_written(format, run.scene));
     quasimc::OutputFiles output({{arguments.output, "OUTPUT"}}, run.inputs);
     quasimc::write_geometry(format, run.scene, output.sink(0));
     output.commit();

@@ -131,10 +131,7 @@ std::string warnings_text(const std::vector<quasimc::Warning>& warnings) {
 }
 
 std::string geometry_text(const std::string& path, const quasimc::FormatEntry& format) {
-    quasimc::GeometryScene read = quasimc::read_geometry_scene(path, format);
-    for (quasimc::Warning& warning : quasimc::lint(read.scene)) {
-        read.warnings.push_back(std::move(warning));
-    }
+    const quasimc::GeometryScene read = quasimc::read_geometry_scene(path, format);
     return line("file", fmt::format("{}: {}, {}", path, format.name, format.summary)) +
            scene_text(read.scene, read.unit) + warnings_text(read.warnings);
 }

@@ -50,8 +50,8 @@ void write_format(benchmark::State& state, const FormatEntry& format) {
 
 int run_all(int count, char** words) {
     for (const FormatEntry& format : format_table()) {
-        if (format.name == "ops" || format.name == "gltf") {
-            continue;  // they place files, or are as glb
+        if (format.name == "ops" || format.name == "gltf" || format.name == "gwa") {
+            continue;  // they place files, are as glb, or are small
         }
         const std::string name(format.name);
         benchmark::RegisterBenchmark(("read/" + name).c_str(), [&format](benchmark::State& state) {

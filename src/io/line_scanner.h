@@ -78,4 +78,7 @@ inline constexpr Separators kBetweenWords = kBlanks;
     return {begin, end};
 }
 
+/// The words that are left of a line, with a blank between two.
+[[nodiscard]] std::string rest_of_line(std::string_view line);
+
 }  // namespace quasimc

@@ -7,6 +7,7 @@
 
 #include "quasimc/error.h"
 #include "scene/known_overlaps.h"
+#include "scene/lint.h"
 #include "scene/scene_checks.h"
 
 namespace quasimc {
@@ -194,7 +195,7 @@ std::shared_ptr<const Scene> GrowthSession::scene() {
 const std::vector<Warning>& GrowthSession::warnings() {
     const std::shared_ptr<const Scene> now = scene();
     if (!warnings_) {
-        warnings_ = lint(*now);
+        warnings_ = lint_geometry(*now);
     }
     return *warnings_;
 }

@@ -245,12 +245,26 @@ std::vector<LintFinding> lint_by_check(const Scene& scene) {
     return findings;
 }
 
-std::vector<Warning> lint(const Scene& scene) {
+namespace {
+
+std::vector<Warning> lint_without(const Scene& scene, std::string_view left_out) {
     std::vector<Warning> all;
     for (LintFinding& finding : lint_by_check(scene)) {
-        std::move(finding.warnings.begin(), finding.warnings.end(), std::back_inserter(all));
+        if (finding.check != left_out) {
+            std::move(finding.warnings.begin(), finding.warnings.end(), std::back_inserter(all));
+        }
     }
     return all;
+}
+
+}  // namespace
+
+std::vector<Warning> lint(const Scene& scene) {
+    return lint_without(scene, "");
+}
+
+std::vector<Warning> lint_geometry(const Scene& scene) {
+    return lint_without(scene, "materials");
 }
 
 }  // namespace quasimc

@@ -21,6 +21,10 @@ struct LintFinding {
 /// What lint() tells, check by check; without those that have found nothing.
 [[nodiscard]] std::vector<LintFinding> lint_by_check(const Scene& scene);
 
+/// What lint() finds but for black materials, where zeros are given or were reported when materials
+/// were read.
+[[nodiscard]] std::vector<Warning> lint_geometry(const Scene& scene);
+
 /// A scene and the bounds of each of its organs.
 struct Survey {
     const Scene& scene;

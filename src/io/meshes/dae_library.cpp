@@ -26,6 +26,10 @@ DaeLibrary::DaeLibrary(const XmlTree& tree, Reporter& reporter) : tree_(tree), r
                 first_repeated_ = fmt::format("{} in line {}", shown(id), tree[i].line);
             }
         }
+        const std::string_view name = tree[i].name;
+        const bool is_image =
+            name == "ref" || (name == "init_from" && tree[tree[i].parent].name == "image");
+        has_alpha_ = has_alpha_ || (is_image && may_have_alpha(trimmed(tree[i].text)));
     }
 }
 
@@ -57,18 +61,22 @@ std::string DaeLibrary::name_of(std::size_t element) const {
     return one_line(xml_text(name.empty() ? tree_[element].attribute("id") : name));
 }
 
-std::optional<double> DaeLibrary::reflectance(std::size_t material) {
+DaeLibrary::Look DaeLibrary::look_of(std::size_t material) {
     const auto instance = tree_.child(material, "instance_effect");
     const auto effect =
         instance ? target(*instance, tree_[*instance].attribute("url"), "effect") : std::nullopt;
     const auto diffuse = effect ? tree_.find_in(*effect, "diffuse") : std::nullopt;
     const auto color = diffuse ? tree_.child(*diffuse, "color") : std::nullopt;
-    if (!color) {
-        return std::nullopt;
+    const auto transparent = effect ? tree_.find_in(*effect, "transparent") : std::nullopt;
+    Look look;
+    const bool has_texture = (diffuse && tree_.child(*diffuse, "texture")) ||
+                             (transparent && tree_.child(*transparent, "texture"));
+    look.has_mask = has_texture && has_alpha_;
+    const auto rgb = color ? numbers(*color) : std::nullopt;
+    if (rgb && rgb->size() >= 3) {
+        look.reflectance = ((*rgb)[0] + (*rgb)[1] + (*rgb)[2]) / 3;
     }
-    const auto rgb = numbers(*color);
-    return rgb && rgb->size() >= 3 ? std::optional(((*rgb)[0] + (*rgb)[1] + (*rgb)[2]) / 3)
-                                   : std::nullopt;
+    return look;
 }
 
 std::optional<std::vector<double>> DaeLibrary::numbers(

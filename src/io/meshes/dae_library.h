@@ -38,8 +38,12 @@ class DaeLibrary {
     const DaeGeometry& geometry(std::size_t element);
     /// What an element is called: its name, or its id.
     [[nodiscard]] std::string name_of(std::size_t element) const;
-    /// The mean of the diffuse colour of a <material>, if it has one.
-    std::optional<double> reflectance(std::size_t material);
+    /// What the effect of a <material> says.
+    struct Look {
+        std::optional<double> reflectance;  ///< the mean of its diffuse colour, if it has one
+        bool has_mask = false;              ///< a texture can cut out parts of its faces
+    };
+    Look look_of(std::size_t material);
     /// The numbers in an element; nothing after a fault.
     /// @param count  how many there must be; nothing: any number
     std::optional<std::vector<double>> numbers(
@@ -85,6 +89,7 @@ class DaeLibrary {
     std::size_t left_out_ = 0;  // lines
     std::size_t repeated_ids_ = 0, wrong_counts_ = 0;
     std::string first_repeated_, first_wrong_;
+    bool has_alpha_ = false;    // whether one of its images can be a mask
 };
 
 }  // namespace quasimc

@@ -25,6 +25,7 @@ namespace quasimc {
 
 // NOLINTNEXTLINE(readability-function-size): a table
 std::span<const FormatEntry> format_table() {
+    constexpr double kCentimetre = 0.01;
     static constexpr std::array kTable{
         FormatEntry{
             .name = "tri",
@@ -39,7 +40,7 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".obj",
             .summary = "Wavefront OBJ with MTL; objects and groups are organs",
             .organs = "groups",
-            .keeps = "names, materials",
+            .keeps = "names, materials, labels",
             .read = read_obj,
             .write = write_obj},
         FormatEntry{
@@ -47,7 +48,7 @@ std::span<const FormatEntry> format_table() {
             .extensions = ".ply",
             .summary = "Stanford PLY, text or binary; faces may have an organ and a material",
             .organs = "groups",
-            .keeps = "ids, numbers of materials",
+            .keeps = "ids, materials",
             .read = read_ply,
             .write = write_ply},
         FormatEntry{
@@ -72,14 +73,24 @@ std::span<const FormatEntry> format_table() {
             .summary = "AMAP's open plant format; nodes with a shape are organs",
             .organs = "groups",
             .keeps = "ids, names, materials, labels",
-            .read = read_opf},
+            .read = read_opf,
+            .plant_metres = kCentimetre},
+        FormatEntry{
+            .name = "gwa",
+            .extensions = ".gwa",
+            .summary = "AMAP's meshes of pavements and other objects; each is an organ",
+            .organs = "groups",
+            .keeps = "ids, names, colours as materials",
+            .read = read_gwa,
+            .plant_metres = kCentimetre},
         FormatEntry{
             .name = "ops",
             .extensions = ".ops",
             .summary = "AMAP's open plant scene: plants and where they stand",
             .organs = "groups",
             .keeps = "names, materials, labels",
-            .read = read_ops},
+            .read = read_ops,
+            .has_units = true},
         FormatEntry{
             .name = "fasttracer",
             .extensions = ".fasttracer",
@@ -264,6 +275,22 @@ std::vector<Mesh> MeshFile::take_meshes() {
     }
     vertices = {};
     return meshes;
+}
+
+std::string MaterialNames::name_of(
+    const std::string& name, std::optional<double> reflectance, MeshFile& file) {
+    std::vector<std::optional<double>>& known = known_[name];
+    const auto found = std::find(known.begin(), known.end(), reflectance);
+    const auto number = static_cast<std::size_t>(found - known.begin()) + 1;
+    if (found == known.end()) {
+        known.push_back(reflectance);
+    }
+    if (number == 1) {
+        return name;
+    }
+    std::string unique = fmt::format("{} ({})", name, number);
+    file.aliases.emplace(unique, name);
+    return unique;
 }
 
 const FormatEntry* find_format(std::string_view name) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -59,7 +60,8 @@ struct MeshMaterial {
     std::string name;
     double reflectance = 0;
     double transmittance = 0;
-    bool is_color = true;  ///< the reflectance is the mean of a diffuse colour: no measured optics
+    bool is_color = true;   ///< the reflectance is the mean of a diffuse colour: no measured optics
+    bool is_stated = true;  ///< false: its library names it and gives no colour, so it is black
 };
 
 /// The geometry in a file.
@@ -68,6 +70,12 @@ struct MeshFile {
     std::vector<MeshMaterial> materials;  ///< of the material libraries that it names
     std::string_view line_word;           ///< what `lines` count: "line" or "face"
     std::vector<Vec3> vertices;
+    /// Materials whose textures can cut out parts of their faces, with the word of the file for it
+    /// ("map_d"), and materials that the file calls transparent ("d 0"). Neither is read.
+    std::map<std::string, std::string> masks = {}, transparent = {};
+    /// Other names by which a run file may give a material: its number in the file, or the name
+    /// that it shares with another material of the file.
+    std::map<std::string, std::string> aliases = {};
 
     [[nodiscard]] Triangle triangle(const MeshPart& part, std::size_t i) const {
         const auto& [a, b, c] = part.faces[i];
@@ -76,6 +84,17 @@ struct MeshFile {
     /// The meshes of all parts, group after group, each with the vertices that it needs. Takes the
     /// vertices and the faces from the file.
     [[nodiscard]] std::vector<Mesh> take_meshes();
+};
+
+/// Gives the materials of a file different names where their optics differ.
+class MaterialNames {
+  public:
+    /// The name for a material; "leaf (2)" with the alias "leaf" where another one, with another
+    /// reflectance, is called "leaf". @param reflectance  nothing: the file does not give it
+    std::string name_of(const std::string& name, std::optional<double> reflectance, MeshFile& file);
+
+  private:
+    std::map<std::string, std::vector<std::optional<double>>> known_;
 };
 
 /// What a reader is told beside the bytes. Faults go to `reporter`, whose `file` is the file that
@@ -87,6 +106,8 @@ struct FormatContext {
     /// Of the scene, for files that say where up is and how long their unit is.
     UpAxis up = UpAxis::z;
     std::string length_unit = "m";
+    /// Metres in the unit of the plants that a scene of plants names, if the run file gives it.
+    std::optional<double> plant_metres = {};
 
     /// How many units of the scene a metre has; 1 with a warning if its unit is not known.
     [[nodiscard]] double units_per_metre();
@@ -101,7 +122,9 @@ struct FormatEntry {
     std::string_view keeps;   ///< what is left of a scene that goes through it, beside triangles
     MeshFile (*read)(std::string_view bytes, FormatContext& context);
     void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
-    bool has_units = false;  ///< files state their unit and where up is: they become the scene's
+    bool has_units = false;  ///< lengths have a unit, and are converted to the scene's
+    /// Metres in the unit of its lengths where a scene of plants (OPS) names such a file.
+    double plant_metres = 1;
     /// What coordinates are rounded to when they are written, relative to the size of their organ;
     /// 0: they keep all digits.
     double precision = 0;
@@ -116,6 +139,12 @@ struct FormatEntry {
 [[nodiscard]] const FormatEntry* find_format(std::string_view name);
 /// The row for the extension of a path, whatever its case, or null.
 [[nodiscard]] const FormatEntry* format_of_path(std::string_view path);
+
+/// Whether the image file of that name can have an alpha channel, and so be a mask: JPEG has none.
+[[nodiscard]] bool may_have_alpha(std::string_view image);
+
+/// Warns of masks and of transparency, which are not read, with the area concerned.
+void warn_of_unread_looks(const MeshFile& file, Reporter& reporter);
 
 /// The names of the formats that have a writer.
 [[nodiscard]] std::vector<std::string> writable_formats();
@@ -144,6 +173,7 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 [[nodiscard]] MeshFile read_def(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_fasttracer(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_opf(std::string_view bytes, FormatContext& context);
+[[nodiscard]] MeshFile read_gwa(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_stl(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_ops(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_gltf(std::string_view bytes, FormatContext& context);
@@ -155,7 +185,10 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 
 /// One triangle a line; before an organ a comment with its id and name.
 void write_tri(const Scene& scene, const TextSink& sink);
-/// An object for each organ; materials are named, without a library.
+/// What begins a comment that gives the object above it a label: "# label key = value".
+inline constexpr std::string_view kObjLabel = "# label ";
+
+/// An object for each organ, with its labels in comments; materials are named, without a library.
 void write_obj(const Scene& scene, const TextSink& sink);
 /// Binary, double precision; each face has the id of its organ and the number of its material.
 void write_ply(const Scene& scene, const TextSink& sink);
@@ -169,7 +202,8 @@ void write_stl(const Scene& scene, const TextSink& sink);
 /// about the middle of each organ. @throws InputError  if it takes 4 GiB or more
 void write_glb(const Scene& scene, const TextSink& sink);
 
-/// The materials of an OBJ file's library.
-[[nodiscard]] std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context);
+/// Adds the materials of an OBJ file's library, and their masks, to `file`. A material that it has
+/// already stays as it is.
+void read_mtl(std::string_view bytes, FormatContext& context, MeshFile& file);
 
 }  // namespace quasimc

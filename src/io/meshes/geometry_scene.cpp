@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/fold_warnings.h"
 #include "scene/scene_builder.h"
 
 namespace quasimc {
@@ -57,7 +58,46 @@ void add_groups(MeshFile file, SceneBuilder& builder) {
     }
 }
 
+/// "obj, ply": the formats that are written and keep it.
+std::string keepers(std::string_view word) {
+    std::string names;
+    for (const FormatEntry& format : format_table()) {
+        if (format.write != nullptr && format.keeps.find(word) != format.keeps.npos) {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+        }
+    }
+    return names;
+}
+
 }  // namespace
+
+std::vector<Warning> lost_when_written(const FormatEntry& format, const Scene& scene) {
+    std::vector<Warning> lost;
+    const auto add = [&](bool has_some, const std::string& things, std::string_view word) {
+        if (has_some && format.keeps.find(word) == format.keeps.npos) {
+            lost.push_back(
+                {std::string(format.name),
+                 fmt::format(
+                     "{} not written: this format has no place for them; {} keep them", things,
+                     keepers(word))});
+        }
+    };
+    std::set<std::uint32_t> materials;
+    for (const Region& region : scene.regions()) {
+        materials.insert(region.material.value);
+    }
+    std::size_t labelled = 0;
+    for (const Organ& organ : scene.organs()) {
+        labelled += organ.labels.empty() ? 0 : 1;
+    }
+    // The name of a single material is no loss. Species of Caribu are numbers of materials.
+    if (materials.size() > 1 && format.keeps.find("species") == format.keeps.npos) {
+        add(true, fmt::format("names of {} materials are", materials.size()), "material");
+    }
+    add(labelled > 0, fmt::format("labels of {} organ{} are", labelled, labelled == 1 ? "" : "s"),
+        "labels");
+    return lost;
+}
 
 GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& format) {
     const std::filesystem::path whole(path);
@@ -79,8 +119,12 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
     } else {
         add_groups(std::move(file), builder);
     }
+    Scene scene = std::move(builder).build();
+    for (Warning& warning : lint(scene)) {
+        reporter.warnings.push_back(std::move(warning));
+    }
     return {
-        std::move(builder).build(), std::move(reporter.warnings), files.files(),
+        std::move(scene), fold_warnings(std::move(reporter.warnings)), files.files(),
         format.has_units ? context.length_unit : ""};
 }
 

@@ -15,7 +15,8 @@ namespace quasimc {
 struct OpfMesh {
     std::vector<Vec3> points;
     std::vector<std::vector<std::uint32_t>> faces;
-    bool is_scaled = false;  ///< its girth follows the diameters of the node (enableScale)
+    bool is_scaled = true;     ///< its girth follows the diameters of the node (enableScale)
+    bool says_scaled = false;  ///< whether the file says so, or that it does not
 };
 
 /// A mesh and what it is made of, by their ids.

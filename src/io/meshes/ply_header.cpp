@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
+#include "io/meshes/formats.h"
 #include "io/numbers.h"
 
 namespace quasimc {
@@ -79,7 +80,11 @@ class HeaderReader {
         if (word == "property") {
             return read_property(line);
         }
-        const bool is_harmless = word.empty() || word == "comment" || word == "obj_info";
+        if (word == "comment") {
+            read_comment(line);
+            return "";
+        }
+        const bool is_harmless = word.empty() || word == "obj_info";
         return is_harmless ? "" : shown(word) + " is no line of a PLY header";
     }
 
@@ -110,6 +115,17 @@ class HeaderReader {
     bool has_format = false;
 
   private:
+    void read_comment(std::string_view line) {
+        const std::string_view word = take_word(line);
+        if (word == "TextureFile") {
+            header.has_texture = header.has_texture || may_have_alpha(rest_of_line(line));
+        }
+        const auto number = parse_integer(take_word(line));
+        if (word == "material" && number && take_word(line) == "=" && is_utf8(line)) {
+            header.materials.emplace(*number, rest_of_line(line));
+        }
+    }
+
     std::string read_format(std::string_view line) {
         const std::string_view name = take_word(line);
         const auto encoding = look_up(kEncodings, name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::ascii;
     std::vector<PlyElement> elements;
     std::string_view body;
+    /// Names of materials, by their numbers, as write_ply() writes them.
+    std::map<std::int64_t, std::string> materials = {};
+    bool has_texture = false;  ///< names a file of colours (TextureFile), which may hold a mask
 };
 
 /// Reads the header of a PLY file and checks that vertices and faces can be had; nothing after a

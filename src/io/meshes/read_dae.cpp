@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -49,6 +50,11 @@ class DaeReader {
 
   private:
     static constexpr std::size_t kMostNodes = 1000000;
+
+    struct UsedMaterial {
+        std::string name;
+        std::optional<double> reflectance;
+    };
 
     /// A node that is still to be looked at.
     struct Open {
@@ -163,16 +169,24 @@ class DaeReader {
     }
 
     std::string used_material(std::size_t material) {
-        materials_.insert(material);
-        return library_.name_of(material);
+        const auto [known, is_new] = materials_.try_emplace(material);
+        if (is_new) {
+            const DaeLibrary::Look look = library_.look_of(material);
+            const std::string name =
+                names_.name_of(library_.name_of(material), look.reflectance, file_);
+            known->second = {name, look.reflectance};
+            if (look.has_mask) {
+                file_.masks.emplace(name, "texture");
+            }
+        }
+        return known->second.name;
     }
 
     void add_materials() {
         std::set<std::string> known;
-        for (const std::size_t material : materials_) {
-            const std::optional<double> reflectance = library_.reflectance(material);
-            if (reflectance && known.insert(library_.name_of(material)).second) {
-                file_.materials.push_back({library_.name_of(material), *reflectance});
+        for (const auto& [material, used] : materials_) {
+            if (used.reflectance && known.insert(used.name).second) {
+                file_.materials.push_back({used.name, *used.reflectance});
             }
         }
     }
@@ -187,7 +201,8 @@ class DaeReader {
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
     std::vector<Open> open_;
-    std::set<std::size_t> materials_;  // those that are used, in the order of the file
+    std::map<std::size_t, UsedMaterial> materials_;
+    MaterialNames names_;
     std::size_t count_ = 0, skinned_ = 0;
 };
 

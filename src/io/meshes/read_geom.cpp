@@ -107,20 +107,26 @@ class GeomSceneReader {
 
     /// What an appearance is called; its colour is noted when it is first used.
     std::string material_name(std::size_t number) {
+        if (const auto known = materials_.find(number); known != materials_.end()) {
+            return known->second;
+        }
         const GeomObject& material = text_.objects[number];
         std::string name = one_line(std::string(material.name));
         if (name.empty()) {
             name = fmt::format("material of line {}", material.line);
         }
-        if (material.type == "Material" && materials_.insert(number).second) {
+        if (material.type == "Material") {
             constexpr double kUsualAmbient = 160, kWhite = 255;
             const double ambient =
                 color_of(material.find("Ambient")).value_or(kUsualAmbient) / kWhite;
             const GeomField* field = material.find("Diffuse");
             const auto* diffuse = field == nullptr ? nullptr : std::get_if<double>(&field->value);
             const double share = diffuse == nullptr ? 1 : *diffuse;
-            file_.materials.push_back({name, std::min(1.0, std::max(0.0, ambient * share))});
+            const double reflectance = std::min(1.0, std::max(0.0, ambient * share));
+            name = names_.name_of(name, reflectance, file_);
+            file_.materials.push_back({name, reflectance});
         }
+        materials_.emplace(number, name);
         return name;
     }
 
@@ -266,7 +272,8 @@ class GeomSceneReader {
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
     std::map<std::size_t, LocalTriangles> shapes_;  // those placed so far
-    std::set<std::size_t> materials_;
+    std::map<std::size_t, std::string> materials_;  // names of those used
+    MaterialNames names_;
     std::vector<std::uint32_t> corners_;
     std::vector<Vec3> points_;
     CrossedFaces crossed_;

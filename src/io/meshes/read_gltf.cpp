@@ -1,4 +1,3 @@
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +22,9 @@ class GltfSceneReader {
           shapes_(buffers, context.reporter),
           placed_(file_, context.reporter) {
         meshes_.resize(document.meshes.size());
+        for (const GltfMaterial& material : document.materials) {
+            materials_.push_back(names_.name_of(material.name, material.reflectance, file_));
+        }
     }
 
     MeshFile read() {
@@ -66,9 +68,7 @@ class GltfSceneReader {
         const std::vector<LocalTriangles>& shapes = shapes_of(*node.mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             const auto material = mesh.primitives[i].material;
-            placed_.add(
-                shapes[i], transform, material ? document_.materials[*material].name : "", line,
-                group);
+            placed_.add(shapes[i], transform, material ? materials_[*material] : "", line, group);
         }
         if (group.parts.empty()) {
             return;
@@ -99,7 +99,7 @@ class GltfSceneReader {
     void note_material(const GltfPrimitive& primitive, const LocalTriangles& triangles) {
         if (primitive.material && !triangles.faces.empty() &&
             document_.materials[*primitive.material].is_cut_out) {
-            cut_out_.insert(document_.materials[*primitive.material].name);
+            file_.masks.emplace(materials_[*primitive.material], "alphaMode");
         }
     }
 
@@ -108,18 +108,13 @@ class GltfSceneReader {
     }
 
     void finish() {
-        for (const GltfMaterial& material : document_.materials) {
-            if (material.reflectance) {
-                file_.materials.push_back({material.name, *material.reflectance});
+        for (std::size_t i = 0; i < materials_.size(); ++i) {
+            if (const auto reflectance = document_.materials[i].reflectance) {
+                file_.materials.push_back({materials_[i], *reflectance});
             }
         }
         if (without_triangles_ > 0) {
             warn(fmt::format("{} parts are lines or points: left out", without_triangles_));
-        }
-        for (const std::string& name : cut_out_) {
-            warn(fmt::format(
-                "material '{}' is transparent in part (alphaMode): its triangles are taken whole",
-                name));
         }
         shapes_.finish();
         drop_repeated_ids(file_, "node", context_.reporter);
@@ -131,7 +126,8 @@ class GltfSceneReader {
     MeshFile file_{{}, {}, "node", {}};
     PlacedTriangles placed_;
     std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;  // those read so far
-    std::set<std::string> cut_out_;
+    MaterialNames names_;
+    std::vector<std::string> materials_;  // names
     std::size_t without_triangles_ = 0;
 };
 

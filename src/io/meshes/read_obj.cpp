@@ -14,14 +14,6 @@
 namespace quasimc {
 namespace {
 
-std::string rest_of_line(std::string_view line) {
-    std::string text;
-    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-        text += (text.empty() ? "" : " ") + std::string(word);
-    }
-    return text;
-}
-
 /// About how many vertices a file states: lines that begin with "v".
 std::size_t count_vertices(std::string_view bytes) {
     std::size_t count = bytes.starts_with("v ") ? 1 : 0;
@@ -65,6 +57,10 @@ class ObjReader {
 
   private:
     void read_statement(std::string_view line) {
+        if (line.starts_with(kObjLabel)) {
+            read_label(line.substr(kObjLabel.size()));
+            return;
+        }
         line = line.substr(0, line.find('#'));
         const std::string_view word = take_word(line);
         if (word == "v") {
@@ -74,6 +70,7 @@ class ObjReader {
         } else if (word == "o") {
             read_name(line, object_);
             group_.clear();
+            labels_.clear();
         } else if (word == "g") {
             read_name(line, group_);
         } else if (word == "usemtl") {
@@ -139,6 +136,15 @@ class ObjReader {
         return static_cast<std::uint32_t>(index);
     }
 
+    /// A label of the present object: "key = value".
+    void read_label(std::string_view line) {
+        constexpr std::string_view kIs = " = ";
+        const std::size_t middle = line.find(kIs);
+        if (middle != line.npos && is_utf8(line)) {
+            labels_.emplace_back(line.substr(0, middle), line.substr(middle + kIs.size()));
+        }
+    }
+
     void read_name(std::string_view line, std::string& name) {
         std::string text = rest_of_line(line);
         if (!is_utf8(text)) {
@@ -156,7 +162,7 @@ class ObjReader {
                 groups_.try_emplace({object_, group_}, mesh_.groups.size());
             if (is_new) {
                 const std::string separator = object_.empty() || group_.empty() ? "" : "/";
-                mesh_.groups.push_back({object_ + separator + group_, {}, {}});
+                mesh_.groups.push_back({object_ + separator + group_, {}, {}, labels_});
             }
             std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
             const auto found = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& p) {
@@ -174,9 +180,7 @@ class ObjReader {
             Reporter reporter{path, {}, {}};
             FormatContext inner{reporter, context_.files, ""};
             const std::string bytes = context_.files.read(path);
-            for (MeshMaterial& material : read_mtl(bytes, inner)) {
-                mesh_.materials.push_back(std::move(material));
-            }
+            read_mtl(bytes, inner, mesh_);
             context_.reporter.add(reporter);
         } catch (const InputError& error) {
             // Often missing, and needed only for materials that the run file does not state.
@@ -213,6 +217,7 @@ class ObjReader {
     std::vector<Vec3> vertices_, corners_;  // of the file; of a face
     std::vector<std::uint32_t> numbers_;    // of the corners, among the vertices
     std::string object_, group_, material_;
+    Labels labels_;  // of the object
     std::map<std::pair<std::string, std::string>, std::size_t> groups_;
     MeshPart* part_ = nullptr;
     std::set<std::string> warned_;
@@ -224,34 +229,6 @@ class ObjReader {
 
 MeshFile read_obj(std::string_view bytes, FormatContext& context) {
     return ObjReader(context).read(bytes);
-}
-
-std::vector<MeshMaterial> read_mtl(std::string_view bytes, FormatContext& context) {
-    std::vector<MeshMaterial> materials;
-    LineScanner scanner(bytes);
-    while (scanner.next() && !context.reporter.is_full()) {
-        std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
-        const std::string_view word = take_word(line);
-        if (word == "newmtl") {
-            materials.push_back({rest_of_line(line), 0});
-        }
-        if (word != "Kd" || materials.empty()) {
-            continue;
-        }
-        double sum = 0;
-        for (int i = 0; i < 3; ++i) {
-            const std::string_view text = take_word(line);
-            const std::optional<double> number = parse_real(text);
-            if (!number || !(*number >= 0 && *number <= 1)) {
-                context.reporter.fault(
-                    scanner.number(), "Kd " + shown(text) + " is not a number from 0 to 1", "");
-                break;
-            }
-            sum += *number;
-        }
-        materials.back().reflectance = sum / 3;
-    }
-    return materials;
 }
 
 }  // namespace quasimc

@@ -46,6 +46,13 @@ class OpfReader {
             reporter_.faults.add({reporter_.file, "has no <topology>", "it is no OPF file", ""});
         }
         crossed_.warn(reporter_);
+        if (without_girth_ > 0) {
+            reporter_.warnings.push_back(
+                {reporter_.file, fmt::format(
+                                     "{} nodes have no finite <dDwn> and <dUp>: their meshes, "
+                                     "without enableScale, keep their size",
+                                     without_girth_)});
+        }
         for (const auto& [id, reflectance] : library_.reflectances) {
             file_.materials.push_back({fmt::format("material {}", id), reflectance});
         }
@@ -73,7 +80,7 @@ class OpfReader {
             element.id = read_id("Id");
         }
         if (name == "mesh") {
-            library_.meshes[element.id].is_scaled = scanner_.attribute("enableScale") == "true";
+            read_mesh(library_.meshes[element.id]);
         } else if (is_node(name)) {
             has_topology_ = true;
             element.id = read_id("id");
@@ -86,6 +93,13 @@ class OpfReader {
             place_ = {};
         }
         open_.push_back(std::move(element));
+    }
+
+    /// A mesh follows the girth of its nodes unless it says that it does not.
+    void read_mesh(OpfMesh& mesh) {
+        const auto value = scanner_.attribute("enableScale");
+        mesh.says_scaled = value.has_value();
+        mesh.is_scaled = !value || !(*value == "false" || *value == "False" || *value == "FALSE");
     }
 
     std::int64_t read_id(std::string_view key) {
@@ -213,7 +227,11 @@ class OpfReader {
                 "<shapeBDD> and <meshBDD> come before <topology>");
             return;
         }
-        if (mesh->is_scaled && !std::isfinite(place_.diameter_down + place_.diameter_up)) {
+        const bool has_girth = std::isfinite(place_.diameter_down + place_.diameter_up);
+        if (mesh->is_scaled && !mesh->says_scaled && !has_girth) {
+            without_girth_ += 1;
+            place_.diameter_down = place_.diameter_up = 1;
+        } else if (mesh->is_scaled && !has_girth) {
             fault(
                 scanner_.line(), "<dDwn> or <dUp> is not a finite number",
                 "the shape's mesh is scaled by them (enableScale)");
@@ -305,6 +323,7 @@ class OpfReader {
     OpfPlace place_;
     std::vector<Element> open_;
     CrossedFaces crossed_;
+    std::size_t without_girth_ = 0;
     bool has_topology_ = false, is_given_up_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,7 +10,7 @@
 #include "io/line_scanner.h"
 #include "io/meshes/file_axes.h"
 #include "io/meshes/formats.h"
-#include "io/numbers.h"
+#include "io/meshes/ops_columns.h"
 
 namespace quasimc {
 namespace {
@@ -18,31 +18,14 @@ namespace {
 /// A line that places a plant.
 struct OpsRow {
     std::string plant, file, kind;  ///< its id; path; the group that it belongs to
-    Affine transform;
+    OpsNumbers numbers;
     std::uint32_t line = 0;
 };
 
-/// The rotation by an angle about the vertical, and by another one that inclines it towards an
-/// azimuth; radians, counter-clockwise from x. As PlantGeom.jl does it: first the turn, then the
-/// scale, the inclination and the shift.
-Affine ops_transform(const std::vector<double>& numbers) {
-    const double scale = numbers[3], azimuth = numbers[4], angle = numbers[5], turn = numbers[6];
-    const double c = std::cos(turn), s = std::sin(turn);
-    const Affine turned{
-        {Vec3{c * scale, -s * scale, 0}, Vec3{s * scale, c * scale, 0}, Vec3{0, 0, scale}}, {}};
-    // Rodrigues' formula about the horizontal axis (-sin azimuth, cos azimuth, 0).
-    const double x = -std::sin(azimuth), y = std::cos(azimuth);
-    const double cosine = std::cos(angle), sine = std::sin(angle), rest = 1 - cosine;
-    const Affine inclined{
-        {Vec3{cosine + x * x * rest, x * y * rest, y * sine},
-         Vec3{x * y * rest, cosine + y * y * rest, -x * sine}, Vec3{-y * sine, x * sine, cosine}},
-        Vec3{numbers[0], numbers[1], numbers[2]}};
-    return after(inclined, turned);
-}
-
 class OpsReader {
   public:
-    explicit OpsReader(FormatContext& context) : context_(context), reporter_(context.reporter) {}
+    explicit OpsReader(FormatContext& context)
+        : context_(context), reporter_(context.reporter), unit_(context.units_per_metre()) {}
 
     MeshFile read(std::string_view bytes) {
         LineScanner scanner(bytes);
@@ -52,10 +35,13 @@ class OpsReader {
             constexpr std::string_view kGroup = "#[Archimed]";
             if (line.starts_with(kGroup)) {
                 kind = trimmed(line.substr(kGroup.size()));
-            } else if (!line.empty() && !line.starts_with('#')) {
+            } else if (line.starts_with('#')) {
+                columns_.read_comment(line);
+            } else if (!line.empty()) {
                 read_line(line, kind, scanner.number());
             }
         }
+        warn();
         return std::move(file_);
     }
 
@@ -65,63 +51,44 @@ class OpsReader {
         if (take_word(rest) == "T") {
             return;  // the plot
         }
-        const std::vector<std::string_view> fields = fields_of(line);
-        constexpr std::size_t kFields = 10, kChaining = 3;
+        const std::vector<std::string_view> fields = ops_fields(line);
+        constexpr std::size_t kChaining = 3;
         if (fields.size() == kChaining) {
             return;  // which plants follow which
         }
-        if (fields.size() != kFields) {
-            reporter_.fault(
-                number, fmt::format("{} fields", fields.size()),
-                "a plant has ten: scene, plant, file, x, y, z, scale, azimuth and angle of "
-                "inclination, twist");
-            return;
+        if (const auto numbers = columns_.numbers_of(fields, number, reporter_)) {
+            add_plant({std::string(fields[1]), std::string(fields[2]), kind, *numbers, number});
         }
-        std::vector<double> numbers;
-        for (std::size_t i = 3; i < kFields; ++i) {
-            const auto real = parse_real(fields[i]);
-            if (!real || !std::isfinite(*real)) {
-                reporter_.fault(number, shown(fields[i]) + " is not a finite number", "");
-                return;
-            }
-            numbers.push_back(*real);
-        }
-        add_plant(
-            {std::string(fields[1]), std::string(fields[2]), kind, ops_transform(numbers), number});
-    }
-
-    /// Between tabs, if there are any: names of files may hold blanks.
-    static std::vector<std::string_view> fields_of(std::string_view line) {
-        const Separators separators = line.find('\t') == line.npos ? kBlanks : "\t";
-        std::vector<std::string_view> fields;
-        for (std::string_view word = take_word(line, separators); !word.empty();
-             word = take_word(line, separators)) {
-            fields.push_back(trimmed(word));
-        }
-        return fields;
     }
 
     void add_plant(const OpsRow& row) {
-        const MeshFile* plant = plant_of(row);
+        const Plant* plant = plant_of(row);
         if (plant == nullptr) {
             return;
         }
         constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-        if (file_.vertices.size() + plant->vertices.size() >= kMost) {
+        if (file_.vertices.size() + plant->mesh.vertices.size() >= kMost) {
             reporter_.fault(row.line, "the scene has more than 4294967294 vertices", "");
             return;
         }
         const auto first = static_cast<std::uint32_t>(file_.vertices.size());
-        for (const Vec3& point : plant->vertices) {
-            file_.vertices.push_back(row.transform.point(point));
+        const Affine transform = ops_transform(row.numbers, unit_, plant->size);
+        Bounds bounds;
+        for (const Vec3& point : plant->mesh.vertices) {
+            file_.vertices.push_back(transform.point(point));
+            bounds.add(file_.vertices.back());
         }
-        for (const MeshGroup& group : plant->groups) {
-            add_group(row, group, first);
+        if (plant->is_assumed && !plant->mesh.vertices.empty()) {
+            const Vec3 size = bounds.size();
+            largest_ = std::max({largest_, size.x, size.y, size.z});
+        }
+        for (const MeshGroup& group : plant->mesh.groups) {
+            add_group(row, group, first, determinant(transform) < 0);
         }
     }
 
     /// @param first  the number of the plant's first vertex
-    void add_group(const OpsRow& row, MeshGroup group, std::uint32_t first) {
+    void add_group(const OpsRow& row, MeshGroup group, std::uint32_t first, bool is_mirrored) {
         if (group.id) {
             group.labels.emplace_back("node", std::to_string(*group.id));
             group.id.reset();
@@ -129,7 +96,6 @@ class OpsReader {
         add_label("plant", row.plant, group);
         add_label("group", row.kind, group);
         group.name = row.plant + (group.name.empty() ? "" : " ") + group.name;
-        const bool is_mirrored = determinant(row.transform) < 0;
         for (MeshPart& part : group.parts) {
             part.lines.assign(part.faces.size(), row.line);
             for (auto& [a, b, c] : part.faces) {
@@ -151,8 +117,15 @@ class OpsReader {
         }
     }
 
-    /// The geometry of a plant's file, read once; null after a fault, which is told once.
-    const MeshFile* plant_of(const OpsRow& row) {
+    /// A plant's file.
+    struct Plant {
+        MeshFile mesh;
+        double size = 1;          ///< units of the scene in one of the file
+        bool is_assumed = false;  ///< whether that is no more than what AMAP's programs use
+    };
+
+    /// A plant's file, read once; null after a fault, which is reported once.
+    const Plant* plant_of(const OpsRow& row) {
         const auto [entry, is_new] = plants_.try_emplace(row.file);
         if (is_new) {
             entry->second = read_plant(row);
@@ -160,7 +133,7 @@ class OpsReader {
         return entry->second ? &*entry->second : nullptr;
     }
 
-    std::optional<MeshFile> read_plant(const OpsRow& row) {
+    std::optional<Plant> read_plant(const OpsRow& row) {
         const FormatEntry* format = format_of_path(row.file);
         if (format == nullptr || format->read == read_ops) {
             reporter_.fault(
@@ -185,30 +158,75 @@ class OpsReader {
         }
         const bool is_good = inner.faults.empty();
         reporter_.add(inner);
-        name_materials(path.substr(slash == std::string::npos ? 0 : slash + 1), plant);
-        return is_good ? std::optional(std::move(plant)) : std::nullopt;
+        if (!is_good) {
+            return std::nullopt;
+        }
+        name_materials(path, plant);
+        if (format->has_units) {
+            return Plant{std::move(plant), 1, false};
+        }
+        const bool is_assumed = !context_.plant_metres && format->plant_metres != 1;
+        return Plant{
+            std::move(plant), unit_ * context_.plant_metres.value_or(format->plant_metres),
+            is_assumed};
     }
 
-    /// Files number their materials each for itself: "coffee.opf material 0".
-    void name_materials(const std::string& file, MeshFile& plant) {
-        const auto name = [&](std::string& material) {
-            material = material.empty() ? "" : fmt::format("{} {}", one_line(file), material);
+    /// Files number their materials each for itself: "coffee.opf material 0". Of files with one
+    /// name in several folders the first is called by its name, the others by their paths.
+    void name_materials(const std::string& path, MeshFile& plant) {
+        const std::size_t slash = path.rfind('/');
+        const std::string last = path.substr(slash == std::string::npos ? 0 : slash + 1);
+        const std::string& first = first_paths_.try_emplace(last, path).first->second;
+        const auto with = [](const std::string& file, const std::string& material) {
+            return material.empty() ? "" : fmt::format("{} {}", one_line(file), material);
         };
+        const auto renamed = [&](const std::string& material) {
+            return with(first == path ? last : path, material);
+        };
+        for (const auto& [name, other] : plant.aliases) {
+            file_.aliases.emplace(renamed(name), with(last, other));
+        }
         for (MeshGroup& group : plant.groups) {
             for (MeshPart& part : group.parts) {
-                name(part.material);
+                if (first != path) {
+                    file_.aliases.emplace(renamed(part.material), with(last, part.material));
+                }
+                part.material = renamed(part.material);
             }
         }
         for (MeshMaterial& material : plant.materials) {
-            name(material.name);
+            material.name = renamed(material.name);
             file_.materials.push_back(material);
+        }
+        for (const auto& [name, word] : plant.masks) {
+            file_.masks.emplace(renamed(name), word);
+        }
+        for (const auto& [name, word] : plant.transparent) {
+            file_.transparent.emplace(renamed(name), word);
+        }
+    }
+
+    void warn() {
+        columns_.warn(reporter_);
+        if (largest_ > 0) {
+            reporter_.warnings.push_back(
+                {reporter_.file,
+                 fmt::format(
+                     "plants are taken to be in centimetres and their places in metres, as in "
+                     "AMAP's programs: the largest plant measures {:.3g} m; give plant_unit in "
+                     "[[geometry]] (\"cm\", \"m\", ...) if that is not so, or to say that it is",
+                     largest_ / unit_)});
         }
     }
 
     FormatContext& context_;
     Reporter& reporter_;
+    double unit_;  // units of the scene in a metre
     MeshFile file_{{}, {}, "line", {}};
-    std::map<std::string, std::optional<MeshFile>> plants_;  // by path; none: it has faults
+    std::map<std::string, std::optional<Plant>> plants_;  // by path; none: it has faults
+    std::map<std::string, std::string> first_paths_;      // of each name without a folder
+    OpsColumns columns_;
+    double largest_ = 0;  // plant whose unit is assumed
 };
 
 }  // namespace

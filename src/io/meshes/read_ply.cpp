@@ -291,12 +291,27 @@ class PlyReader {
         return *last_part_;
     }
 
+    /// The name of a material, or its number if the header does not name it.
+    std::string material_of(std::optional<std::int64_t> number) {
+        const std::string digits = number ? std::to_string(*number) : "";
+        const auto named = number ? header_.materials.find(*number) : header_.materials.end();
+        const bool is_named = named != header_.materials.end() && !named->second.empty();
+        const std::string& name = is_named ? named->second : digits;
+        if (is_named) {
+            mesh_.aliases.emplace(name, digits);
+        }
+        if (header_.has_texture) {
+            mesh_.masks.emplace(name, "TextureFile");
+        }
+        return name;
+    }
+
     MeshPart& find_part(const PartKey& key) {
         const auto [group, is_new_group] = groups_.try_emplace(key.organ, mesh_.groups.size());
         if (is_new_group) {
             mesh_.groups.push_back({"", key.organ, {}});
         }
-        const std::string material = key.material ? std::to_string(*key.material) : "";
+        const std::string material = material_of(key.material);
         std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
         const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
             return part.material == material;

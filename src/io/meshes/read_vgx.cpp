@@ -82,6 +82,10 @@ class VgxReader {
             leaves_,
             "leaves (Obj 11, 12, 13), whose outline is not in the file: they are hexagons as "
             "PlantGL draws them, of two thirds of length x width");
+        warn_of(
+            colors_,
+            "colours (R, G, B) are not from 0 to 255: their mean over 255, but no more than 1 and "
+            "no less than 0, counts");
         warn_of(points_, "points (Obj 40), which have no area: they are left out");
         return std::move(file_);
     }
@@ -264,6 +268,10 @@ class VgxReader {
             name = fmt::format("color {} {} {}", color.x, color.y, color.z);
             const double mean = (color.x + color.y + color.z) / 3 / kFull;
             file_.materials.push_back({name, std::min(1.0, std::max(0.0, mean))});
+            const auto [low, high] = std::minmax({color.x, color.y, color.z});
+            if (low < 0 || high > kFull) {
+                note(colors_);
+            }
         }
         return name;
     }
@@ -289,7 +297,7 @@ class VgxReader {
     std::vector<std::pair<std::size_t, std::string>> columns_;  // of the table, or the end; names
     std::map<VgxShape, LocalTriangles> shapes_;
     std::map<std::array<double, 3>, std::string> materials_;
-    Notes leaves_, points_;
+    Notes leaves_, points_, colors_;
     std::uint32_t line_ = 0;
     bool has_color_ = false, has_triangles_ = false, has_shapes_ = false, in_triangles_ = false;
 };

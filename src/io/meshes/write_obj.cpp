@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/line_scanner.h"
 #include "io/meshes/formats.h"
 
 namespace quasimc {
@@ -48,6 +49,9 @@ void write_obj(const Scene& scene, const TextSink& sink) {
             names.insert(name);
         }
         sink("o " + name + "\n");
+        for (const auto& [key, value] : organ.labels) {
+            sink(fmt::format("{}{} = {}\n", kObjLabel, one_line(key), one_line(value)));
+        }
         for (const std::string& text : element_texts(scene, organ)) {
             sink(text);
         }

@@ -10,7 +10,7 @@ namespace {
 std::string header(const Scene& scene) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (std::size_t m = 0; m < scene.materials().size(); ++m) {
-        text += fmt::format("comment material {} is {}\n", m, shown(scene.materials()[m].name()));
+        text += fmt::format("comment material {} = {}\n", m, one_line(scene.materials()[m].name()));
     }
     const std::size_t triangles = scene.triangles().size();
     return text + fmt::format(

@@ -11,6 +11,7 @@
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
 #include "quasimc/source.h"
+#include "scene/fold_warnings.h"
 #include "scene/lint.h"
 #include "solvers/lint_bundles.h"
 #include "solvers/lint_lamps.h"
@@ -267,11 +268,11 @@ void throw_in_order(const Reporter& reporter) {
     throw InputError(std::move(faults));
 }
 
-/// What silently spoils results. What is of the geometry alone was told of the base.
+/// What silently spoils results. What is of the geometry alone was reported with the base.
 std::vector<Warning> lint_of(const Sections& sections) {
     const Scene& scene = *sections.scene;
     std::vector<Warning> found =
-        sections.is_on_base ? lint_materials({scene, {}, {}}) : lint(scene);
+        sections.is_on_base ? std::vector<Warning>() : lint_geometry(scene);
     const Sources& sources = sections.sources.sources;
     for (auto& more :
          {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_places(scene, sources),
@@ -368,7 +369,7 @@ RunFile read_run_document(
         files.files(),
         files.folder().string(),
         std::move(sections.sources.notes),
-        std::move(reporter.warnings),
+        fold_warnings(std::move(reporter.warnings)),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
 }
 
@@ -381,10 +382,10 @@ SceneOfRun read_scene_document(
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(builder), nullptr, reporter);
     throw_in_order(reporter);
-    for (Warning& warning : lint(*scene)) {
+    for (Warning& warning : lint_geometry(*scene)) {
         reporter.warnings.push_back(std::move(warning));
     }
-    return {std::move(*scene), std::move(reporter.warnings)};
+    return {std::move(*scene), fold_warnings(std::move(reporter.warnings))};
 }
 
 FrameOfRun read_frame_document(
@@ -395,7 +396,7 @@ FrameOfRun read_frame_document(
     Reporter reporter{name, {}, {}};
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     throw_in_order(reporter);
-    return {std::move(builder), std::move(reporter.warnings)};
+    return {std::move(builder), fold_warnings(std::move(reporter.warnings))};
 }
 
 LightOfRun read_light_document(
@@ -426,7 +427,7 @@ LightOfRun read_light_document(
     return {
         std::move(sections.sources.sources), std::move(sections.options.spec),
         std::move(sections.series), std::move(sections.sources.notes),
-        std::move(reporter.warnings)};
+        fold_warnings(std::move(reporter.warnings))};
 }
 
 RunFile read_run_text(

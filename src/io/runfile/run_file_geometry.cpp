@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "io/runfile/file_materials.h"
 #include "io/runfile/run_file_sections.h"
 
 namespace quasimc {
@@ -18,8 +19,6 @@ constexpr std::array<std::string_view, 3> kOrganWords{"each", "groups", "one"};
 struct GeometryKeys {
     std::string file, name, organs;
     Labels labels;
-    std::optional<std::string> material;
-    std::map<std::string, std::string> materials;
     std::optional<std::int64_t> first_id;
     std::optional<Affine> transform;
     std::vector<Affine> copies;  ///< where copies stand, after `transform`; none: once, as it is
@@ -47,97 +46,10 @@ std::map<std::string, std::string> read_material_map(TableReader& table) {
     return result;
 }
 
-/// Finds the materials of the run for those of a file.
-class MaterialFinder {
-  public:
-    MaterialFinder(
-        const GeometryKeys& keys,
-        std::vector<MeshMaterial> of_library,
-        TableReader& table,
-        RunFileContext& context,
-        SceneBuilder& builder)
-        : keys_(keys),
-          of_library_(std::move(of_library)),
-          table_(table),
-          context_(context),
-          builder_(builder) {}
-
-    /// The run's name of a file's material; a fault, once, if there is none.
-    std::string find(const std::string& name) {
-        const auto [entry, is_new] = found_.try_emplace(name);
-        if (is_new) {
-            entry->second = find_new(name);
-        }
-        return entry->second;
-    }
-
-  private:
-    std::string find_new(const std::string& name) {
-        if (const auto mapped = keys_.materials.find(name); mapped != keys_.materials.end()) {
-            return mapped->second;
-        }
-        if (!name.empty() && context_.materials.contains(name)) {
-            return name;
-        }
-        if (keys_.material) {
-            if (!name.empty()) {
-                warn(fmt::format(
-                    "material '{}' of {} is not in the run file; '{}' is used", name, keys_.file,
-                    *keys_.material));
-            }
-            return *keys_.material;
-        }
-        for (const MeshMaterial& material : of_library_) {
-            if (!name.empty() && material.name == name) {
-                return add_from_library(material);
-            }
-        }
-        if (name.empty()) {
-            table_.fault(
-                fmt::format("{} names no material for its triangles", keys_.file), "",
-                "add material = \"...\"");
-        } else {
-            table_.fault(
-                fmt::format("material '{}' of {} is not in the run file", name, keys_.file), "",
-                fmt::format(
-                    "add a [[material]] of that name, or materials = {{ \"{}\" = \"...\" }}",
-                    name));
-        }
-        // Any other one, so that nobody is told besides that "" does not exist.
-        return context_.materials.empty() ? "" : *context_.materials.begin();
-    }
-
-    std::string add_from_library(const MeshMaterial& material) {
-        warn(fmt::format(
-            "material '{}' of {} is not in the run file; {} gives reflectance {:.4g}, "
-            "transmittance {:.4g} in every band",
-            material.name, keys_.file, material.is_color ? "its diffuse colour" : "that file",
-            material.reflectance, material.transmittance));
-        SideOptics side;
-        side.reflectance = material.reflectance;
-        side.transmittance = material.transmittance;
-        const std::vector<SideOptics> sides(context_.bands.size(), side);
-        builder_.add_material({material.name, sides, sides}, table_.place());
-        context_.materials.insert(material.name);
-        return material.name;
-    }
-
-    void warn(std::string text) {
-        context_.reporter->warnings.push_back({table_.place(), std::move(text)});
-    }
-
-    const GeometryKeys& keys_;
-    std::vector<MeshMaterial> of_library_;
-    TableReader& table_;
-    RunFileContext& context_;
-    SceneBuilder& builder_;
-    std::map<std::string, std::string> found_;
-};
-
 /// Adds the organs of a file to the builder.
 class OrganAdder {
   public:
-    OrganAdder(const GeometryKeys& keys, MaterialFinder& materials, SceneBuilder& builder)
+    OrganAdder(const GeometryKeys& keys, const FoundMaterials& materials, SceneBuilder& builder)
         : keys_(keys), materials_(materials), builder_(builder) {}
 
     void add(MeshFile file) {
@@ -203,7 +115,7 @@ class OrganAdder {
 
     void add_triangles(
         const MeshFile& file, const Labels& labels, const MeshPart& part, const Affine& copy) {
-        const std::string material = materials_.find(part.material);
+        const std::string material = materials_.at(part.material);
         for (std::size_t i = 0; i < part.faces.size(); ++i) {
             ++count_;
             OrganSpec organ =
@@ -226,7 +138,7 @@ class OrganAdder {
         const auto add_parts = [&](const MeshGroup& group, OrganSpec& organ) {
             for (const MeshPart& part : group.parts) {
                 organ.parts.push_back(make_part(number++));
-                organ.parts.back().material = materials_.find(part.material);
+                organ.parts.back().material = materials_.at(part.material);
             }
         };
         if (keys_.organs == "one") {
@@ -287,19 +199,27 @@ class OrganAdder {
 
     const GeometryKeys& keys_;
     std::string_view line_word_;
-    MaterialFinder& materials_;
+    const FoundMaterials& materials_;
     SceneBuilder& builder_;
     std::int64_t count_ = 0, copy_ = 0;
 };
 
-void read_one(const Node& node, RunFileContext& context, SceneBuilder& builder) {
+/// A table and the file that it names.
+struct Geometry {
+    TableReader table;
+    GeometryKeys keys;
+    GeometryFile file;
+};
+
+/// Nothing after a fault.
+std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     constexpr Range kFirstId{-1e15, 1e15};
     TableReader table(node, "geometry", *context.reporter);
     GeometryKeys keys;
     keys.name = table.text("name").value_or("");
     keys.labels = read_labels(table);
-    keys.material = table.text("material");
-    keys.materials = read_material_map(table);
+    GeometryFile file;
+    file.keys = {table.text("material"), read_material_map(table)};
     keys.first_id = table.integer("first_id", kFirstId);
     keys.transform = read_transform(table);
     keys.copies = read_copies(table, context.orientation).value_or(std::vector<Affine>());
@@ -307,22 +227,35 @@ void read_one(const Node& node, RunFileContext& context, SceneBuilder& builder) 
     std::optional<NamedMesh> named = read_named_mesh(table, context);
     table.finish();
     if (!named || table.failed()) {
-        return;
+        return std::nullopt;
     }
-    keys.file = named->file;
+    keys.file = file.name = named->file;
     keys.organs = organs.value_or(std::string(named->format->organs));
     if (keys.transform) {
         move_points(*keys.transform, named->mesh.vertices);
     }
-    MaterialFinder materials(keys, std::move(named->mesh.materials), table, context, builder);
-    OrganAdder(keys, materials, builder).add(std::move(named->mesh));
+    file.mesh = std::move(named->mesh);
+    return Geometry{std::move(table), std::move(keys), std::move(file)};
 }
 
 }  // namespace
 
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    std::vector<Geometry> all;
     for (const Node* node : top.tables("geometry")) {
-        read_one(*node, context, builder);
+        if (std::optional<Geometry> geometry = read_one(*node, context)) {
+            all.push_back(std::move(*geometry));
+        }
+    }
+    // Names follow from the materials of all files, so that the order of the tables does not
+    // matter.
+    FileMaterials materials(context);
+    for (const Geometry& geometry : all) {
+        materials.note(geometry.file);
+    }
+    for (Geometry& geometry : all) {
+        const FoundMaterials found = materials.find(geometry.file, geometry.table, builder);
+        OrganAdder(geometry.keys, found, builder).add(std::move(geometry.file.mesh));
     }
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <fmt/format.h>
@@ -211,6 +212,25 @@ SideKeys read_own_side(
         overridden(common.transmission, side.transmission)};
 }
 
+/// Warns where a forgotten reflectance makes a material black.
+void warn_of_black(
+    TableReader& table, const MaterialSpec& spec, std::array<const SideKeys*, 2> sides) {
+    const bool is_given = sides[0]->reflection.amount && sides[1]->reflection.amount;
+    bool is_black = !is_given && !table.failed();
+    for (const auto* side : {&spec.upper, &spec.lower}) {
+        for (const SideOptics& optics : *side) {
+            is_black = is_black && optics.reflectance == 0 && optics.transmittance == 0;
+        }
+    }
+    if (is_black) {
+        table.reporter().warnings.push_back(
+            {table.place(), fmt::format(
+                                "{} is black in every band: its reflectance is not given, and "
+                                "counts as 0",
+                                table.what())});
+    }
+}
+
 /// A material with faults is black, so that nobody is told besides that it does not exist.
 MaterialSpec make_material_spec(
     TableReader& table,
@@ -229,6 +249,7 @@ MaterialSpec make_material_spec(
     MaterialSpec spec{
         std::move(name), make_side(table, upper, bands, differ ? "upper side, " : ""), {}};
     spec.lower = differ ? make_side(table, lower, bands, "lower side, ") : spec.upper;
+    warn_of_black(table, spec, {&upper, &lower});
     if (table.failed()) {
         spec.upper = spec.lower = std::vector<SideOptics>(bands.size());
     }

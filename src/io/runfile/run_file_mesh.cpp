@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "base/length_units.h"
 #include "base/text.h"
 #include "io/runfile/run_file_sections.h"
 
@@ -44,6 +45,7 @@ std::optional<MeshFile> read_bytes(
     TableReader& table,
     const std::string& file,
     const FormatEntry& format,
+    std::optional<double> plant_metres,
     const RunFileContext& context) {
     Reporter reporter{file, {}, {}};
     MeshFile mesh;
@@ -51,8 +53,12 @@ std::optional<MeshFile> read_bytes(
         const std::string bytes = context.files->read(file);
         const std::size_t slash = file.rfind('/');
         FormatContext inner{
-            reporter, *context.files, slash == std::string::npos ? "" : file.substr(0, slash + 1),
-            context.orientation.up(), context.length_unit};
+            reporter,
+            *context.files,
+            slash == std::string::npos ? "" : file.substr(0, slash + 1),
+            context.orientation.up(),
+            context.length_unit,
+            plant_metres};
         mesh = read_mesh(format, bytes, inner);
     } catch (const InputError& error) {
         table.fault_at(
@@ -66,18 +72,45 @@ std::optional<MeshFile> read_bytes(
     return table.failed() ? std::nullopt : std::optional<MeshFile>(std::move(mesh));
 }
 
+/// `plant_unit`: metres in the unit of the plants of a scene of plants. Nothing if it is absent.
+std::optional<double> read_plant_unit(TableReader& table, const FormatEntry* format) {
+    constexpr std::string_view kKey = "plant_unit";
+    const Node* node = table.any(kKey);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (format != nullptr && format->read != read_ops) {
+        table.fault_at(
+            *node, "plant_unit is given", "it is for the plants that a scene (.ops) names",
+            "use transform = { scale = ... } to scale another file");
+    }
+    constexpr Range kMetres{1e-9, 1e9};
+    if (node->as<std::string>() == nullptr) {
+        return table.real_at(kKey, *node, kMetres);
+    }
+    const std::string& name = *node->as<std::string>();
+    const std::optional<double> metres = metres_per(name);
+    if (!metres) {
+        table.fault_at(
+            *node, fmt::format("plant_unit is '{}'", name), "no such unit of length",
+            "use \"m\", \"cm\", \"mm\", or a number of metres");
+    }
+    return metres;
+}
+
 }  // namespace
 
 std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context) {
     const std::optional<std::string> file = table.required("file", table.text("file"));
     const FormatEntry* format = read_format(table, file.value_or(""));
+    const std::optional<double> plant_metres = read_plant_unit(table, format);
     if (file && file->empty()) {
         table.fault_at("file", "file is empty", "it must name a file");
     }
     if (!file || format == nullptr) {
         return std::nullopt;
     }
-    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, context);
+    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, plant_metres, context);
     return mesh ? std::optional<NamedMesh>({*file, format, std::move(*mesh)}) : std::nullopt;
 }
 

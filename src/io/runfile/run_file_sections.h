@@ -41,7 +41,7 @@ struct RunFileContext {
     InputFiles* files;
     std::vector<Band> bands;
     Orientation orientation;
-    std::set<std::string> materials;  ///< names stated
+    std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
     std::optional<Place> place;       ///< [place]
     std::optional<StatedSun> sun;     ///< of the first source of type "sun"
     std::string length_unit = "m";

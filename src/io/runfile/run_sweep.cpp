@@ -14,6 +14,7 @@
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
+#include "scene/fold_warnings.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -234,6 +235,7 @@ class RunSweep::State {
 
     void finish() {
         first_->inputs = inputs_;
+        reporter_.warnings = fold_warnings(std::move(reporter_.warnings));
         first_->warnings = reporter_.warnings;
         if (is_swept()) {
             // With its [sweep]; what that sets in [run] does not matter.

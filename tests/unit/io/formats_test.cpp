@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "io/line_scanner.h"
+#include "io/meshes/geometry_scene.h"
 #include "io_testing.h"
 
 namespace quasimc::test {
@@ -156,6 +157,75 @@ TEST(Formats, PlyKeepsIds) {
     const Scene back = read_back(*find_format("ply"), written(*find_format("ply"), scene)).scene;
     EXPECT_EQ(back.organs()[0].id, 5);
     EXPECT_EQ(back.organs()[1].id, 3);
+}
+
+TEST(Formats, PlyKeepsTheNamesOfMaterials) {
+    const Scene scene = read_text(scene_text()).scene;
+    const std::string ply = written(*find_format("ply"), scene);
+    const MeshFile mesh = read_mesh_text("ply", ply).mesh;
+    EXPECT_EQ(mesh.groups[0].parts[0].material, "leaf");
+    EXPECT_EQ(mesh.groups[1].parts[0].material, "soil");
+    // A run file may give the number or the name.
+    for (const char* const keys :
+         {"materials = { '0' = 'green', '1' = 'green' }\n",
+          "materials = { leaf = 'green', soil = "
+          "'green' }\n"}) {
+        RunText text;
+        text.materials = "[[material]]\nname = 'green'\nreflectance = 0.1\n";
+        text.organs = std::string("[[geometry]]\nfile = 'a.ply'\n") + keys;
+        EXPECT_EQ(faults_of(text.text(), {{"a.ply", ply}}), std::vector<std::string>{}) << keys;
+    }
+}
+
+TEST(Formats, ObjKeepsLabels) {
+    RunText text;
+    text.organs +=
+        "labels = { plant = '3', 'leaf rank' = 'a = b' }\n[[organ]]\nname = 'stem'\nmaterial = "
+        "'leaf'\nshape = 'triangle'\ncorners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n"
+        "labels = { plant = '4', 'leaf rank' = '' }\n";
+    const std::string obj = written(*find_format("obj"), read_text(text.text()).scene);
+    const MeshFile mesh = read_mesh_text("obj", obj).mesh;
+    ASSERT_EQ(mesh.groups.size(), 2U);
+    EXPECT_EQ(mesh.groups[0].labels, (Labels{{"plant", "3"}, {"leaf rank", "a = b"}}));
+    EXPECT_EQ(mesh.groups[1].labels, (Labels{{"plant", "4"}, {"leaf rank", ""}}));
+}
+
+TEST(Formats, WarnOfWhatAWriterDoesNotKeep) {
+    RunText text;
+    text.materials += "[[material]]\nname = 'soil'\nreflectance = 0.2\n";
+    text.organs += "labels = { plant = '3' }\n";
+    text.rest = "[ground]\nmaterial = 'soil'\n";
+    const Scene scene = read_text(text.text()).scene;
+    const auto lost = [&](std::string_view format) {
+        std::vector<std::string> texts;
+        for (const Warning& warning : lost_when_written(*find_format(format), scene)) {
+            texts.push_back(warning.place + ": " + warning.text);
+        }
+        return texts;
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(
+        lost("tri"), (Texts{
+                         "tri: names of 2 materials are not written: this format has no place for "
+                         "them; obj, ply, glb keep them",
+                         "tri: labels of 1 organ are not written: this format has no place for "
+                         "them; obj, glb keep them"}));
+    EXPECT_EQ(lost("ply").size(), 1U);
+    EXPECT_EQ(lost("obj"), Texts{});
+    EXPECT_EQ(lost("glb"), Texts{});
+}
+
+TEST(Formats, WarnOfTexturesThatCanBeMasks) {
+    const ReadMesh ply = read_mesh_text(
+        "ply",
+        "ply\nformat ascii 1.0\ncomment TextureFile leaf.png\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nend_header\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n");
+    EXPECT_EQ(ply.faults, std::vector<std::string>{});
+    EXPECT_TRUE(mentions(
+        ply.warnings,
+        "1 material has textures that can cut out parts of a face (TextureFile): masks are not "
+        "read, and each face counts whole, 0.5 of the area of 0.5"));
 }
 
 TEST(Formats, AreToldByTheExtensionWhateverItsCase) {

@@ -153,6 +153,29 @@ TEST(ReadDae, BindsMaterialsWithTheMeanOfTheirColour) {
     EXPECT_NEAR(read.mesh.materials[0].reflectance, 0.3, 1e-15);
 }
 
+TEST(ReadDae, WarnsOfTexturesThatCanBeMasks) {
+    const auto warnings = [](const std::string& image) {
+        DaeText dae;
+        dae.nodes =
+            "<node name=\"leaf\"><instance_geometry url=\"#g\"><bind_material><technique_common>"
+            "<instance_material symbol=\"m\" target=\"#leaf-material\"/></technique_common>"
+            "</bind_material></instance_geometry></node>";
+        dae.more = "<library_images><image id=\"i\"><init_from>" + image +
+                   "</init_from></image></library_images><library_effects><effect id=\"e\">"
+                   "<profile_COMMON><technique sid=\"common\"><lambert><diffuse><texture "
+                   "texture=\"i\"/></diffuse></lambert></technique></profile_COMMON></effect>"
+                   "</library_effects><library_materials><material id=\"leaf-material\"><"
+                   "instance_effect url=\"#e\"/></material></library_materials>";
+        const ReadMesh read = read_dae_text(dae);
+        EXPECT_EQ(read.faults, Texts{});
+        return read.warnings;
+    };
+    EXPECT_TRUE(mentions(
+        warnings("leaf.png"),
+        "1 material has textures that can cut out parts of a face (texture)"));
+    EXPECT_EQ(warnings("leaf.JPG"), Texts{});
+}
+
 TEST(ReadDae, TellsWhatItLeavesOut) {
     DaeText dae;
     dae.primitive += "<lines><p>0 1</p></lines>";

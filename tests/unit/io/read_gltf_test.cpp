@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "io/base64.h"
@@ -197,7 +198,29 @@ TEST(ReadGltf, TakesMaterialsByNameAndExtrasAsLabels) {
     EXPECT_EQ(group.parts[0].material, "lamina");
     ASSERT_EQ(read.mesh.materials.size(), 1U) << "white that nobody stated is no reflectance";
     EXPECT_DOUBLE_EQ(read.mesh.materials[0].reflectance, 0.2);
-    EXPECT_TRUE(mentions(read.warnings, "material 'lamina' is transparent in part (alphaMode)"));
+    EXPECT_TRUE(mentions(
+        read.warnings, "1 material has textures that can cut out parts of a face (alphaMode)"));
+}
+
+TEST(ReadGltf, KeepsMaterialsOfOneNameApart) {
+    GltfText gltf;
+    gltf.primitive =
+        R"({"attributes":{"POSITION":0},"material":0},{"attributes":{"POSITION":0},"material":1},{"attributes":{"POSITION":0},"material":2})";
+    const auto color = [](const char* value) {
+        return fmt::format(
+            R"({{"name":"M","pbrMetallicRoughness":{{"baseColorFactor":[{0},{0},{0},1]}}}})",
+            value);
+    };
+    gltf.more = R"("materials":[)" + color("0.1") + "," + color("0.9") + "," + color("0.1") + "],";
+    const ReadMesh read = read_gltf_text(gltf);
+    EXPECT_EQ(read.faults, Texts{});
+    const std::vector<MeshPart>& parts = read.mesh.groups[0].parts;
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_EQ(parts[0].material, "M");
+    EXPECT_EQ(parts[1].material, "M (2)");
+    EXPECT_EQ(parts[2].material, "M");
+    EXPECT_EQ(read.mesh.aliases.at("M (2)"), "M");
+    EXPECT_DOUBLE_EQ(read.mesh.materials[1].reflectance, 0.9);
 }
 
 TEST(ReadGltf, CountsOrgansWhoseIdsWereCopied) {

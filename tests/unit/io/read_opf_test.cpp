@@ -72,6 +72,24 @@ TEST(ReadOpf, MakesAnOrganOfEachNodeWithAShape) {
     EXPECT_DOUBLE_EQ(read.mesh.materials[0].reflectance, 0.2);
 }
 
+TEST(ReadOpf, ScalesMeshesThatDoNotSayThatTheyAreNot) {
+    const auto area_with = [](const std::string& attribute) {
+        return area(triangles_of(
+            read_mesh_text("opf", opf_with(" enableScale=\"false\"", attribute)).mesh));
+    };
+    const double kept = area_with(" enableScale=\"false\"");
+    // The leaf of a square of 3 by 3 has a diameter of 9.
+    EXPECT_NEAR(area_with(""), kept + 8 * 9, 1e-9);
+    EXPECT_NEAR(area_with(" enableScale=\"true\""), kept + 8 * 9, 1e-9);
+    // Without a girth and without the attribute, a mesh keeps its size.
+    std::string text = opf_with(" enableScale=\"false\"", "");
+    text.replace(text.find("<dUp>9</dUp>"), 12, "<dUp>NaN</dUp>");
+    const ReadMesh read = read_mesh_text("opf", text);
+    EXPECT_EQ(read.faults, Texts{});
+    EXPECT_NEAR(area(triangles_of(read.mesh)), kept, 1e-9);
+    EXPECT_TRUE(mentions(read.warnings, "1 nodes have no finite <dDwn> and <dUp>"));
+}
+
 TEST(ReadOpf, TapersScaledMeshesAndMovesAll) {
     const std::vector<Triangle> triangles = triangles_of(read_mesh_text("opf", opf_text()).mesh);
     ASSERT_EQ(triangles.size(), 3U);

@@ -120,6 +120,19 @@ TEST(ReadVgx, WarnsOfLeavesWithoutAnOutlineAndOfPoints) {
             "file:3: 1 points (Obj 40), which have no area: they are left out"}));
 }
 
+TEST(ReadVgx, WarnsOfColoursThatAreNone) {
+    const auto read = [](const std::string& colors) {
+        return read_mesh_text(
+            "vgx", kVgxHead + "21\t1\t1\t1\t0\t0\t0\t0\t0\t0\t" + colors + kNoCorners);
+    };
+    EXPECT_EQ(read("255\t0\t30").warnings, Texts{});
+    for (const char* const bad : {"300\t0\t0", "20\t30\t-1"}) {
+        EXPECT_TRUE(
+            mentions(read(bad).warnings, "file:2: 1 colours (R, G, B) are not from 0 to 255"))
+            << bad;
+    }
+}
+
 TEST(ReadVgx, ReportsEveryBadLine) {
     const std::string rest = "\t1\t0\t0\t0\t0\t0\t0";
     const ReadMesh read = read_mesh_text(

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "io_testing.h"
@@ -255,6 +256,14 @@ TEST(GeometryKeys, FaultsOfTheFileNameItsLine) {
                     "a.tri:2: 7 numbers (a line holds nine numbers: x y z of three corners)"}));
 }
 
+std::vector<std::string> texts_of(const RunFile& run) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : run.warnings) {
+        texts.push_back(warning.text);
+    }
+    return texts;
+}
+
 const std::string kObj =
     "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng one\nusemtl green\nf 1 2 3\ng two\nusemtl brown\nf "
     "1 3 2\n";
@@ -296,15 +305,161 @@ TEST(GeometryKeys, TheLibraryIsTheLastResortAndWarns) {
 }
 
 TEST(GeometryKeys, TheMaterialKeyIsForWhatIsNotKnownAndWarns) {
-    const RunFile run = read_text(
-        with_geometry("file = 'a.obj'\nmaterial = 'leaf'\n").text(),
-        {{"a.obj", kObj}, {"a.mtl", kMtl}});
-    std::vector<std::string> warnings;
-    for (const Warning& warning : run.warnings) {
-        warnings.push_back(warning.text);
+    const FakeFiles files{{"a.obj", kObj}, {"a.mtl", kMtl}};
+    const std::string keys = "file = 'a.obj'\nmaterial = 'leaf'\n";
+    EXPECT_TRUE(mentions(
+        texts_of(read_text(with_geometry(keys + "materials = { brown = 'leaf' }\n").text(), files)),
+        "material 'green' of a.obj is not in the run file; 'leaf' is used"));
+    // Where the run file knows none of them, the one that it gives is for all.
+    EXPECT_FALSE(mentions(texts_of(read_text(with_geometry(keys).text(), files)), "run file"));
+}
+
+/// Two files whose libraries give the material M different reflectances, in an order, and more
+/// keys.
+RunFile read_two_of_one_name(
+    const std::string& first, const std::string& second, const std::string& materials = "") {
+    RunText text = with_geometry("file = '" + first + "'\n[[geometry]]\nfile = '" + second + "'\n");
+    text.materials += materials;
+    const auto square = [](const std::string& library, int x) {
+        return fmt::format(
+            "mtllib {}\no {}\nusemtl M\nv {} 0 0\nv {} 0 0\nv {} 1 0\nf 1 2 3\n", library, library,
+            x, x + 1, x);
+    };
+    return read_text(
+        text.text(), {{"A.obj", square("a.mtl", 0)},
+                      {"a.mtl", "newmtl M\nKd 0 0 0\n"},
+                      {"B.obj", square("b.mtl", 2)},
+                      {"b.mtl", "newmtl M\nKd .9 .9 .9\n"},
+                      {"C.obj", square("b.mtl", 4)}});
+}
+
+/// "A.obj M 1": the material of each organ and what it absorbs.
+std::vector<std::string> absorptances(const Scene& scene) {
+    std::vector<std::string> all;
+    for (const Region& region : scene.regions()) {
+        all.push_back(fmt::format(
+            "{} {:.3g}", scene.material_name(region),
+            scene.material(region).side(SurfaceSide::upper).absorptance()[0]));
     }
-    EXPECT_TRUE(
-        mentions(warnings, "material 'green' of a.obj is not in the run file; 'leaf' is used"));
+    return all;
+}
+
+TEST(GeometryKeys, MaterialsBelongToTheFileThatDefinesThem) {
+    using Texts = std::vector<std::string>;
+    const RunFile run = read_two_of_one_name("A.obj", "B.obj");
+    EXPECT_EQ(absorptances(run.scene), (Texts{"A.obj M 1", "B.obj M 0.1"}));
+    EXPECT_EQ(
+        texts_of(run)[1],
+        "material 'M' of B.obj is not in the run file; its diffuse colour gives reflectance 0.9, "
+        "transmittance 0 in every band; results call it 'B.obj ...', as other files have other "
+        "materials of the same name");
+    EXPECT_EQ(
+        absorptances(read_two_of_one_name("B.obj", "A.obj").scene),
+        (Texts{"B.obj M 0.1", "A.obj M 1"}));
+    // Alike, and the same file twice: one material with its own name.
+    EXPECT_EQ(
+        absorptances(read_two_of_one_name("C.obj", "B.obj").scene), (Texts{"M 0.1", "M 0.1"}));
+    EXPECT_EQ(absorptances(read_two_of_one_name("A.obj", "A.obj").scene), (Texts{"M 1", "M 1"}));
+}
+
+TEST(GeometryKeys, AMaterialOfTheRunIsForAllFilesOrForOne) {
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(
+        absorptances(
+            read_two_of_one_name("A.obj", "B.obj", "[[material]]\nname = 'M'\nreflectance = 0.3\n")
+                .scene),
+        (Texts{"M 0.7", "M 0.7"}));
+    EXPECT_EQ(
+        absorptances(read_two_of_one_name(
+                         "A.obj", "B.obj", "[[material]]\nname = 'B.obj M'\nreflectance = 0.3\n")
+                         .scene),
+        (Texts{"A.obj M 1", "B.obj M 0.7"}));
+}
+
+TEST(GeometryKeys, ManyMaterialsOfALibraryAreOneWarning) {
+    std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", mtl;
+    for (int i = 0; i < 5; ++i) {
+        obj += fmt::format("usemtl m{}\nf 1 2 3\n", i);
+        mtl += fmt::format("newmtl m{0}\nKd .{0} .{0} .{0}\n", i);
+    }
+    const auto warnings = texts_of(read_text(
+        with_geometry("file = 'a.obj'\norgans = 'one'\n").text(),
+        {{"a.obj", obj}, {"a.mtl", mtl}}));
+    EXPECT_TRUE(mentions(
+        warnings,
+        "5 materials of a.obj are not in the run file; of 'm0' its diffuse colour gives "
+        "reflectance 0, transmittance 0 in every band; of 'm1' its"))
+        << ::testing::PrintToString(warnings);
+    EXPECT_TRUE(mentions(warnings, "; and 2 more"));
+}
+
+TEST(GeometryKeys, WarnsOfMasksAndOfWhatIsTransparentWithTheAreas) {
+    const std::string obj =
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 2 0\nusemtl leaf\nf 1 2 3\n"
+        "usemtl air\nf 1 4 5\nusemtl wood\nf 2 3 4\n";
+    const auto warnings = [&](const std::string& mtl) {
+        return texts_of(read_text(
+            with_geometry("file = 'a.obj'\nmaterial = 'leaf'\norgans = 'one'\n").text(),
+            {{"a.obj", obj}, {"a.mtl", mtl}}));
+    };
+    const auto some = warnings(
+        "newmtl leaf\nmap_Kd a.png\nmap_d -s 1 1 a.png\nnewmtl air\nd 0\nnewmtl wood\n"
+        "map_Kd bark.jpg\nd 1\nTr 1\n");
+    EXPECT_TRUE(mentions(
+        some,
+        "1 material has textures that can cut out parts of a face (map_d): masks are not read, and "
+        "each face counts whole, 0.5 of the area of 3"))
+        << ::testing::PrintToString(some);
+    EXPECT_TRUE(mentions(
+        some,
+        "1 material has an opacity below 1 (d 0): opacity is not read, and each face counts as a "
+        "surface, 2 of the area of 3"))
+        << ::testing::PrintToString(some);
+    EXPECT_TRUE(mentions(
+        warnings("newmtl leaf\nmap_Kd a.png\nnewmtl wood\nTr 1\nmap_d w.png\n"),
+        "2 materials have textures that can cut out parts of a face (map_Kd, map_d): masks"));
+    EXPECT_FALSE(mentions(warnings("newmtl leaf\nKd 1 1 1\nTr 0\nd 1.0\n"), "opacity"));
+}
+
+TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
+    const std::string opf = R"(<opf><meshBDD><mesh Id="0"><points>0 0 1 1 0 1 0 1 1</points>
+<faces><face>0 1 2</face></faces></mesh></meshBDD><shapeBDD><shape Id="0"><meshIndex>0</meshIndex>
+</shape></shapeBDD><topology class="Plant" id="1"><geometry><shapeIndex>0</shapeIndex>
+<mat>1 0 0 0 0 1 0 0 0 0 1 0</mat></geometry></topology></opf>)";
+    const FakeFiles files{
+        {"a.ops", "1 1 a.opf 0 0 0 1 0 0 0\n1 2 a.opf 3 0 0 1 0 0 0\n"}, {"a.opf", opf}};
+    const auto read = [&](const std::string& key, const std::string& top = "") {
+        RunText text = with_geometry("file = 'a.ops'\nmaterial = 'leaf'\n" + key);
+        text.top += top;
+        return read_text(text.text(), files);
+    };
+    EXPECT_NEAR(read("").scene.organs()[1].area, 0.5e-4, 1e-14);
+    EXPECT_TRUE(mentions(texts_of(read("")), "plants are taken to be in centimetres"));
+    for (const auto& [key, unit] : {std::pair{"'m'", 1.0}, {"'cm'", 0.01}, {"1e-4", 1e-4}}) {
+        const RunFile run = read(fmt::format("plant_unit = {}\n", key));
+        EXPECT_NEAR(run.scene.organs()[1].area, 0.5 * unit * unit, 1e-9 * unit * unit) << key;
+        EXPECT_FALSE(mentions(texts_of(run), "centimetres")) << key;
+    }
+    // A scene in centimetres: plants as they are, places times 100.
+    const RunFile in_cm = read("", "length_unit = 'cm'\n");
+    EXPECT_NEAR(in_cm.scene.organs()[1].area, 0.5, 1e-12);
+    EXPECT_NEAR(in_cm.scene.bounds().high.x, 301, 1e-9);
+    EXPECT_TRUE(mentions(
+        faults_of(with_geometry("file = 'a.ops'\nplant_unit = 'ell'\n").text(), files),
+        "plant_unit is 'ell' (no such unit of length)"));
+    EXPECT_TRUE(mentions(
+        faults_of(with_geometry("file = 'a.opf'\nplant_unit = 'cm'\n").text(), files),
+        "plant_unit is given (it is for the plants that a scene (.ops) names)"));
+}
+
+TEST(Materials, WarnOfBlackOnlyWhereTheReflectanceIsNotGiven) {
+    RunText text;
+    EXPECT_EQ(texts_of(read_text(text.text())), std::vector<std::string>{});
+    text.materials = "[[material]]\nname = 'leaf'\ntransmittance = 0\n";
+    EXPECT_EQ(
+        texts_of(read_text(text.text())),
+        std::vector<std::string>{"material 'leaf' is black in every band: its reflectance is not "
+                                 "given, and counts as 0"});
 }
 
 TEST(GeometryKeys, RefuseWhatIsWrong) {
@@ -321,7 +476,7 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
          "file 'none.tri' can't be read (No such file or directory)"},
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
          "the format of 'a.dat' can't be told from its name (the formats that are read are tri, "
-         "obj, ply, stl, can, opf, ops, fasttracer, def, glb, gltf, dae, geom, vgx)"},
+         "obj, ply, stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, dae, geom, vgx)"},
         {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format is 'xyz'"},
         {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},

@@ -1,0 +1,117 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "io/line_scanner.h"
+#include "io/meshes/formats.h"
+#include "io/numbers.h"
+
+namespace quasimc {
+namespace {
+
+/// The last word: options come before the name of an image.
+std::string_view image_of(std::string_view line) {
+    std::string_view last;
+    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+        last = word;
+    }
+    return last;
+}
+
+/// Reads the statements of a library, one material after the other.
+class MtlReader {
+  public:
+    MtlReader(FormatContext& context, MeshFile& file) : context_(context), file_(file) {}
+
+    void read(std::string_view bytes) {
+        LineScanner scanner(bytes);
+        while (scanner.next() && !context_.reporter.is_full()) {
+            line_ = scanner.number();
+            std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
+            const std::string_view word = take_word(line);
+            if (word == "newmtl") {
+                finish();
+                material_ = MeshMaterial{rest_of_line(line), 0};
+                material_->is_stated = false;
+            } else if (material_) {
+                read_statement(word, line);
+            }
+        }
+        finish();
+    }
+
+  private:
+    void read_statement(std::string_view word, std::string_view line) {
+        if (word == "Kd") {
+            read_color(line);
+        } else if (word == "map_d" || (word == "map_Kd" && may_have_alpha(image_of(line)))) {
+            if (mask_ != "map_d") {
+                mask_ = word;
+            }
+        } else if (word == "d") {
+            const std::string_view first = take_word(line);
+            note_opacity(word, first == "-halo" ? take_word(line) : first, 1);
+        } else if (word == "Tr" && transparent_.empty()) {
+            note_opacity(word, take_word(line), 0);
+        }
+    }
+
+    void read_color(std::string_view line) {
+        double sum = 0;
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view text = take_word(line);
+            const std::optional<double> number = parse_real(text);
+            if (!number || !(*number >= 0 && *number <= 1)) {
+                context_.reporter.fault(
+                    line_, "Kd " + shown(text) + " is not a number from 0 to 1", "");
+                break;
+            }
+            sum += *number;
+        }
+        material_->reflectance = sum / 3;
+        material_->is_stated = true;
+    }
+
+    /// Keeps the statement of a material that is not opaque. @param opaque  its number if it is
+    void note_opacity(std::string_view word, std::string_view text, double opaque) {
+        const std::optional<double> number = parse_real(text);
+        is_opaque_by_d_ = is_opaque_by_d_ || (word == "d" && number == opaque);
+        transparent_ = number && *number != opaque ? fmt::format("{} {}", word, *number) : "";
+    }
+
+    /// Of two materials of one name the first counts, as where a file names several libraries.
+    void finish() {
+        const bool is_new =
+            material_ && std::none_of(
+                             file_.materials.begin(), file_.materials.end(),
+                             [&](const auto& known) { return known.name == material_->name; });
+        if (is_new) {
+            if (!mask_.empty()) {
+                file_.masks.emplace(material_->name, mask_);
+            }
+            if (!transparent_.empty() && !is_opaque_by_d_) {
+                file_.transparent.emplace(material_->name, transparent_);
+            }
+            file_.materials.push_back(std::move(*material_));
+        }
+        material_.reset();
+        mask_.clear();
+        transparent_.clear();
+        is_opaque_by_d_ = false;
+    }
+
+    FormatContext& context_;
+    MeshFile& file_;
+    std::optional<MeshMaterial> material_;
+    std::string mask_, transparent_;  // of the material
+    bool is_opaque_by_d_ = false;     // some programs write Tr 1 beside d 1
+    std::uint32_t line_ = 0;
+};
+
+}  // namespace
+
+void read_mtl(std::string_view bytes, FormatContext& context, MeshFile& file) {
+    MtlReader(context, file).read(bytes);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,112 @@
+#include "scene/fold_warnings.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace quasimc {
+namespace {
+
+bool is_alnum(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Where a name that begins with a quotation mark ends; the same place if none begins there.
+std::size_t end_of_quoted(const std::string& text, std::size_t at) {
+    if (text[at] != '\'' || (at > 0 && is_alnum(text[at - 1]))) {
+        return at;  // an apostrophe, or no mark
+    }
+    std::size_t end = text.find('\'', at + 1);
+    while (end != std::string::npos && end + 1 < text.size() && is_alnum(text[end + 1])) {
+        end = text.find('\'', end + 1);
+    }
+    return end == std::string::npos ? at : end + 1;
+}
+
+/// Whether a word is a number, or a file's name or path.
+bool varies(std::string_view word) {
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const bool is_inner_dot = word[i] == '.' && i + 1 < word.size() && is_alnum(word[i + 1]);
+        if (std::isdigit(static_cast<unsigned char>(word[i])) != 0 || word[i] == '/' ||
+            is_inner_dot) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A text without names in quotation marks, numbers and names of files.
+std::string kind_of(const std::string& text) {
+    std::string kind, word;
+    const auto end_word = [&] {
+        kind += varies(word) ? "#" : word;
+        word.clear();
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = end_of_quoted(text, at);
+        if (end > at) {
+            end_word();
+            kind += '#';
+            at = end;
+            continue;
+        }
+        if (text[at] == ' ') {
+            end_word();
+            kind += ' ';
+        } else {
+            word += text[at];
+        }
+        ++at;
+    }
+    end_word();
+    return kind;
+}
+
+/// One warning in the place of all those of a kind.
+Warning folded(const std::vector<Warning>& all) {
+    constexpr std::size_t kShown = 3;
+    std::vector<std::string> places;
+    for (const Warning& warning : all) {
+        if (std::find(places.begin(), places.end(), warning.place) == places.end() &&
+            places.size() <= kShown) {
+            places.push_back(warning.place);
+        }
+    }
+    const std::size_t shown = std::min(places.size(), kShown);
+    std::string place;
+    for (std::size_t i = 0; i < shown; ++i) {
+        place += (i == 0 ? "" : ", ") + places[i];
+    }
+    if (places.size() > shown) {
+        place += " and others";
+    }
+    return {place, fmt::format("{} ({} warnings of this kind)", all.front().text, all.size())};
+}
+
+}  // namespace
+
+std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
+    constexpr std::size_t kMostAlike = 3;
+    std::map<std::string, std::vector<Warning>> kinds;
+    std::vector<std::string> kind_of_each;
+    for (const Warning& warning : warnings) {
+        kind_of_each.push_back(kind_of(warning.text));
+        kinds[kind_of_each.back()].push_back(warning);
+    }
+    std::vector<Warning> result;
+    for (std::size_t i = 0; i < warnings.size(); ++i) {
+        std::vector<Warning>& kind = kinds[kind_of_each[i]];
+        if (!kind.empty() && kind.size() <= kMostAlike) {
+            result.push_back(std::move(warnings[i]));
+        } else if (!kind.empty()) {
+            result.push_back(folded(kind));
+            kind.clear();
+        }
+    }
+    return result;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "quasimc/scene.h"
+
+namespace quasimc {
+
+/// Makes one warning of more than three that differ in names and numbers alone: the text of the
+/// first, with the first three places and the count.
+[[nodiscard]] std::vector<Warning> fold_warnings(std::vector<Warning> warnings);
+
+}  // namespace quasimc

@@ -1,0 +1,54 @@
+#include "scene/fold_warnings.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace quasimc::test {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts folded(const std::vector<Warning>& warnings) {
+    Texts texts;
+    for (const Warning& warning : fold_warnings(warnings)) {
+        texts.push_back(warning.place + ": " + warning.text);
+    }
+    return texts;
+}
+
+TEST(FoldWarnings, MakesOneOfManyThatDifferInNamesAndNumbers) {
+    std::vector<Warning> warnings;
+    for (int i = 0; i < 94; ++i) {
+        warnings.push_back(
+            {fmt::format("run.toml:{}", i),
+             fmt::format(
+                 "material 'it's {}' of plants/a{}.obj can't reflect {:.2f}", i, i, i / 7.)});
+    }
+    warnings.insert(warnings.begin() + 2, {"", "the scene is small"});
+    EXPECT_EQ(
+        folded(warnings),
+        (Texts{
+            "run.toml:0, run.toml:1, run.toml:2 and others: material 'it's 0' of plants/a0.obj "
+            "can't reflect 0.00 (94 warnings of this kind)",
+            ": the scene is small"}));
+}
+
+TEST(FoldWarnings, LeavesAFewAndOtherKindsAsTheyAre) {
+    std::vector<Warning> warnings{
+        {"a", "organ 'x' has no area"},
+        {"b", "material 'x' is black"},
+        {"c", "organ 'y' has no area"},
+        {"d", "organ 'z' has no area"}};
+    EXPECT_EQ(
+        folded(warnings), (Texts{
+                              "a: organ 'x' has no area", "b: material 'x' is black",
+                              "c: organ 'y' has no area", "d: organ 'z' has no area"}));
+    warnings.push_back({"a", "organ 'w' has no area"});
+    EXPECT_EQ(
+        folded(warnings), (Texts{
+                              "a, c, d: organ 'x' has no area (4 warnings of this kind)",
+                              "b: material 'x' is black"}));
+}
+
+}  // namespace
+}  // namespace quasimc::test
