@@ -115,7 +115,12 @@ SkyShape perez_shape(const SkyState& state) {
         x[2] = std::exp(std::pow(delta * (c[0] + c[1] * zenith), c[2])) - c[3];
         x[3] = -std::exp(delta * (d[0] + d[1] * zenith)) + d[2] + delta * d[3];
     }
-    const PerezFormula formula{x[0], std::min(0.0, x[1]), x[2], x[3], x[4]};
+    const double b = std::min(0.0, x[1]);
+    // The fits have skies darker than any that was measured black but for a rim above the horizon:
+    // these are taken to have no gradation.
+    constexpr double kSineOfRim = 0.1;
+    const double a = 1 + x[0] * std::exp(b / kSineOfRim) <= 0 ? 0 : x[0];
+    const PerezFormula formula{a, b, x[2], x[3], x[4]};
     return {
         [formula, to_sun = state.to_sun](const Vec3& d) { return formula.radiance(d, to_sun); },
         {},

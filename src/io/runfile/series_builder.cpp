@@ -88,7 +88,7 @@ void SeriesBuilder::add(const Interval& interval) {
     }
     if (interval.reading) {
         note_brightness(light.daylight, path, interval);
-        note_darkness(light.daylight, path, interval);
+        note_darkness(light, path, interval);
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
     if (rules_.collapse == Collapse::none) {
@@ -219,11 +219,18 @@ void SeriesBuilder::warn_of_brightness() {
 }
 
 void SeriesBuilder::note_darkness(
-    const Daylight& daylight, const SunPath& path, const Interval& interval) {
-    constexpr double kLowSine = 0.1;
+    const HourLight& light, const SunPath& path, const Interval& interval) {
+    constexpr double kLowSine = 0.1, kHighDeg = 10;
+    const bool is_high = std::all_of(
+        path.steps.begin(), path.steps.end(),
+        [](const SunPosition& sun) { return sun.elevation_deg > kHighDeg; });
+    if (is_high && light.daylight.global() <= 0 && light.note == ReadingNote::none) {
+        dark_by_day_.first = dark_by_day_.count++ == 0 ? interval.place : dark_by_day_.first;
+    }
     if (path.mean_sine() > kLowSine) {
         by_day_.first = by_day_.count++ == 0 ? interval.place : by_day_.first;
-        clearest_ = std::max(clearest_, daylight.global() / (path.outside() * path.mean_sine()));
+        clearest_ =
+            std::max(clearest_, light.daylight.global() / (path.outside() * path.mean_sine()));
         longest_ = std::max(longest_, interval.seconds);
     }
 }
@@ -231,6 +238,11 @@ void SeriesBuilder::note_darkness(
 /// Under the darkest clouds there is some 5 % of the light outside the atmosphere, on a clear day
 /// some 80 %, which in MJ m-2 an hour is 0.3 % and in MJ m-2 a day 7 %.
 void SeriesBuilder::warn_of_darkness() {
+    warn(
+        dark_by_day_,
+        "times have no light at all with the sun more than 10 degrees up: is the clock wrong, or "
+        "does "
+        "0 stand for missing values (missing_values)?");
     constexpr double kLeast = 0.03, kLeastOfDays = 0.07, kLong = 12 * 3600;
     if (clearest_ <= 0 || clearest_ >= (longest_ < kLong ? kLeast : kLeastOfDays)) {
         return;

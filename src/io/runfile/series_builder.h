@@ -49,7 +49,7 @@ class SeriesBuilder {
     void note(ReadingNote note, const Interval& interval);
     void note_brightness(const Daylight& daylight, const SunPath& path, const Interval& interval);
     void warn(const Noted& noted, std::string_view text);
-    void note_darkness(const Daylight& daylight, const SunPath& path, const Interval& interval);
+    void note_darkness(const HourLight& light, const SunPath& path, const Interval& interval);
     void warn_of_brightness();
     void warn_of_darkness();
     void report(ReadingFault fault, const SunPath& path, const Interval& interval);
@@ -68,6 +68,7 @@ class SeriesBuilder {
     Noted too_bright_;
     double brightest_ = 0;        // W m-2, of the times that are too bright
     double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
+    Noted dark_by_day_;           // times without light, with the sun high
     Noted by_day_;                // times with the sun well up
     double clearest_ = 0;         // of these, the largest ratio to the light outside the atmosphere
     double longest_ = 0;          // of these, seconds

@@ -231,6 +231,19 @@ TEST(RunFileWeather, WarnsOfLessLightThanUnderTheDarkestClouds) {
     EXPECT_NE(low_light_warnings(1, "unit = 'lux'\n").find("is the unit right"), std::string::npos);
 }
 
+TEST(RunFileTime, WarnsOfNoLightWithTheSunHigh) {
+    const auto warnings = [](const std::string& lights) {
+        return all_warnings(read_text(with_time(
+            "times = ['2024-06-21T03:00+01:00', '2024-06-21T12:00+01:00', "
+            "'2024-06-21T13:00+01:00']\nduration_minutes = 60\nglobal = " +
+            lights + "\n")));
+    };
+    EXPECT_NE(
+        warnings("[0, 0, 700]").find("1 times have no light at all with the sun more than 10"),
+        std::string::npos);
+    EXPECT_EQ(warnings("[0, 20, 700]").find("no light at all"), std::string::npos);
+}
+
 TEST(RunFileTime, SaysFirstThatThereIsTooMuchLight) {
     const RunFile run = read_text(with_time(
         "times = ['2024-06-21T12:00+01:00']\nduration_minutes = 60\ndirect_horizontal = 5000\n"

@@ -86,6 +86,19 @@ RC_GTEST_PROP(PerezSky, IsASkyInAnyWeather, ()) {
     RC_ASSERT(sum > 0);
 }
 
+/// Weather of other units has skies darker than any that was measured.
+TEST(PerezSky, IsNeverDarkEverywhere) {
+    for (const double direct : {0., 1e-4, .05, .3, 5., 50., 200., 1000.}) {
+        for (const double diffuse : {1e-4, .02, .1, 1., 20., 60., 300.}) {
+            for (const double elevation : {.1, 2., 10., 30., 50., 61., 75., 89.}) {
+                EXPECT_GT(
+                    horizontal_irradiance(perez_shape(weather_of(direct, diffuse, elevation))), 0)
+                    << direct << " " << diffuse << " " << elevation;
+            }
+        }
+    }
+}
+
 TEST(PerezSky, RefusesWhatIsNoDaylight) {
     EXPECT_THROW(static_cast<void>(perez_shape(weather_of(100, 0, 30))), InputError);
     EXPECT_THROW(static_cast<void>(perez_shape(weather_of(-1, 100, 30))), InputError);
