@@ -5,6 +5,7 @@
 #include "io/results/series_words.h"
 #include "io/runfile/units.h"
 #include "show_colors.h"
+#include "sums/statistics.h"
 #include "view/picture.h"
 
 namespace {
@@ -14,7 +15,8 @@ template <typename Light>
 std::vector<quasimc::Estimate> absorbed(const Light& light, std::size_t organs) {
     std::vector<quasimc::Estimate> values;
     for (std::size_t i = 0; i < organs; ++i) {
-        values.push_back(light.at(i, quasimc::Quantity::absorbed_flux_density, 0));
+        values.push_back(
+            quasimc::reported(light.at(i, quasimc::Quantity::absorbed_flux_density, 0)));
     }
     return values;
 }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "show_colors.h"
+#include "sums/statistics.h"
 
 quasimc::FieldScene field_scene(
     const quasimc::Scene& scene, const std::vector<ShownValues>& all, const ShownValues* colored) {
@@ -14,7 +15,7 @@ quasimc::FieldScene field_scene(
         quasimc::OrganField mean{values.key, values.unit, {}};
         quasimc::OrganField error{values.key + "_standard_error", values.unit, {}};
         for (const quasimc::Estimate& estimate : values.estimates) {
-            mean.values.push_back(estimate.mean);
+            mean.values.push_back(quasimc::reported(estimate).mean);
             error.values.push_back(estimate.standard_error);
         }
         shown.fields.push_back(std::move(mean));

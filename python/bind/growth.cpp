@@ -9,6 +9,7 @@
 #include "io/input_files.h"
 #include "io/runfile/run_file.h"
 #include "quasimc/growth_session.h"
+#include "result.h"
 #include "run.h"
 #include "scene.h"
 #include "watch.h"
@@ -72,10 +73,10 @@ SceneHandle scene_of(GrowthHandle& handle) {
 
 std::shared_ptr<Result> run_step(
     GrowthHandle& handle, const LightHandle& light, const py::object& on_progress) {
-    auto result = std::make_shared<Result>();
+    std::shared_ptr<Result> result;
     WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
-        *result = handle.session.run(
-            light.light.sources, light.light.spec, {.on_progress = tell, .stop = stop});
+        result = reported_result(handle.session.run(
+            light.light.sources, light.light.spec, {.on_progress = tell, .stop = stop}));
     });
     return result;
 }

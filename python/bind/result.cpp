@@ -1,5 +1,6 @@
 #include "result.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -10,13 +11,15 @@
 
 #include "io/results/json_parts.h"
 #include "io/runfile/options.h"
+#include "sums/statistics.h"
 
 namespace quasimc::python {
 namespace {
 
 static_assert(sizeof(Estimate) == 4 * sizeof(double));
 
-py::object tuple_of(const Estimate& e) {
+py::object tuple_of(const Estimate& estimate) {
+    const Estimate e = reported(estimate);
     return py::make_tuple(e.mean, e.standard_error, e.low, e.high);
 }
 
@@ -115,7 +118,24 @@ py::ssize_t signed_size(std::size_t size) {
     return static_cast<py::ssize_t>(size);
 }
 
+void report_all(std::vector<Estimate>& estimates) {
+    std::transform(estimates.begin(), estimates.end(), estimates.begin(), reported);
+}
+
 }  // namespace
+
+std::shared_ptr<Result> reported_result(Result result) {
+    GroupResults& groups = result.groups;
+    for (std::vector<Estimate>* estimates :
+         {&result.values, &result.sunlit_fraction, &result.ratio_values, &groups.values,
+          &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values}) {
+        report_all(*estimates);
+    }
+    for (DetectorResult& detector : result.detectors) {
+        report_all(detector.values);
+    }
+    return std::make_shared<Result>(std::move(result));
+}
 
 py::object estimates_view(
     const std::vector<Estimate>& values, std::vector<py::ssize_t> shape, py::handle owner) {

@@ -7,6 +7,9 @@
 
 namespace quasimc::python {
 
+/// A result all of whose estimates are as they are reported.
+[[nodiscard]] std::shared_ptr<Result> reported_result(Result result);
+
 /// Estimates that live in `owner`, without a copy: the given shape and (mean, standard error, low,
 /// high).
 [[nodiscard]] py::object estimates_view(

@@ -27,11 +27,11 @@ std::shared_ptr<Result> run_light(
     const SceneHandle& scene,
     const LightHandle& light,
     const py::object& on_progress) {
-    auto result = std::make_shared<Result>();
+    std::shared_ptr<Result> result;
     WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
-        *result = simulator.run(
+        result = reported_result(simulator.run(
             *scene.scene, light.light.sources, light.light.spec,
-            {.on_progress = tell, .stop = stop});
+            {.on_progress = tell, .stop = stop}));
     });
     return result;
 }

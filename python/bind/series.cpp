@@ -37,7 +37,7 @@ std::shared_ptr<SeriesHandle> run_times(
     SeriesEvents events;
     if (keeps_times) {
         events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
-            all->results.push_back(std::make_shared<Result>(result));
+            all->results.push_back(reported_result(result));
         };
     }
     events.on_day = [&](std::size_t day, const SeriesSum& sum) {

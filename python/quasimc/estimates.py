@@ -9,6 +9,7 @@ class Estimates:
     """Means with their errors, as arrays of numpy, all of one shape.
 
     The last axis is that of the bands where there are several; ``estimates["PAR"]`` picks one.
+    Means lie in their intervals, which end at what is physically possible (docs/theory/statistics.md).
 
     Attributes
     ----------

@@ -372,6 +372,11 @@ class Series:
         return self._results
 
     def __getitem__(self, index):
+        if isinstance(index, str):
+            raise TypeError(
+                f"a Series has a result for each time: use series[0][{index!r}] or "
+                f"series.total[{index!r}]"
+            )
         return self._kept()[index]
 
     def __iter__(self):

@@ -9,6 +9,7 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
+#include "sums/statistics.h"
 
 namespace quasimc::capi {
 namespace {
@@ -115,14 +116,14 @@ void copy_column(
     const Column column = column_of(result, rows, quantity, band);
     double* out = &deref(values, "values");
     for (std::size_t i = 0; i < rows.count; ++i) {
-        out[i] = column.first[i * column.stride].*member;
+        out[i] = reported(column.first[i * column.stride]).*member;
     }
 }
 
 void copy_estimate(const Estimate& estimate, double* values) {
     double* out = &deref(values, "values");
-    const std::array<double, 4> numbers{
-        estimate.mean, estimate.standard_error, estimate.low, estimate.high};
+    const Estimate e = reported(estimate);
+    const std::array<double, 4> numbers{e.mean, e.standard_error, e.low, e.high};
     std::copy(numbers.begin(), numbers.end(), out);
 }
 

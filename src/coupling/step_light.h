@@ -7,6 +7,7 @@
 
 #include "quasimc/result.h"
 #include "scene/scene.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 
@@ -31,7 +32,7 @@ struct StepLight {
     [[nodiscard]] std::optional<Estimate> sunlit(std::uint32_t organ) const {
         for (const Result& result : results) {
             if (organ != kNoOrgan && !result.sunlit_fraction.empty()) {
-                return result.sunlit_fraction[organ];
+                return reported(result.sunlit_fraction[organ]);
             }
         }
         return std::nullopt;

@@ -9,6 +9,7 @@
 #include "io/results/written.h"
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 
@@ -133,7 +134,7 @@ class NetcdfWriter::State {
         std::vector<double> numbers(count);
         for (std::size_t part = 0; part < kParts.size(); ++part) {
             for (std::size_t i = 0; i < count; ++i) {
-                numbers[i] = estimate(i).*kParts[part];
+                numbers[i] = reported(estimate(i)).*kParts[part];
             }
             file_.put(to.variables[part], block, numbers);
         }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/checks.h"
+#include "results/cut_intervals.h"
 #include "results/flows.h"
 #include "results/groups.h"
 #include "results/light_limits.h"
@@ -26,7 +27,6 @@ struct Given {
     const Sums& sums;
     const Scene& scene;
     const EvaluationSpec& spec;
-    const LightLimits& limits;
 };
 
 /// Turns the sums of one organ after the other into estimates.
@@ -36,8 +36,6 @@ class OrganEvaluator {
         : sums_(given.sums),
           scene_(given.scene),
           spec_(given.spec),
-          limits_(given.limits),
-          most_(limits_.none()),
           values_(given.sums.replicates.size()),
           incident_(given.sums.layout.bands, {values_, {}}) {
         samples_.fill(values_);
@@ -53,7 +51,6 @@ class OrganEvaluator {
             leave_out(index, ratios.size(), result);
             return;
         }
-        limits_.find(organ, most_);
         for (std::size_t b = 0; b < result.bands; ++b) {
             const SingleFind find = evaluate_band(reader, organ, index, b, result);
             finds[b].include(organ.is_ground ? TotalFind{{}, find} : TotalFind{find, {}});
@@ -63,8 +60,7 @@ class OrganEvaluator {
                 estimate_light_ratio(incident_[ratios[i].first], incident_[ratios[i].second]);
         }
         if (!result.sunlit_fraction.empty()) {
-            const double most = organ.area > 0 ? most_.sunlit_area / organ.area : 0;
-            result.sunlit_fraction[index] = not_above(sunlit_fraction(reader, organ), most);
+            result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
         }
     }
 
@@ -98,9 +94,8 @@ class OrganEvaluator {
         incident_[band].find = {find.more * per_area, find.less * per_area};
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
-            result.values[(index * kQuantities + q) * result.bands + band] = not_above(
-                finds.estimate(entry, per_area, samples_[q]),
-                most_.of(entry.quantity, band) * (entry.is_flux ? 1 : per_area));
+            result.values[(index * kQuantities + q) * result.bands + band] =
+                finds.estimate(entry, per_area, samples_[q]);
         }
         return finds.knows_finds() && !finds.is_settled() ? finds.find(Quantity::absorbed_flux)
                                                           : SingleFind{};
@@ -127,8 +122,6 @@ class OrganEvaluator {
     const Sums& sums_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
-    const LightLimits& limits_;
-    OrganLimits most_;            // that the organ can get
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
     std::vector<IncidentLight> incident_;  // per band, per area
@@ -171,16 +164,15 @@ Result evaluate_sums(
     Result result;
     result.bands = sums.layout.bands;
     result.ratios = spec.ratios.size();
-    const LightLimits limits(scene, spec, sums.emitted_flux);
     // All that reads the sums of many organs comes before these are given back.
-    result.groups = evaluate_groups(sums, scene, spec, limits);
+    result.groups = evaluate_groups(sums, scene, spec);
     const BandFlows flows = read_flows(sums, scene);
     result.budget = evaluate_budget(flows);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.rays = count_rays(sums);
     TotalFinds finds(result.bands);
-    evaluate_organs({sums, scene, spec, limits}, is_done, finds, result);
+    evaluate_organs({sums, scene, spec}, is_done, finds, result);
     tell_errors_of_totals(sums, scene, finds, result);
     result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
     result.paths = sums.paths;
@@ -190,6 +182,7 @@ Result evaluate_sums(
             evaluate_means(coarser_sums(sums), scene, spec, result.groups.groups), scene, spec,
             result);
     }
+    cut_intervals(LightLimits(scene, spec, sums.emitted_flux), scene, spec, result);
     return result;
 }
 

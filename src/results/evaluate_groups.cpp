@@ -34,12 +34,8 @@ struct GroupFind {
 class GroupEvaluator {
   public:
     GroupEvaluator(
-        const Sums& sums,
-        const Scene& scene,
-        const EvaluationSpec& spec,
-        const LightLimits& limits,
-        GroupResults& results)
-        : sums_(sums), scene_(scene), spec_(spec), limits_(limits), results_(results) {}
+        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, GroupResults& results)
+        : sums_(sums), scene_(scene), spec_(spec), results_(results) {}
 
     [[nodiscard]] GroupSums empty() const {
         const std::size_t replicates = sums_.replicates.size();
@@ -61,9 +57,8 @@ class GroupEvaluator {
 
     void evaluate(std::size_t group, const GroupSums& sums) const {
         std::vector<IncidentLight> incident;  // per band
-        const OrganLimits limits = limits_of(group);
         for (std::size_t b = 0; b < results_.bands; ++b) {
-            incident.push_back(evaluate_band(group, b, sums, limits));
+            incident.push_back(evaluate_band(group, b, sums));
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
             results_.ratio_values[group * results_.ratios + i] = estimate_light_ratio(
@@ -71,7 +66,7 @@ class GroupEvaluator {
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
-            const Estimate sunlit = not_above(sunlit_area(group, sums.sunlit), limits.sunlit_area);
+            const Estimate sunlit = sunlit_area(group, sums.sunlit);
             results_.sunlit_area[group] = sunlit;
             results_.sunlit_fraction[group] = scaled(sunlit, area > 0 ? 1 / area : 0);
         }
@@ -108,16 +103,6 @@ class GroupEvaluator {
         return estimate_sunlit_points(
             per_replicate, results_.groups[group].area,
             most / static_cast<double>(per_replicate.size()));
-    }
-
-    /// The most that all organs of a group can get.
-    [[nodiscard]] OrganLimits limits_of(std::size_t group) const {
-        OrganLimits sum = limits_.none(), own = sum;
-        for (const std::uint32_t index : results_.groups[group].organs) {
-            limits_.find(scene_.organs()[index], own);
-            sum += own;
-        }
-        return sum;
     }
 
     [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
@@ -161,11 +146,7 @@ class GroupEvaluator {
     }
 
     /// @returns the light that falls on both sides, as flux
-    IncidentLight evaluate_band(
-        std::size_t group,
-        std::size_t band,
-        const GroupSums& sums,
-        const OrganLimits& limits) const {
+    IncidentLight evaluate_band(std::size_t group, std::size_t band, const GroupSums& sums) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
         const GroupFind find = find_of(group, band);
@@ -190,10 +171,9 @@ class GroupEvaluator {
             const SingleFind known =
                 is_dark ? SingleFind{std::hypot(find.by_look[q], find.by_path[q]) * unit, 0}
                         : SingleFind{find.known[q].more * unit, find.known[q].less * unit};
-            results_.values[(group * kQuantities + q) * results_.bands + band] = not_above(
+            results_.values[(group * kQuantities + q) * results_.bands + band] =
                 knows_finds() ? estimate_finds(samples[q], known)
-                              : estimate_seen_or_bound(samples[q], most),
-                limits.of(entry.quantity, band) * unit);
+                              : estimate_seen_or_bound(samples[q], most);
         }
         return incident;
     }
@@ -201,7 +181,6 @@ class GroupEvaluator {
     const Sums& sums_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
-    const LightLimits& limits_;
     GroupResults& results_;
 };
 
@@ -219,15 +198,14 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
 
 }  // namespace
 
-GroupResults evaluate_groups(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const LightLimits& limits) {
+GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     GroupResults results = empty_groups(scene, spec.groups, spec.ratios.size());
     const std::size_t count = results.groups.size();
     if (sums.units.sunlit_area > 0) {
         results.sunlit_fraction.resize(count);
         results.sunlit_area.resize(count);
     }
-    const GroupEvaluator evaluator(sums, scene, spec, limits, results);
+    const GroupEvaluator evaluator(sums, scene, spec, results);
     const std::size_t replicates = sums.replicates.size();
     for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
         const std::size_t batch = std::min(kGroupsPerBatch, count - first);

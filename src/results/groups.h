@@ -7,7 +7,6 @@
 #include "quasimc/groups.h"
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
-#include "results/light_limits.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -21,7 +20,7 @@ void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
 
 /// The light of the groups that EvaluationSpec::groups asks for, as part of evaluate().
 [[nodiscard]] GroupResults evaluate_groups(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const LightLimits& limits);
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 /// The same of a scene without light: zeros, and ratios that are NaN.
 [[nodiscard]] GroupResults dark_groups(
     const Scene& scene, const GroupSpec& spec, std::size_t ratios);

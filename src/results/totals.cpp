@@ -32,6 +32,12 @@ void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
     }
 }
 
+/// An interval that holds its mean. The parts of a budget add up to what is emitted by their means,
+/// one of which may lie beyond what is possible by chance: these are reported as they are.
+Estimate with_mean(const Estimate& e) {
+    return {e.mean, e.standard_error, std::min(e.low, e.mean), std::max(e.high, e.mean)};
+}
+
 }  // namespace
 
 void TotalFind::include(const TotalFind& other) {
@@ -62,7 +68,8 @@ void tell_errors_of_totals(
         // Where all light that is emitted goes, no part gets more.
         for (Estimate* part :
              {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped}) {
-            *part = sums.emitted_flux.empty() ? *part : not_above(*part, sums.emitted_flux[b]);
+            *part = with_mean(
+                sums.emitted_flux.empty() ? *part : not_above(*part, sums.emitted_flux[b]));
         }
     }
 }

@@ -59,7 +59,8 @@ Estimate widened(const Estimate& e, const SingleFind& find) {
 }
 
 Estimate not_negative(const Estimate& e) {
-    return {e.mean, e.standard_error, e.high < 0 ? e.low : std::max(e.low, 0.0), e.high};
+    const double high = e.high < 0 ? e.high - e.mean : e.high;
+    return {e.mean, e.standard_error, e.low < 0 ? 0 : e.low, high};
 }
 
 double student_t_quantile(double p, unsigned df) {

@@ -9,6 +9,7 @@
 #include "io/results/window_lights.h"
 #include "io/results/window_scene.h"
 #include "io/results/window_shape.h"
+#include "sums/statistics.h"
 #include "view/window_names.h"
 
 namespace quasimc {
@@ -58,7 +59,7 @@ class ColumnValues {
         const std::size_t organs = frame_.scene->scene->organs().size();
         std::vector<float> numbers(4 * organs);
         for (std::size_t i = 0; i < organs; ++i) {
-            const Estimate e = at(i);
+            const Estimate e = reported(at(i));
             numbers[i] = static_cast<float>(e.mean);
             numbers[organs + i] = static_cast<float>(e.standard_error);
             numbers[2 * organs + i] = static_cast<float>(e.low);

@@ -59,7 +59,7 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("collapsed into 1 traces of 12 suns"), std::string::npos)
+    EXPECT_NE(outcome.out.find("collapsed into 1 trace of 12 suns"), std::string::npos)
         << outcome.out;
     EXPECT_EQ(rows(folder_.read("t.csv")), 3);
     const std::string sums = folder_.read("d.csv");

@@ -206,3 +206,24 @@ def test_organs_are_selected_by_whole_ids(result):
     for organ in (1.7, "1", 99):
         with pytest.raises(KeyError):
             result.select([organ])
+
+
+def test_means_lie_in_their_intervals():
+    scene = canopy()
+    cut = 0
+    for seed in range(1, 6):
+        result = scene.run(method="light_tracing", paths=64, replicates=4, seed=seed)
+        grown = quasimc.GrowthSession(scene).run(
+            method="light_tracing", paths=64, replicates=4, seed=seed
+        )
+        for light in (result, result.groups, grown):
+            for quantity in light.keys():
+                e = light[quantity]
+                assert np.all((e.low <= e.mean) & (e.mean <= e.high)), quantity
+        fraction = result["sunlit_fraction"]
+        assert np.all((fraction.mean >= 0) & (fraction.mean <= 1))
+        cut += np.count_nonzero(fraction.mean == fraction.high)
+        parts = result.budget["PAR"]
+        for part in ("absorbed_by_organs", "absorbed_by_ground", "escaped"):
+            assert parts[part].low <= parts[part].mean <= parts[part].high
+    assert cut > 0, "a control: some are cut at what is possible"

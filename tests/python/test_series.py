@@ -42,6 +42,11 @@ def test_days_are_sums_over_times(series):
     assert len(day.to_pandas()) == 1
 
 
+def test_a_quantity_of_a_series_is_asked_of_a_time_or_of_the_sum(series):
+    with pytest.raises(TypeError, match=r"series\[0\]\['absorbed_flux'\] or series.total"):
+        series["absorbed_flux"]
+
+
 def test_tables_have_a_row_for_each_time_and_organ(series):
     frame = series.to_pandas()
     assert frame.index.names == ["time", "id"] and len(frame) == 3

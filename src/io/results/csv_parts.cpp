@@ -14,6 +14,7 @@
 #include "io/runfile/units.h"
 #include "quasimc/version.h"
 #include "results/groups.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
@@ -67,9 +68,10 @@ void append_csv(std::string& out, double value) {
 }
 
 void append_csv(std::string& out, const Estimate& estimate) {
-    append_csv(out, estimate.mean);
-    append_csv(out, estimate.standard_error);
-    append_csv(out, estimate.high);
+    const Estimate e = reported(estimate);
+    append_csv(out, e.mean);
+    append_csv(out, e.standard_error);
+    append_csv(out, e.high);
 }
 
 std::vector<std::string> label_columns(const Scene& scene) {

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "io/results/json_parts.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
@@ -33,7 +34,8 @@ JsonStream begin_organ(const Organ& organ) {
 
 }  // namespace
 
-void json_compact_estimate(JsonStream& json, const Estimate& e) {
+void json_compact_estimate(JsonStream& json, const Estimate& estimate) {
+    const Estimate e = reported(estimate);
     json.begin_object(kOrganLayout);
     json.quoted_key("\"mean\"");
     json.number(e.mean);

@@ -2,6 +2,7 @@
 
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
@@ -53,7 +54,9 @@ std::string_view stop_name(StopReason stop) {
     }
 }
 
-void json_estimate(JsonStream& json, std::string_view key, const Estimate& e, JsonLayout layout) {
+void json_estimate(
+    JsonStream& json, std::string_view key, const Estimate& estimate, JsonLayout layout) {
+    const Estimate e = reported(estimate);
     json.key(key);
     json.begin_object(layout);
     json.real("mean", e.mean);

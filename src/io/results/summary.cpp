@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/parallel.h"
 #include "io/line_scanner.h"
 #include "io/results/audit_words.h"
@@ -14,6 +15,7 @@
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
 #include "quasimc/version.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
@@ -34,8 +36,9 @@ std::string scene_line(const Scene& scene) {
                                           : ", repeated along one horizontal axis";
     return line(
         "scene", fmt::format(
-                     "{} organs, {} triangles{}; bands {}", scene.organs().size(),
-                     scene.triangles().size(), repeated, bands));
+                     "{}, {}{}; {} {}", counted(scene.organs().size(), "organ"),
+                     counted(scene.triangles().size(), "triangle"), repeated,
+                     scene.bands().size() == 1 ? "band" : "bands", bands));
 }
 
 /// What is computed: program, file, scene, lights.
@@ -52,10 +55,11 @@ std::string subject_lines(const RunFile& run) {
 
 std::string run_line(const RunSpec& spec, const Result& result) {
     return line(
-        "run", fmt::format(
-                   "{} points, {}, {} paths x {} replicates, seed {}, {} threads", spec.sampler,
-                   method_name(result.chosen.method), result.paths, result.replicates, spec.seed,
-                   thread_count(spec.threads)));
+        "run",
+        fmt::format(
+            "{} points, {}, {} x {}, seed {}, {}", spec.sampler, method_name(result.chosen.method),
+            counted(result.paths, "path"), counted(result.replicates, "replicate"), spec.seed,
+            counted(thread_count(spec.threads), "thread")));
 }
 
 /// Why the run was traced so, if that was not what the run file said.
@@ -74,7 +78,7 @@ bool is_merged(std::uint64_t rays, double trace_seconds) {
 
 std::string time_line(const Result& result) {
     if (is_merged(result.rays, result.trace_seconds)) {
-        return line("time", fmt::format("traced in parts, {} rays", result.rays));
+        return line("time", fmt::format("traced in parts, {}", counted(result.rays, "ray")));
     }
     const auto paths = static_cast<double>(result.paths);
     const double own = paths - result.paths_before;
@@ -96,15 +100,16 @@ std::string time_line(const Result& result) {
                     rays_per_path, before));
 }
 
-std::string error_line(const ErrorStatistics& errors) {
-    const std::string advice = advice_on_error(errors.median);
+std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
+    const std::string advice = advice_on_error(run, errors.median);
     return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
 std::string fraction_with_error(const Estimate& e) {
-    return std::isfinite(e.standard_error)
-               ? fmt::format("{:.4f} +- {:.1g}", e.mean, e.standard_error)
-               : fmt::format("{:.4f}", e.mean);
+    constexpr int kDecimals = 4;
+    const std::string mean = with_decimals(reported(e).mean, kDecimals);
+    return std::isfinite(e.standard_error) ? fmt::format("{} +- {:.1g}", mean, e.standard_error)
+                                           : mean;
 }
 
 /// The budgets of the first bands. @param unit_of_band  of a band's budget
@@ -123,7 +128,8 @@ std::string energy_lines(
             band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_is_remainder));
     }
     if (budgets.size() > kMostBands) {
-        text += line("", fmt::format("... and {} more bands", budgets.size() - kMostBands));
+        text +=
+            line("", fmt::format("... and {}", counted(budgets.size() - kMostBands, "more band")));
     }
     return text;
 }
@@ -168,7 +174,7 @@ std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
     for (const auto& [from, times] : summary.methods) {
         text += fmt::format(
             "{}{}{}", text.empty() ? "" : ", ", method_name(from),
-            summary.methods.size() > 1 ? fmt::format(" ({} times)", times) : "");
+            summary.methods.size() > 1 ? fmt::format(" ({})", counted(times, "time")) : "");
     }
     return text.empty() ? method_name(spec.method) : text;
 }
@@ -181,7 +187,8 @@ std::string target_line(const RunSpec& spec, const Result& result) {
         result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
     return line(
         "target", fmt::format(
-                      "{} % error or less: {} by {:.3g} % of the organs ({:.3g} % asked)",
+                      "{:.6g} % error or less: {} ({:.3g} % of the organs have it, {:.3g} % were "
+                      "asked for)",
                       100 * spec.target_error, is_reached ? "reached" : "NOT reached",
                       100 * result.fraction_at_target, 100 * spec.target_fraction));
 }
@@ -199,8 +206,9 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
     const MomentNotes& last = series.notes.back();
     if (series.collapse == Collapse::none) {
         return fmt::format(
-            "{} from {} to {}, {} days; {} traced, the others dark or like one of them",
-            series.time_steps.size(), first.time, last.time, series.days.size(), summary.traced);
+            "{} from {} to {}, {}; {} traced, the others dark or like one of them",
+            series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
+            summary.traced);
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -209,8 +217,8 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
         suns += notes.suns;
     }
     return fmt::format(
-        "{} from {} to {}, collapsed into {} traces of {} suns in all", times, first.time,
-        last.collapsed->until, summary.traced, suns);
+        "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
+        last.collapsed->until, counted(summary.traced, "trace"), counted(suns, "sun"));
 }
 
 std::string stopped_line(const std::string& words) {
@@ -240,17 +248,20 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     }
     text += line("times", times_words(series, summary));
     text += line(
-        "run", fmt::format(
-                   "{} points, {}, {} paths x {} replicates at a time{}; {} rays", run.spec.sampler,
-                   series_method(run.spec, summary), run.spec.paths, run.spec.replicates,
-                   run.spec.effort == Effort::day ? " on average" : "", summary.rays));
+        "run",
+        fmt::format(
+            "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
+            series_method(run.spec, summary), counted(run.spec.paths, "path"),
+            counted(run.spec.replicates, "replicate"),
+            run.spec.effort == Effort::day ? " on average" : "", counted(summary.rays, "ray")));
     text += stopped_line(stop_words(run, summary));
     text += series_time_line(summary);
     if (run.spec.target_error > 0) {
         text += line(
-            "target", fmt::format(
-                          "{} % error or less: reached at {} of {} times",
-                          100 * run.spec.target_error, summary.at_target, summary.traced));
+            "target",
+            fmt::format(
+                "{:.6g} % error or less: reached at {} of {}", 100 * run.spec.target_error,
+                summary.at_target, counted(summary.traced, "time")));
     }
     if (summary.audited > 0) {
         text += line("audit", audit_line(summary));
@@ -266,7 +277,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
         energy_lines(
             run.scene, result.budget, result.escaped_is_remainder,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
-        canopy_lines(run.scene, result) + error_line(error_statistics(run.scene, result));
+        canopy_lines(run.scene, result) + error_line(run, error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }
@@ -280,15 +291,19 @@ std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::si
         one_line(run.title));
     text += scene_line(run.scene);
     text += line(
-        "sweep",
-        fmt::format(
-            "{} of {} points are done{}; {} traces by {}, {} rays", points, run.sweep->size(),
-            summary.cut_short > 0 ? fmt::format(", {} traces with fewer paths", summary.cut_short)
-                                  : "",
-            summary.traced, series_method(run.spec, summary), summary.rays));
+        "sweep", fmt::format(
+                     "{} of {} {} done{}; {} by {}, {}", points,
+                     counted(run.sweep->size(), "point"), run.sweep->size() == 1 ? "is" : "are",
+                     summary.cut_short > 0
+                         ? fmt::format(", {} with fewer paths", counted(summary.cut_short, "trace"))
+                         : "",
+                     counted(summary.traced, "trace"), series_method(run.spec, summary),
+                     counted(summary.rays, "ray")));
     if (run.spec.target_error > 0) {
         text += line(
-            "target", fmt::format("reached by {} of {} traces", summary.at_target, summary.traced));
+            "target",
+            fmt::format(
+                "reached by {} of {}", summary.at_target, counted(summary.traced, "trace")));
     }
     return text + series_time_line(summary);
 }
@@ -302,7 +317,8 @@ std::string point_text(const std::vector<std::string>& points) {
             points.size() <= kMostLines || i + 1 < kMostLines || i + 1 == points.size();
         text += is_shown ? points[i] : "";
         if (!is_shown && i + 2 == points.size()) {
-            text += line("", fmt::format("... {} more points", points.size() - kMostLines));
+            text +=
+                line("", fmt::format("... {}", counted(points.size() - kMostLines, "more point")));
         }
     }
     return text;
@@ -356,11 +372,11 @@ std::string Summary::series_quality() const {
         text += line(
             "errors",
             fmt::format(
-                "up to {} of {} organs are known to no better than {:.0f} % at a time; sums over "
-                "days are better known",
-                badly_known_, run_->scene.organs().size(), 100 * kBadlyKnown));
+                "up to {} of {} are known to no better than {:.0f} % at a time; sums over days are "
+                "better known",
+                badly_known_, counted(run_->scene.organs().size(), "organ"), 100 * kBadlyKnown));
     }
-    const std::string advice = advice_on_error(middle);
+    const std::string advice = advice_on_error(*run_, middle);
     return text + (advice.empty() ? "" : line("advice", advice));
 }
 

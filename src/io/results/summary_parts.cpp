@@ -5,13 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
+
 namespace quasimc {
 namespace {
 
 /// Numbers that are parts of a whole, all with the digits that six of the whole reach to.
 class PartFormat {
   public:
-    explicit PartFormat(double whole) {
+    explicit PartFormat(double whole) : rounding_(kRounding * std::abs(whole)) {
         constexpr int kDigits = 6;
         constexpr double kLargest = 1e6, kSmallest = 1e-4;
         if (whole >= kSmallest && whole < kLargest) {
@@ -20,16 +22,17 @@ class PartFormat {
     }
 
     [[nodiscard]] std::string operator()(double part) const {
-        if (decimals_ <= 0) {
-            return fmt::format("{:.6g}", part);
+        if (std::abs(part) < rounding_) {
+            return "0";
         }
-        std::string text = fmt::format("{:.{}f}", part, decimals_);
+        if (decimals_ <= 0) {
+            return fmt::format("{:.6g}", part + 0.0);
+        }
+        std::string text = with_decimals(part, decimals_);
         text.erase(text.find_last_not_of('0') + 1);  // 7.00 is 7
         return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
     }
     [[nodiscard]] std::string operator()(const Estimate& part) const {
-        // What is exact differs between replicates by rounding alone.
-        constexpr double kRounding = 1e-13;
         const bool has_error = std::isfinite(part.standard_error) &&
                                part.standard_error > kRounding * std::abs(part.mean);
         return (*this)(part.mean) +
@@ -37,6 +40,10 @@ class PartFormat {
     }
 
   private:
+    /// What is exact differs between replicates by rounding alone.
+    static constexpr double kRounding = 1e-13;
+
+    double rounding_;
     int decimals_ = -1;
 };
 
@@ -79,14 +86,16 @@ std::string percent_words(double part) {
     return percent < kWhole ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
 }
 
-std::string advice_on_error(double median) {
+std::string advice_on_error(const RunFile& run, double median) {
     constexpr double kLarge = 0.1;
-    if (!(median > kLarge)) {
+    if (!(median > kLarge) || run.spec.target_error > 0) {
         return "";
     }
-    return fmt::format(
-        "4 times the paths about halve an error; target_error = {} goes on until it is reached",
-        kLarge / 2);
+    // By how much more paths lower an error depends on the method, which `auto` may change then.
+    return run.spec.series == SeriesMode::together
+               ? "more paths make errors smaller"
+               : fmt::format(
+                     "target_error = {} traces more paths until errors are that small", kLarge / 2);
 }
 
 std::string error_words(const ErrorStatistics& errors) {
@@ -98,12 +107,13 @@ std::string error_words(const ErrorStatistics& errors) {
     text +=
         errors.badly_known > 0
             ? fmt::format(
-                  "; {} of {} organs are known to no better than {:.0f} % (worst: organ {})",
-                  errors.badly_known, errors.organs, 100 * kBadlyKnown, errors.worst_id)
+                  "; {} of {} {} known to no better than {:.0f} % (worst: organ {})",
+                  errors.badly_known, counted(errors.organs, "organ"),
+                  errors.badly_known == 1 ? "is" : "are", 100 * kBadlyKnown, errors.worst_id)
             : fmt::format(", worst {} (organ {})", percent_words(errors.worst), errors.worst_id);
     if (errors.unknown > 0) {
-        text +=
-            fmt::format("; {} organs without one (black sides, or nothing hit)", errors.unknown);
+        text += fmt::format(
+            "; {} without one (black sides, or nothing hit)", counted(errors.unknown, "organ"));
     }
     return text;
 }

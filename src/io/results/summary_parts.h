@@ -31,8 +31,8 @@ inline constexpr double kBadlyKnown = 0.5;
 [[nodiscard]] std::string error_words(const ErrorStatistics& errors);
 /// A part of 1 as percent, in words: "0.52 %", "43 %", "120 %".
 [[nodiscard]] std::string percent_words(double part);
-/// How to get a median error down; empty if it is small.
-[[nodiscard]] std::string advice_on_error(double median);
+/// How to get a median error down; empty if it is small, or a target was set.
+[[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
 /// Flux or energy in words. What was emitted and the parts where it went add up.
 /// @param unit  of the numbers

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/number_text.h"
+
 namespace quasimc {
 namespace {
 
@@ -70,6 +72,21 @@ TEST(Shortest, IsAsPeopleWriteNumbers) {
 
 RC_GTEST_PROP(Shortest, ReadsBackAsTheSameNumber, (double value)) {
     RC_ASSERT(std::strtod(shortest(value).c_str(), nullptr) == value);
+}
+
+TEST(WithDecimals, GivesAZeroNoSign) {
+    EXPECT_EQ(with_decimals(-1e-17, 4), "0.0000");
+    EXPECT_EQ(with_decimals(-0.0, 0), "0");
+    EXPECT_EQ(with_decimals(-0.00006, 4), "-0.0001");
+    EXPECT_EQ(with_decimals(-10, 1), "-10.0");
+    EXPECT_EQ(with_decimals(0.25, 3), "0.250");
+    EXPECT_EQ(with_decimals(-std::numeric_limits<double>::infinity(), 3), "-inf");
+}
+
+TEST(Counted, IsSingularOfOneAlone) {
+    EXPECT_EQ(counted(1, "organ"), "1 organ");
+    EXPECT_EQ(counted(0, "organ"), "0 organs");
+    EXPECT_EQ(counted(2, "organ"), "2 organs");
 }
 
 TEST(Trimmed, TakesBlanksFromBothEndsOnly) {

@@ -29,6 +29,16 @@ class PlantLightTest : public ::testing::Test {
     KeptNotices kept_;
 };
 
+/// A model subtracts it from 1.
+TEST(StepLight, HasSunlitFractionsOfAtMostOne) {
+    StepLight light;
+    light.results.resize(1);
+    light.results[0].sunlit_fraction = {{1.23, .2, .67, 1}};
+    const std::optional<Estimate> sunlit = light.sunlit(0);
+    ASSERT_TRUE(sunlit);
+    EXPECT_EQ(sunlit->mean, 1);
+}
+
 TEST_F(PlantLightTest, ReturnsWhatTheLettersSay) {
     const std::string leaf = flat(0, "P(1,2)", 1);  // of area 2
     EXPECT_NEAR(first(kBlack + "return type: F\n", leaf), 2, 2 * kMargin);

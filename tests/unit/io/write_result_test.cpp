@@ -91,6 +91,25 @@ TEST(WriteCsv, LeavesErrorsEmptyWhereNothingWasHit) {
     EXPECT_TRUE(table[2].ends_with(",0,,0.1,,,"));
 }
 
+/// A mean beyond what is possible is written as the end of its interval.
+TEST(WriteCsv, HasMeansInTheirIntervals) {
+    Result result = small_result();
+    result.values[2] = {13.5, 9.3, 0.4, 1.236};
+    result.sunlit_fraction[0] = {1.23, 0.2, 0.67, 1};
+    std::string text;
+    write_csv(small_run(), result, [&](std::string_view piece) { text += piece; });
+    const std::vector<std::string> table = table_of(text);
+    EXPECT_TRUE(table[1].starts_with("1,\"a \"\"b\"\", #c\",1,x,,2,0,0,1,1.236,9.3,1.236,"))
+        << table[1];
+    EXPECT_TRUE(table[1].ends_with(",1,0.2,1,1.25,0.01,1.3")) << table[1];
+    text.clear();
+    write_json(small_run(), result, [&](std::string_view piece) { text += piece; });
+    const auto json = nlohmann::json::parse(text);
+    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["mean"], 1.236);
+    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["high"], 1.236);
+    EXPECT_EQ(json["organs"][0]["sunlit_fraction"]["mean"], 1);
+}
+
 TEST(WriteCsv, NamesTheUnitOfEveryColumn) {
     const std::vector<std::string> lines = lines_of(csv_text());
     EXPECT_TRUE(mentions(lines, "# column area [cm2]"));
@@ -315,6 +334,38 @@ TEST(Summary, TellsOfEnergyThatAddsUp) {
         << text;
 }
 
+TEST(Summary, GivesZerosNoSign) {
+    Result result = small_result();
+    BandBudget& budget = result.budget[0];
+    budget.emitted = {20.5, 0, 20.5, 20.5};
+    budget.absorbed_by_organs = {20.5, 0, 20.5, 20.5};
+    budget.escaped = {-3e-15, 1e-16, -3e-15, -3e-15};
+    result.canopy.resize(2);
+    result.canopy[0].reflectance = {-1e-17, 0, -1e-17, -1e-17};
+    std::string text = summary(small_run(), result, {});
+    EXPECT_NE(text.find("escaped 0, cut off 0: together 20.5"), std::string::npos) << text;
+    EXPECT_NE(text.find("reflectance 0.0000 +- 0"), std::string::npos) << text;
+    budget.emitted.mean = 2e6;
+    budget.escaped.mean = -3e-10;
+    text = summary(small_run(), result, {});
+    EXPECT_NE(text.find("escaped 0, cut off 0"), std::string::npos) << text;
+}
+
+/// The percentage is that of the organs that are at the target.
+TEST(Summary, TellsHowManyOrgansReachedTheTarget) {
+    Result result = small_result();
+    result.stop = StopReason::path_limit;
+    result.fraction_at_target = 0.05625;
+    RunFile run = small_run();
+    run.spec.target_error = 0.07;
+    const std::string text = summary(run, result, {});
+    EXPECT_NE(
+        text.find("target    7 % error or less: NOT reached (5.62 % of the organs have it, 95 % "
+                  "were asked for)"),
+        std::string::npos)
+        << text;
+}
+
 TEST(Summary, TellsOfErrorsInWords) {
     Result result = small_result();
     std::string text = summary(small_run(), result, {});
@@ -325,11 +376,13 @@ TEST(Summary, TellsOfErrorsInWords) {
     }
     text = summary(small_run(), result, {});
     EXPECT_NE(
-        text.find("1 of 2 organs are known to no better than 50 % (worst: organ "),
+        text.find("1 of 2 organs is known to no better than 50 % (worst: organ "),
         std::string::npos)
         << text;
     EXPECT_EQ(text.find("e+02"), std::string::npos) << text;
-    EXPECT_NE(text.find("advice    4 times the paths about halve an error"), std::string::npos);
+    EXPECT_NE(
+        text.find("advice    target_error = 0.05 traces more paths until errors are that small"),
+        std::string::npos);
 }
 
 TEST(Summary, TellsThatTheTimeWasUp) {

@@ -7,6 +7,7 @@
 
 #include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
+#include "sums/statistics.h"
 
 namespace quasimc::test {
 namespace {
@@ -109,6 +110,76 @@ TEST_P(LightLimits, ASunAlongASurfaceLightsNoneOfIt) {
 }
 
 QUASIMC_BOTH_WAYS(LightLimits);
+
+/// A leaf in the open, seen as steeply as `slope` says, above a floor.
+Scene make_open_slope(double slope) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .1));
+    std::vector<Triangle> leaf = floor_of(-.05, .05, -.05, .05, 1);
+    for (Triangle& triangle : leaf) {
+        for (Vec3& corner : triangle) {
+            corner.z += slope * corner.x;
+        }
+    }
+    builder.add_organ(organ("leaf", "leaf", leaf));
+    builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
+    return std::move(builder).build();
+}
+
+void expect_possible(const Estimate& e, double most) {
+    const Estimate r = reported(e);
+    EXPECT_LE(r.low, r.mean);
+    EXPECT_LE(r.mean, r.high);
+    EXPECT_GE(r.mean, 0);
+    EXPECT_LE(r.mean, most);
+}
+
+class ReportedMeans : public ::testing::TestWithParam<Method> {};
+
+/// Means scatter beyond what is possible, and are reported at the limit. Sums are of means as they
+/// were found, and the budget adds up.
+TEST_P(ReportedMeans, LieInTheirIntervalsAndInWhatIsPossible) {
+    int beyond = 0;
+    for (const double slope : {0.0, 1.0, 20.0}) {
+        const Scene scene = make_open_slope(slope);
+        const double direct = 3 / std::hypot(slope, 1) * (1 + 1e-12);
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            RunSpec spec = spec_of(GetParam(), 64);
+            spec.seed = seed;
+            const Result result = run(scene, {sun(0, {3})}, spec);
+            const Estimate& leaf = result.at(0, Quantity::incident_direct, 0);
+            const Estimate& floor = result.at(1, Quantity::incident_direct, 0);
+            expect_possible(leaf, direct);
+            expect_possible(floor, 3 * (1 + 1e-12));
+            expect_possible(result.sunlit_fraction[0], 1);
+            expect_possible(result.groups.sunlit_fraction[0], 1);
+            beyond += leaf.mean > direct || result.sunlit_fraction[0].mean > 1 ? 1 : 0;
+
+            const double leaf_area = scene.organs()[0].area, floor_area = scene.organs()[1].area;
+            const double both = leaf.mean * leaf_area + floor.mean * floor_area;
+            EXPECT_NEAR(
+                result.groups.at(0, Quantity::incident_direct, 0).mean * (leaf_area + floor_area),
+                both, 1e-12 * both);
+            const BandBudget& budget = result.budget[0];
+            const double parts = budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean +
+                                 budget.escaped.mean + budget.cut_off.mean;
+            EXPECT_NEAR(parts, budget.emitted.mean + budget.roulette.mean, 1e-6 * parts);
+            for (const Estimate& e :
+                 {budget.absorbed_by_organs, budget.absorbed_by_ground, budget.escaped}) {
+                EXPECT_LE(e.low, e.mean);
+                EXPECT_LE(e.mean, e.high);
+            }
+        }
+    }
+    EXPECT_GT(beyond, 0) << "a control: nothing had to be cut";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Ways,
+    ReportedMeans,
+    ::testing::Values(
+        Method::light_tracing, Method::from_organs, Method::first_hits, Method::ray_bundles),
+    name_of);
 
 }  // namespace
 }  // namespace quasimc::test

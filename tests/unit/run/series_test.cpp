@@ -394,6 +394,18 @@ TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
     EXPECT_TRUE(std::isnan(adder.sum(1, 1).values[0].standard_error));
 }
 
+/// A mean is cut at what is possible where it is reported: sums have it as it was found.
+TEST(SeriesAdder, AddsMeansThatAreNotCut) {
+    Result result;
+    result.bands = 1;
+    result.replicates = 8;
+    result.values = {{1.25, .5, .5, 1}};
+    SeriesAdder adder;
+    adder.add(result, 2);
+    adder.add(result, 2);
+    EXPECT_EQ(adder.sum(1, 1).values[0].mean, 5);
+}
+
 /// With nothing traced, sums are of the size asked for, and 0.
 TEST(SeriesAdder, OfNothingIsCertainlyNothing) {
     const SeriesSum sum = SeriesAdder().sum(1, 3);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -67,6 +68,20 @@ TEST(NotAbove, LeavesOutWhatCantBe) {
     EXPECT_EQ(not_above({0, 1, 0, 3}, 0).high, 0);
 }
 
+TEST(Reported, HasItsMeanInItsInterval) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Estimate above = reported({1.23, .2, .67, 1});
+    EXPECT_EQ(above.mean, 1);
+    EXPECT_EQ(above.standard_error, .2);
+    EXPECT_EQ(above.low, .67);
+    EXPECT_EQ(above.high, 1);
+    EXPECT_EQ(reported({-4, 1, 0, 2}).mean, 0);
+    EXPECT_EQ(reported({.5, .1, .4, .6}).mean, .5);
+    EXPECT_EQ(reported({3, nan, nan, nan}).mean, 3);
+    EXPECT_TRUE(std::isnan(reported(kUnknownEstimate).mean));
+    EXPECT_FALSE(std::signbit(reported({-0.0, 0, -0.0, 0}).mean));
+}
+
 TEST(NotNegative, LeavesOutWhatCantBe) {
     const Estimate e = not_negative({1, 2, -3, 5});
     EXPECT_EQ(e.mean, 1);
@@ -74,7 +89,10 @@ TEST(NotNegative, LeavesOutWhatCantBe) {
     EXPECT_EQ(e.low, 0);
     EXPECT_EQ(e.high, 5);
     EXPECT_EQ(not_negative({1, 2, .5, 5}).low, .5);
-    EXPECT_EQ(not_negative({-4, 1, -6, -2}).low, -6) << "it misses the truth, and says so";
+    const Estimate missed = not_negative({-4, 1, -6, -2});
+    EXPECT_EQ(missed.mean, -4);
+    EXPECT_EQ(missed.low, 0);
+    EXPECT_EQ(missed.high, 2) << "as wide above 0 as it was above the mean";
     EXPECT_TRUE(std::isnan(not_negative(estimate_mean(Values{3})).low));
     EXPECT_EQ(estimate_finds(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).low, 0);
     EXPECT_EQ(estimate_seen_or_bound(Values{0, 0, 0, 8}, 1).low, 0);

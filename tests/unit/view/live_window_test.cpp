@@ -38,7 +38,7 @@ Result make_result(std::size_t bands, double more = 0) {
     result.bands = bands;
     for (std::size_t i = 0; i < kQuantities * bands; ++i) {
         const double mean = 10.0 * static_cast<double>(i / bands) + static_cast<double>(i % bands);
-        result.values.push_back({mean + more, .5, mean - 1, mean + 1});
+        result.values.push_back({mean + more, .5, mean + more - 1, mean + more + 1});
     }
     return result;
 }

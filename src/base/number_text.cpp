@@ -1,0 +1,17 @@
+#include "base/number_text.h"
+
+#include <fmt/format.h>
+
+namespace quasimc {
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string with_decimals(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
+    return is_zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace quasimc {
+
+/// "1 organ", "2 organs".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view noun);
+
+/// The value with a fixed number of decimals. A zero has no sign.
+[[nodiscard]] std::string with_decimals(double value, int decimals);
+
+}  // namespace quasimc

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "quasimc/result.h"
+#include "results/light_limits.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+
+/// Ends all intervals of a result at what is physically possible (docs/theory/statistics.md), after
+/// all else that makes them wider. Means stay what they are; reported() puts them into the
+/// interval.
+void cut_intervals(
+    const LightLimits& limits, const Scene& scene, const EvaluationSpec& spec, Result& result);
+
+}  // namespace quasimc
