@@ -74,7 +74,7 @@ TEST_F(View, ChangesNoAnswer) {
             return;  // the page is away, and comes back
         }
         EXPECT_NE(http_get(page + "live").find("\"step " + number + "\""), std::string::npos);
-        EXPECT_NE(http_get(page + "scene-" + number).find("\"unit\": \"\""), std::string::npos)
+        EXPECT_NE(http_get(page + "scene-" + number).find("\"unit\":\"\""), std::string::npos)
             << "a plant has no unit of length";
         EXPECT_EQ(http_get(page + "values-" + number + "-1-0").size(), 30U * step * 16);
     });

@@ -121,6 +121,9 @@ async function checkGrowth(context) {
       await frameIs(page, step);
       await checkStep(page, step, lights[step]);
     }
+    // A plant has no unit of length.
+    assert.equal(await page.locator("#profile-title").textContent(), "Mean by height");
+    assert.match(await page.locator("#organ p").textContent(), /area [\d.e-]+, middle at height [\d.e-]+(,|$)/);
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, "growth.png") });
     }
