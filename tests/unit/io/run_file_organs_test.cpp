@@ -440,6 +440,14 @@ TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
         EXPECT_NEAR(run.scene.organs()[1].area, 0.5 * unit * unit, 1e-9 * unit * unit) << key;
         EXPECT_FALSE(mentions(texts_of(run), "centimetres")) << key;
     }
+    EXPECT_TRUE(mentions(
+        texts_of(read("transform = { scale = 1e-2 }\n")),
+        "transform scales the plants and places of a.ops once more"));
+    EXPECT_FALSE(
+        mentions(texts_of(read("transform = { scale = 1e-2 }\nplant_unit = 'm'\n")), "once more"));
+    EXPECT_FALSE(mentions(
+        texts_of(read("transform = { rotate = { axis = [1, 0, 1], angle_deg = 30 } }\n")),
+        "once more"));
     // A scene in centimetres: plants as they are, places times 100.
     const RunFile in_cm = read("", "length_unit = 'cm'\n");
     EXPECT_NEAR(in_cm.scene.organs()[1].area, 0.5, 1e-12);
