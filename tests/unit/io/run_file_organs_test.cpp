@@ -393,6 +393,24 @@ TEST(GeometryKeys, ManyMaterialsOfALibraryAreOneWarning) {
     EXPECT_TRUE(mentions(warnings, "; and 2 more"));
 }
 
+TEST(GeometryKeys, WarningsOfOneKindAreOneOfThemWithTheirNumber) {
+    std::string keys;
+    FakeFiles files{{"a.mtl", "newmtl green\nKd .5 .5 .5\n"}};
+    for (int i = 0; i < 100; ++i) {
+        const std::string file = fmt::format("plant{}.obj", i);
+        keys += fmt::format("{}file = '{}'\n", i == 0 ? "" : "[[geometry]]\n", file);
+        files[file] = fmt::format(
+            "mtllib a.mtl\nusemtl green\nv {0} 0 0\nv {0} 1 0\nv {0} 1 1\nf 1 2 3\n", i);
+    }
+    const RunFile run = read_text(with_geometry(keys).text(), files);
+    ASSERT_EQ(run.warnings.size(), 1U);
+    EXPECT_EQ(
+        run.warnings[0].text,
+        "material 'green' of plant0.obj is not in the run file; its diffuse colour gives "
+        "reflectance 0.5, transmittance 0 in every band (100 warnings of this kind)");
+    EXPECT_NE(run.warnings[0].place.find(" and others"), std::string::npos);
+}
+
 TEST(GeometryKeys, WarnsOfMasksAndOfWhatIsTransparentWithTheAreas) {
     const std::string obj =
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 2 0\nusemtl leaf\nf 1 2 3\n"
