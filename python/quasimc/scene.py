@@ -373,7 +373,7 @@ class Scene:
             From the folder that is the current one now (of a scene that was loaded: from that of
             its file).
         **keys
-            format, organs, material, materials, name, labels, first_id, transform, at.
+            format, organs, material, materials, name, labels, first_id, transform, at, plant_unit.
         """
         return self._add("geometry", {"file": self._path(file), **keys})
 

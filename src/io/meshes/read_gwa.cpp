@@ -98,7 +98,7 @@ class GwaReader {
     }
 
     std::string name_of(std::size_t mesh) {
-        const std::string name = one_line(xml_text(tree_[mesh].attribute("label")));
+        std::string name = one_line(xml_text(tree_[mesh].attribute("label")));
         if (!is_utf8(name)) {
             fault(mesh, "the label " + shown(name) + " is not UTF-8", "", "save the file as UTF-8");
             return "";

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "io/meshes/file_axes.h"
 #include "io/runfile/file_materials.h"
 #include "io/runfile/run_file_sections.h"
 
@@ -211,6 +213,20 @@ struct Geometry {
     GeometryFile file;
 };
 
+/// Warns of a scale that was right as long as plants of a scene were taken in the unit of places.
+void warn_of_second_scale(const Affine& transform, const NamedMesh& named, TableReader& table) {
+    constexpr double kRounding = 1e-6;
+    const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;
+    if (is_scaled && named.format->read == read_ops && table.any("plant_unit") == nullptr) {
+        table.reporter().warnings.push_back(
+            {table.place(),
+             fmt::format(
+                 "transform scales the plants and places of {} once more: its plants have been "
+                 "converted from centimetres; leave the scale out, or give plant_unit",
+                 named.file)});
+    }
+}
+
 /// Nothing after a fault.
 std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     constexpr Range kFirstId{-1e15, 1e15};
@@ -232,6 +248,7 @@ std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     keys.file = file.name = named->file;
     keys.organs = organs.value_or(std::string(named->format->organs));
     if (keys.transform) {
+        warn_of_second_scale(*keys.transform, *named, table);
         move_points(*keys.transform, named->mesh.vertices);
     }
     file.mesh = std::move(named->mesh);

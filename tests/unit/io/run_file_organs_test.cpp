@@ -393,6 +393,24 @@ TEST(GeometryKeys, ManyMaterialsOfALibraryAreOneWarning) {
     EXPECT_TRUE(mentions(warnings, "; and 2 more"));
 }
 
+TEST(GeometryKeys, WarningsOfOneKindAreOneOfThemWithTheirNumber) {
+    std::string keys;
+    FakeFiles files{{"a.mtl", "newmtl green\nKd .5 .5 .5\n"}};
+    for (int i = 0; i < 100; ++i) {
+        const std::string file = fmt::format("plant{}.obj", i);
+        keys += fmt::format("{}file = '{}'\n", i == 0 ? "" : "[[geometry]]\n", file);
+        files[file] = fmt::format(
+            "mtllib a.mtl\nusemtl green\nv {0} 0 0\nv {0} 1 0\nv {0} 1 1\nf 1 2 3\n", i);
+    }
+    const RunFile run = read_text(with_geometry(keys).text(), files);
+    ASSERT_EQ(run.warnings.size(), 1U);
+    EXPECT_EQ(
+        run.warnings[0].text,
+        "material 'green' of plant0.obj is not in the run file; its diffuse colour gives "
+        "reflectance 0.5, transmittance 0 in every band (100 warnings of this kind)");
+    EXPECT_NE(run.warnings[0].place.find(" and others"), std::string::npos);
+}
+
 TEST(GeometryKeys, WarnsOfMasksAndOfWhatIsTransparentWithTheAreas) {
     const std::string obj =
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 2 0\nusemtl leaf\nf 1 2 3\n"
@@ -440,6 +458,14 @@ TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
         EXPECT_NEAR(run.scene.organs()[1].area, 0.5 * unit * unit, 1e-9 * unit * unit) << key;
         EXPECT_FALSE(mentions(texts_of(run), "centimetres")) << key;
     }
+    EXPECT_TRUE(mentions(
+        texts_of(read("transform = { scale = 1e-2 }\n")),
+        "transform scales the plants and places of a.ops once more"));
+    EXPECT_FALSE(
+        mentions(texts_of(read("transform = { scale = 1e-2 }\nplant_unit = 'm'\n")), "once more"));
+    EXPECT_FALSE(mentions(
+        texts_of(read("transform = { rotate = { axis = [1, 0, 1], angle_deg = 30 } }\n")),
+        "once more"));
     // A scene in centimetres: plants as they are, places times 100.
     const RunFile in_cm = read("", "length_unit = 'cm'\n");
     EXPECT_NEAR(in_cm.scene.organs()[1].area, 0.5, 1e-12);
