@@ -272,6 +272,11 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
             << outcome.err;
         EXPECT_NE(outcome.err.find("name it in a run file"), std::string::npos);
     }
+    folder_.write("out.json", "{}\n");
+    EXPECT_EQ(
+        run({"check", "out.json"}).err,
+        "out.json: is no run file (a run file is TOML); if it is a result, `quasimc view` and "
+        "`quasimc show` take it, and `quasimc run --from` repeats it\n");
     folder_.write("weather.epw", "LOCATION,here\n");
     const Outcome outcome = run({"run", "weather.epw"});
     EXPECT_TRUE(outcome.err.starts_with("weather.epw: is no run file (weather.epw:1"))
