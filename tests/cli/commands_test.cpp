@@ -267,10 +267,21 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
     for (const char* name : {"leaves.tri", "plant.opf"}) {
         const Outcome outcome = run({"run", name});
         EXPECT_EQ(outcome.status, 1);
-        EXPECT_TRUE(outcome.err.starts_with(std::string(name) + ": is no run file (" + name + ":1"))
+        EXPECT_TRUE(outcome.err.starts_with(
+            std::string(name) + ": is a file of geometry, not a run file ("))
             << outcome.err;
-        EXPECT_NE(outcome.err.find("names files of geometry and weather"), std::string::npos);
+        EXPECT_NE(outcome.err.find("name it in a run file"), std::string::npos);
     }
+    folder_.write("out.json", "{}\n");
+    EXPECT_EQ(
+        run({"check", "out.json"}).err,
+        "out.json: is no run file (a run file is TOML); if it is a result, `quasimc view` and "
+        "`quasimc show` take it, and `quasimc run --from` repeats it\n");
+    folder_.write("weather.epw", "LOCATION,here\n");
+    const Outcome outcome = run({"run", "weather.epw"});
+    EXPECT_TRUE(outcome.err.starts_with("weather.epw: is no run file (weather.epw:1"))
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("names files of geometry and weather"), std::string::npos);
 }
 
 TEST_F(ProgramTest, FromRefusesAChangedInput) {

@@ -128,7 +128,7 @@ TEST_F(ConvertCommand, ShowsNamesWithoutWhatATerminalRuns) {
         "corners = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]\n");
     const Outcome outcome = run({"info", "evil.toml"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    expect_in(outcome.out, "smallest organ 0.5 ('o [2J x  ')");
+    expect_in(outcome.out, "smallest organ 0.5 ('o [2J x ')");
     expect_in(outcome.out, "material  m ]0;x : 1 organs");
     expect_in(outcome.out, "label     k warning   none: 1 organs");
     const std::string all = outcome.out + outcome.err + run({"check", "evil.toml"}).err;

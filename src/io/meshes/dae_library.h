@@ -8,12 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "io/line_scanner.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/placed_triangles.h"
 #include "io/meshes/unknown_words.h"
 #include "io/xml_tree.h"
 
 namespace quasimc {
+
+/// What parts the numbers in an element.
+inline constexpr Separators kDaeBlanks = " \t\r\n\v\f";
 
 /// A part of a geometry of COLLADA.
 struct DaePart {

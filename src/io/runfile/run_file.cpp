@@ -293,6 +293,12 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
                 {{name, fmt::format("is {}, not a run file", foreign->name), "it is not read",
                   std::string(foreign->advice)}});
         }
+        if (extension == ".json") {
+            throw InputError(
+                {{name, "is no run file", "a run file is TOML",
+                  "if it is a result, `quasimc view` and `quasimc show` take it, and "
+                  "`quasimc run --from` repeats it"}});
+        }
         const FormatEntry* geometry = extension == ".txt" ? nullptr : format_of_path(name);
         if (geometry != nullptr) {
             throw InputError(

@@ -74,8 +74,7 @@ std::optional<MeshFile> read_bytes(
 
 /// `plant_unit`: metres in the unit of the plants of a scene of plants. Nothing if it is absent.
 std::optional<double> read_plant_unit(TableReader& table, const FormatEntry* format) {
-    constexpr std::string_view kKey = "plant_unit";
-    const Node* node = table.any(kKey);
+    const Node* node = table.any("plant_unit");
     if (node == nullptr) {
         return std::nullopt;
     }
@@ -86,7 +85,7 @@ std::optional<double> read_plant_unit(TableReader& table, const FormatEntry* for
     }
     constexpr Range kMetres{1e-9, 1e9};
     if (node->as<std::string>() == nullptr) {
-        return table.real_at(kKey, *node, kMetres);
+        return table.real_at("plant_unit", *node, kMetres);
     }
     const std::string& name = *node->as<std::string>();
     const std::optional<double> metres = metres_per(name);

@@ -18,7 +18,7 @@ std::optional<double> square_metres_per(std::string_view length_unit) {
 }
 
 /// A unit without one of its words.
-std::string without(std::string_view unit, std::size_t begin, std::size_t size) {
+std::string without_word(std::string_view unit, std::size_t begin, std::size_t size) {
     const std::string rest =
         std::string(unit.substr(0, begin)) + std::string(unit.substr(begin + size));
     const std::string_view plain = trimmed(rest);
@@ -48,7 +48,7 @@ FluxUnit named_flux_unit(const std::string& irradiance_unit, const std::string& 
                 const double factor = word == length_unit ? 1 : *square / *per;
                 // With the blank before it.
                 const std::size_t first = begin == 0 ? 0 : begin - 1;
-                return {factor, without(unit, first, end - first)};
+                return {factor, without_word(unit, first, end - first)};
             }
         }
         begin = end + 1;

@@ -181,22 +181,18 @@ std::size_t count_of(double value, std::string_view what, Numbers& numbers) {
     return static_cast<std::size_t>(value);
 }
 
-}  // namespace
-
-IesFile read_ies(std::string_view text, Reporter& reporter) {
-    IesFile file;
-    LineScanner scanner(text);
-    Numbers numbers(scanner, reporter);
+/// Goes to the number of lamps. @returns false  after a fault
+bool pass_head(std::string_view text, LineScanner& scanner, Numbers& numbers) {
     const std::optional<std::string> tilt = find_tilt(scanner);
     if (!tilt && is_eulumdat(text)) {
         numbers.fail(
             "is a EULUMDAT file (.ldt)", "only IES files (LM-63) are read",
             "export or convert it to IES, of photometric type C");
-        return file;
+        return false;
     }
     if (!tilt) {
         numbers.fail("there is no line TILT=", "every IES file has one before its numbers");
-        return file;
+        return false;
     }
     if (*tilt == "INCLUDE") {
         skip_tilt(numbers);
@@ -204,6 +200,26 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
         numbers.warn(fmt::format(
             "TILT names {}, which is not read: its factors for tilted lamps do not count",
             shown(*tilt)));
+    }
+    return true;
+}
+
+void warn_of_rest(Numbers& numbers) {
+    if (const std::string_view word = numbers.rest(); !word.empty()) {
+        numbers.warn(fmt::format(
+            "{} follows the last intensity, and is not read: are the numbers of angles right?",
+            shown(word)));
+    }
+}
+
+}  // namespace
+
+IesFile read_ies(std::string_view text, Reporter& reporter) {
+    IesFile file;
+    LineScanner scanner(text);
+    Numbers numbers(scanner, reporter);
+    if (!pass_head(text, scanner, numbers)) {
+        return file;
     }
     numbers.next("the number of lamps");
     numbers.next("the lumens of a lamp");
@@ -240,11 +256,7 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     }
     if (!numbers.failed()) {
         check_angles(file.web, numbers);
-        if (const std::string_view word = numbers.rest(); !word.empty()) {
-            numbers.warn(fmt::format(
-                "{} follows the last intensity, and is not read: are the numbers of angles right?",
-                shown(word)));
-        }
+        warn_of_rest(numbers);
     }
     return file;
 }

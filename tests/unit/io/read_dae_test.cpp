@@ -259,7 +259,7 @@ TEST(ReadDae, WarnsOfCountsThatAreNotWhatIsThere) {
     faces.primitive.replace(faces.primitive.find("\"1\""), 3, "\"5\"");
     EXPECT_EQ(
         first(faces),
-        "file: counts differ from what is there (1 in all; the first: <triangles> of line 7 states "
+        "file: counts differ from what is there (1 in all; the first: <triangles> of line 8 states "
         "'5' and has 1): the file may be cut short or damaged");
     DaeText points;
     points.array += " 7 7 7";
@@ -284,7 +284,7 @@ TEST(ReadDae, RefusesNamesThatAreNotUtf8AndReadsLatin1ThatSaysSo) {
     dae.nodes = "<node name=\"bl\xE4tt\"><instance_geometry url=\"#g\"/></node>";
     EXPECT_EQ(
         read_dae_text(dae).faults,
-        Texts{"file:12: the name 'bl?tt' is not UTF-8; save the file as UTF-8"});
+        Texts{"file:14: the name 'bl?tt' is not UTF-8; save the file as UTF-8"});
     std::string latin = dae.text();
     latin.replace(latin.find("utf-8"), 5, "ISO-8859-1");
     const ReadMesh read = read_mesh_text("dae", latin);

@@ -399,6 +399,17 @@ TEST(ReadGltf, RefusesIndicesAndPointsOfAnotherKind) {
          "glTF 2.0"});
 }
 
+TEST(ReadGltf, WarnsOfPointsThatAreTooCoarseForTheirTriangles) {
+    const std::vector<float> points{600000.0625F, 0, 1, 600000.1875F, 0, 1, 600000.125F, 0.1F, 1};
+    GltfText gltf;
+    gltf.buffer = R"({"uri":"a.bin","byteLength":36})";
+    gltf.views = R"({"buffer":0,"byteLength":36})";
+    EXPECT_TRUE(mentions(
+        read_gltf_text(gltf, bytes_of(points)).warnings,
+        "single precision, which has steps of 0.062 near x = 600000.1"));
+    EXPECT_TRUE(read_gltf_text({}).warnings.empty());
+}
+
 TEST(ReadGltf, WarnsOfBytesBehindTheEnd) {
     GltfText text;
     text.buffer = R"({"byteLength":48})";

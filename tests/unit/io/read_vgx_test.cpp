@@ -142,7 +142,7 @@ TEST(ReadVgx, ReportsEveryBadLine) {
         read.faults,
         (Texts{
             "file:2: Obj 22 is not read (only 0, 11 to 13, 21, 31, 32 and 33 are); let PlantGL "
-            "make triangles of it: Scene('in.vgx').save('out.geom')",
+            "make triangles of it: Scene('in.vgx').save('out.obj')",
             "file:3: 2 numbers (the first line names 22 columns)",
             "file:4: EchX 0, EchY 1, EchZ 1 (lengths are more than 0)",
             "file:5: EchX is 'x' (it is a finite number)"}));

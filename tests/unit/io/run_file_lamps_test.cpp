@@ -265,17 +265,17 @@ TEST(Lamps, WarnOfAUnitThatIsNotGivenAndOfPlantsOfStrangeSize) {
         lamp_warnings("", 5),
         std::vector<std::string>{
             "length_unit: is not given, so that coordinates are taken as metres (the median organ "
-            "measures 14.1 m); the irradiance that lamps give depends on it: set length_unit to "
+            "measures 14.2 m); the irradiance that lamps give depends on it: set length_unit to "
             "\"m\", \"cm\" or what the coordinates are in"});
     EXPECT_EQ(lamp_warnings("", 0.1).size(), 1U);
     EXPECT_EQ(lamp_warnings("length_unit = 'cm'\n", 5), std::vector<std::string>{});
     EXPECT_EQ(lamp_warnings("length_unit = 'm'\n", 0.1), std::vector<std::string>{});
     EXPECT_TRUE(mentions(
         lamp_warnings("length_unit = 'm'\n", 5),
-        "the median organ measures 14.1 m if coordinates are in m"));
+        "the median organ measures 14.2 m if coordinates are in m"));
     EXPECT_TRUE(mentions(
         lamp_warnings("length_unit = 'mm'\n", 0.5),
-        "all organs together measure 0.00141 m if coordinates are in mm"));
+        "all organs together measure 0.00142 m if coordinates are in mm"));
 }
 
 TEST(Lamps, BelowTheGroundAreWarnedOf) {
