@@ -231,6 +231,25 @@ TEST(RunFileWeather, WarnsOfLessLightThanUnderTheDarkestClouds) {
     EXPECT_NE(low_light_warnings(1, "unit = 'lux'\n").find("is the unit right"), std::string::npos);
 }
 
+TEST(RunFileWeather, TakesADateForItsDayAndAsksForMegajoulesOfDays) {
+    const auto read = [](double light) {
+        return run_of_weather(
+            "weather = 'w.csv'\nutc_offset_hours = 1\nday = '2024-06-13'\n",
+            {{"w.csv", fmt::format(
+                           "time,global\n2024-06-12,{}\n2024-06-13,{}\n2024-06-14,{}\n", light,
+                           1.1 * light, light)}},
+            kPlace);
+    };
+    const RunFile watts = read(200);
+    ASSERT_EQ(watts.series->time_steps.size(), 1U);
+    EXPECT_EQ(watts.series->days[0], "2024-06-13");
+    EXPECT_NEAR(watts.series->notes[0].daylight.global(), 220, 1e-6);
+    EXPECT_EQ(all_warnings(watts).find("times by day"), std::string::npos) << all_warnings(watts);
+    EXPECT_NE(
+        all_warnings(read(20)).find("multiply by 11.57 or 41.67 for 24 hours"), std::string::npos)
+        << all_warnings(read(20));
+}
+
 TEST(RunFileTime, WarnsOfNoLightWithTheSunHigh) {
     const auto warnings = [](const std::string& lights) {
         return all_warnings(read_text(with_time(
