@@ -7,7 +7,6 @@
 
 #include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
-#include "sums/statistics.h"
 
 namespace quasimc::test {
 namespace {
