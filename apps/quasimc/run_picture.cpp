@@ -5,7 +5,6 @@
 #include "io/results/series_words.h"
 #include "io/runfile/units.h"
 #include "show_colors.h"
-#include "sums/statistics.h"
 #include "view/picture.h"
 
 namespace {

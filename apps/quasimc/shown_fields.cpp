@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "show_colors.h"
-#include "sums/statistics.h"
 
 quasimc::FieldScene field_scene(
     const quasimc::Scene& scene, const std::vector<ShownValues>& all, const ShownValues* colored) {

@@ -229,7 +229,8 @@ const char* quasimc_quantity_name(int64_t quantity);
  *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a ratio that was asked
  *         for, "R:FR"
  *  @param band  its name; NULL for the latter two
- *  @param statistic  "mean", "standard_error", or "low" and "high", the ends of the 95 % interval
+ *  @param statistic  "mean", "standard_error", or "low" and "high", the ends of the 95 % interval,
+ *         which holds the mean and nothing that is physically impossible
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_organ_count() */
 int quasimc_result_get(

@@ -2,6 +2,7 @@
 
 // What a run says of every organ, with errors; the energy budget; and audits.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,13 @@ namespace quasimc {
 
 class Scene;
 struct Result;
+
+/// The estimate as it is reported. An interval ends at what is physically possible; a mean beyond
+/// that, by chance, is put onto the end. Over many runs such a mean is biased, and the original one
+/// is not: sums, averages and models take that. Zeros have no sign.
+[[nodiscard]] constexpr Estimate reported(const Estimate& e) {
+    return {std::clamp(e.mean, e.low, e.high) + 0.0, e.standard_error, e.low, e.high};
+}
 
 /// A right result fails an audit with at most this probability.
 inline constexpr double kAuditLevel = 1e-4;
@@ -147,6 +155,7 @@ struct RoundErrors {
     double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
 };
 
+/// Means are as they were found: reported() gives them for files, tables and pictures.
 struct Result {
     std::size_t bands = 0;
     std::size_t ratios = 0;

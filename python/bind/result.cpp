@@ -11,7 +11,6 @@
 
 #include "io/results/json_parts.h"
 #include "io/runfile/options.h"
-#include "sums/statistics.h"
 
 namespace quasimc::python {
 namespace {

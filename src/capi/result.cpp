@@ -9,7 +9,6 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
-#include "sums/statistics.h"
 
 namespace quasimc::capi {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "quasimc/result.h"
 #include "scene/scene.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 

@@ -9,7 +9,6 @@
 #include "io/results/written.h"
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 

@@ -60,8 +60,9 @@ double OrganLimits::of(Quantity quantity, std::size_t band) const {
             return direct_upper[band] + direct_lower[band];
         case Quantity::incident_scattered:
             return scattered[band];
-        default:
-            return absorbed[band];
+        default:  // What is absorbed fell on it.
+            return std::min(
+                emitted[band], direct_upper[band] + direct_lower[band] + scattered[band]);
     }
 }
 
@@ -74,7 +75,6 @@ OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
     add(direct_upper, other.direct_upper);
     add(direct_lower, other.direct_lower);
     add(scattered, other.scattered);
-    // Of what is emitted both together absorb no more than all.
     sunlit_area += other.sunlit_area;
     return *this;
 }

@@ -15,15 +15,15 @@ namespace quasimc {
 /// known. See docs/theory/statistics.md.
 struct OrganLimits {
     /// Nothing. @param emitted  flux into the scene, per band
-    explicit OrganLimits(std::vector<double> emitted)
-        : direct_upper(emitted.size()),
-          direct_lower(emitted.size()),
-          scattered(emitted.size()),
-          absorbed(std::move(emitted)) {}
+    explicit OrganLimits(std::vector<double> all_emitted)
+        : direct_upper(all_emitted.size()),
+          direct_lower(all_emitted.size()),
+          scattered(all_emitted.size()),
+          emitted(std::move(all_emitted)) {}
 
     std::vector<double> direct_upper, direct_lower;  ///< if nothing stood in its way
     std::vector<double> scattered;                   ///< on both sides together
-    std::vector<double> absorbed;                    ///< all that is emitted
+    std::vector<double> emitted;                     ///< into the scene
     double sunlit_area = 0;
 
     /// Of a quantity: flux.

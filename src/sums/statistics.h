@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 
 #include "quasimc/sums.h"
@@ -21,7 +20,7 @@ namespace quasimc {
 
 /// The estimate of an amount that can't be negative: of its interval what is not below 0, which
 /// holds the truth as often as all of it. An interval that lies below 0 throughout has missed: in
-/// its place one from 0 on, as wide as the upper half. The mean stays what it is: see reported().
+/// its place one from 0 on, as wide as the upper half. The mean stays what it is.
 [[nodiscard]] Estimate not_negative(const Estimate& e);
 
 /// The estimate of an amount that can't be above `most`: of its interval what is not, which holds
@@ -29,13 +28,6 @@ namespace quasimc {
 /// that ends at the limit and begins by the lower half of its width below. The mean stays what it
 /// is, and may lie above by chance, or it would be biased. Where nothing can be, 0 is certain.
 [[nodiscard]] Estimate not_above(const Estimate& e, double most);
-
-/// The estimate as it is reported. An interval ends at what is physically possible; a mean beyond
-/// that, by chance, is put onto the end. Over many runs such a mean is biased, and the original one
-/// is not: sums, averages and models take that. Zeros have no sign.
-[[nodiscard]] inline Estimate reported(const Estimate& e) {
-    return {std::clamp(e.mean, e.low, e.high) + 0.0, e.standard_error, e.low, e.high};
-}
 
 /// An amount of which nothing was seen in `events` independent tries, each of which could have
 /// brought `most`: 0, with the upper 95 % limit 3 most / events (rule of three: Hanley and

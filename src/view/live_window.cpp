@@ -9,7 +9,6 @@
 #include "io/results/window_lights.h"
 #include "io/results/window_scene.h"
 #include "io/results/window_shape.h"
-#include "sums/statistics.h"
 #include "view/window_names.h"
 
 namespace quasimc {

@@ -14,7 +14,6 @@
 #include "io/runfile/units.h"
 #include "quasimc/version.h"
 #include "results/groups.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "io/results/json_parts.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

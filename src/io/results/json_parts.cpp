@@ -2,7 +2,6 @@
 
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

@@ -15,7 +15,6 @@
 #include "io/runfile/units.h"
 #include "quasimc/file.h"
 #include "quasimc/version.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

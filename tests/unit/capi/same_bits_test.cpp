@@ -9,7 +9,6 @@
 #include "quasimc/file.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
-#include "sums/statistics.h"
 #include "support/temporary_folder.h"
 #include "unit/capi/canopy.h"
 

@@ -7,7 +7,6 @@
 
 #include "geometry/shapes/shapes.h"
 #include "statistical/scenes.h"
-#include "sums/statistics.h"
 
 namespace quasimc::test {
 namespace {
@@ -77,6 +76,20 @@ TEST_P(LightLimits, NoPartOfTheLightIsMoreThanAll) {
     }
     EXPECT_LE(result.budget[0].absorbed_by_organs.high, emitted);
     EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).high, emitted);
+}
+
+TEST_P(LightLimits, NoOrganAbsorbsMoreThanFallsOnIt) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("black", 0, 0));
+    builder.add_organ(organ("plate", "black", floor_of(0, 2, 0, 2, 0)));
+    const Scene scene = std::move(builder).build();
+    const Result result = few(scene, {sun(0, {1000})});
+    const double most = 4000 * (1 + 1e-12);
+    EXPECT_LE(reported(result.at(0, Quantity::absorbed_flux, 0)).mean, most);
+    EXPECT_LE(result.at(0, Quantity::absorbed_flux, 0).high, most);
+    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).high, most);
+    EXPECT_NEAR(reported(result.at(0, Quantity::incident_upper, 0)).mean, 1000, 1);
+    EXPECT_LE(reported(result.at(0, Quantity::incident_upper, 0)).mean, 1000 * (1 + 1e-12));
 }
 
 /// The truth is inside: of a leaf in the open that all methods see as lit.

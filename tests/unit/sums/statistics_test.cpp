@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quasimc/result.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {
