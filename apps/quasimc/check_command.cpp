@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "io/runfile/run_file.h"
 #include "option_flags.h"
+#include "progress.h"
 #include "quasimc/quasimc.h"
 
 namespace {
@@ -46,7 +48,10 @@ std::string light_of(const quasimc::RunFile& run) {
 }
 
 Exit check(const CheckArguments& arguments) {
-    quasimc::RunSweep sweep = quasimc::read_run_sweep(arguments.file, arguments.flags.overrides());
+    quasimc::RunSweep sweep = quasimc::read_run_sweep(
+        arguments.file, arguments.flags.overrides(), quasimc::FileAccess(),
+        points_line(ProgressLines::on_terminal));
+    end_progress_line();
     const std::size_t warnings = sweep.warnings().size();
     print_warnings(sweep.warnings());
     const quasimc::RunFile run = sweep.take(0);

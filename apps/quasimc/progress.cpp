@@ -2,10 +2,13 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "base/process_time.h"
 
 namespace {
 
@@ -13,10 +16,10 @@ bool is_shown() {
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-void show(const quasimc::Progress& progress) {
+void show(const std::string& what, const quasimc::Progress& progress) {
     constexpr double kSoon = 1;  // seconds; shorter runs need no line
     if (progress.expected_seconds >= kSoon) {
-        std::fprintf(stderr, "\r%s\x1b[K", progress_words(progress).c_str());
+        std::fprintf(stderr, "\r%s%s\x1b[K", what.c_str(), progress_words(progress).c_str());
         std::fflush(stderr);
     }
 }
@@ -24,19 +27,21 @@ void show(const quasimc::Progress& progress) {
 /// For a log: a line, and the next when much more is done or after a while.
 class LogLines {
   public:
+    explicit LogLines(std::string what) : what_(std::move(what)) {}
     void operator()(const quasimc::Progress& progress) {
         constexpr double kMuch = 0.05, kWhile = 10;
         constexpr double kLeast = 1;  // seconds between lines
         const double since = progress.seconds - seconds_;
         const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
         if (is_due && since >= kLeast) {
-            std::fprintf(stderr, "%s\n", progress_words(progress).c_str());
+            std::fprintf(stderr, "%s%s\n", what_.c_str(), progress_words(progress).c_str());
             seconds_ = progress.seconds;
             fraction_ = progress.fraction;
         }
     }
 
   private:
+    std::string what_;
     double seconds_ = 0, fraction_ = 0;
 };
 
@@ -53,12 +58,26 @@ std::string progress_words(const quasimc::Progress& progress) {
     return text;
 }
 
-std::function<void(const quasimc::Progress&)> progress_line(ProgressLines lines) {
+std::function<void(const quasimc::Progress&)> progress_line(
+    ProgressLines lines, const std::string& what) {
     if (lines != ProgressLines::none && is_shown()) {
-        return show;
+        return [what](const quasimc::Progress& progress) { show(what, progress); };
     }
-    return lines == ProgressLines::always ? LogLines()
+    return lines == ProgressLines::always ? LogLines(what)
                                           : std::function<void(const quasimc::Progress&)>();
+}
+
+std::function<void(std::size_t, std::size_t)> points_line(ProgressLines lines) {
+    const auto tell = progress_line(lines, "reading points: ");
+    if (!tell) {
+        return {};
+    }
+    return [tell, watch = quasimc::Stopwatch()](std::size_t read, std::size_t points) {
+        const double fraction = static_cast<double>(read) / static_cast<double>(points);
+        if (read > 0) {
+            tell({fraction, watch.seconds(), watch.seconds() / fraction, 0});
+        }
+    };
 }
 
 void end_progress_line() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -15,6 +16,11 @@ enum class ProgressLines {
 /// " 37 %, 12 s of about 33 s".
 [[nodiscard]] std::string progress_words(const quasimc::Progress& progress);
 /// Tells on stderr how far the run is; empty if it is told nowhere.
-[[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line(ProgressLines lines);
+/// @param what  stands before it, of what is no run: "reading points: "
+[[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line(
+    ProgressLines lines, const std::string& what = "");
+/// Tells on stderr how many points of a sweep are read and checked; empty if it is told nowhere.
+[[nodiscard]] std::function<void(std::size_t read, std::size_t points)> points_line(
+    ProgressLines lines);
 /// Wipes the line on a terminal.
 void end_progress_line();

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/process_time.h"
 #include "commands.h"
 #include "help_run.h"
 #include "io/results/audit_words.h"
@@ -29,7 +30,12 @@ quasimc::StoredSweep read_runs(
     const RunArguments& arguments, const quasimc::FileAccess& access) try {
     const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
     if (arguments.from.empty()) {
-        return {quasimc::read_run_sweep(arguments.file, overrides, access), ""};
+        quasimc::StoredSweep read{
+            quasimc::read_run_sweep(
+                arguments.file, overrides, access, points_line(progress_lines(arguments))),
+            ""};
+        end_progress_line();
+        return read;
     }
     return quasimc::read_result_sweep(arguments.from, overrides, access);
 } catch (const std::bad_alloc&) {
@@ -100,15 +106,17 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
+/// @param reading  since the files began to be read
 Exit run(
     const RunArguments& arguments,
+    const quasimc::Stopwatch& reading,
     quasimc::StoredSweep stored,
     quasimc::PartFiles* parts,
     quasimc::RunTeam* team = nullptr) {
     if (!arguments.quiet) {
         print_warnings(stored.runs.warnings());
     }
-    SweepRun sweep(arguments, stored.runs, parts, team);
+    SweepRun sweep(arguments, stored.runs, parts, team, reading);
     sweep.compute();
     if (parts != nullptr) {
         parts->expect_end();
@@ -137,22 +145,25 @@ Exit run(
 /// With the other ranks of the job, if there are any.
 Exit run_with_others(const RunArguments& arguments) {
     const std::unique_ptr<RankTeam> ranks = RankTeam::join();
+    const quasimc::Stopwatch reading;
     if (!ranks) {
-        return run(arguments, read_runs(arguments), nullptr);
+        return run(arguments, reading, read_runs(arguments), nullptr);
     }
     quasimc::RunTeam& team = ranks->team();
     if (!arguments.checkpoint.empty()) {
         team.keep_every = arguments.every;
     }
     return ranks->run([&] {
-        return team.is_first ? run(arguments, read_for_team(arguments, team), nullptr, &team)
-                             : help_run(arguments, team);
+        return team.is_first
+                   ? run(arguments, reading, read_for_team(arguments, team), nullptr, &team)
+                   : help_run(arguments, team);
     });
 }
 
 Exit merge(const RunArguments& arguments) {
+    const quasimc::Stopwatch reading;
     quasimc::PartFiles parts(arguments.parts);
-    return run(arguments, parts.read_runs(), &parts);
+    return run(arguments, reading, parts.read_runs(), &parts);
 }
 
 }  // namespace

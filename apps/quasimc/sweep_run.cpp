@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/process_time.h"
 #include "part_run.h"
 #include "progress.h"
 #include "sweep_jobs.h"
@@ -58,11 +57,13 @@ SweepRun::SweepRun(
     const RunArguments& arguments,
     quasimc::RunSweep& sweep,
     quasimc::PartFiles* parts,
-    quasimc::RunTeam* team)
+    quasimc::RunTeam* team,
+    const quasimc::Stopwatch& reading)
     : arguments_(arguments),
       sweep_(sweep),
       parts_(parts),
       team_(team),
+      reading_seconds_(reading.seconds()),
       run_(next_file(0)),
       writers_(arguments, *run_),
       interrupt_(std::in_place, stopping_note(arguments)),
@@ -82,6 +83,10 @@ void SweepRun::compute() {
         }
         run_ = std::move(next);
     }
+    if (sweep_.size() > 1) {
+        all_.seconds += reading_seconds_;
+        all_.build_seconds += reading_seconds_;
+    }
     checkpoint_.flush();
     point_runs_.reset();
     if (window_) {
@@ -97,7 +102,9 @@ void SweepRun::stay() const {
 }
 
 std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
+    const quasimc::Stopwatch watch;
     auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
+    reading_seconds_ += watch.seconds();
     apply_choice(arguments_.choice, *run);
     if (point == 0) {
         require_times(arguments_, *run);

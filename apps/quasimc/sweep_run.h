@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "base/process_time.h"
 #include "checkpoint_run.h"
 #include "interrupt.h"
 #include "io/results/part_file.h"
@@ -21,11 +22,13 @@ class SweepRun {
   public:
     /// @param parts  which the sums of the runs are taken from; null: they are traced
     /// @param team  which they are traced with; null: alone
+    /// @param reading  since the files began to be read
     SweepRun(
         const RunArguments& arguments,
         quasimc::RunSweep& sweep,
         quasimc::PartFiles* parts,
-        quasimc::RunTeam* team);
+        quasimc::RunTeam* team,
+        const quasimc::Stopwatch& reading);
 
     void compute();
     /// The page stays for who wants to see the result. One who has stopped the run wants to leave.
@@ -55,6 +58,7 @@ class SweepRun {
     quasimc::RunSweep& sweep_;
     quasimc::PartFiles* parts_;
     quasimc::RunTeam* team_;
+    double reading_seconds_ = 0;  // of all points, before and between their runs
     std::size_t point_ = 0;
     std::size_t moments_before_ = 0;  // of the points before
     std::unique_ptr<quasimc::RunFile> run_;

@@ -4,8 +4,11 @@
 
 namespace quasimc {
 
-std::string counted(std::uint64_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural) {
+    if (count == 1 || plural.empty()) {
+        return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+    }
+    return fmt::format("{} {}", count, plural);
 }
 
 std::string with_decimals(double value, int decimals) {

@@ -6,8 +6,10 @@
 
 namespace quasimc {
 
-/// "1 organ", "2 organs".
-[[nodiscard]] std::string counted(std::uint64_t count, std::string_view noun);
+/// "1 organ", "2 organs": a number with its noun.
+/// @param plural  default: the noun with an s
+[[nodiscard]] std::string counted(
+    std::uint64_t count, std::string_view noun, std::string_view plural = {});
 
 /// The value with a fixed number of decimals. A zero has no sign.
 [[nodiscard]] std::string with_decimals(double value, int decimals);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "coupling/fault_teller.h"
 #include "coupling/guarded_stream.h"
 #include "coupling/notices.h"

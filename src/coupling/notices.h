@@ -1,25 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace quasimc {
-
-/// "1 query", "2 queries": a number with its noun.
-/// @param plural  default: the noun with an s
-[[nodiscard]] inline std::string counted(
-    std::size_t number, std::string_view noun, std::string_view plural = {}) {
-    std::string text = std::to_string(number) + " ";
-    if (number == 1 || plural.empty()) {
-        text += noun;
-        return number == 1 ? text : text + "s";
-    }
-    return text += plural;
-}
 
 /// Tells a person what may be of interest, everything once however often it happens.
 class Notices {

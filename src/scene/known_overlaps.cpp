@@ -24,6 +24,47 @@ bool are_equal(
     return true;
 }
 
+Bounds bounds_of_changed(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, double margin) {
+    Bounds bounds;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        if (changed[i]) {
+            bounds.include(bounds_of(triangles[i]));
+        }
+    }
+    const Vec3 grown{margin, margin, margin};
+    return {bounds.low - grown, bounds.high + grown};
+}
+
+/// search_overlaps_of() for scenes that may have instances: those near what changed are taken
+/// apart.
+OverlapSearchResult search_changed(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene) {
+    if (triangles.instances().empty()) {
+        return search_overlaps_of(triangles, changed, scene);
+    }
+    const double size = size_of(scene);
+    const Bounds place = bounds_of_changed(triangles, changed, coplanar_tolerance(size, size));
+    Mesh near;
+    std::vector<std::uint32_t> numbers;
+    std::vector<bool> is_changed;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const Triangle t = triangles[i];
+        if (meet(bounds_of(t), place)) {
+            near.push_back(t);
+            numbers.push_back(i);
+            is_changed.push_back(changed[i]);
+        }
+    }
+    OverlapSearchResult found =
+        search_overlaps_of(SceneGeometry(std::move(near)), is_changed, scene);
+    for (Overlap& pair : found.overlaps.pairs) {
+        pair.first = numbers[pair.first];
+        pair.second = numbers[pair.second];
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<KnownOverlaps::Run> KnownOverlaps::runs_of(const std::vector<std::int64_t>& owners) {
@@ -66,18 +107,14 @@ KnownOverlaps::Matching KnownOverlaps::match(
     return matching;
 }
 
-/// Whether the search was one of all pairs, in the same cubes and with the same tolerances.
-bool KnownOverlaps::can_go_on(const SceneGeometry& triangles, const Bounds& bounds) const {
-    if (!triangles_ || known_.overlaps.gave_up || !triangles.instances().empty() ||
-        !triangles_->instances().empty()) {
-        return false;
-    }
-    return bounds_.low == bounds.low && size_of(bounds_) == size_of(bounds);
+/// Whether the search was one of all pairs, with the same tolerances.
+bool KnownOverlaps::can_go_on(const Bounds& bounds) const {
+    return triangles_ && !known_.overlaps.gave_up && size_of(bounds_) == size_of(bounds);
 }
 
 std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
     const SceneGeometry& triangles, const Bounds& bounds, const std::vector<Run>& runs) {
-    if (!can_go_on(triangles, bounds)) {
+    if (!can_go_on(bounds)) {
         return std::nullopt;
     }
     const Matching matching = match(triangles, runs);
@@ -87,12 +124,18 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
     }
     OverlapSearchResult found;
     if (matching.changed_count > 0) {
-        found = search_overlaps(triangles, matching.changed);
+        found = search_changed(triangles, matching.changed, bounds);
     }
-    // No less than a search of all would count: of the pairs that are left, the first did so.
+    // No less than a search of all would count: of the pairs that are left, the first did so. Where
+    // the scene begins elsewhere, pairs meet in other cubes, and may be counted more often.
     found.work += known_.work;
     found.most_same += known_.most_same;
-    if (found.work.is_too_much(triangles.size()) || found.most_same >= kPileOfTriangles) {
+    OverlapWork most = found.work;
+    if (bounds_.low != bounds.low) {
+        most += found.work;
+    }
+    if (found.overlaps.gave_up || most.is_too_much(triangles.size()) ||
+        found.most_same >= kPileOfTriangles) {
         return std::nullopt;
     }
     std::vector<Overlap>& pairs = found.overlaps.pairs;

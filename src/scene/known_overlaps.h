@@ -11,9 +11,9 @@
 
 namespace quasimc {
 
-/// The overlaps of scenes that follow each other and differ little, as in growth: pairs of which
-/// neither triangle changed are not compared again. What it finds is what find_overlaps() finds;
-/// where that can't be told beforehand, all are compared.
+/// The overlaps of scenes that follow each other and differ little, as in growth and at the points
+/// of a sweep: pairs of which neither triangle changed are not compared again. What it finds is
+/// what find_overlaps() finds; where that can't be told beforehand, all are compared.
 class KnownOverlaps {
   public:
     /// @param owners  of each triangle what tells its organ from others, as its id; those of an
@@ -40,7 +40,7 @@ class KnownOverlaps {
     static constexpr std::uint32_t kGone = 0xFFFFFFFFU;
     [[nodiscard]] Matching match(
         const SceneGeometry& triangles, const std::vector<Run>& runs) const;
-    [[nodiscard]] bool can_go_on(const SceneGeometry& triangles, const Bounds& bounds) const;
+    [[nodiscard]] bool can_go_on(const Bounds& bounds) const;
     [[nodiscard]] std::optional<OverlapSearchResult> find_among_changed(
         const SceneGeometry& triangles, const Bounds& bounds, const std::vector<Run>& runs);
 

@@ -43,12 +43,14 @@ bool OverlapEntry::is_in_plane_of(const OverlapEntry& other) const {
 
 TriangleExtent::TriangleExtent(const Triangle& t) : bounds(bounds_of(t)), size(size_of(bounds)) {}
 
-OverlapGrid::OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>& changed)
-    : triangles_(triangles), changed_(changed), passes_(triangles.instances().empty() ? 1 : 8) {
+OverlapGrid::OverlapGrid(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene)
+    : triangles_(triangles),
+      changed_(changed),
+      low_(scene.low),
+      size_(size_of(scene)),
+      passes_(triangles.instances().empty() ? 1 : 8) {
     EXPECT(changed.empty() || passes_ == 1);
-    const Bounds bounds = bounds_of(triangles);
-    low_ = bounds.low;
-    size_ = size_of(bounds);
     for (std::size_t level = 0; level < kLevels; ++level) {
         per_length_[level] = static_cast<double>(std::uint64_t{1} << (2 * level)) / size_;
     }

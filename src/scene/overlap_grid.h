@@ -43,7 +43,9 @@ class OverlapGrid {
   public:
     /// @param changed  of each triangle; if not empty, only cubes are entered that hold one of
     /// those
-    OverlapGrid(const SceneGeometry& triangles, const std::vector<bool>& changed);
+    /// @param scene  the bounds of the triangles, or of a scene that they are part of
+    OverlapGrid(
+        const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene);
 
     /// Copies of meshes take little memory: their cubes are looked at in several lots.
     [[nodiscard]] std::uint64_t passes() const { return passes_; }

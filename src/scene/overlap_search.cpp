@@ -27,10 +27,11 @@ bool faces_before(const OverlapEntry& a, const OverlapEntry& b) {
 
 class OverlapSearch {
   public:
-    OverlapSearch(const SceneGeometry& triangles, const std::vector<bool>& changed)
+    OverlapSearch(
+        const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene)
         : triangles_(triangles),
           changed_(changed),
-          grid_(triangles, changed),
+          grid_(triangles, changed, scene),
           same_before_(triangles.size()) {}
 
     OverlapSearchResult run() {
@@ -238,11 +239,16 @@ bool OverlapWork::is_too_much(std::size_t triangles) const {
     return comparisons + looks / 8 > 1'000'000 + 200 * triangles;
 }
 
-OverlapSearchResult search_overlaps(
-    const SceneGeometry& triangles, const std::vector<bool>& changed) {
+OverlapSearchResult search_overlaps(const SceneGeometry& triangles) {
     EXPECT(triangles.size() <= kMostToCompare);
-    EXPECT(changed.empty() || changed.size() == triangles.size());
-    return OverlapSearch(triangles, changed).run();
+    const std::vector<bool> all;
+    return OverlapSearch(triangles, all, bounds_of(triangles)).run();
+}
+
+OverlapSearchResult search_overlaps_of(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene) {
+    EXPECT(triangles.size() <= kMostToCompare && changed.size() == triangles.size());
+    return OverlapSearch(triangles, changed, scene).run();
 }
 
 }  // namespace quasimc

@@ -56,9 +56,13 @@ struct OverlapSearchResult {
 inline constexpr std::uint32_t kPileOfTriangles = 64;
 
 /// As find_overlaps, with the work; at most kMostToCompare triangles.
-/// @param changed  of each triangle; if not empty, only pairs are looked for of which one changed.
-///        There are no instances then
-[[nodiscard]] OverlapSearchResult search_overlaps(
-    const SceneGeometry& triangles, const std::vector<bool>& changed = {});
+[[nodiscard]] OverlapSearchResult search_overlaps(const SceneGeometry& triangles);
+
+/// As search_overlaps, but only pairs of which one changed.
+/// @param triangles  without instances; the changed ones, and at least all that lie on them
+/// @param changed  of each triangle
+/// @param scene  bounds of the scene that they are part of
+[[nodiscard]] OverlapSearchResult search_overlaps_of(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene);
 
 }  // namespace quasimc

@@ -10,8 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
+#include "base/number_text.h"
 #include "io/line_scanner.h"
 #include "io/meshes/ply_header.h"
 #include "io/numbers.h"
@@ -51,10 +50,6 @@ class PlyValues {
     }
 
   private:
-    static std::string counted(std::size_t count, std::string_view what) {
-        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-    }
-
     std::optional<double> next_word() {
         static constexpr Separators kWithLines = " \t\r\n\v\f";
         return parse_real(take_word(rest_, kWithLines));

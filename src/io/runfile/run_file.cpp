@@ -47,9 +47,11 @@ void read_format_version(TableReader& top) {
     }
 }
 
-std::optional<Scene> build(SceneBuilder builder, const Scene* base, Reporter& reporter) {
+std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Reporter& reporter) {
     try {
-        return base != nullptr ? std::move(builder).build_on(*base) : std::move(builder).build();
+        return known.same != nullptr       ? std::move(builder).build_on(*known.same)
+               : known.overlaps != nullptr ? std::move(builder).build_after(known.overlaps)
+                                           : std::move(builder).build();
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
             // What has no line of a file is of the run file.
@@ -123,10 +125,7 @@ SceneBuilder begin_scene(const RunFileContext& context) {
 }
 
 Sections read_sections(
-    TableReader& top,
-    InputFiles& files,
-    const std::vector<Override>& overrides,
-    const Scene* base) {
+    TableReader& top, InputFiles& files, const std::vector<Override>& overrides, KnownScene known) {
     Sections sections;
     sections.title = top.text("title").value_or("");
     RunFileContext context = read_context(top, files);
@@ -137,8 +136,8 @@ Sections read_sections(
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
     sections.series = read_time(top, context, sections.sources);
-    base = base != nullptr && builder.can_build_on(*base) ? base : nullptr;
-    if (base != nullptr) {
+    known.same = known.same != nullptr && builder.can_build_on(*known.same) ? known.same : nullptr;
+    if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "ground", "cell"});
     } else {
         read_geometry_sections(top, context, builder);
@@ -150,8 +149,8 @@ Sections read_sections(
     if (!top.reporter().faults.empty()) {
         add_stand_in(builder, context);
     }
-    sections.is_on_base = base != nullptr;
-    sections.scene = build(std::move(builder), base, top.reporter());
+    sections.is_on_base = known.same != nullptr;
+    sections.scene = build(std::move(builder), known, top.reporter());
     return sections;
 }
 
@@ -348,11 +347,11 @@ RunFile read_run_document(
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides,
-    const Scene* base,
+    const KnownScene& known,
     Darkness darkness) {
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
-    Sections sections = read_sections(top, files, overrides, base);
+    Sections sections = read_sections(top, files, overrides, known);
     if (reporter.faults.empty()) {
         Faults faults;
         check_with_sources(sections, *sections.scene, faults, darkness);
@@ -386,7 +385,7 @@ SceneOfRun read_scene_document(
     const std::function<void(SceneBuilder&)>& add_organs) {
     Reporter reporter{name, {}, {}};
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
-    std::optional<Scene> scene = build(std::move(builder), nullptr, reporter);
+    std::optional<Scene> scene = build(std::move(builder), {}, reporter);
     throw_in_order(reporter);
     for (Warning& warning : lint_geometry(*scene)) {
         reporter.warnings.push_back(std::move(warning));
@@ -449,7 +448,10 @@ RunSweep read_run_sweep(const std::string& path, const std::vector<Override>& ov
 }
 
 RunSweep read_run_sweep(
-    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access) {
+    const std::string& path,
+    const std::vector<Override>& overrides,
+    const FileAccess& access,
+    const OnPointRead& on_point) {
     const std::string text = access.read(path);
     const std::filesystem::path absolute = access.absolute(path);
     const std::string name = path == "-" ? "standard input" : path;
@@ -457,7 +459,7 @@ RunSweep read_run_sweep(
     noted.note(path, absolute, text);
     noted.mark_run_file();
     return read_sweep_document(
-        read_file_of_run(text, name), name, [noted] { return noted; }, overrides);
+        read_file_of_run(text, name), name, [noted] { return noted; }, overrides, on_point);
 }
 
 RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {

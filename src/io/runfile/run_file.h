@@ -27,21 +27,34 @@ namespace quasimc {
 /// What is to be said of a run without any light: its numbers are zeros.
 enum class Darkness { refused, allowed };
 
+/// What is known of the scene of a document before it is read.
+struct KnownScene {
+    /// One with its organs, ground and cell: where lights, materials and settings alone differ,
+    /// these are not read again. Or null.
+    const Scene* same = nullptr;
+    /// Of a scene that differs little; or null.
+    KnownOverlaps* overlaps = nullptr;
+};
+
+/// Called as the points of a sweep are read, with the number of those that are.
+using OnPointRead = std::function<void(std::size_t read, std::size_t points)>;
+
 /// The same from a document that is parsed already, and has no [sweep].
-/// @param base  a scene with the organs, ground and cell of the document: where lights, materials
-///        and settings alone differ from those of the base, they are not read again
 /// @param darkness  of a run without [time]; nights of those with it are allowed
 [[nodiscard]] RunFile read_run_document(
     Node document,
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides = {},
-    const Scene* base = nullptr,
+    const KnownScene& known = {},
     Darkness darkness = Darkness::refused);
 
 /// read_run_sweep() of files that are reached otherwise.
 [[nodiscard]] RunSweep read_run_sweep(
-    const std::string& path, const std::vector<Override>& overrides, const FileAccess& access);
+    const std::string& path,
+    const std::vector<Override>& overrides,
+    const FileAccess& access,
+    const OnPointRead& on_point = {});
 
 /// Puts faults into the order of the file's lines.
 void sort_by_line(std::vector<Fault>& faults, const std::string& file);
@@ -53,7 +66,8 @@ void sort_by_line(std::vector<Fault>& faults, const std::string& file);
     Node document,
     const std::string& name,
     std::function<InputFiles()> files,
-    const std::vector<Override>& overrides = {});
+    const std::vector<Override>& overrides = {},
+    const OnPointRead& on_point = {});
 
 // For programs that keep a scene and change the light on it, a document is read in two parts. Each
 // passes over the keys of the other, and over [output], and refuses [sweep].

@@ -15,6 +15,7 @@
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
 #include "scene/fold_warnings.h"
+#include "scene/known_overlaps.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -60,14 +61,15 @@ class RunSweep::State {
         Node document,
         std::string name,
         std::function<InputFiles()> files,
-        std::vector<Override> overrides)
+        std::vector<Override> overrides,
+        const OnPointRead& on_point)
         : document_(std::move(document)),
           files_(std::move(files)),
           overrides_(std::move(overrides)),
           reporter_{std::move(name), {}, {}},
           plan_(document_, reporter_) {
         check_overrides();
-        read_all();
+        read_all(on_point);
         if (!reporter_.faults.empty()) {
             std::vector<Fault> faults = reporter_.faults.all();
             sort_by_line(faults, reporter_.file);
@@ -142,17 +144,22 @@ class RunSweep::State {
         own.faults.throw_if_any();
         InputFiles files = files_();
         files.read_through([this](auto reader) { return cache_.around(std::move(reader)); });
-        const Scene* base = first_ && plan_.keeps_geometry() ? &first_->scene : nullptr;
+        const KnownScene known{
+            .same = first_ && plan_.keeps_geometry() ? &first_->scene : nullptr,
+            .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_};
         return read_run_document(
-            std::move(document), reporter_.file, files, overrides_, base, Darkness::allowed);
+            std::move(document), reporter_.file, files, overrides_, known, Darkness::allowed);
     }
 
     [[nodiscard]] bool is_full() const {
         return reporter_.is_full() || point_faults_.size() >= kMostPointFaults;
     }
 
-    void read_all() {
+    void read_all(const OnPointRead& on_point) {
         for (std::size_t i = 0; i < size() && !is_full(); ++i) {
+            if (on_point && is_swept()) {
+                on_point(i, size());
+            }
             try {
                 note(i, read(i));
             } catch (const InputError& error) {
@@ -258,6 +265,7 @@ class RunSweep::State {
     Reporter reporter_;
     SweepPlan plan_;
     FileCache cache_;
+    KnownOverlaps overlaps_;  // of the point that was read last
     std::shared_ptr<CommonMemory> common_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
@@ -303,9 +311,10 @@ RunSweep read_sweep_document(
     Node document,
     const std::string& name,
     std::function<InputFiles()> files,
-    const std::vector<Override>& overrides) {
-    return RunSweep(
-        std::make_unique<RunSweep::State>(std::move(document), name, std::move(files), overrides));
+    const std::vector<Override>& overrides,
+    const OnPointRead& on_point) {
+    return RunSweep(std::make_unique<RunSweep::State>(
+        std::move(document), name, std::move(files), overrides, on_point));
 }
 
 }  // namespace quasimc

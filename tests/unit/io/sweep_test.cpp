@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "io_testing.h"
 #include "quasimc/error.h"
 #include "quasimc/run.h"
+#include "scene/covered.h"
 #include "scene/scene.h"
 
 namespace quasimc::test {
@@ -223,6 +225,40 @@ TEST(Sweep, MayVaryGeometryToo) {
 }
 
 /// A sensor lets all light pass, and what it covers is not cut away: the scene is built anew.
+/// Overlaps of what stays are not looked for again: the scenes are those of runs alone all the
+/// same.
+TEST(Sweep, OfAPanelThatTurnsHasTheScenesOfItsPoints) {
+    const std::string panel =
+        "[[organ]]\nname = 'panel'\nmaterial = 'leaf'\nshape = 'parallelogram'\n"
+        "corner = [-0.5, -0.5, 0]\nedge_a = [1, 0, 0]\nedge_b = [0, 1, 0]\n"
+        "transform = { rotate = { axis = [0, 1, 0], angle_deg = 45 }, translate = [0.2, 0.2, 1] }\n"
+        "[[organ]]\nname = 'shelf'\nmaterial = 'leaf'\nshape = 'parallelogram'\n"
+        "corner = [-3, -3, 1]\nedge_a = [6, 0, 0]\nedge_b = [0, 6, 0]\n";
+    RunText text;
+    text.rest = panel + "[sweep]\norgan.panel.transform.rotate.angle_deg = [0, 30, 0, 180]\n";
+    std::vector<std::pair<std::size_t, std::size_t>> read;
+    const InputFiles files("/run");
+    RunSweep sweep = read_sweep_document(
+        read_toml(text.text(), "run.toml"), "run.toml", [files] { return files; }, {},
+        [&](std::size_t done, std::size_t points) { read.emplace_back(done, points); });
+    EXPECT_EQ(
+        read, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 4}, {1, 4}, {2, 4}, {3, 4}}));
+    const std::vector<std::string> angles{"0", "30", "0", "180"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        RunText alone;
+        alone.rest = panel;
+        alone.rest.replace(alone.rest.find("45"), 2, angles[i]);
+        const Scene expected = std::move(sweep_of(alone.text())).only_run().scene;
+        const Scene found = sweep.take(i).scene;
+        EXPECT_TRUE(found.triangles() == expected.triangles()) << i;
+        EXPECT_EQ(found.coincidences().pairs.size(), angles[i] == "30" ? 0U : 1U) << i;
+        ASSERT_EQ(found.organs().size(), expected.organs().size());
+        for (std::size_t k = 0; k < found.organs().size(); ++k) {
+            EXPECT_EQ(found.organs()[k].covered_area, expected.organs()[k].covered_area);
+        }
+    }
+}
+
 TEST(Sweep, BuildsASceneAnewWhereAMaterialBecomesTransparent) {
     RunText text;
     text.materials += "transmission_model = 'mirror'\ntransmittance = 0.5\n";

@@ -90,7 +90,7 @@ TEST(OverlapSearch, ComparesNoTrianglesInParallelPlanes) {
         const double z = 1e-3 * i;
         triangles.push_back({Vec3{0, 0, z}, {1, 0, z}, {0, 1, z}});
     }
-    const OverlapSearchResult result = search_overlaps(SceneGeometry{Mesh(triangles)}, {});
+    const OverlapSearchResult result = search_overlaps(SceneGeometry{Mesh(triangles)});
     EXPECT_EQ(result.work.comparisons, 0U);
     EXPECT_FALSE(result.overlaps.gave_up);
 }
