@@ -108,7 +108,8 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .place = read_place(top),
         .sun = {},
         .length_unit = top.text("length_unit").value_or("m"),
-        .has_time = top.any("time") != nullptr};
+        .has_time = top.any("time") != nullptr,
+        .meshes = nullptr};
 }
 
 SceneBuilder begin_scene(const RunFileContext& context) {
@@ -122,6 +123,7 @@ Sections read_sections(
     Sections sections;
     sections.title = top.text("title").value_or("");
     RunFileContext context = read_context(top, files);
+    context.meshes = known.meshes;
     SceneBuilder builder = begin_scene(context);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());

@@ -42,6 +42,12 @@ std::optional<MeshFile> read_bytes(
     const FormatEntry& format,
     const RunFileContext& context) {
     Reporter reporter{file, {}, {}};
+    const MeshCache::Key key{file, std::string(format.name)};
+    if (const auto* known = context.meshes != nullptr ? context.meshes->find(key) : nullptr) {
+        reporter.warnings = known->warnings;
+        table.reporter().add(reporter);
+        return known->mesh;
+    }
     MeshFile mesh;
     try {
         const std::string bytes = context.files->read(file);
@@ -59,7 +65,13 @@ std::optional<MeshFile> read_bytes(
         table.fault_at("file", fmt::format("file '{}' holds no triangle", file));
     }
     table.reporter().add(reporter);
-    return table.failed() ? std::nullopt : std::optional<MeshFile>(std::move(mesh));
+    if (table.failed()) {
+        return std::nullopt;
+    }
+    if (context.meshes != nullptr) {
+        context.meshes->add(key, {mesh, reporter.warnings});
+    }
+    return mesh;
 }
 
 }  // namespace
