@@ -1,8 +1,11 @@
 #include "solvers/bundle_memory.h"
 
 #include <algorithm>
+#include <limits>
 
-#include <unistd.h>
+#ifdef __linux__
+#include <sys/sysinfo.h>
+#endif
 
 #include <fmt/format.h>
 
@@ -15,6 +18,17 @@ namespace {
 
 unsigned replicates_at_work(const RunSpec& spec) {
     return std::min(thread_count(spec.threads), static_cast<unsigned>(spec.replicates));
+}
+
+/// Infinite where the system does not tell.
+double bytes_of_machine() {
+#ifdef __linux__
+    struct sysinfo machine {};
+    if (::sysinfo(&machine) == 0) {
+        return static_cast<double>(machine.totalram) * static_cast<double>(machine.mem_unit);
+    }
+#endif
+    return std::numeric_limits<double>::infinity();
 }
 
 std::string gigabytes(double bytes) {
@@ -50,8 +64,7 @@ void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults
         patches_for(spec.paths),
         kFewestPatchesOfTriangle * static_cast<double>(scene.triangles().size()));
     const double bytes = bytes_of_bundles(scene, spec, patches);
-    const double all = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(::sysconf(_SC_PAGESIZE));
+    const double all = bytes_of_machine();
     if (bytes > all) {
         faults.add(
             {"method",

@@ -345,9 +345,8 @@ std::vector<std::string> absorptances(const Scene& scene) {
 }
 
 TEST(GeometryKeys, MaterialsBelongToTheFileThatDefinesThem) {
-    using Texts = std::vector<std::string>;
     const RunFile run = read_two_of_one_name("A.obj", "B.obj");
-    EXPECT_EQ(absorptances(run.scene), (Texts{"A.obj M 1", "B.obj M 0.1"}));
+    EXPECT_EQ(absorptances(run.scene), (std::vector<std::string>{"A.obj M 1", "B.obj M 0.1"}));
     EXPECT_EQ(
         texts_of(run)[1],
         "material 'M' of B.obj is not in the run file; its diffuse colour gives reflectance 0.9, "
@@ -355,25 +354,27 @@ TEST(GeometryKeys, MaterialsBelongToTheFileThatDefinesThem) {
         "materials of the same name");
     EXPECT_EQ(
         absorptances(read_two_of_one_name("B.obj", "A.obj").scene),
-        (Texts{"B.obj M 0.1", "A.obj M 1"}));
+        (std::vector<std::string>{"B.obj M 0.1", "A.obj M 1"}));
     // Alike, and the same file twice: one material with its own name.
     EXPECT_EQ(
-        absorptances(read_two_of_one_name("C.obj", "B.obj").scene), (Texts{"M 0.1", "M 0.1"}));
-    EXPECT_EQ(absorptances(read_two_of_one_name("A.obj", "A.obj").scene), (Texts{"M 1", "M 1"}));
+        absorptances(read_two_of_one_name("C.obj", "B.obj").scene),
+        (std::vector<std::string>{"M 0.1", "M 0.1"}));
+    EXPECT_EQ(
+        absorptances(read_two_of_one_name("A.obj", "A.obj").scene),
+        (std::vector<std::string>{"M 1", "M 1"}));
 }
 
 TEST(GeometryKeys, AMaterialOfTheRunIsForAllFilesOrForOne) {
-    using Texts = std::vector<std::string>;
     EXPECT_EQ(
         absorptances(
             read_two_of_one_name("A.obj", "B.obj", "[[material]]\nname = 'M'\nreflectance = 0.3\n")
                 .scene),
-        (Texts{"M 0.7", "M 0.7"}));
+        (std::vector<std::string>{"M 0.7", "M 0.7"}));
     EXPECT_EQ(
         absorptances(read_two_of_one_name(
                          "A.obj", "B.obj", "[[material]]\nname = 'B.obj M'\nreflectance = 0.3\n")
                          .scene),
-        (Texts{"A.obj M 1", "B.obj M 0.7"}));
+        (std::vector<std::string>{"A.obj M 1", "B.obj M 0.7"}));
 }
 
 TEST(GeometryKeys, ManyMaterialsOfALibraryAreOneWarning) {
