@@ -126,7 +126,8 @@ TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
             "; exit ${PIPESTATUS[0]}");
         expect_old_or_new(std::to_string(moment_s) + " s");
         EXPECT_TRUE(has_new_csv() && has_new_json()) << moment_s << " s";
-        EXPECT_LE(outcome.status, 1) << moment_s << " s";
+        EXPECT_TRUE(outcome.status == 0 || outcome.status == 141)
+            << outcome.status << " after " << moment_s << " s";
     });
 }
 

@@ -93,7 +93,7 @@ class DaeLibrary {
     std::size_t left_out_ = 0;  // lines
     std::size_t repeated_ids_ = 0, wrong_counts_ = 0;
     std::string first_repeated_, first_wrong_;
-    bool has_alpha_ = false;    // whether one of its images can be a mask
+    bool has_alpha_ = false;  // whether one of its images can be a mask
 };
 
 }  // namespace quasimc

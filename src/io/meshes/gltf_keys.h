@@ -5,8 +5,8 @@
 
 namespace quasimc {
 
-/// Warns of keys that glTF 2.0 does not have, where geometry is stated: a misspelled "translation" would
-/// be passed over.
+/// Warns of keys that glTF 2.0 does not have, where geometry is stated: a misspelled "translation"
+/// would be passed over.
 void warn_of_unknown_keys(const Node& root, Reporter& reporter);
 
 }  // namespace quasimc
