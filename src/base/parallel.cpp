@@ -43,6 +43,14 @@ void parallel_blocks(
             next = blocks;
         }
     };
+    const auto start = [&](unsigned worker) {
+        try {
+            return start_thread([&loop, worker] { loop(worker); });
+        } catch (const OutOfMemory&) {
+            next = blocks;  // for those that were started
+            throw;
+        }
+    };
     {
         const auto extra = static_cast<unsigned>(
             std::min<std::uint64_t>(
@@ -50,13 +58,8 @@ void parallel_blocks(
             1);
         std::vector<std::jthread> threads;
         threads.reserve(extra);
-        try {
-            for (unsigned worker = 1; worker <= extra; ++worker) {
-                threads.push_back(start_thread([&loop, worker] { loop(worker); }));
-            }
-        } catch (const OutOfMemory&) {
-            next = blocks;  // for those that were started
-            throw;
+        for (unsigned worker = 1; worker <= extra; ++worker) {
+            threads.push_back(start(worker));
         }
         loop(0);
     }

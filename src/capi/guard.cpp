@@ -63,7 +63,7 @@ std::span<const double> of_bands(const double* numbers, std::int64_t bands, cons
 }
 
 std::string text_of(const char* text, const char* name) {
-    const std::string copy = &deref(text, name);
+    std::string copy = &deref(text, name);
     if (!is_utf8(copy)) {
         throw InputError({{name, shown(copy) + " is not UTF-8", "texts are in UTF-8", ""}});
     }

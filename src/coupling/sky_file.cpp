@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMostAlongAnAxis = 1e4, kMostCells = 1e6;
+constexpr double kMaxAlongAnAxis = 1e4, kMostCells = 1e6;
 
 /// Cells azimuth by azimuth, from the horizon up: azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_cells(Values& numbers, std::size_t azimuths, std::size_t elevations) {
@@ -117,8 +117,8 @@ std::string sky_file_numbers(std::string_view text) {
 }
 
 std::optional<SkyTable> read_sky_table(Values& numbers) {
-    const auto first = numbers.integer("the number of azimuths", {1, kMostAlongAnAxis});
-    const auto second = numbers.integer("the number of elevations", {1, kMostAlongAnAxis});
+    const auto first = numbers.integer("the number of azimuths", {1, kMaxAlongAnAxis});
+    const auto second = numbers.integer("the number of elevations", {1, kMaxAlongAnAxis});
     if (!first || !second) {
         return std::nullopt;
     }

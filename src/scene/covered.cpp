@@ -108,8 +108,8 @@ Overlaps find_with(
 /// @throws InputError  if most of what lies on each other are images of the same few triangles:
 /// more than could be compared, as of organs in centimetres in a cell in metres
 void refuse_pile_of_images(std::size_t images, std::size_t triangles) {
-    constexpr std::size_t kMostOfEach = 100;
-    if (images > kMostOfEach * triangles) {
+    constexpr std::size_t kMaxOfEach = 100;
+    if (images > kMaxOfEach * triangles) {
         throw InputError(
             {{"cell",
               fmt::format(

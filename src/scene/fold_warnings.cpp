@@ -89,7 +89,7 @@ Warning folded(const std::vector<Warning>& all) {
 }  // namespace
 
 std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
-    constexpr std::size_t kMostAlike = 3;
+    constexpr std::size_t kMaxAlike = 3;
     std::map<std::string, std::vector<Warning>> kinds;
     std::vector<std::string> kind_of_each;
     for (const Warning& warning : warnings) {
@@ -99,7 +99,7 @@ std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
     std::vector<Warning> result;
     for (std::size_t i = 0; i < warnings.size(); ++i) {
         std::vector<Warning>& kind = kinds[kind_of_each[i]];
-        if (!kind.empty() && kind.size() <= kMostAlike) {
+        if (!kind.empty() && kind.size() <= kMaxAlike) {
             result.push_back(std::move(warnings[i]));
         } else if (!kind.empty()) {
             result.push_back(folded(kind));

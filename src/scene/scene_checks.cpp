@@ -113,8 +113,8 @@ class FlatSurfaces {
         const double rise = bounds.size().z;
         const double tolerance = coplanar_tolerance(size_of(bounds), scene_size_);
         const double part = tolerance / std::max(rise, tolerance);  // of its images, in one plane
-        constexpr double kLeastPart = 0.01;
-        if (part > kLeastPart) {
+        constexpr double kMinPart = 0.01;
+        if (part > kMinPart) {
             area_ += part * std::abs(area_vector(t).z) / 2;
             bounds_.include(bounds);
         }

@@ -46,7 +46,7 @@ double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches)
 
 std::vector<Warning> lint_bundle_memory(
     const Scene& scene, const RunSpec& spec, const PatchSize& size) {
-    if (bytes_of_patch_light(size.count, scene.bands().size()) <= kMostBytesUnasked) {
+    if (bytes_of_patch_light(size.count, scene.bands().size()) <= kMaxBytesUnasked) {
         return {};
     }
     return {
@@ -59,10 +59,10 @@ std::vector<Warning> lint_bundle_memory(
 }
 
 void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults) {
-    constexpr double kFewestPatchesOfTriangle = 4;
+    constexpr double kMinPatchesOfTriangle = 4;
     const double patches = std::max(
         patches_for(spec.paths),
-        kFewestPatchesOfTriangle * static_cast<double>(scene.triangles().size()));
+        kMinPatchesOfTriangle * static_cast<double>(scene.triangles().size()));
     const double bytes = bytes_of_bundles(scene, spec, patches);
     const double all = bytes_of_machine();
     if (bytes > all) {

@@ -9,7 +9,7 @@ namespace quasimc {
 
 /// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
 /// at work.
-inline constexpr double kMostBytesUnasked = 400e6;
+inline constexpr double kMaxBytesUnasked = 400e6;
 
 /// Memory that ray bundles take in a scene, about: the light of the patches for each replicate at
 /// work, and what is known of the triangles.

@@ -51,7 +51,7 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool ha
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));
         if (!size.holds_shadows || !size.are_alike ||
-            bytes_of_patch_light(size.count, scene.bands().size()) > kMostBytesUnasked) {
+            bytes_of_patch_light(size.count, scene.bands().size()) > kMaxBytesUnasked) {
             return false;
         }
         const LongPatches are_long = find_long_patches(scene, size);

@@ -190,7 +190,7 @@ class ReadingLight {
 
     /// Counts as diffuse what of the beam can't be. @param is_measured  or of the model
     void bound_beam(double global, bool is_measured) {
-        constexpr double kMostOfClear = 2;
+        constexpr double kMaxOfClear = 2;
         constexpr double kHighDeg = 10;
         const double outside = path_.outside() * sine_;
         if (light_.daylight.direct > outside && path_.highest_deg() > kHighDeg) {
@@ -199,7 +199,7 @@ class ReadingLight {
             return;
         }
         const double most =
-            std::min(outside, kMostOfClear * clear_light(path_, air_).daylight.direct);
+            std::min(outside, kMaxOfClear * clear_light(path_, air_).daylight.direct);
         if (light_.daylight.direct > most) {
             light_.note = is_measured ? ReadingNote::beam_too_strong : light_.note;
             const double kept = most * spectra_.direct(span_of(unit_));

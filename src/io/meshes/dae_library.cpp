@@ -56,22 +56,22 @@ std::string DaeLibrary::name_of(std::size_t element) const {
     return one_line(xml_text(name.empty() ? tree_[element].attribute("id") : name));
 }
 
-DaeLibrary::Look DaeLibrary::look_of(std::size_t material) {
+DaeLibrary::Appearance DaeLibrary::appearance_of(std::size_t material) {
     const auto instance = tree_.child(material, "instance_effect");
     const auto effect =
         instance ? target(*instance, tree_[*instance].attribute("url"), "effect") : std::nullopt;
     const auto diffuse = effect ? tree_.find_in(*effect, "diffuse") : std::nullopt;
     const auto color = diffuse ? tree_.child(*diffuse, "color") : std::nullopt;
     const auto transparent = effect ? tree_.find_in(*effect, "transparent") : std::nullopt;
-    Look look;
+    Appearance appearance;
     const bool has_texture = (diffuse && tree_.child(*diffuse, "texture")) ||
                              (transparent && tree_.child(*transparent, "texture"));
-    look.has_mask = has_texture && has_alpha_;
+    appearance.has_mask = has_texture && has_alpha_;
     const auto rgb = color ? numbers(*color) : std::nullopt;
     if (rgb && rgb->size() >= 3) {
-        look.reflectance = ((*rgb)[0] + (*rgb)[1] + (*rgb)[2]) / 3;
+        appearance.reflectance = ((*rgb)[0] + (*rgb)[1] + (*rgb)[2]) / 3;
     }
-    return look;
+    return appearance;
 }
 
 std::optional<std::vector<double>> DaeLibrary::numbers(

@@ -11,7 +11,7 @@
 #include "io/line_scanner.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/placed_triangles.h"
-#include "io/meshes/unknown_words.h"
+#include "io/meshes/unknown_keywords.h"
 #include "io/xml_tree.h"
 
 namespace quasimc {
@@ -43,11 +43,11 @@ class DaeLibrary {
     /// What an element is called: its name, or its id.
     [[nodiscard]] std::string name_of(std::size_t element) const;
     /// What the effect of a <material> says.
-    struct Look {
+    struct Appearance {
         std::optional<double> reflectance;  ///< the mean of its diffuse colour, if it has one
         bool has_mask = false;              ///< a texture can cut out parts of its faces
     };
-    Look look_of(std::size_t material);
+    Appearance appearance_of(std::size_t material);
     /// The numbers in an element; nothing after a fault.
     /// @param count  how many there must be; nothing: any number
     std::optional<std::vector<double>> numbers(
@@ -89,7 +89,7 @@ class DaeLibrary {
     std::map<std::string_view, std::size_t> ids_;
     std::map<std::size_t, DaeGeometry> geometries_;
     CrossedFaces crossed_;
-    UnknownWords unknown_;
+    UnknownKeywords unknown_;
     std::size_t left_out_ = 0;  // lines
     std::size_t repeated_ids_ = 0, wrong_counts_ = 0;
     std::string first_repeated_, first_wrong_;

@@ -144,7 +144,7 @@ struct FormatEntry {
 [[nodiscard]] bool may_have_alpha(std::string_view image);
 
 /// Warns of masks and of transparency, which are not read, with the area concerned.
-void warn_of_unread_looks(const MeshFile& file, Reporter& reporter);
+void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter);
 
 /// The names of the formats that have a writer.
 [[nodiscard]] std::vector<std::string> writable_formats();

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
-#include "io/meshes/geom_words.h"
-#include "io/meshes/unknown_words.h"
+#include "io/meshes/geom_keywords.h"
+#include "io/meshes/unknown_keywords.h"
 #include "io/numbers.h"
 
 namespace quasimc {
@@ -250,7 +250,7 @@ class GeomReader {
 
     GeomWords words_;
     Reporter& reporter_;
-    UnknownWords unknown_objects_, unknown_fields_;
+    UnknownKeywords unknown_objects_, unknown_fields_;
     GeomText text_;
     std::map<std::string_view, std::size_t> names_;
     int depth_ = 0;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/meshes/gltf_values.h"
-#include "io/meshes/unknown_words.h"
+#include "io/meshes/unknown_keywords.h"
 
 namespace quasimc {
 namespace {
@@ -64,7 +64,7 @@ constexpr std::array kListKeys{
     ListKeys{"bufferViews", "bufferView", kViewKeys},
     ListKeys{"buffers", "buffer", kBufferKeys}};
 
-void check_keys(const Node& object, std::string_view where, Keys keys, UnknownWords& unknown) {
+void check_keys(const Node& object, std::string_view where, Keys keys, UnknownKeywords& unknown) {
     const auto* members = object.as<Node::Table>();
     for (std::size_t i = 0; members != nullptr && i < members->size(); ++i) {
         unknown.check((*members)[i].key, where, keys);
@@ -74,7 +74,7 @@ void check_keys(const Node& object, std::string_view where, Keys keys, UnknownWo
 }  // namespace
 
 void warn_of_unknown_keys(const Node& root, Reporter& reporter) {
-    UnknownWords unknown;
+    UnknownKeywords unknown;
     check_keys(root, "the file", kRootKeys, unknown);
     for (const auto& [list, word, keys] : kListKeys) {
         std::size_t number = 0;

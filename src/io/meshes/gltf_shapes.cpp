@@ -94,7 +94,7 @@ void GltfShapes::check_bounds(
     if (accessor.is_normalized || accessor.low.size() != kAxes || accessor.high.size() != kAxes) {
         return;
     }
-    Bounds bounds, stated;
+    Bounds bounds;
     for (const Vec3& point : points) {
         bounds.add(point);
     }

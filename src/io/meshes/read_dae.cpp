@@ -171,11 +171,11 @@ class DaeReader {
     std::string used_material(std::size_t material) {
         const auto [known, is_new] = materials_.try_emplace(material);
         if (is_new) {
-            const DaeLibrary::Look look = library_.look_of(material);
+            const DaeLibrary::Appearance appearance = library_.appearance_of(material);
             const std::string name =
-                names_.name_of(library_.name_of(material), look.reflectance, file_);
-            known->second = {name, look.reflectance};
-            if (look.has_mask) {
+                names_.name_of(library_.name_of(material), appearance.reflectance, file_);
+            known->second = {name, appearance.reflectance};
+            if (appearance.has_mask) {
                 file_.masks.emplace(name, "texture");
             }
         }

@@ -80,7 +80,7 @@ MeshFile read_mesh(const FormatEntry& format, std::string_view bytes, FormatCont
     if (context.reporter.faults.empty()) {
         NameCheck(file, context.reporter).check();
         warn_of_float_steps(file, context.reporter);
-        warn_of_unread_looks(file, context.reporter);
+        warn_of_unread_opacity(file, context.reporter);
     }
     return file;
 }

@@ -243,8 +243,8 @@ void SeriesBuilder::warn_of_darkness() {
         "times have no light at all with the sun more than 10 degrees up: is the clock wrong, or "
         "does "
         "0 stand for missing values (missing_values)?");
-    constexpr double kLeast = 0.03, kLeastOfDays = 0.07, kLong = 12 * 3600;
-    if (clearest_ <= 0 || clearest_ >= (longest_ < kLong ? kLeast : kLeastOfDays)) {
+    constexpr double kLeast = 0.03, kMinOfDays = 0.07, kLong = 12 * 3600;
+    if (clearest_ <= 0 || clearest_ >= (longest_ < kLong ? kLeast : kMinOfDays)) {
         return;
     }
     const bool is_watts = rules_.unit == LightUnit::full_spectrum || rules_.unit == LightUnit::par;

@@ -34,7 +34,7 @@ double amount_of(const Reading& reading) {
 std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const Place& place) {
     constexpr double kLongest = 3 * 3600;
     constexpr double kDark = 0.005;  // of the brightest: sensors are a little off at night
-    constexpr std::int64_t kMostDays = 60;
+    constexpr std::int64_t kMaxDays = 60;
     double brightest = 0;
     for (const WeatherRecord& record : records) {
         brightest = std::max(brightest, record.is_missing ? 0 : amount_of(record.reading));
@@ -44,7 +44,7 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
             std::floor(julian_day(time) + place.longitude_deg / 360 + 0.5));
     };
     const std::int64_t first = solar_day(records.front().start);
-    const std::int64_t stride = 1 + (solar_day(records.back().start) - first) / kMostDays;
+    const std::int64_t stride = 1 + (solar_day(records.back().start) - first) / kMaxDays;
     std::vector<LitTime> times;
     for (const WeatherRecord& record : records) {
         const CivilTime middle = later(record.start, 0.5 * record.seconds);
@@ -128,7 +128,7 @@ std::optional<std::string> warning_of_clock(
     if (records.empty()) {
         return std::nullopt;
     }
-    constexpr std::size_t kFewestDays = 3;
+    constexpr std::size_t kMinDays = 3;
     constexpr double kFarHours = 0.6;  // a record of an hour tells its edges to half of it
     std::vector<LitTime> times = lit_times(records, place);
     keep_telling_days(times);
@@ -136,7 +136,7 @@ std::optional<std::string> warning_of_clock(
         return mismatch_of(times, latitude, longitude, shift);
     };
     const Mismatch given = at(place.latitude_deg, place.longitude_deg, 0);
-    if (given.size() < kFewestDays) {
+    if (given.size() < kMinDays) {
         return std::nullopt;
     }
     const double shift = best_shift(times, place);

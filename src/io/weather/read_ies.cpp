@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMostAngles = 10000;
 constexpr std::size_t kMostIntensities = 1000000;
-constexpr double kMostIntensity = 1e30;
+constexpr double kMaxIntensity = 1e30;
 constexpr double kMetresPerFoot = 0.3048;
 
 /// The numbers of the file, one after the other, over its lines.
@@ -150,11 +150,11 @@ void check_angles(const PhotometricWeb& web, Numbers& numbers) {
                 shortest(horizontal.back())),
             "they ascend from 0 to 0, 90, 180 or 360");
     } else if (std::any_of(web.candela.begin(), web.candela.end(), [](double x) {
-                   return !(x >= 0 && x <= kMostIntensity);
+                   return !(x >= 0 && x <= kMaxIntensity);
                })) {
         numbers.fail(
             "an intensity is negative or too large",
-            fmt::format("with its multipliers it is 0 to {} cd", kMostIntensity));
+            fmt::format("with its multipliers it is 0 to {} cd", kMaxIntensity));
     } else if (std::all_of(
                    web.candela.begin(), web.candela.end(), [](double x) { return x == 0; })) {
         numbers.fail("all intensities are 0", "the luminaire is dark");

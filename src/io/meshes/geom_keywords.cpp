@@ -1,4 +1,4 @@
-#include "io/meshes/geom_words.h"
+#include "io/meshes/geom_keywords.h"
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@ namespace quasimc {
 
 /// Counts words that are not known where they stand: what is misspelled must not be passed over in
 /// silence.
-class UnknownWords {
+class UnknownKeywords {
   public:
     /// @param where  "line 5", "mesh 2"
     /// @param known  the words that may stand there

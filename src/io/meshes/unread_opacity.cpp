@@ -35,7 +35,7 @@ PartAreas areas_of(const MeshFile& file, const std::map<std::string, std::string
 }
 
 /// @param problem  follows "2 materials"; @param answer  ends the sentence
-void warn_of_looks(
+void warn_of_opacity(
     const MeshFile& file,
     const std::map<std::string, std::string>& names,
     std::string_view problem,
@@ -70,11 +70,11 @@ bool may_have_alpha(std::string_view image) {
     return !name.ends_with(".jpg") && !name.ends_with(".jpeg");
 }
 
-void warn_of_unread_looks(const MeshFile& file, Reporter& reporter) {
-    warn_of_looks(
+void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter) {
+    warn_of_opacity(
         file, file.masks, "textures that can cut out parts of a face",
         "masks are not read, and each face counts whole", reporter);
-    warn_of_looks(
+    warn_of_opacity(
         file, file.transparent, "an opacity below 1",
         "opacity is not read, and each face counts as a surface", reporter);
 }

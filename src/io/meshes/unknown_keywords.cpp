@@ -1,4 +1,4 @@
-#include "io/meshes/unknown_words.h"
+#include "io/meshes/unknown_keywords.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-void UnknownWords::check(
+void UnknownKeywords::check(
     std::string_view word, std::string_view where, std::span<const std::string_view> known) {
     if (std::find(known.begin(), known.end(), word) != known.end() || count_++ > 0) {
         return;
@@ -19,7 +19,7 @@ void UnknownWords::check(
         near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
-void UnknownWords::warn(std::string_view what, Reporter& reporter) const {
+void UnknownKeywords::warn(std::string_view what, Reporter& reporter) const {
     if (count_ > 0) {
         reporter.warnings.push_back(
             {reporter.file, fmt::format("{} are left out: {} in all, {}", what, count_, first_)});
