@@ -8,6 +8,7 @@
 #include "base/memory_need.h"
 #include "commands.h"
 #include "io/standard_streams.h"
+#include "progress.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 
@@ -68,6 +69,16 @@ Exit run_program(int argc, char** argv) {
     return parsed.command->run();
 }
 
+/// run_program(), after whose end no progress line is left on the terminal, even where it throws.
+Exit run_program_to_its_end(int argc, char** argv) {
+    try {
+        return run_program(argc, argv);
+    } catch (...) {
+        end_progress_line();
+        throw;
+    }
+}
+
 /// Writes what is left for standard output.
 /// @param exit  of the command. @returns the program's
 Exit finish_output(Exit exit) {
@@ -90,7 +101,7 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return status_of(finish_output(run_program(argc, argv)));
+        return status_of(finish_output(run_program_to_its_end(argc, argv)));
     } catch (const quasimc::ReaderGone&) {
         return status_of(Exit::reader_gone);
     } catch (const quasimc::InputError& error) {

@@ -1,15 +1,16 @@
 #pragma once
 
-#include "quasimc/error.h"
+#include <exception>
 
 namespace quasimc {
 
 /// Thrown when standard output is a pipe whose reader has ended, as `head` does once it has enough:
-/// no error, but nothing more is to be written there.
-class ReaderGone : public InputError {
+/// no error of the input, but nothing more is to be written there.
+class ReaderGone : public std::exception {
   public:
-    ReaderGone()
-        : InputError({{"standard output", "can't be written", "its reader is gone", ""}}) {}
+    [[nodiscard]] const char* what() const noexcept override {
+        return "standard output: can't be written (its reader is gone)";
+    }
 };
 
 /// Opens what the program was started without of standard input, output and error, so that no file

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,9 +66,28 @@ std::string kind_of(const std::string& text) {
     return kind;
 }
 
-/// One warning in the place of all those of a kind.
+constexpr std::string_view kEndOfFolded = " warnings of this kind)";
+
+/// A text without the count at its end, and the count: 1 if the text has none.
+std::pair<std::string, std::size_t> without_count(const std::string& text) {
+    const std::size_t open = text.rfind(" (");
+    std::size_t count = 0;
+    if (open == std::string::npos || !text.ends_with(kEndOfFolded)) {
+        return {text, 1};
+    }
+    for (std::size_t i = open + 2; i < text.size() - kEndOfFolded.size(); ++i) {
+        count = 10 * count + static_cast<std::size_t>(text[i] - '0');
+    }
+    return {text.substr(0, open), count};
+}
+
+/// One warning for all those of a kind, some of which may be folded already.
 Warning folded(const std::vector<Warning>& all) {
     constexpr std::size_t kShown = 3;
+    std::size_t count = 0;
+    for (const Warning& warning : all) {
+        count += without_count(warning.text).second;
+    }
     std::vector<std::string> places;
     for (const Warning& warning : all) {
         if (std::find(places.begin(), places.end(), warning.place) == places.end() &&
@@ -83,7 +103,8 @@ Warning folded(const std::vector<Warning>& all) {
     if (places.size() > shown) {
         place += " and others";
     }
-    return {place, fmt::format("{} ({} warnings of this kind)", all.front().text, all.size())};
+    return {
+        place, fmt::format("{} ({}{}", without_count(all.front().text).first, count, kEndOfFolded)};
 }
 
 }  // namespace
@@ -93,7 +114,7 @@ std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
     std::map<std::string, std::vector<Warning>> kinds;
     std::vector<std::string> kind_of_each;
     for (const Warning& warning : warnings) {
-        kind_of_each.push_back(kind_of(warning.text));
+        kind_of_each.push_back(kind_of(without_count(warning.text).first));
         kinds[kind_of_each.back()].push_back(warning);
     }
     std::vector<Warning> result;

@@ -7,7 +7,7 @@
 namespace quasimc {
 
 /// Makes one warning of more than three that differ in names and numbers alone: the text of the
-/// first, with the first three places and the count.
+/// first, with the first three places and the count. What is folded already can be folded again.
 [[nodiscard]] std::vector<Warning> fold_warnings(std::vector<Warning> warnings);
 
 }  // namespace quasimc

@@ -132,7 +132,15 @@ class FlatSurfaces {
     Bounds bounds_;
 };
 
+/// Layers of horizontal surfaces in the cell; 0 in scenes so large that surfaces are not compared.
 double flat_layers_in(const Cell& cell, const SceneDraft& draft, double scene_size) {
+    std::size_t triangles = draft.mesh.size();
+    for (const Instance& copy : draft.copies) {
+        triangles += copy.mesh->size();
+    }
+    if (triangles > kMostToCompare) {
+        return 0;
+    }
     FlatSurfaces flat(scene_size);
     for (std::size_t i = 0; i < draft.mesh.size(); ++i) {
         flat.add(draft.mesh[i]);

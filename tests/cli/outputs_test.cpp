@@ -148,10 +148,15 @@ TEST_F(OutputsTest, ThatFailDoNotCostTheOthers) {
 
 // As of programs that SIGPIPE ends: the status is that which a shell reports for them.
 TEST_F(OutputsTest, AReaderOfStandardOutputThatEndsIsNoFault) {
+    folder_.write(
+        "day.toml", good_run_file() +
+                        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = "
+                        "\"2024-06-20\"\nutc_offset_hours = 1\nsky = \"uniform\"\n");
     for (const char* command :
-         {"list options", "list formats", "formats", "--help", "run --help", "--dump-default",
-          "check run.toml", "info run.toml", "export run.toml - --format obj",
-          "run run.toml --csv - -q", "sky --place 50,8 --time 2024-06-21T09:00Z"}) {
+         {"run day.toml --paths 64 --csv - -q", "list options", "list formats", "formats", "--help",
+          "run --help", "--dump-default", "check run.toml", "info run.toml",
+          "export run.toml - --format obj", "run run.toml --csv - -q",
+          "sky --place 50,8 --time 2024-06-21T09:00Z"}) {
         const Outcome gone = shell(
             "{ sleep 0.2; \"$quasimc\" " + std::string(command) +
             "; echo $? >status; } | true; cat status");

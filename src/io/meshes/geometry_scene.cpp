@@ -120,11 +120,12 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
         add_groups(std::move(file), builder);
     }
     Scene scene = std::move(builder).build();
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
     for (Warning& warning : lint(scene)) {
-        reporter.warnings.push_back(std::move(warning));
+        warnings.push_back(std::move(warning));
     }
     return {
-        std::move(scene), fold_warnings(std::move(reporter.warnings)), files.files(),
+        std::move(scene), std::move(warnings), files.files(),
         format.has_units ? context.length_unit : ""};
 }
 

@@ -198,12 +198,6 @@ class OpsReader {
             material.name = renamed(material.name);
             file_.materials.push_back(material);
         }
-        for (const auto& [name, word] : plant.masks) {
-            file_.masks.emplace(renamed(name), word);
-        }
-        for (const auto& [name, word] : plant.transparent) {
-            file_.transparent.emplace(renamed(name), word);
-        }
     }
 
     void warn() {

@@ -362,8 +362,9 @@ RunFile read_run_document(
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
     for (Warning& warning : lint_of(sections)) {
-        reporter.warnings.push_back(std::move(warning));
+        warnings.push_back(std::move(warning));
     }
     return {
         name,
@@ -376,7 +377,7 @@ RunFile read_run_document(
         files.files(),
         files.folder().string(),
         std::move(sections.sources.notes),
-        fold_warnings(std::move(reporter.warnings)),
+        std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
 }
 
@@ -389,10 +390,11 @@ SceneOfRun read_scene_document(
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(builder), {}, reporter);
     throw_in_order(reporter);
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
     for (Warning& warning : lint_geometry(*scene)) {
-        reporter.warnings.push_back(std::move(warning));
+        warnings.push_back(std::move(warning));
     }
-    return {std::move(*scene), fold_warnings(std::move(reporter.warnings))};
+    return {std::move(*scene), std::move(warnings)};
 }
 
 FrameOfRun read_frame_document(

@@ -244,7 +244,9 @@ class RunSweep::State {
 
     void finish() {
         first_->inputs = inputs_;
-        reporter_.warnings = fold_warnings(std::move(reporter_.warnings));
+        if (is_swept()) {
+            reporter_.warnings = fold_warnings(std::move(reporter_.warnings));
+        }
         first_->warnings = reporter_.warnings;
         if (is_swept()) {
             // With its [sweep]; what that sets in [run] does not matter.

@@ -35,6 +35,9 @@ std::string factor_text(double factor) {
 }  // namespace
 
 FluxUnit named_flux_unit(const std::string& irradiance_unit, const std::string& length_unit) {
+    if (length_unit.empty()) {
+        return {1, ""};  // of a plant whose lengths have no unit
+    }
     constexpr std::string_view kPer = "-2";
     const std::string unit = irradiance_unit == "lx" ? "lm m-2" : irradiance_unit;
     const std::optional<double> square = square_metres_per(length_unit);
@@ -57,9 +60,6 @@ FluxUnit named_flux_unit(const std::string& irradiance_unit, const std::string& 
 }
 
 std::string flux_unit(const std::string& irradiance_unit, const std::string& length_unit) {
-    if (length_unit.empty()) {
-        return "";  // of a plant whose lengths have no unit
-    }
     const FluxUnit unit = named_flux_unit(irradiance_unit, length_unit);
     return unit.factor == 1 ? unit.name : factor_text(unit.factor) + " " + unit.name;
 }

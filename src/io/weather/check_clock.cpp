@@ -35,16 +35,19 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
     constexpr double kLongest = 3 * 3600;
     constexpr double kDark = 0.005;  // of the brightest: sensors are a little off at night
     constexpr std::int64_t kMaxDays = 60;
-    double brightest = 0;
-    for (const WeatherRecord& record : records) {
-        brightest = std::max(brightest, record.is_missing ? 0 : amount_of(record.reading));
-    }
     const auto solar_day = [&](const CivilTime& time) {
         return static_cast<std::int64_t>(
             std::floor(julian_day(time) + place.longitude_deg / 360 + 0.5));
     };
-    const std::int64_t first = solar_day(records.front().start);
-    const std::int64_t stride = 1 + (solar_day(records.back().start) - first) / kMaxDays;
+    double brightest = 0;
+    std::int64_t first = solar_day(records.front().start);
+    std::int64_t last = first;  // months of a typical year are of years in any order
+    for (const WeatherRecord& record : records) {
+        brightest = std::max(brightest, record.is_missing ? 0 : amount_of(record.reading));
+        first = std::min(first, solar_day(record.start));
+        last = std::max(last, solar_day(record.start));
+    }
+    const std::int64_t stride = 1 + (last - first) / kMaxDays;
     std::vector<LitTime> times;
     for (const WeatherRecord& record : records) {
         const CivilTime middle = later(record.start, 0.5 * record.seconds);

@@ -41,6 +41,20 @@ TEST(RunFileWeather, RefusesAnEpwRecordThatIsThereTwice) {
         faults, "w.epw:4: the record of 2023-06-21T11:00+01:00 is there twice or out of order"));
 }
 
+/// Months of a typical year are of years in any order: here the file ends before it begins.
+TEST(RunFileWeather, ReadsATypicalYearWhoseFirstMonthIsOfALaterYear) {
+    std::vector<std::string> hours;
+    for (const char* day :
+         {"2001,1,1", "2001,1,2", "2001,1,3", "2000,9,28", "2000,9,29", "2000,9,30"}) {
+        for (int hour = 1; hour <= 24; ++hour) {
+            hours.push_back(fmt::format("{},{}", day, hour));
+        }
+    }
+    const auto faults = faults_of(with_time("weather = 'w.epw'\n", ""), {{"w.epw", epw_of(hours)}});
+    ASSERT_EQ(faults.size(), 1U) << ::testing::PrintToString(faults);
+    EXPECT_TRUE(mentions(faults, "time zone, place or stamp are wrong"));
+}
+
 /// A 29 February of a typical year is left out where the year asked for has none.
 TEST(RunFileWeather, LeavesOutADayThatTheYearDoesNotHave) {
     std::vector<std::string> hours;

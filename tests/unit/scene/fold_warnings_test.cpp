@@ -33,6 +33,20 @@ TEST(FoldWarnings, MakesOneOfManyThatDifferInNamesAndNumbers) {
             ": the scene is small"}));
 }
 
+TEST(FoldWarnings, AddsUpWhatIsFoldedAlready) {
+    const std::vector<Warning> warnings{
+        {"a", "organ 'x' has no area (5 warnings of this kind)"},
+        {"b", "organ 'y' has no area"},
+        {"c", "organ 'z' has no area (12 warnings of this kind)"}};
+    EXPECT_EQ(folded(warnings).size(), 3U);
+    std::vector<Warning> more = warnings;
+    more.push_back({"d", "organ 'w' has no area"});
+    EXPECT_EQ(
+        folded(more),
+        (Texts{"a, b, c and others: organ 'x' has no area (19 warnings of this kind)"}));
+    EXPECT_EQ(folded(fold_warnings(more)), folded(more));
+}
+
 TEST(FoldWarnings, LeavesAFewAndOtherKindsAsTheyAre) {
     std::vector<Warning> warnings{
         {"a", "organ 'x' has no area"},
