@@ -205,6 +205,10 @@ class SeasonBasis::Solving {
     std::vector<Light> lights_;
 };
 
+std::uint32_t season_directions() {
+    return SkyMesh(kRings).nodes();
+}
+
 SeasonBasis::SeasonBasis(
     Simulator& simulator,
     const Scene& scene,

@@ -22,6 +22,9 @@ struct SunBeam {
 };
 [[nodiscard]] SunBeam beam_of(const Source& sun);
 
+/// Directions over the hemisphere, from whose light that of all times is put together.
+[[nodiscard]] std::uint32_t season_directions();
+
 /// What the times of a series have in common: the responses of a scene to light from a set of
 /// directions, of which skies, and the scattered light of suns, are put together
 /// (docs/develop/decisions/season-by-bundles.md).

@@ -56,6 +56,13 @@ void check_together(
         spec.target_error > 0 || spec.max_paths > 0,
         "it is \"together\", with target_error or max_paths",
         "what all times have in common is computed once, with paths", "state paths alone");
+    const std::uint32_t directions = season_directions();
+    refuse(
+        spec.paths < directions, fmt::format("it is \"together\", with {} paths", spec.paths),
+        fmt::format(
+            "the light of {} directions is put together, and a path is needed for each",
+            directions),
+        fmt::format("set paths to {} or more, or use series = \"one_by_one\"", directions));
     refuse(
         spec.audit > 0, "it is \"together\", with audit", "no time is a run that could be audited",
         "audit one_by_one");

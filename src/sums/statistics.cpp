@@ -60,7 +60,8 @@ Estimate widened(const Estimate& e, const SingleFind& find) {
 
 Estimate not_negative(const Estimate& e) {
     const double high = e.high < 0 ? e.high - e.mean : e.high;
-    return {e.mean, e.standard_error, e.low < 0 ? 0 : e.low, high};
+    const bool is_below = e.low < 0 || (std::isnan(e.low) && e.mean < 0);
+    return {e.mean, e.standard_error, is_below ? 0 : e.low, high};
 }
 
 double student_t_quantile(double p, unsigned df) {
@@ -91,6 +92,9 @@ double interval_quantile(unsigned df) {
 Estimate not_above(const Estimate& e, double most) {
     if (most == 0 && e.mean == 0) {
         return {};
+    }
+    if (std::isnan(e.high) && e.mean > most) {  // in one replicate the limit alone is known
+        return {e.mean, e.standard_error, e.low, most};
     }
     // All of the interval above the limit: it missed. What can be has its width below the limit.
     const double low = e.low > most ? std::max(0.0, most - (e.mean - e.low)) : e.low;

@@ -69,6 +69,14 @@ TEST(NotAbove, LeavesOutWhatCantBe) {
     EXPECT_EQ(not_above({0, 1, 0, 3}, 0).high, 0);
 }
 
+TEST(NotAbove, LimitsTheMeanOfOneReplicateToo) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(reported(not_above({1336, kNan, kNan, kNan}, 1)).mean, 1);
+    EXPECT_EQ(reported(not_above({.5, kNan, kNan, kNan}, 1)).mean, .5);
+    EXPECT_TRUE(std::isnan(not_above({.5, kNan, kNan, kNan}, 1).high));
+    EXPECT_EQ(reported(not_negative({-.105, kNan, kNan, kNan})).mean, 0);
+}
+
 TEST(Reported, HasItsMeanInItsInterval) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Estimate above = reported({1.23, .2, .67, 1});
