@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "commands.h"
 #include "io/runfile/run_file.h"
 #include "option_flags.h"
@@ -12,6 +13,8 @@
 #include "quasimc/quasimc.h"
 
 namespace {
+
+using quasimc::counted;
 
 struct CheckArguments {
     std::string file;
@@ -24,8 +27,8 @@ std::string times_of(const quasimc::TimeSeries& series) {
             series.notes.begin(), series.notes.end(),
             [](const auto& notes) { return notes.daylight.global() > 0; });
         return fmt::format(
-            "{} times of {} days, {} of them with daylight\n", series.time_steps.size(),
-            series.days.size(), lit);
+            "{} of {}, {} of them with daylight\n", counted(series.time_steps.size(), "time"),
+            counted(series.days.size(), "day"), lit);
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -34,17 +37,17 @@ std::string times_of(const quasimc::TimeSeries& series) {
         suns += notes.suns;
     }
     return fmt::format(
-        "{} times collapsed into {} traces of {} suns in all\n", times, series.time_steps.size(),
-        suns);
+        "{} collapsed into {} of {} in all\n", counted(times, "time"),
+        counted(series.time_steps.size(), "trace"), counted(suns, "sun"));
 }
 
 /// Sun and sky of a series are not among the sources that the file states.
 std::string light_of(const quasimc::RunFile& run) {
     const std::size_t stated = run.sources.size();
     if (!run.series) {
-        return fmt::format("{} sources", stated);
+        return counted(stated, "source");
     }
-    return stated > 0 ? fmt::format("sun, sky and {} sources", stated) : "sun and sky";
+    return stated > 0 ? "sun, sky and " + counted(stated, "source") : "sun and sky";
 }
 
 Exit check(const CheckArguments& arguments) {
@@ -56,11 +59,13 @@ Exit check(const CheckArguments& arguments) {
     print_warnings(sweep.warnings());
     const quasimc::RunFile run = sweep.take(0);
     std::string text = fmt::format(
-        "{}: no fault, {} warnings; {} organs, {} triangles, {} materials, {} bands, {}\n",
-        run.path, warnings, run.scene.organs().size(), run.scene.triangle_count(),
-        run.scene.material_names().size(), run.scene.bands().size(), light_of(run));
+        "{}: no fault, {}; {}, {}, {}, {}, {}\n", run.path, counted(warnings, "warning"),
+        counted(run.scene.organs().size(), "organ"),
+        counted(run.scene.triangle_count(), "triangle"),
+        counted(run.scene.material_names().size(), "material"),
+        counted(run.scene.bands().size(), "band"), light_of(run));
     if (run.sweep) {
-        text += fmt::format("a sweep of {} points\n", sweep.size());
+        text += fmt::format("a sweep of {}\n", counted(sweep.size(), "point"));
     }
     text += run.series ? times_of(*run.series) : "";
     std::fputs(text.c_str(), stdout);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "commands.h"
 #include "io/meshes/geometry_scene.h"
@@ -142,7 +143,7 @@ std::string run_text(const std::string& path) {
     const std::size_t points = sweep.size();
     const quasimc::RunFile run = sweep.take(0);
     std::string text =
-        line("file", fmt::format("{}: run file, {} point{}", path, points, points == 1 ? "" : "s"));
+        line("file", fmt::format("{}: run file, {}", path, quasimc::counted(points, "point")));
     for (const quasimc::Band& band : run.scene.bands()) {
         text += line("band", fmt::format("{} [{}]", band.name, band.unit));
     }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/number_text.h"
 #include "sources/source.h"
 #include "view/picture.h"
 
@@ -26,8 +27,8 @@ std::string ending_of(const std::string& path) {
 
 void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
     picture.subtitle = fmt::format(
-        "{} organ{}, {} triangles", scene.organs().size(), scene.organs().size() == 1 ? "" : "s",
-        scene.triangle_count());
+        "{}, {}", quasimc::counted(scene.organs().size(), "organ"),
+        quasimc::counted(scene.triangle_count(), "triangle"));
     picture.render.shading = 0.7;
     for (const quasimc::Organ& organ : scene.organs()) {
         picture.render.colors.push_back(

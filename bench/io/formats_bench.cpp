@@ -26,7 +26,7 @@ void read_format(benchmark::State& state, const FormatEntry& format) {
         Reporter reporter{"file", {}, {}};
         InputFiles files("/");
         FormatContext context{reporter, files, ""};
-        MeshFile file = format.read(bytes, context);
+        MeshFile file = read_mesh(format, bytes, context);
         triangles = 0;
         for (const Mesh& mesh : file.take_meshes()) {
             triangles += mesh.faces.size();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "coupling/directive_table.h"
 #include "io/line_scanner.h"
@@ -161,8 +162,8 @@ void read_return_type(Values& values, DirectiveContext& context) {
         values.fault("the letters are missing", "", "give one for each band: F, D, U, L or H");
     } else if (types.size() > bands) {
         values.notice(fmt::format(
-            "{} letters for the {} band{} of 'spectrum samples': the first count", types.size(),
-            bands, bands == 1 ? "" : "s"));
+            "{} letters for the {} of 'spectrum samples': the first count", types.size(),
+            counted(bands, "band")));
         types.resize(bands);
     }
     context.spec.returns = types;

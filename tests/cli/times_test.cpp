@@ -199,7 +199,7 @@ TEST_F(TimesTest, CheckCountsThem) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.out.find("4 times of 2 days, 4 of them with daylight"), std::string::npos)
         << outcome.out;
-    EXPECT_NE(outcome.out.find("1 bands, sun, sky and 1 sources\n"), std::string::npos)
+    EXPECT_NE(outcome.out.find("1 band, sun, sky and 1 source\n"), std::string::npos)
         << outcome.out;
 }
 

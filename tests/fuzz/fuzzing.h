@@ -55,7 +55,7 @@ inline void read_geometry_bytes(std::string_view format, const std::string& byte
     Reporter reporter{"file", {}, {}};
     InputFiles files("/fuzz", read_small_file);
     FormatContext context{reporter, files, ""};
-    static_cast<void>(find_format(format)->read(bytes, context));
+    static_cast<void>(read_mesh(*find_format(format), bytes, context));
 }
 
 }  // namespace quasimc::fuzz

@@ -8,11 +8,12 @@
 
 namespace quasimc {
 
-void DaeLibrary::check_count(std::size_t element, std::size_t found) {
+void DaeLibrary::check_count(std::size_t element, std::size_t found, bool is_part) {
     const std::string_view stated = tree_[element].attribute("count");
     const auto count = parse_integer(trimmed(stated));
-    const bool is_right =
-        stated.empty() || (count && *count >= 0 && static_cast<std::uint64_t>(*count) == found);
+    const auto number = static_cast<std::uint64_t>(count.value_or(0));
+    const bool is_right = stated.empty() || (count && *count >= 0 &&
+                                             (number == found || (is_part && number < found)));
     if (!is_right && ++wrong_counts_ == 1) {
         first_wrong_ = fmt::format(
             "<{}> of line {} states {} and has {}", tree_[element].name, tree_[element].line,

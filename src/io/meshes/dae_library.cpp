@@ -218,7 +218,9 @@ std::optional<std::vector<Vec3>> DaeLibrary::read_points(std::size_t source) {
         points.push_back({(*values)[at], (*values)[at + 1], (*values)[at + 2]});
     }
     if (accessor) {
-        check_count(*accessor, points.size());
+        // It may cover a part of an array that several share.
+        constexpr bool kIsPart = true;
+        check_count(*accessor, points.size(), kIsPart);
     }
     return points;
 }

@@ -81,7 +81,8 @@ class DaeLibrary {
     void add_face(
         std::size_t list, std::span<const std::uint32_t> corners, LocalTriangles& triangles);
     /// Notes it if an element's attribute `count` is not what it holds.
-    void check_count(std::size_t element, std::size_t found);
+    /// @param is_part  it may state fewer than there are
+    void check_count(std::size_t element, std::size_t found, bool is_part = false);
     void check_faces(std::size_t primitive, std::size_t corners);
 
     const XmlTree& tree_;

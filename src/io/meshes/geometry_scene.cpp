@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "scene/fold_warnings.h"
 #include "scene/scene_builder.h"
 
@@ -94,8 +95,7 @@ std::vector<Warning> lost_when_written(const FormatEntry& format, const Scene& s
     if (materials.size() > 1 && format.keeps.find("species") == format.keeps.npos) {
         add(true, fmt::format("names of {} materials are", materials.size()), "material");
     }
-    add(labelled > 0, fmt::format("labels of {} organ{} are", labelled, labelled == 1 ? "" : "s"),
-        "labels");
+    add(labelled > 0, fmt::format("labels of {} are", counted(labelled, "organ")), "labels");
     return lost;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/meshes/file_axes.h"
@@ -104,7 +105,7 @@ void OpsColumns::Notes::warn(std::string_view text, Reporter& reporter) const {
     if (count > 0) {
         reporter.warnings.push_back(
             {reporter.place(first),
-             fmt::format("{} plant{} {}", count, count == 1 ? " has" : "s have", text)});
+             fmt::format("{} {} {}", counted(count, "plant"), count == 1 ? "has" : "have", text)});
     }
 }
 

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -21,7 +21,11 @@ std::string_view image_of(std::string_view line) {
 /// Reads the statements of a library, one material after the other.
 class MtlReader {
   public:
-    MtlReader(FormatContext& context, MeshFile& file) : context_(context), file_(file) {}
+    MtlReader(FormatContext& context, MeshFile& file) : context_(context), file_(file) {
+        for (const MeshMaterial& material : file.materials) {
+            known_.insert(material.name);
+        }
+    }
 
     void read(std::string_view bytes) {
         LineScanner scanner(bytes);
@@ -81,11 +85,7 @@ class MtlReader {
 
     /// Of two materials of one name the first counts, as where a file names several libraries.
     void finish() {
-        const bool is_new =
-            material_ && std::none_of(
-                             file_.materials.begin(), file_.materials.end(),
-                             [&](const auto& known) { return known.name == material_->name; });
-        if (is_new) {
+        if (material_ && known_.insert(material_->name).second) {
             if (!mask_.empty()) {
                 file_.masks.emplace(material_->name, mask_);
             }
@@ -102,6 +102,7 @@ class MtlReader {
 
     FormatContext& context_;
     MeshFile& file_;
+    std::set<std::string> known_;  // names
     std::optional<MeshMaterial> material_;
     std::string mask_, transparent_;  // of the material
     bool is_opaque_by_d_ = false;     // some programs write Tr 1 beside d 1

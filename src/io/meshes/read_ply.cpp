@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include "io/meshes/formats.h"
 #include "io/meshes/ply_header.h"
 #include "io/meshes/ply_values.h"
+#include "io/numbers.h"
 
 namespace quasimc {
 namespace {
@@ -33,6 +36,7 @@ class PlyReader {
         } catch (const Broken& broken) {
             context_.reporter.fault(0, broken.problem, broken.why);
         }
+        name_materials();
         crossed_.warn(context_.reporter);
         mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
@@ -193,7 +197,7 @@ class PlyReader {
     /// Which part a face belongs to.
     struct PartKey {
         std::optional<std::int64_t> organ = {}, material = {};
-        friend bool operator==(const PartKey&, const PartKey&) = default;
+        friend auto operator<=>(const PartKey&, const PartKey&) = default;
     };
 
     /// The part of a face; mostly that of the face before.
@@ -205,32 +209,70 @@ class PlyReader {
         return *last_part_;
     }
 
-    /// The name of a material, or its number if the header does not name it.
-    std::string material_of(std::optional<std::int64_t> number) {
-        const std::string digits = number ? std::to_string(*number) : "";
-        const auto named = number ? header_.materials.find(*number) : header_.materials.end();
-        const bool is_named = named != header_.materials.end() && !named->second.empty();
-        const std::string& name = is_named ? named->second : digits;
-        if (is_named) {
-            mesh_.aliases.emplace(name, digits);
-        }
-        if (header_.has_texture) {
-            mesh_.masks.emplace(name, "TextureFile");
-        }
-        return name;
-    }
-
+    /// Materials are told apart by their numbers, and named when all are known.
     MeshPart& find_part(const PartKey& key) {
         const auto [group, is_new_group] = groups_.try_emplace(key.organ, mesh_.groups.size());
         if (is_new_group) {
             mesh_.groups.push_back({"", key.organ, {}});
         }
-        const std::string material = material_of(key.material);
         std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
-        const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
-            return part.material == material;
+        const auto [part, is_new] = parts_.try_emplace(key, parts.size());
+        if (is_new) {
+            parts.push_back({key.material ? std::to_string(*key.material) : "", {}, {}});
+        }
+        return parts[part->second];
+    }
+
+    /// The names in the header that tell materials apart, by the digits of their numbers: two
+    /// numbers of one name keep their digits, and so do all whose names are numbers where such a
+    /// name is another material's number.
+    [[nodiscard]] std::map<std::string, std::string> clear_names() const {
+        std::map<std::string, std::size_t> uses;
+        for (const auto& [number, name] : header_.materials) {
+            ++uses[name];
+        }
+        std::map<std::string, std::string> names;
+        for (const auto& [number, name] : header_.materials) {
+            if (!name.empty() && uses[name] == 1) {
+                names.emplace(std::to_string(number), name);
+            }
+        }
+        std::set<std::string> unnamed;
+        for (const auto& [key, place] : parts_) {
+            if (key.material && !names.contains(std::to_string(*key.material))) {
+                unnamed.insert(std::to_string(*key.material));
+            }
+        }
+        const bool has_clash = std::any_of(names.begin(), names.end(), [&](const auto& each) {
+            return unnamed.contains(each.second);
         });
-        return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}, {}});
+        if (has_clash) {
+            std::erase_if(
+                names, [](const auto& each) { return parse_integer(each.second).has_value(); });
+        }
+        return names;
+    }
+
+    /// Names the materials; a run file may give them by their numbers too, or by a name that
+    /// several share.
+    void name_materials() {
+        const std::map<std::string, std::string> names = clear_names();
+        for (const auto& [key, place] : parts_) {
+            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[place];
+            const auto stated =
+                key.material ? header_.materials.find(*key.material) : header_.materials.end();
+            if (const auto named = names.find(part.material); named != names.end()) {
+                mesh_.aliases.emplace(named->second, part.material);
+                part.material = named->second;
+            } else if (
+                stated != header_.materials.end() && !stated->second.empty() &&
+                !parse_integer(stated->second)) {
+                mesh_.aliases.emplace(part.material, stated->second);
+            }
+            if (header_.has_texture) {
+                mesh_.masks.emplace(part.material, "TextureFile");
+            }
+        }
     }
 
     /// Makes room for the faces of a file that puts them all into one part.
@@ -257,6 +299,7 @@ class PlyReader {
     std::vector<double> items_;
     CrossedFaces crossed_;
     std::map<std::optional<std::int64_t>, std::size_t> groups_;
+    std::map<PartKey, std::size_t> parts_;  // in their groups
     PartKey last_key_;
     MeshPart* last_part_ = nullptr;
     std::uint64_t number_ = 0;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/number_text.h"
 #include "io/meshes/formats.h"
 
 namespace quasimc {
@@ -55,9 +56,9 @@ void warn_of_opacity(
     const std::size_t count = areas.materials.size();
     reporter.warnings.push_back(
         {reporter.file, fmt::format(
-                            "{} material{} {} ({}): {}, {:.4g} of the area of {:.4g}", count,
-                            count == 1 ? " has" : "s have", problem, fmt::join(words, ", "), answer,
-                            areas.found, areas.all)});
+                            "{} {} {} ({}): {}, {:.4g} of the area of {:.4g}",
+                            counted(count, "material"), count == 1 ? "has" : "have", problem,
+                            fmt::join(words, ", "), answer, areas.found, areas.all)});
 }
 
 }  // namespace

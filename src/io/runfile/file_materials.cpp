@@ -18,12 +18,23 @@ std::set<std::string> used_names(const MeshFile& mesh) {
     return names;
 }
 
-/// The material that the file defines, or null.
-const MeshMaterial* definition_of(const std::string& name, const MeshFile& mesh) {
-    const auto found = std::find_if(
-        mesh.materials.begin(), mesh.materials.end(),
-        [&](const MeshMaterial& material) { return !name.empty() && material.name == name; });
-    return found == mesh.materials.end() ? nullptr : &*found;
+/// The materials that a file defines, by their names; the first of each name.
+using Definitions = std::map<std::string_view, const MeshMaterial*>;
+
+Definitions definitions_of(const MeshFile& mesh) {
+    Definitions definitions;
+    for (const MeshMaterial& material : mesh.materials) {
+        if (!material.name.empty()) {
+            definitions.emplace(material.name, &material);
+        }
+    }
+    return definitions;
+}
+
+/// The material of that name, or null.
+const MeshMaterial* definition_of(const std::string& name, const Definitions& definitions) {
+    const auto found = definitions.find(name);
+    return found == definitions.end() ? nullptr : found->second;
 }
 
 /// What a file gives for a material that the run file does not.
@@ -67,6 +78,7 @@ struct FileMaterials::Search {
     const GeometryFile& file;
     TableReader& table;
     SceneBuilder& builder;
+    Definitions by_name;
     std::vector<std::string> known, unknown;  ///< to the run file, where `material` is for the rest
     std::vector<std::string> defined;  ///< names of those that the file defines, and their optics
     std::vector<std::string> definitions;
@@ -139,8 +151,9 @@ std::optional<std::string> FileMaterials::from_run_file(
 }
 
 void FileMaterials::note(const GeometryFile& file) {
+    const Definitions definitions = definitions_of(file.mesh);
     for (const std::string& name : used_names(file.mesh)) {
-        const MeshMaterial* material = definition_of(name, file.mesh);
+        const MeshMaterial* material = definition_of(name, definitions);
         if (material != nullptr && !file.keys.material && !from_run_file(file, name)) {
             defined_[name].insert(optics_of(*material));
         }
@@ -173,7 +186,7 @@ std::string FileMaterials::find_one(Search& search, const std::string& name) {
         }
         return *file.keys.material;
     }
-    const MeshMaterial* material = definition_of(name, file.mesh);
+    const MeshMaterial* material = definition_of(name, search.by_name);
     if (material == nullptr) {
         return missing(search, name);
     }
@@ -211,7 +224,7 @@ std::string FileMaterials::missing(Search& search, const std::string& name) cons
 
 FoundMaterials FileMaterials::find(
     const GeometryFile& file, TableReader& table, SceneBuilder& builder) {
-    Search search{file, table, builder, {}, {}, {}, {}};
+    Search search{file, table, builder, definitions_of(file.mesh), {}, {}, {}, {}};
     FoundMaterials found;
     for (const std::string& name : used_names(file.mesh)) {
         found[name] = find_one(search, name);

@@ -51,7 +51,7 @@ std::optional<MeshFile> read_bytes(
     const MeshCache::Key key{
         file, std::string(format.name), context.orientation.up(), context.length_unit,
         plant_metres};
-    if (const auto* known = context.meshes != nullptr ? context.meshes->find(key) : nullptr) {
+    if (const auto known = context.meshes != nullptr ? context.meshes->find(key) : nullptr) {
         reporter.warnings = known->warnings;
         table.reporter().add(reporter);
         return known->mesh;
@@ -81,7 +81,9 @@ std::optional<MeshFile> read_bytes(
         return std::nullopt;
     }
     if (context.meshes != nullptr) {
-        context.meshes->add(key, {mesh, reporter.warnings});
+        context.meshes->add(
+            key,
+            std::make_shared<const MeshCache::Parsed>(MeshCache::Parsed{mesh, reporter.warnings}));
     }
     return mesh;
 }

@@ -249,6 +249,15 @@ TEST(ReadDae, EndsWhereNodesNameEachOther) {
     EXPECT_TRUE(mentions(read_dae_text(dae).faults, "it places more than 1000000 nodes"));
 }
 
+TEST(ReadDae, AnAccessorMayCoverAPartOfItsArray) {
+    std::string text = DaeText().text();
+    const std::string count = "source=\"#a\" count=\"4\"";
+    text.replace(text.find(count), count.size(), "source=\"#a\" count=\"3\"");
+    EXPECT_EQ(read_mesh_text("dae", text).warnings, Texts{});
+    text.replace(text.find(" count=\"3\""), 10, " count=\"5\"");
+    EXPECT_TRUE(mentions(read_mesh_text("dae", text).warnings, "states '5' and has 4"));
+}
+
 TEST(ReadDae, WarnsOfCountsThatAreNotWhatIsThere) {
     const auto first = [](const DaeText& dae) {
         const ReadMesh read = read_dae_text(dae);

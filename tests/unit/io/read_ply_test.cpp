@@ -66,6 +66,48 @@ TEST(ReadPly, FacesOfOneNumberAreOneOrgan) {
     EXPECT_EQ(read.mesh.groups[1].id, 9);
 }
 
+/// The materials of two faces of the numbers 0 and 1, after these comments.
+std::vector<std::string> named_materials(const std::string& comments) {
+    std::string bytes =
+        header("ascii", 4, 2, "property uchar material\n") + kCorners + "3 0 1 2 0\n3 0 2 3 1\n";
+    bytes.insert(bytes.find("element"), comments);
+    const ReadMesh read = read_mesh_text("ply", bytes);
+    EXPECT_TRUE(read.faults.empty());
+    std::vector<std::string> names;
+    for (const MeshPart& part : read.mesh.groups.at(0).parts) {
+        names.push_back(part.material);
+    }
+    return names;
+}
+
+TEST(ReadPly, TellsMaterialsApartByTheirNumbers) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(
+        named_materials("comment material 0 = leaf\ncomment material 1 = stem\n"),
+        (Names{"leaf", "stem"}));
+    EXPECT_EQ(
+        named_materials("comment material 0 = leaf\ncomment material 1 = leaf\n"),
+        (Names{"0", "1"}));
+    EXPECT_EQ(named_materials("comment material 0 = 1\n"), (Names{"0", "1"}));
+    EXPECT_EQ(
+        named_materials("comment material 0 = 1\ncomment material 1 = 0\n"), (Names{"1", "0"}));
+}
+
+TEST(ReadPly, ASharedNameGivesAllItsMaterials) {
+    std::string bytes =
+        header("ascii", 4, 2, "property uchar material\n") + kCorners + "3 0 1 2 0\n3 0 2 3 1\n";
+    bytes.insert(bytes.find("element"), "comment material 0 = leaf\ncomment material 1 = leaf\n");
+    RunText text;
+    text.organs = "[[geometry]]\nfile = 'a.ply'\n";
+    EXPECT_EQ(read_text(text.text(), {{"a.ply", bytes}}).scene.regions().size(), 1U);
+    text.materials += "[[material]]\nname = 'white'\nreflectance = 1\n";
+    text.organs += "materials = { '0' = 'white', '1' = 'leaf' }\n";
+    const Scene scene = read_text(text.text(), {{"a.ply", bytes}}).scene;
+    ASSERT_EQ(scene.regions().size(), 2U);
+    EXPECT_EQ(scene.material(scene.regions()[0]).name(), "white");
+    EXPECT_EQ(scene.material(scene.regions()[1]).name(), "leaf");
+}
+
 TEST(ReadPly, PassesOverWhatItDoesNotKnow) {
     const ReadMesh read = read_mesh_text(
         "ply",
