@@ -201,7 +201,9 @@ class ReadingLight {
         const double most =
             std::min(outside, kMaxOfClear * clear_light(path_, air_).daylight.direct);
         if (light_.daylight.direct > most) {
-            light_.note = is_measured ? ReadingNote::beam_too_strong : light_.note;
+            constexpr double kWorthANote = 5;  // W m-2: weak beams are measured with large errors
+            const bool is_noted = is_measured && light_.daylight.direct - most > kWorthANote;
+            light_.note = is_noted ? ReadingNote::beam_too_strong : light_.note;
             const double kept = most * spectra_.direct(span_of(unit_));
             take_parts({kept, global - kept});
         }

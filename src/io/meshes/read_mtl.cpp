@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -60,10 +62,18 @@ class MtlReader {
         }
     }
 
+    /// Red, green and blue; red alone is all three. Spectral curves and CIE XYZ are not read.
     void read_color(std::string_view line) {
+        constexpr std::array<std::string_view, 2> kUnread{"spectral", "xyz"};
+        std::string_view text = take_word(line);
+        if (std::find(kUnread.begin(), kUnread.end(), text) != kUnread.end()) {
+            return;
+        }
         double sum = 0;
         for (int i = 0; i < 3; ++i) {
-            const std::string_view text = take_word(line);
+            if (const std::string_view word = i > 0 ? take_word(line) : text; !word.empty()) {
+                text = word;
+            }
             const std::optional<double> number = parse_real(text);
             if (!number || !(*number >= 0 && *number <= 1)) {
                 context_.reporter.fault(
@@ -83,8 +93,14 @@ class MtlReader {
         transparent_ = number && *number != opaque ? fmt::format("{} {}", word, *number) : "";
     }
 
-    /// Of two materials of one name the first counts, as where a file names several libraries.
+    /// The first of several materials of one name counts, as where a file names several libraries.
     void finish() {
+        if (material_ && !own_.insert(material_->name).second) {
+            context_.reporter.warnings.push_back(
+                {context_.reporter.file,
+                 fmt::format(
+                     "material {} is there twice: the first counts", shown(material_->name))});
+        }
         if (material_ && known_.insert(material_->name).second) {
             if (!mask_.empty()) {
                 file_.masks.emplace(material_->name, mask_);
@@ -102,7 +118,7 @@ class MtlReader {
 
     FormatContext& context_;
     MeshFile& file_;
-    std::set<std::string> known_;  // names
+    std::set<std::string> known_, own_;  // names in all libraries of the file, and in this one
     std::optional<MeshMaterial> material_;
     std::string mask_, transparent_;  // of the material
     bool is_opaque_by_d_ = false;     // some programs write Tr 1 beside d 1

@@ -89,6 +89,7 @@ struct FileMaterials::Search {
     }
     void warn_of_definitions();
     void warn_of_unknown();
+    void warn_of_unmatched_keys();
 };
 
 void FileMaterials::Search::warn_of_definitions() {
@@ -117,6 +118,21 @@ void FileMaterials::Search::warn_of_definitions() {
         listed(words, "; "), clash));
 }
 
+/// Keys of `materials` that the file does not use.
+void FileMaterials::Search::warn_of_unmatched_keys() {
+    const std::set<std::string> used = used_names(file.mesh);
+    const auto is_used = [&](const std::string& name) {
+        return used.contains(name) || std::any_of(
+                                          file.mesh.aliases.begin(), file.mesh.aliases.end(),
+                                          [&](const auto& alias) { return alias.second == name; });
+    };
+    for (const auto& [name, run_name] : file.keys.by_file_name) {
+        if (!is_used(name)) {
+            warn(fmt::format("materials names '{}', which {} does not use", name, file.name));
+        }
+    }
+}
+
 /// Where the run file knows none of the file's materials, `material` is for all of them.
 void FileMaterials::Search::warn_of_unknown() {
     if (known.empty() || unknown.empty()) {
@@ -133,7 +149,7 @@ void FileMaterials::Search::warn_of_unknown() {
 }
 
 std::optional<std::string> FileMaterials::from_run_file(
-    const GeometryFile& file, const std::string& name) const {
+    const GeometryFile& file, const std::string& name) {
     const auto alias = file.mesh.aliases.find(name);
     const std::string& other = alias == file.mesh.aliases.end() ? name : alias->second;
     for (const std::string* each : {&name, &other}) {
@@ -142,9 +158,11 @@ std::optional<std::string> FileMaterials::from_run_file(
             return mapped->second;
         }
     }
-    for (const std::string* each : {&name, &other}) {
-        if (!each->empty() && context_.materials.contains(*each)) {
-            return *each;
+    const std::string of_file = file.name + " ";
+    for (const std::string& each : {of_file + name, of_file + other, name, other}) {
+        if (!each.empty() && context_.materials.contains(each)) {
+            matched_.insert(each);
+            return each;
         }
     }
     return std::nullopt;
@@ -191,12 +209,7 @@ std::string FileMaterials::find_one(Search& search, const std::string& name) {
         return missing(search, name);
     }
     std::string run_name = name_of(file.name, *material);
-    if (run_name != name) {
-        if (context_.materials.contains(run_name)) {
-            return run_name;  // the run file gives this file's
-        }
-        ++search.renamed;
-    }
+    search.renamed += run_name == name ? 0 : 1;
     search.defined.push_back(name);
     search.definitions.push_back(optics_words(*material));
     if (added_.emplace(run_name, optics_of(*material)).second) {
@@ -231,7 +244,24 @@ FoundMaterials FileMaterials::find(
     }
     search.warn_of_definitions();
     search.warn_of_unknown();
+    search.warn_of_unmatched_keys();
     return found;
+}
+
+void FileMaterials::warn_of_unmatched(Reporter& reporter) const {
+    for (const std::string& given : context_.materials) {
+        const auto is_meant = [&](const auto& defined) {
+            return !defined.first.empty() && given.ends_with(" " + defined.first);
+        };
+        if (!matched_.contains(given) && std::any_of(defined_.begin(), defined_.end(), is_meant)) {
+            reporter.warnings.push_back(
+                {reporter.file,
+                 fmt::format(
+                     "no [[geometry]] has the material '{}': a material of one file is called by "
+                     "the file as it is written in [[geometry]], a blank, and its name",
+                     given)});
+        }
+    }
 }
 
 }  // namespace quasimc

@@ -40,6 +40,9 @@ class FileMaterials {
     /// The materials of a file; adds to the builder those that the file defines. Faults where there
     /// is none.
     FoundMaterials find(const GeometryFile& file, TableReader& table, SceneBuilder& builder);
+    /// Warns of materials of the run file that seem to be meant for one of a file, and are for
+    /// none.
+    void warn_of_unmatched(Reporter& reporter) const;
 
   private:
     /// Reflectance and transmittance.
@@ -47,7 +50,7 @@ class FileMaterials {
     struct Search;
 
     [[nodiscard]] std::optional<std::string> from_run_file(
-        const GeometryFile& file, const std::string& name) const;
+        const GeometryFile& file, const std::string& name);
     [[nodiscard]] std::string name_of(const std::string& file, const MeshMaterial& material) const;
     std::string find_one(Search& search, const std::string& name);
     std::string missing(Search& search, const std::string& name) const;
@@ -55,6 +58,7 @@ class FileMaterials {
     const RunFileContext& context_;
     std::map<std::string, std::set<Optics>> defined_;  ///< by the names in the files
     std::map<std::string, Optics> added_;              ///< to the builder, by name
+    std::set<std::string> matched_;                    ///< materials of the run file
 };
 
 }  // namespace quasimc

@@ -66,11 +66,16 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
 /// Adds an organ in place of those that could not be read, so that nobody is told that there are
 /// none.
 void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
-    if (!context.materials.empty()) {
-        OrganSpec organ;
-        organ.parts.push_back({*context.materials.begin(), std::vector<Triangle>(1, kStandIn)});
-        builder.add_organ(std::move(organ));
+    std::string material = "stand-in";
+    if (context.materials.empty()) {
+        const std::vector<SideOptics> black(context.bands.size());
+        builder.add_material({material, black, black});
+    } else {
+        material = *context.materials.begin();
     }
+    OrganSpec organ;
+    organ.parts.push_back({std::move(material), std::vector<Triangle>(1, kStandIn)});
+    builder.add_organ(std::move(organ));
 }
 
 /// Keys that another reader reads.

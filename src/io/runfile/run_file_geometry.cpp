@@ -277,6 +277,7 @@ void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& buil
         const FoundMaterials found = materials.find(geometry.file, geometry.table, builder);
         OrganAdder(geometry.keys, found, builder).add(std::move(geometry.file.mesh));
     }
+    materials.warn_of_unmatched(top.reporter());
 }
 
 }  // namespace quasimc

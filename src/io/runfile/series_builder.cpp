@@ -295,7 +295,9 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
                 fmt::format(
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),
-                "time zone, place or stamp are wrong", "check utc_offset_hours, [place] and stamp"};
+                "time zone, place or stamp are wrong",
+                "check utc_offset_hours, [place] (are latitude and longitude exchanged?) and "
+                "stamp"};
     }
 }
 

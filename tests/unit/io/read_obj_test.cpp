@@ -118,6 +118,19 @@ TEST(ReadObj, TakesMaterialsFromItsLibrary) {
     EXPECT_NEAR(read.mesh.materials[0].reflectance, 0.2, 1e-15);
 }
 
+TEST(ReadObj, TakesColoursOfOneNumberAndLeavesSpectraToTheRunFile) {
+    const ReadMesh read = read_mesh_text(
+        "obj", "mtllib a.mtl\n" + kSquare + "f 1 2 3\n",
+        {{"a.mtl",
+          "newmtl grey\nKd 0.3\nnewmtl measured\nKd spectral a.rfl\nnewmtl grey\nKd 0.7 0.7 "
+          "0.7\n"}});
+    EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
+    ASSERT_EQ(read.mesh.materials.size(), 2U);
+    EXPECT_NEAR(read.mesh.materials[0].reflectance, 0.3, 1e-15);
+    EXPECT_FALSE(read.mesh.materials[1].is_stated);
+    EXPECT_TRUE(mentions(read.warnings, "material 'grey' is there twice: the first counts"));
+}
+
 TEST(ReadObj, OnlyWarnsOfAMissingLibrary) {
     const ReadMesh read = read_mesh_text("obj", "mtllib none.mtl\n" + kSquare + "f 1 2 3\n");
     EXPECT_TRUE(read.faults.empty());

@@ -364,6 +364,27 @@ TEST(GeometryKeys, MaterialsBelongToTheFileThatDefinesThem) {
         (std::vector<std::string>{"M 1", "M 1"}));
 }
 
+/// Whether other files have a material of the name does not matter.
+TEST(GeometryKeys, AMaterialOfOneFileIsFoundWhereNoOtherFileHasTheName) {
+    const std::string material = "[[material]]\nname = 'B.obj M'\nreflectance = 0.3\n";
+    EXPECT_EQ(
+        absorptances(read_two_of_one_name("B.obj", "B.obj", material).scene),
+        (std::vector<std::string>{"B.obj M 0.7", "B.obj M 0.7"}));
+    const std::string elsewhere = "[[material]]\nname = 'x/B.obj M'\nreflectance = 0.3\n";
+    EXPECT_TRUE(mentions(
+        texts_of(read_two_of_one_name("B.obj", "B.obj", elsewhere)),
+        "no [[geometry]] has the material 'x/B.obj M'"));
+    EXPECT_FALSE(mentions(texts_of(read_two_of_one_name("B.obj", "A.obj", material)), "no [["));
+}
+
+TEST(GeometryKeys, AKeyThatTheFileDoesNotUseIsAWarning) {
+    const FakeFiles files{{"a.obj", kObj}, {"a.mtl", kMtl}};
+    const std::string keys = "file = 'a.obj'\nmaterials = { 'a.obj green' = 'leaf' }\n";
+    EXPECT_TRUE(mentions(
+        texts_of(read_text(with_geometry(keys).text(), files)),
+        "materials names 'a.obj green', which a.obj does not use"));
+}
+
 TEST(GeometryKeys, AMaterialOfTheRunIsForAllFilesOrForOne) {
     EXPECT_EQ(
         absorptances(
