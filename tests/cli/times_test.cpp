@@ -54,7 +54,7 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     folder_.write("period.toml", run_file_of_days() + "collapse = \"period\"\n");
     const Outcome checked = run({"check", "period.toml"});
     EXPECT_NE(
-        checked.out.find("4 times collapsed into 1 traces of 12 suns in all"), std::string::npos)
+        checked.out.find("4 times collapsed into 1 trace of 12 suns in all"), std::string::npos)
         << checked.out;
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
