@@ -121,15 +121,27 @@ void report_all(std::vector<Estimate>& estimates) {
     std::transform(estimates.begin(), estimates.end(), estimates.begin(), reported);
 }
 
-}  // namespace
-
-std::shared_ptr<Result> reported_result(Result result) {
-    GroupResults& groups = result.groups;
+void report_groups(GroupResults& groups) {
     for (std::vector<Estimate>* estimates :
-         {&result.values, &result.sunlit_fraction, &result.ratio_values, &groups.values,
-          &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values}) {
+         {&groups.values, &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values}) {
         report_all(*estimates);
     }
+}
+
+}  // namespace
+
+SeriesSum reported_sum(SeriesSum sum) {
+    report_all(sum.values);
+    report_groups(sum.groups);
+    return sum;
+}
+
+std::shared_ptr<Result> reported_result(Result result) {
+    for (std::vector<Estimate>* estimates :
+         {&result.values, &result.sunlit_fraction, &result.ratio_values}) {
+        report_all(*estimates);
+    }
+    report_groups(result.groups);
     for (DetectorResult& detector : result.detectors) {
         report_all(detector.values);
     }

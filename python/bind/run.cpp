@@ -5,7 +5,6 @@
 
 #include <pybind11/stl.h>
 
-#include "base/text.h"
 #include "bind.h"
 #include "io/input_files.h"
 #include "quasimc/run.h"
@@ -36,14 +35,6 @@ std::shared_ptr<Result> run_light(
     return result;
 }
 
-py::list texts_of(const std::vector<Warning>& warnings) {
-    py::list texts;
-    for (const Warning& warning : warnings) {
-        texts.append(py::str(printable(warning.place + ": " + warning.text)));
-    }
-    return texts;
-}
-
 }  // namespace
 
 void bind_run(py::module_& module) {
@@ -56,7 +47,7 @@ void bind_run(py::module_& module) {
         .def_property_readonly(
             "ratio_names", [](const LightHandle& h) { return h.light.spec.ratios; })
         .def_property_readonly(
-            "warnings", [](const LightHandle& h) { return texts_of(h.light.warnings); });
+            "warnings", [](const LightHandle& h) { return warning_texts(h.light.warnings); });
 
     py::class_<Simulator>(module, "Simulator")
         .def(py::init<>())

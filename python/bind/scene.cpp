@@ -42,10 +42,6 @@ std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces
     return span_of<std::int32_t>(faces);
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<std::string> texts_of(const py::object& list) {
     std::vector<std::string> texts;
     for (const py::handle text : list) {
@@ -192,6 +188,8 @@ py::list bands_of(const Scene& scene) {
     return bands;
 }
 
+}  // namespace
+
 py::list warning_texts(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
@@ -200,8 +198,6 @@ py::list warning_texts(const std::vector<Warning>& warnings) {
     }
     return texts;
 }
-
-}  // namespace
 
 void bind_scene(py::module_& module) {
     py::class_<Document>(module, "Document")

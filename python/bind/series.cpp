@@ -42,13 +42,14 @@ std::shared_ptr<SeriesHandle> run_times(
     }
     events.on_day = [&](std::size_t day, const SeriesSum& sum) {
         all->days.push_back(day);
-        all->sums.push_back(sum);
+        all->sums.push_back(reported_sum(sum));
     };
     WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
         events.on_progress = tell;
         all->summary =
             run_series(*scene.scene, all->series.time_steps, light.light.spec, events, stop);
     });
+    all->summary.total = reported_sum(std::move(all->summary.total));
     return all;
 }
 

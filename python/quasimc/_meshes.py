@@ -51,11 +51,6 @@ def plain(value):
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def ids_of(meshes):
-    """The ids of the organs of meshes, ascending."""
-    return np.sort(np.concatenate([np.empty(0, np.int64), *(m["ids"] for m in meshes if m["ids"] is not None)]))
-
-
 def digest(mesh):
     """Equal for equal meshes, wherever they stand."""
     marks = hashlib.blake2b(digest_size=16)

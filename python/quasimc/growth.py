@@ -33,7 +33,7 @@ class GrowthSession:
 
     def __init__(self, scene):
         self._scene = scene
-        self._core = _core.GrowthSession(scene._whole_document(), scene._meshes)
+        self._core = _core.GrowthSession(scene._whole_document(), scene._mesh_list())
         self._lock = OneAtATime()
 
     def add(
@@ -125,7 +125,7 @@ class GrowthSession:
             If an organ of the scene now has the id of one of the session; nothing is taken over.
         """
         with self._lock:
-            self._core.set_frame(self._scene._whole_document(), self._scene._meshes)
+            self._core.set_frame(self._scene._whole_document(), self._scene._mesh_list())
 
     def run(self, sources=None, *, progress=None, **options):
         """Computes the light of this step; the arguments are those of `Scene.run`.

@@ -7,13 +7,12 @@ import difflib
 import os
 import sys
 import warnings
+from collections import Counter
 from collections.abc import Mapping
-
-import numpy as np
 
 from . import _core
 from ._lock import OneAtATime
-from ._meshes import digest, fault, ids_of, mesh_arrays, owned, plain
+from ._meshes import digest, fault, mesh_arrays, owned, plain
 from ._progress import Listener
 from .errors import QuasimcWarning
 from .organs import Organs
@@ -105,12 +104,16 @@ class Scene:
         self._table = table
         self._name = name
         self._folder = folder  # that paths are relative to; None: the current one
-        self._meshes = []
-        self._ids = ids_of([])  # of the meshes, ascending
+        self._meshes = {}  # by their places, which are ascending numbers
+        self._places = {}  # of the meshes of each name
+        self._ids = set()  # of the organs of meshes
+        self._numbered = 0  # meshes that were added so far
         self._document = None  # as it was read, with its lines, as long as nothing is changed
         self._built = None
         self._frame = None  # what meshes are checked against; None: materials were changed
-        self._marks = None  # of all that was added; None: not looked at yet
+        self._known = set()  # names of materials that the frame has
+        self._marks = Counter()  # of all that was added
+        self._marks.update(m for key in _LISTS for e in table.get(key, []) for m in _marks_of(key, e))
         self._organs = None
         self._simulator = _core.Simulator()
         self._lock = OneAtATime()
@@ -126,8 +129,11 @@ class Scene:
         """A scene of its own, of which the same was stated."""
         other = type(self).__new__(type(self))
         other._init(copy.deepcopy(self._table), self._name, self._folder)
-        other._meshes = list(self._meshes)
-        other._ids = self._ids
+        other._meshes = dict(self._meshes)
+        other._places = {name: list(places) for name, places in self._places.items()}
+        other._ids = set(self._ids)
+        other._numbered = self._numbered
+        other._marks = self._marks.copy()
         other._document = self._document
         return other
 
@@ -164,9 +170,8 @@ class Scene:
         )
         with self._lock.to_change():
             others = [m for m in self._table.get("material", []) if m.get("name") != name]
-            frame = self._frame_of([*others, stated])
+            self._frame_of([stated])
             self._set("material", [*others, stated])
-            self._frame = frame
         return self
 
     def add_mesh(
@@ -213,11 +218,9 @@ class Scene:
             mesh = self._mesh(
                 vertices, faces, organ, material, name, labels, measured, field_of_view_deg
             )
-            ids = self._check_mesh(mesh, self._ids)
-            self._mark("mesh", mesh)
-            self._meshes.append(mesh)
-            self._ids = ids
-            self._built = None
+            self._check_mesh(mesh, [])
+            self._warn_of_second("mesh", mesh)
+            self._put(mesh, self._numbered)
         return self
 
     def replace(
@@ -244,13 +247,11 @@ class Scene:
                 vertices, faces, organ, material, name, labels, measured, field_of_view_deg
             )
             self._check_name(name)
-            others = [m for m in self._meshes if m["name"] != name]
-            ids = self._check_mesh(mesh, ids_of(others))
-            names = [m["name"] for m in self._meshes]
-            place = names.index(name) if name in names else len(names)
+            places = self._places.get(name, [])
+            self._check_mesh(mesh, [self._meshes[place] for place in places])
+            place = places[0] if places else self._numbered
             self._remove(name)
-            self._meshes.insert(place, mesh)
-            self._ids = ids
+            self._put(mesh, place)
         return self
 
     def remove(self, name):
@@ -268,7 +269,7 @@ class Scene:
 
     def _mesh(self, vertices, faces, organ, material, name, *others):
         """A mesh that later writes to the arrays don't change."""
-        place = f"{self._name}: mesh {len(self._meshes) + 1}"
+        place = f"{self._name}: mesh {self._numbered + 1}"
         mesh = mesh_arrays(place, vertices, faces, organ, material, name, *others)
         mesh["vertices"] = owned(mesh["vertices"], vertices)
         mesh["faces"] = owned(mesh["faces"], faces)
@@ -276,43 +277,49 @@ class Scene:
         mesh["digest"] = digest(mesh)
         return mesh
 
-    def _check_mesh(self, mesh, taken):
-        """Refuses a faulty mesh, and ids that are taken; returns these with its own, ascending."""
-        frame = self._frame
+    def _check_mesh(self, mesh, replaced):
+        """Refuses a faulty mesh, and ids that meshes have which are not to be replaced."""
+        later = set()
         if "geometry" in self._table or not {"material", "material_file"} & self._table.keys():
             # Files may define materials, and scenes may get theirs later.
-            known = {m.get("name") for m in self._table.get("material", [])}
-            later = [{"name": m, "reflectance": 0} for m in mesh["materials"] if m not in known]
-            frame = self._frame_of([*self._table.get("material", []), *later])
-        elif frame is None:
-            frame = self._frame = self._frame_of(self._table.get("material", []))
-        frame.check(mesh)
-        if mesh["ids"] is None:
-            return taken
-        places = np.searchsorted(taken, mesh["ids"])
-        double = mesh["ids"][np.searchsorted(taken, mesh["ids"], side="right") > places]
-        if len(double):
+            later = set(mesh["materials"])
+        if self._frame is None or not later <= self._known:
+            materials = self._table.get("material", [])
+            later |= self._known if self._frame is not None else set()
+            later -= {m.get("name") for m in materials}
+            assumed = [{"name": name, "reflectance": 0} for name in sorted(later)]
+            self._frame = self._frame_of([*materials, *assumed])
+            self._known = {m.get("name") for m in [*materials, *assumed]}
+        self._frame.check(mesh)
+        double = self._ids.intersection(_ids_of(mesh)).difference(*map(_ids_of, replaced))
+        if double:
             raise fault(
                 mesh["place"],
-                f"an earlier mesh has an organ of the id {double[0]}",
+                f"an earlier mesh has an organ of the id {min(double)}",
                 "ids are unique",
                 "take other ids, or replace that mesh by its name",
             )
-        return np.insert(taken, places, mesh["ids"])
+
+    def _put(self, mesh, place):
+        self._meshes[place] = mesh
+        self._places.setdefault(mesh["name"], []).append(place)
+        self._ids.update(_ids_of(mesh))
+        self._marks.update(_marks_of("mesh", mesh))
+        self._numbered += 1
+        self._built = None
+
+    def _mesh_list(self):
+        """The meshes in their order."""
+        return [self._meshes[place] for place in sorted(self._meshes)]
 
     def _frame_of(self, materials):
         """Materials, checked, for meshes to be checked against."""
         table = {key: self._table[key] for key in _FRAME_KEYS if key in self._table}
         return _core.Frame(self._document_of({**table, "material": materials}))
 
-    def _names(self):
-        """All names under which something was added."""
-        entries = [entry for key in _LISTS for entry in self._table.get(key, [])]
-        return {entry.get("name") for entry in [*entries, *self._meshes]} - {None}
-
     def _check_name(self, name):
-        names = self._names()
-        if name not in names:
+        if ("name", name) not in self._marks:
+            names = {mark[1] for mark in self._marks if mark[0] == "name"}
             near = difflib.get_close_matches(str(name), names, 1)
             raise fault(
                 self._name,
@@ -322,21 +329,28 @@ class Scene:
             )
 
     def _remove(self, name):
-        for key in _LISTS:
+        for place in self._places.pop(name, []):
+            mesh = self._meshes.pop(place)
+            self._ids.difference_update(_ids_of(mesh))
+            self._unmark("mesh", mesh)
+        for key in _LISTS if ("name", name) in self._marks else ():
             entries = self._table.get(key, [])
             left = [entry for entry in entries if entry.get("name") != name]
             if len(left) < len(entries):
                 self._set(key, left)
-        self._meshes = [mesh for mesh in self._meshes if mesh["name"] != name]
-        self._ids = ids_of(self._meshes)
-        self._built = self._marks = None
+            for entry in entries:
+                if entry.get("name") == name:
+                    self._unmark(key, entry)
+        self._built = None
 
-    def _mark(self, key, entry):
+    def _unmark(self, key, entry):
+        for mark in _marks_of(key, entry):
+            self._marks[mark] -= 1
+            if not self._marks[mark]:
+                del self._marks[mark]
+
+    def _warn_of_second(self, key, entry):
         """Warns of what is added twice: a cell of a notebook that was run again."""
-        if self._marks is None:
-            added = [(k, e) for k in _LISTS for e in self._table.get(k, [])]
-            added += [("mesh", mesh) for mesh in self._meshes]
-            self._marks = {mark for k, e in added for mark in _marks_of(k, e)}
         what = {"geometry": "file"}.get(key, key)
         for mark in _marks_of(key, entry):
             if mark in self._marks:
@@ -348,7 +362,6 @@ class Scene:
                     ]
                 )
                 break
-        self._marks.update(_marks_of(key, entry))
 
     def add_organ(self, shape, *, material, **keys):
         """Adds an organ of a shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
@@ -392,9 +405,7 @@ class Scene:
         source = source if isinstance(source, Source) else Source(source, **keys)
         table = plain(source.table())
         with self._lock.to_change():
-            self._mark("source", table)
-            self._table["source"] = [*self._table.get("source", []), table]
-            self._document = None
+            self._append("source", table)
         return self
 
     def set_ground(self, material, **keys):
@@ -423,15 +434,21 @@ class Scene:
     def _add(self, key, table):
         table = plain(table)
         with self._lock.to_change():
-            self._mark(key, table)
-            self._set(key, [*self._table.get(key, []), table])
+            self._append(key, table)
+            self._built = None
         return self
+
+    def _append(self, key, entry):
+        self._warn_of_second(key, entry)
+        self._marks.update(_marks_of(key, entry))
+        self._table.setdefault(key, []).append(entry)
+        self._document = None
 
     def _set(self, key, value):
         self._table[key] = value
         self._document = None
         self._built = None
-        self._frame = None if key == "material" else self._frame
+        self._frame = None if key in ("material", "geometry") else self._frame
 
     # Building and running.
 
@@ -456,14 +473,14 @@ class Scene:
     def _build(self):
         """The same where the lock is held."""
         if self._built is None:
-            built = self._whole_document().build(self._meshes)
+            built = self._whole_document().build(self._mesh_list())
             self._organs = Organs(built)
             self._built = built
             _warn(built.warnings)
         return self._organs
 
     def _whole_document(self):
-        table = _numbered(self._table, self._meshes)
+        table = _numbered(self._table, self._meshes.values())
         if self._document is not None and table is self._table:
             return self._document
         return self._document_of(table)
@@ -565,6 +582,10 @@ def _marks_of(key, entry):
     if entry.get("name") is not None:
         yield ("name", entry["name"])
     yield (key, entry["digest"] if key == "mesh" else repr(entry))
+
+
+def _ids_of(mesh):
+    return [] if mesh["ids"] is None else mesh["ids"].tolist()
 
 
 def _source_tables(sources):

@@ -343,3 +343,41 @@ def test_a_copy_is_a_scene_of_its_own(copied):
 def test_labels_must_be_a_dict():
     with pytest.raises(quasimc.InputError, match="labels is of the type list"):
         canopy().add_mesh(np.zeros((1, 3, 3)), material="leaf", labels=["a"])
+
+
+def test_calls_cost_the_same_however_much_was_added(tmp_path, monkeypatch):
+    (tmp_path / "leaf.obj").write_text("v 0 0 2\nv 1 0 2\nv 0 1 2\ng blade\nf 1 2 3\n")
+    scene = scene_of_material().add_file(tmp_path / "leaf.obj", material="leaf", first_id=100)
+    materials = []
+    monkeypatch.setattr(quasimc._core, "Frame", counted(quasimc._core.Frame, materials))
+    for i in range(20):
+        scene.add_mesh(TRIANGLE + i, [[0, 1, 2]], organ=[i + 1], material="leaf", name=f"leaf {i}")
+    assert len(materials) == 1
+    seen = []
+    monkeypatch.setattr(quasimc.scene, "_ids_of", counted(quasimc.scene._ids_of, seen))
+    monkeypatch.setattr(quasimc.scene, "_marks_of", counted(quasimc.scene._marks_of, seen))
+    scene.replace("leaf 3", TRIANGLE + 30, [[0, 1, 2]], organ=[4], material="leaf")
+    assert len(materials) == 1 and len(seen) < 10  # of 20 meshes
+    for i in range(5):
+        scene.add_material(f"other {i}", reflectance=0.1)
+    assert [len(document.table()["material"]) for document in materials[1:]] == [1] * 5
+    assert len(scene.organs) == 21
+
+
+def counted(function, calls):
+    """The function, which notes its last argument at each call."""
+
+    def call(*arguments):
+        calls.append(arguments[-1])
+        return function(*arguments)
+
+    return call
+
+
+def test_numbers_of_meshes_are_not_given_twice():
+    scene = scene_of_material()
+    for name in "ab":
+        scene.add_mesh(TRIANGLE, [[0, 1, 2]] if name == "a" else [[1, 2, 0]], material="leaf", name=name)
+    scene.remove("a")
+    with pytest.raises(quasimc.InputError, match="mesh 3: "):
+        scene.add_mesh(TRIANGLE, [[0, 1, 3]], material="leaf")

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 import quasimc
+from canopies import FEW, leaves
 
 DAY = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 13], "step_minutes": 60}
 
@@ -97,3 +98,14 @@ def test_a_callback_is_told_of_all_times(scene):
     seen = []
     scene.run(time=DAY, paths=1 << 16, progress=lambda p: seen.append(p.fraction))
     assert seen == sorted(seen)
+
+
+def test_means_of_sums_lie_in_their_intervals():
+    scene = quasimc.Scene("PAR", place={"latitude_deg": 52, "longitude_deg": 5.7})
+    scene.add_material("leaf", reflectance=0.8, transmittance=0.2)
+    scene.add_mesh(*leaves(30)[:2], organ=leaves(30)[2], material="leaf", labels={"plant": 1})
+    series = scene.run(time=DAY, groups=["plant"], **FEW)
+    for sums in (series.total, series.days["2024-06-21"]):
+        for table in (sums, sums.groups):
+            light = table["absorbed_flux"]
+            assert np.all((light.low <= light.mean) & (light.mean <= light.high))
