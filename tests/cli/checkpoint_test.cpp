@@ -62,7 +62,7 @@ class CheckpointTest : public ProgramTest {
         EXPECT_EQ(last.status, 0) << last.err;
         EXPECT_EQ(table_rows(folder_.read("out.csv")), table_rows(folder_.read("whole.csv")));
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-            EXPECT_FALSE(entry.path().filename().string().starts_with(".quasimc.c")) << entry;
+            EXPECT_FALSE(entry.path().filename().string().starts_with(".quasimc.commit.")) << entry;
         }
     }
 };
