@@ -350,10 +350,14 @@ class Scene:
                 del self._marks[mark]
 
     def _warn_of_second(self, key, entry):
-        """Warns of what is added twice: a cell of a notebook that was run again."""
+        """Warns of what is added twice: a cell of a notebook that was run again.
+
+        Of meshes of one name the second alone is warned of: many may have one name on purpose.
+        """
         what = {"geometry": "file"}.get(key, key)
         for mark in _marks_of(key, entry):
-            if mark in self._marks:
+            is_second = self._marks[mark] == 1 and key == "mesh"
+            if is_second if mark[0] == "name" else mark in self._marks:
                 same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
                 _warn(
                     [

@@ -8,6 +8,7 @@ each, or a dict by the names of bands.
 from __future__ import annotations
 
 from . import _core
+from ._meshes import plain
 
 LAMPS = ("point", "spot", "rectangle", "disk", "line", "sphere", "ies")
 
@@ -27,7 +28,7 @@ class Source:
 
     def __init__(self, type, **keys):
         self.type = str(type)
-        self.keys = {key: value for key, value in keys.items() if value is not None}
+        self.keys = {key: plain(value) for key, value in keys.items() if value is not None}
 
     def table(self):
         """The table of a run file, as a dict."""

@@ -160,10 +160,27 @@ def test_a_cell_of_a_notebook_that_runs_twice_warns(add):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         add(scene)
-    with pytest.warns(quasimc.QuasimcWarning, match="already, and now has both"):
-        add(scene)
-    with pytest.warns(quasimc.QuasimcWarning, match="already, and now has both"):
-        add(copy.copy(scene))
+    twin = copy.copy(scene)
+    for each in (scene, twin):
+        with pytest.warns(quasimc.QuasimcWarning, match="already, and now has both"):
+            add(each)
+
+
+def test_names_that_many_share_are_warned_of_once():
+    scene = scene_of_material()
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        for x in range(5):
+            scene.add_mesh(TRIANGLE + [x, 0, 0], [[0, 1, 2]], material="leaf", name="leaf")
+            scene.add_organ("triangle", corners=TRIANGLE + [x, 1, 0], material="leaf", name="blade")
+    assert len(caught) == 1 and "of the name 'leaf'" in str(caught[0].message)
+
+
+def test_a_source_keeps_the_numbers_that_it_was_given():
+    power = np.array([100.0])
+    source = quasimc.sky(irradiance_horizontal=power)
+    power[0] = 1
+    assert source.keys["irradiance_horizontal"] == [100.0]
 
 
 def test_numbers_beyond_all_vertices_are_refused_as_they_stand():

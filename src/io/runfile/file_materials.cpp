@@ -172,7 +172,10 @@ void FileMaterials::note(const GeometryFile& file) {
     const Definitions definitions = definitions_of(file.mesh);
     for (const std::string& name : used_names(file.mesh)) {
         const MeshMaterial* material = definition_of(name, definitions);
-        if (material != nullptr && !file.keys.material && !from_run_file(file, name)) {
+        // What the run file gives for this file alone changes no name of others.
+        const std::optional<std::string> given = from_run_file(file, name);
+        const bool is_of_all = given && *given != file.name + " " + name;
+        if (material != nullptr && !file.keys.material && !is_of_all) {
             defined_[name].insert(optics_of(*material));
         }
     }
