@@ -197,6 +197,7 @@ class PlyReader {
     /// Which part a face belongs to.
     struct PartKey {
         std::optional<std::int64_t> organ = {}, material = {};
+        // NOLINTNEXTLINE(modernize-use-nullptr)  it takes the order for a comparison with 0
         friend auto operator<=>(const PartKey&, const PartKey&) = default;
     };
 
