@@ -41,6 +41,8 @@ class SkyFile {
              std::move(why), std::move(suggestion)});
     }
 
+    static constexpr std::size_t kMostFaults = 100;
+
     /// The next line that holds anything; "#" begins a comment.
     bool next_line() {
         while (scanner_.next()) {
@@ -90,7 +92,7 @@ class SkyFile {
 
     /// Goes on to the line of `what`; false after a fault.
     bool advance(std::string_view what, std::size_t index, std::size_t count) {
-        if (faults_.size() >= 100) {
+        if (faults_.size() >= kMostFaults) {
             return false;
         }
         if (!next_line()) {
@@ -107,7 +109,7 @@ class SkyFile {
             if (!advance("rings", e, table.elevations)) {
                 return;
             }
-            for (std::size_t a = 0; a < table.azimuths; ++a) {
+            for (std::size_t a = 0; a < table.azimuths && faults_.size() < kMostFaults; ++a) {
                 table.radiance[e * table.azimuths + a] = value(take_word(line_));
             }
             if (!take_word(line_).empty()) {
