@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/angles.h"
 #include "base/text.h"
 #include "commands.h"
 #include "io/atomic_file.h"
@@ -24,8 +24,6 @@ namespace {
 
 using quasimc::shortest;
 using quasimc::Vec3;
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 struct SkyArguments {
     std::string place, time, sky, png;
@@ -129,7 +127,7 @@ std::string clear_text(
                                 "on the horizontal {:.1f} W m-2, direct {:.1f} and diffuse {:.1f}; "
                                 "beam {:.1f} W m-2",
                                 light.global(), light.direct, light.diffuse,
-                                light.direct / std::sin(sun.elevation_deg * kRadians))) +
+                                light.direct / std::sin(sun.elevation_deg * quasimc::kRadians))) +
            sky_row(
                "", fmt::format(
                        "PPFD {:.1f} umol m-2 s-1, direct {:.1f} and diffuse {:.1f}; Linke "

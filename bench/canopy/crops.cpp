@@ -9,7 +9,7 @@
 
 #include "io/input_files.h"
 #include "io/runfile/run_file.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::bench {
 namespace {

@@ -14,7 +14,7 @@
 #include "methods.h"
 #include "parts.h"
 #include "quasimc/source.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/shapes/shapes.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::bench {
 namespace {

@@ -18,7 +18,7 @@
 #include "io/runfile/run_file.h"
 #include "memory_scenes.h"
 #include "quasimc/run.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "sources/source.h"
 #include "support/process_memory.h"
 

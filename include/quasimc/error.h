@@ -1,6 +1,6 @@
 #pragma once
 
-// What is wrong with an input, and the exception that says so.
+// What is wrong with an input, the exception that says so, and warnings.
 
 #include <cstddef>
 #include <stdexcept>
@@ -18,6 +18,11 @@ struct Fault {
     std::string suggestion;  ///< what to do; may be empty
 
     [[nodiscard]] std::string text() const;
+};
+
+/// Something that is allowed but probably not meant.
+struct Warning {
+    std::string place, text;
 };
 
 /// Thrown for what a person can mend; carries all faults found, at least one.

@@ -108,11 +108,6 @@ struct Region {
     double area = 0;
 };
 
-/// Something that is allowed but probably not meant.
-struct Warning {
-    std::string place, text;
-};
-
 /// A scene that has passed every check. Coordinates are in the scene's unit with z up (see
 /// orientation). Organs stand in the order they were added, the ground, if any, last.
 class Scene {

@@ -4,10 +4,12 @@
 
 namespace quasimc {
 
+inline constexpr double kPi = std::numbers::pi;
+
 /// Radians of a degree.
-inline constexpr double kRadians = std::numbers::pi / 180;
+inline constexpr double kRadians = kPi / 180;
 
 /// Radians of a full turn.
-inline constexpr double kFullTurn = 2 * std::numbers::pi;
+inline constexpr double kFullTurn = 2 * kPi;
 
 }  // namespace quasimc

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/angles.h"
@@ -11,8 +10,6 @@
 
 namespace quasimc {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A cell of a sky: its middle, in the sense that the sine of the elevation is the mean over the
 /// cell, and its solid angle.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "coupling/lighting.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {

@@ -8,8 +8,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "scene/scene_builder.h"
-
 namespace quasimc {
 namespace {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/length_units.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {

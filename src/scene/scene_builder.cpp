@@ -1,5 +1,3 @@
-#include "scene/scene_builder.h"
-
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -13,6 +11,7 @@
 #include "scene/covered.h"
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
+#include "scene/scene.h"
 #include "scene/scene_checks.h"
 #include "scene/scene_draft.h"
 

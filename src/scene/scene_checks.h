@@ -10,7 +10,7 @@
 #include "quasimc/error.h"
 #include "quasimc/scene.h"
 #include "quasimc/vec3.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 

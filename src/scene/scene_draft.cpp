@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/checks.h"
-#include "scene/scene_builder.h"
 #include "scene/scene_checks.h"
 
 namespace quasimc {

@@ -6,17 +6,9 @@
 #include <string_view>
 
 #include "solvers/solver.h"
+#include "solvers/sum_meaning.h"
 
 namespace quasimc {
-
-/// What the bins of a solver mean.
-struct SumMeaning {
-    SumUnits units;
-    MeasuredOrgans measured = MeasuredOrgans::all;
-    UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
-    std::size_t counted_kinds = 0;  ///< SumLayout::counted_kinds
-    PatchLevels patch_levels = PatchLevels::none;
-};
 
 /// One row of the catalogue: a way of computing.
 struct SolverEntry {

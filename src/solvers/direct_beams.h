@@ -8,11 +8,12 @@
 
 #include "geometry/raster/item_buffer.h"
 #include "geometry/raster/scan_lines.h"
-#include "solvers/catalogue.h"
 #include "solvers/light_tracer.h"
 #include "solvers/path_vertices.h"
 #include "solvers/sampling_budget.h"
 #include "solvers/seen_scene.h"
+#include "solvers/solver.h"
+#include "solvers/sum_meaning.h"
 
 namespace quasimc {
 

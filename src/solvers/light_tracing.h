@@ -1,6 +1,7 @@
 #pragma once
 
-#include "solvers/catalogue.h"
+#include "solvers/solver.h"
+#include "solvers/sum_meaning.h"
 
 namespace quasimc {
 

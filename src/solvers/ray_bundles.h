@@ -1,7 +1,8 @@
 #pragma once
 
 #include "quasimc/error.h"
-#include "solvers/catalogue.h"
+#include "solvers/solver.h"
+#include "solvers/sum_meaning.h"
 
 namespace quasimc {
 

@@ -33,7 +33,7 @@ Vec3 hemisphere_direction(double azimuth, double sine) {
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), sine};
 }
 
-Vec3 cosine_direction(double u0, double u1) {
+Vec3 upward_cosine_direction(double u0, double u1) {
     const double radius = std::sqrt(u0);
     const double around = kFullTurn * u1;
     return {radius * std::cos(around), radius * std::sin(around), std::sqrt(std::max(0.0, 1 - u0))};
@@ -41,7 +41,7 @@ Vec3 cosine_direction(double u0, double u1) {
 
 Vec3 cosine_direction_about(const Vec3& axis, double u0, double u1) {
     const Frame frame = frame_about(axis);
-    const Vec3 d = cosine_direction(u0, u1);
+    const Vec3 d = upward_cosine_direction(u0, u1);
     return d.x * frame.s + d.y * frame.t + d.z * axis;
 }
 

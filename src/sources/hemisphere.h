@@ -15,7 +15,7 @@ using HemisphereFunction = std::function<double(const Vec3&)>;
 
 /// A direction of the cosine law about +z: u0 is the square of the sine of the angle from it, the
 /// azimuth 2 pi u1.
-[[nodiscard]] Vec3 cosine_direction(double u0, double u1);
+[[nodiscard]] Vec3 upward_cosine_direction(double u0, double u1);
 /// The same about the unit vector `axis`.
 [[nodiscard]] Vec3 cosine_direction_about(const Vec3& axis, double u0, double u1);
 

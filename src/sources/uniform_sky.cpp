@@ -45,7 +45,7 @@ class UniformSkySampler final : public SourceSampler {
     /// Evenly over the sky; through the top alone, as light comes through it.
     [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
         const Vec3 to_light = has_sides() ? hemisphere_direction(2 * std::numbers::pi * u1, u0)
-                                          : cosine_direction(1 - u0, u1);
+                                          : upward_cosine_direction(1 - u0, u1);
         return {-to_light, density(-to_light)};
     }
     [[nodiscard]] double density(const Vec3& direction) const override {
@@ -59,7 +59,7 @@ class UniformSkySampler final : public SourceSampler {
     [[nodiscard]] bool has_sides() const { return box_.face_area.x > 0 || box_.face_area.y > 0; }
 
     [[nodiscard]] Emission from_top(double u0, double u1, double u2, double u3) const {
-        const Vec3 d = cosine_direction(u2, u3);
+        const Vec3 d = upward_cosine_direction(u2, u3);
         const Vec3 size = box_.bounds.size();
         const Vec3 place{
             box_.bounds.low.x + u0 * size.x, box_.bounds.low.y + u1 * size.y, box_.bounds.high.z};
@@ -69,7 +69,7 @@ class UniformSkySampler final : public SourceSampler {
     [[nodiscard]] Emission from_side(
         std::size_t face, double u0, double u1, double u2, double u3) const {
         // Inward is +x before the axes are set; half of the azimuths, those from above, are used.
-        const Vec3 d = cosine_direction(u2, 0.5 * u3);  // y >= 0: from above
+        const Vec3 d = upward_cosine_direction(u2, 0.5 * u3);  // y >= 0: from above
         const bool across_x = face <= 2;
         const bool high = face % 2 == 0;
         const double inward = high ? -d.z : d.z;

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/vec3.h"
 
 namespace quasimc {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kMargin = 1.06;  // of the picture over what is shown
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "readers.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "view/live_window.h"
 #include "view/window_site.h"
 

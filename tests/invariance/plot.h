@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "quasimc/run.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 
 // A small scene in which there is some of everything, to be turned, moved and taken to pieces.

@@ -19,7 +19,7 @@
 #include "conversation.h"
 #include "optics/material.h"
 #include "quasimc/run.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {

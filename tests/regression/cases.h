@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "quasimc/run.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 // The scenes whose results are held bit by bit. Only cases.cpp knows how scenes are made.
 

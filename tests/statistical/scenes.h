@@ -9,7 +9,7 @@
 #include "optics/material.h"
 #include "quasimc/mesh.h"
 #include "quasimc/run.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "support/statistics.h"
 
 // What the tests of whole runs have in common: short words for scenes, sources and runs.

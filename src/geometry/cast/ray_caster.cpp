@@ -10,7 +10,6 @@
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/cast/sliver_place.h"
-#include "geometry/raster/outline.h"
 #include "quasimc/vec3.h"
 
 namespace quasimc {

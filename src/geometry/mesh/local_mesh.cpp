@@ -211,4 +211,9 @@ Cell local_cell(const LocalMesh& mesh, const Cell& world) {
     return cell;
 }
 
+std::vector<Vec3> outline_points(const LocalMesh& mesh) {
+    const auto for_each = [&](const auto& visit) { for_each_outer_vertex(mesh, visit); };
+    return outline_of(for_each, mesh.bounds(), std::size_t{3} * mesh.triangle_count());
+}
+
 }  // namespace quasimc

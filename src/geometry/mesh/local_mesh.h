@@ -145,4 +145,7 @@ void for_each_outer_vertex(const LocalMesh& mesh, const Visit& visit) {
     }
 }
 
+/// The vertices that may be corners of the mesh's convex hull, as outline_of().
+[[nodiscard]] std::vector<Vec3> outline_points(const LocalMesh& mesh);
+
 }  // namespace quasimc

@@ -1,20 +1,67 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/vec3.h"
-#include "geometry/mesh/local_mesh.h"
 
 namespace quasimc {
 
-/// The vertices that may be corners of the mesh's convex hull: all but those that certainly are
-/// not. Of a large mesh few remain.
-[[nodiscard]] std::vector<Vec3> outline_points(const LocalMesh& mesh);
+/// A grid over the bounds of points that knows which of its cells lie inside their convex hull.
+///
+/// A point lies in the hull if each of the eight octants about it holds a point: a plane that
+/// parted it from all points would leave one octant wholly on its far side. So a cell lies in the
+/// hull if each of the octants of cells beyond it holds a cell with a point in it.
+class OctantGrid {
+  public:
+    OctantGrid(const Bounds& bounds, std::size_t points);
 
-/// The same of a set of points, in their order.
+    void add(const Vec3& p) { octants_[index(cell_of(p))] = 0xFF; }
+    /// To be called when all points are added: spreads each cell's points to the cells before it.
+    void finish();
+    /// Whether the cell of `p` lies in the hull; false if in doubt.
+    [[nodiscard]] bool is_inside(const Vec3& p) const;
+
+  private:
+    using Cell3 = std::array<int, 3>;
+
+    [[nodiscard]] std::size_t index(const Cell3& c) const {
+        return (static_cast<std::size_t>(c[2]) * count_[1] + c[1]) * count_[0] + c[0];
+    }
+    [[nodiscard]] Cell3 cell_of(const Vec3& p) const;
+    [[nodiscard]] bool holds(const Cell3& c, std::size_t octant) const {
+        return ((octants_[index(c)] >> octant) & 1U) != 0;
+    }
+    void spread(std::size_t octant);
+    void mark(const Cell3& cell, std::size_t octant);
+
+    Vec3 low_;
+    std::array<int, 3> count_{};
+    std::array<double, 3> per_unit_{};
+    std::vector<std::uint8_t> octants_;  // a bit for each octant: whether it holds a point
+};
+
+/// The points that `for_each` visits that may be corners of their convex hull, in their order: all
+/// but those that certainly are not. Of a large mesh few remain.
 /// @param cells  how finely to look: about the number of corners of the triangles
+template <typename ForEach>
+std::vector<Vec3> outline_of(const ForEach& for_each, const Bounds& bounds, std::size_t cells) {
+    OctantGrid grid(bounds, cells);
+    for_each([&](const Vec3& p) { grid.add(p); });
+    grid.finish();
+    std::vector<Vec3> outline;
+    for_each([&](const Vec3& p) {
+        if (!grid.is_inside(p)) {
+            outline.push_back(p);
+        }
+    });
+    return outline;
+}
+
+/// The same of a set of points.
 [[nodiscard]] std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells);
 
 }  // namespace quasimc

@@ -8,7 +8,6 @@
 
 #include "base/checks.h"
 #include "geometry/raster/convex_map.h"
-#include "geometry/raster/outline.h"
 
 namespace quasimc {
 

@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/angles.h"
 #include "base/checks.h"
 #include "base/vec3.h"
 
 namespace quasimc {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// `v` scaled to length 1, or the zero vector.
 Vec3 direction_or_zero(const Vec3& v) {

@@ -8,7 +8,7 @@
 
 #include "base/number_text.h"
 #include "scene/fold_warnings.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {

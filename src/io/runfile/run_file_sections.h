@@ -22,7 +22,7 @@
 #include "quasimc/file.h"
 #include "quasimc/sun.h"
 #include "quasimc/vec3.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 

@@ -7,7 +7,7 @@
 #include "io/little_endian.h"
 #include "io/runfile/document.h"
 #include "io_testing.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {

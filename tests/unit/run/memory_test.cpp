@@ -21,7 +21,7 @@
 
 #include "quasimc/result.h"
 #include "run/simulator.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 #include "support/process_memory.h"
 #include "support/random_leaves.h"

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/assembly.h"
 #include "small_scenes.h"
 
 namespace quasimc {

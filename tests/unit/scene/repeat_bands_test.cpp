@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "optics/material.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {

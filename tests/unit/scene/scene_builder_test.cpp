@@ -1,11 +1,10 @@
-#include "scene/scene_builder.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "scene/scene.h"
 #include "small_scenes.h"
 
 namespace quasimc::test {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/results/window_shape.h"
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 #include "sources/source.h"
 
 namespace quasimc::test {

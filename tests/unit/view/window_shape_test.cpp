@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/scene_builder.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {
