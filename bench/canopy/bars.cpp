@@ -1,7 +1,7 @@
 // The marks that tracing from lit surfaces and ray bundles are held to: variance of the irradiance
 // of leaves (both sides, per one-sided area, mean over leaves) and CPU time of one replicate, one
-// thread. Seed 1 is the canopy that the numbers in solvers/sampling_budget.cpp were chosen on; the
-// others were not looked at.
+// thread. Seed 1 is the canopy that the numbers in solvers/direct/sampling_budget.cpp were chosen
+// on; the others were not looked at.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "parts.h"
-#include "results/patch_error.h"
+#include "results/bounds/patch_error.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "parts.h"
-#include "results/patch_error.h"
+#include "results/bounds/patch_error.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

@@ -4,7 +4,7 @@
 
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "solvers/suits_bundles.h"
+#include "solvers/ray_bundles/suits_bundles.h"
 
 namespace quasimc::bench {
 

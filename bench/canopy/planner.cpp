@@ -1,7 +1,7 @@
 // Whether trace_from = "auto" chooses well: every way of tracing on scenes of many kinds, by the
 // variance of the light on the organs that are measured.
 
-#include "solvers/planner.h"
+#include "planner/planner.h"
 
 #include <algorithm>
 #include <array>

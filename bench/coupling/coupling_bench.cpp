@@ -33,7 +33,7 @@
 #include <fmt/format.h>
 
 #include "coupling/plant_light.h"
-#include "coupling/session.h"
+#include "coupling/protocol/session.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // What a beam of a sky costs: a scene drawn into an item buffer.
 
-#include "geometry/raster/item_buffer.h"
+#include "raster/item_buffer.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "geometry/raster/scene_projection.h"
+#include "raster/scene_projection.h"
 #include "scenes.h"
 
 namespace quasimc::bench {

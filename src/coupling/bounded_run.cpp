@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solvers/planner.h"
+#include "planner/planner.h"
 
 namespace quasimc {
 

@@ -6,12 +6,12 @@
 #include <span>
 #include <string>
 
-#include "coupling/arguments.h"
-#include "coupling/byte_stream.h"
 #include "coupling/lighting.h"
-#include "coupling/notices.h"
-#include "coupling/specification.h"
+#include "coupling/protocol/byte_stream.h"
+#include "coupling/protocol/notices.h"
 #include "coupling/step_light.h"
+#include "coupling/vlab/arguments.h"
+#include "coupling/vlab/specification.h"
 
 namespace quasimc {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "coupling/specification.h"
+#include "coupling/vlab/specification.h"
 #include "quasimc/run.h"
 
 namespace quasimc {

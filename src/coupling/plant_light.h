@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "coupling/lighting.h"
-#include "coupling/organ_shapes.h"
 #include "coupling/plant_scene.h"
-#include "coupling/session.h"
-#include "coupling/specification.h"
+#include "coupling/protocol/session.h"
 #include "coupling/step_light.h"
+#include "coupling/vlab/organ_shapes.h"
+#include "coupling/vlab/specification.h"
 #include "run/simulator.h"
 
 namespace quasimc {

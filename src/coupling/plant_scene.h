@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "coupling/organ_shapes.h"
+#include "coupling/vlab/organ_shapes.h"
 
 namespace quasimc {
 

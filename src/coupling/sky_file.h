@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "coupling/directive.h"
+#include "coupling/vlab/directive.h"
 #include "sources/sky_table.h"
 
 namespace quasimc {

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "coupling/lighting.h"
-#include "coupling/messages.h"
-#include "coupling/specification.h"
+#include "coupling/protocol/messages.h"
 #include "coupling/step_light.h"
+#include "coupling/vlab/specification.h"
 
 namespace quasimc {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/checks.h"
-#include "geometry/raster/outline.h"
+#include "geometry/mesh/outline.h"
 
 namespace quasimc {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "results/bounds/organ_reader.h"
 #include "results/flows.h"
 #include "results/groups.h"
-#include "results/organ_reader.h"
 #include "sums/statistics.h"
 
 namespace quasimc {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "quasimc/result.h"
-#include "results/light_limits.h"
+#include "results/bounds/light_limits.h"
 #include "scene/scene.h"
 
 namespace quasimc {

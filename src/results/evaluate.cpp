@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "base/checks.h"
+#include "results/bounds/light_limits.h"
+#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_reader.h"
+#include "results/bounds/patch_error.h"
 #include "results/cut_intervals.h"
 #include "results/flows.h"
 #include "results/groups.h"
-#include "results/light_limits.h"
 #include "results/means.h"
 #include "results/organ_blocks.h"
-#include "results/organ_finds.h"
-#include "results/organ_reader.h"
-#include "results/patch_error.h"
 #include "results/totals.h"
 #include "sums/statistics.h"
 

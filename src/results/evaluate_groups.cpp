@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_reader.h"
 #include "results/groups.h"
-#include "results/organ_finds.h"
-#include "results/organ_reader.h"
 #include "sums/statistics.h"
 
 namespace quasimc {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/checks.h"
+#include "results/bounds/organ_reader.h"
 #include "results/flows.h"
 #include "results/groups.h"
 #include "results/organ_blocks.h"
-#include "results/organ_reader.h"
 
 namespace quasimc {
 namespace {

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_reader.h"
+#include "results/bounds/patch_error.h"
+#include "results/bounds/patch_error_pool.h"
 #include "results/evaluate.h"
 #include "results/organ_blocks.h"
-#include "results/organ_finds.h"
-#include "results/organ_reader.h"
-#include "results/patch_error.h"
-#include "results/patch_error_pool.h"
 
 namespace quasimc {
 namespace {

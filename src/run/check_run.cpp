@@ -10,9 +10,9 @@
 #include "quasimc/run.h"
 #include "results/groups.h"
 #include "samplers/catalogue.h"
-#include "solvers/bundle_memory.h"
 #include "solvers/catalogue.h"
-#include "solvers/ray_bundles.h"
+#include "solvers/ray_bundles/bundle_memory.h"
+#include "solvers/ray_bundles/ray_bundles.h"
 #include "solvers/run_limits.h"
 
 namespace quasimc {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "quasimc/error.h"
-#include "scene/known_overlaps.h"
 #include "scene/lint.h"
+#include "scene/overlap/known_overlaps.h"
 #include "scene/scene_checks.h"
 
 namespace quasimc {

@@ -6,7 +6,7 @@
 
 #include "quasimc/sums.h"
 #include "run/bin_places.h"
-#include "solvers/sun_pixels.h"
+#include "solvers/direct/sun_pixels.h"
 
 namespace quasimc {
 

@@ -1,6 +1,6 @@
 #include "run/plan_run.h"
 
-#include "solvers/sampling_budget.h"
+#include "solvers/direct/sampling_budget.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {

@@ -2,10 +2,10 @@
 
 #include <stop_token>
 
+#include "planner/planner.h"
 #include "quasimc/run_spec.h"
 #include "run/kept_caster.h"
 #include "scene/scene.h"
-#include "solvers/planner.h"
 #include "sources/source.h"
 
 namespace quasimc {

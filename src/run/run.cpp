@@ -16,6 +16,7 @@
 #include "base/process_time.h"
 #include "base/stop.h"
 #include "base/text.h"
+#include "planner/planner.h"
 #include "quasimc/series.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
@@ -29,7 +30,6 @@
 #include "run/simulator.h"
 #include "samplers/hash.h"
 #include "solvers/catalogue.h"
-#include "solvers/planner.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {

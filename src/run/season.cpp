@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "base/process_time.h"
+#include "results/bounds/patch_error.h"
 #include "results/means.h"
-#include "results/patch_error.h"
 #include "run/early_stop.h"
 #include "run/evaluation_of.h"
 #include "run/season_basis.h"

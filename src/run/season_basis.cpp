@@ -14,9 +14,9 @@
 #include "base/parallel.h"
 #include "run/season_errors.h"
 #include "scene/repeat_bands.h"
-#include "solvers/bundle_budget.h"
-#include "solvers/patch_light.h"
-#include "solvers/patch_size.h"
+#include "solvers/ray_bundles/bundle_budget.h"
+#include "solvers/ray_bundles/patch_light.h"
+#include "solvers/ray_bundles/patch_size.h"
 #include "sources/source.h"
 
 namespace quasimc {

@@ -12,7 +12,7 @@
 #include "base/stop.h"
 #include "run/simulator.h"
 #include "run/trace_spec.h"
-#include "solvers/sun_pixels.h"
+#include "solvers/direct/sun_pixels.h"
 
 namespace quasimc {
 namespace {

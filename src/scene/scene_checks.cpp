@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "scene/coplanar.h"
-#include "scene/overlap_search.h"
+#include "scene/overlap/coplanar.h"
+#include "scene/overlap/overlap_search.h"
 #include "scene/scene_draft.h"
 
 namespace quasimc {

@@ -10,10 +10,10 @@
 
 #include "base/checks.h"
 #include "samplers/catalogue.h"
-#include "solvers/first_hits.h"
-#include "solvers/from_organs.h"
-#include "solvers/light_tracing.h"
-#include "solvers/ray_bundles.h"
+#include "solvers/first_hits/first_hits.h"
+#include "solvers/from_organs/from_organs.h"
+#include "solvers/light_tracing/light_tracing.h"
+#include "solvers/ray_bundles/ray_bundles.h"
 
 namespace quasimc {
 

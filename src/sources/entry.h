@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/raster/scene_projection.h"
+#include "raster/scene_projection.h"
 
 namespace quasimc {
 

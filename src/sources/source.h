@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "geometry/raster/scene_projection.h"
 #include "quasimc/source.h"
+#include "raster/scene_projection.h"
 
 namespace quasimc {
 

@@ -8,7 +8,7 @@
 
 #include "detectors/detector.h"
 #include "geometry/cast/ray_caster.h"
-#include "geometry/raster/scene_projection.h"
+#include "raster/scene_projection.h"
 #include "scene/scene.h"
 #include "sources/source.h"
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string_view>
 
-#include "coupling/organ_shapes.h"
-#include "coupling/session.h"
-#include "coupling/trailing_values.h"
+#include "coupling/protocol/session.h"
+#include "coupling/protocol/trailing_values.h"
+#include "coupling/vlab/organ_shapes.h"
 #include "readers.h"
 
 namespace quasimc::fuzz {

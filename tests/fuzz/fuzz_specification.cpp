@@ -1,7 +1,7 @@
 // Specification files of both kinds; every file that they name is the specification itself.
 
 #include "coupling/lighting.h"
-#include "coupling/surface_file.h"
+#include "coupling/vlab/surface_file.h"
 #include "readers.h"
 
 namespace quasimc::fuzz {

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "conversation.h"
-#include "coupling/trailing_values.h"
+#include "coupling/protocol/trailing_values.h"
 
 namespace quasimc::test {
 namespace {

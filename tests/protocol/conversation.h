@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "coupling/byte_stream.h"
+#include "coupling/protocol/byte_stream.h"
 #include "master.h"
 #include "support/temporary_folder.h"
 

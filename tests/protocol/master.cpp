@@ -20,7 +20,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 
-#include "coupling/messages.h"
+#include "coupling/protocol/messages.h"
 
 namespace quasimc::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/comm_file.h"
+#include "coupling/vlab/comm_file.h"
 #include "process.h"
 
 namespace quasimc::test {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "solvers/ray_bundles.h"
+#include "solvers/ray_bundles/ray_bundles.h"
 
 namespace quasimc::test {
 namespace {

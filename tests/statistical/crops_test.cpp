@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "solvers/bundle_budget.h"
-#include "solvers/long_patches.h"
+#include "solvers/ray_bundles/bundle_budget.h"
+#include "solvers/ray_bundles/long_patches.h"
 #include "statistical/comparison.h"
 #include "statistical/scenes.h"
 

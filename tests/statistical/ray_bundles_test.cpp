@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "geometry/shapes/shapes.h"
-#include "results/patch_error.h"
+#include "results/bounds/patch_error.h"
 #include "run/simulator.h"
 #include "statistical/bundle_checks.h"
 #include "statistical/canopies.h"

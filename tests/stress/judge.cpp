@@ -9,7 +9,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <fmt/format.h>
 
-#include "solvers/lint_wedges.h"
+#include "planner/lint_wedges.h"
 #include "stress/checks.h"
 #include "stress/near_surfaces.h"
 #include "sums/statistics.h"

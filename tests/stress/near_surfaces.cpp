@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "scene/coplanar.h"
-#include "scene/overlap_search.h"
+#include "scene/overlap/coplanar.h"
+#include "scene/overlap/overlap_search.h"
 
 namespace quasimc::stress {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/checks.h"
+#include "geometry/mesh/outline.h"
 #include "geometry/mesh/sliver.h"
-#include "geometry/raster/outline.h"
 
 namespace quasimc {
 

@@ -90,7 +90,7 @@ struct Option {
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
 /// What a run file that says nothing asks for: RunSpec's defaults, but that the planner chooses
-/// the method (solvers/planner.h).
+/// the method (planner/planner.h).
 [[nodiscard]] RunSpec default_run_spec();
 
 /// How run files name a method: "first_hits".

@@ -10,12 +10,12 @@
 
 #include "io/numbers.h"
 #include "io/runfile/run_file_sections.h"
+#include "planner/lint_bundles.h"
+#include "planner/lint_lamps.h"
+#include "planner/lint_wedges.h"
 #include "quasimc/source.h"
 #include "scene/fold_warnings.h"
 #include "scene/lint.h"
-#include "solvers/lint_bundles.h"
-#include "solvers/lint_lamps.h"
-#include "solvers/lint_wedges.h"
 
 namespace quasimc {
 namespace {

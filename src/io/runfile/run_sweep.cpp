@@ -16,7 +16,7 @@
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
 #include "scene/fold_warnings.h"
-#include "scene/known_overlaps.h"
+#include "scene/overlap/known_overlaps.h"
 #include "scene/scene.h"
 
 namespace quasimc {

@@ -1,4 +1,4 @@
-#include "coupling/arguments.h"
+#include "coupling/vlab/arguments.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "coupling/comm_file.h"
+#include "coupling/vlab/comm_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "coupling/messages.h"
+#include "coupling/protocol/messages.h"
 
 #include <cmath>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "coupling/trailing_values.h"
+#include "coupling/protocol/trailing_values.h"
 #include "coupling_testing.h"
 
 namespace quasimc::test {

@@ -1,4 +1,4 @@
-#include "coupling/organ_shapes.h"
+#include "coupling/vlab/organ_shapes.h"
 
 #include <numbers>
 

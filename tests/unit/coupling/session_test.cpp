@@ -1,4 +1,4 @@
-#include "coupling/session.h"
+#include "coupling/protocol/session.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

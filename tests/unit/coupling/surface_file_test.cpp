@@ -1,4 +1,4 @@
-#include "coupling/surface_file.h"
+#include "coupling/vlab/surface_file.h"
 
 #include <gtest/gtest.h>
 

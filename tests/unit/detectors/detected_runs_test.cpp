@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/planner.h"
 #include "quasimc/series.h"
 #include "run/simulator.h"
-#include "solvers/planner.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

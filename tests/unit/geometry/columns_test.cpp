@@ -1,4 +1,4 @@
-#include "geometry/raster/columns.h"
+#include "raster/columns.h"
 
 #include <algorithm>
 #include <cmath>

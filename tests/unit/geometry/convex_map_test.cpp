@@ -1,4 +1,4 @@
-#include "geometry/raster/convex_map.h"
+#include "raster/convex_map.h"
 
 #include <algorithm>
 #include <array>

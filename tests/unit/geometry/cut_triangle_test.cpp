@@ -1,4 +1,4 @@
-#include "geometry/raster/cut_triangle.h"
+#include "raster/cut_triangle.h"
 
 #include <cmath>
 #include <map>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/raster/patches.h"
 #include "geometry_testing.h"
+#include "raster/patches.h"
 
 namespace quasimc {
 namespace {

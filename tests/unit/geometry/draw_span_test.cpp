@@ -1,4 +1,4 @@
-#include "geometry/raster/draw_span.h"
+#include "raster/draw_span.h"
 
 #include <algorithm>
 #include <cstdint>

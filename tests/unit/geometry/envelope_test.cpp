@@ -1,4 +1,4 @@
-#include "geometry/raster/envelope.h"
+#include "raster/envelope.h"
 
 #include <algorithm>
 #include <cmath>

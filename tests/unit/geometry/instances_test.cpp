@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "geometry/cast/ray_caster.h"
-#include "geometry/raster/outline.h"
+#include "geometry/mesh/outline.h"
 #include "geometry/scene_geometry.h"
 #include "geometry_testing.h"
 

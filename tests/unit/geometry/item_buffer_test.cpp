@@ -1,4 +1,4 @@
-#include "geometry/raster/item_buffer.h"
+#include "raster/item_buffer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geometry/raster/outline.h"
+#include "geometry/mesh/outline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geometry/raster/patches.h"
+#include "raster/patches.h"
 
 #include <array>
 #include <cmath>

@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/cast/ray_caster.h"
-#include "geometry/raster/item_buffer.h"
-#include "geometry/raster/scan_lines.h"
-#include "geometry/raster/scene_projection.h"
 #include "quasimc/vec3.h"
+#include "raster/item_buffer.h"
+#include "raster/scan_lines.h"
+#include "raster/scene_projection.h"
 #include "support/random_leaves.h"
 
 namespace quasimc {

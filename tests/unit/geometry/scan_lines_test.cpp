@@ -1,4 +1,4 @@
-#include "geometry/raster/scan_lines.h"
+#include "raster/scan_lines.h"
 
 #include <cmath>
 #include <map>

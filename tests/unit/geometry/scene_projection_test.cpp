@@ -1,4 +1,4 @@
-#include "geometry/raster/scene_projection.h"
+#include "raster/scene_projection.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geometry/raster/stored_blocks.h"
+#include "raster/stored_blocks.h"
 
 #include <cstring>
 #include <vector>

@@ -13,7 +13,7 @@
 #include "io_testing.h"
 #include "quasimc/error.h"
 #include "quasimc/run.h"
-#include "scene/covered.h"
+#include "scene/overlap/covered.h"
 #include "scene/scene.h"
 
 namespace quasimc::test {

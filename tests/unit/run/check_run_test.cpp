@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/bundle_memory.h"
+#include "solvers/ray_bundles/bundle_memory.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/planner.h"
 #include "quasimc/source.h"
-#include "solvers/planner.h"
 #include "statistical/scenes.h"
 #include "sums/statistics.h"
 #include "support/random_leaves.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results/patch_error.h"
+#include "results/bounds/patch_error.h"
 #include "run/evaluation_of.h"
 #include "run/simulator.h"
 #include "sources/source.h"

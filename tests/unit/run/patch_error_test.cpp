@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "results/patch_error_pool.h"
+#include "results/bounds/patch_error_pool.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "solvers/planner.h"
+#include "planner/planner.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scene/coplanar.h"
+#include "scene/overlap/coplanar.h"
 
 #include <gtest/gtest.h>
 

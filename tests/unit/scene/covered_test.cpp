@@ -1,12 +1,12 @@
 // What of coincident triangles is left in a scene.
 
-#include "scene/covered.h"
+#include "scene/overlap/covered.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "scene/coplanar.h"
+#include "scene/overlap/coplanar.h"
 #include "small_scenes.h"
 #include "support/random_leaves.h"
 

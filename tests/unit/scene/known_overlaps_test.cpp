@@ -1,4 +1,4 @@
-#include "scene/known_overlaps.h"
+#include "scene/overlap/known_overlaps.h"
 
 #include <cstdint>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/overlap_search.h"
+#include "scene/overlap/overlap_search.h"
 
 namespace quasimc::test {
 namespace {

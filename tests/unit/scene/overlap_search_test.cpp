@@ -1,4 +1,4 @@
-#include "scene/overlap_search.h"
+#include "scene/overlap/overlap_search.h"
 
 #include <cmath>
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "base/vec3.h"
-#include "scene/coplanar.h"
-#include "scene/overlap_grid.h"
+#include "scene/overlap/coplanar.h"
+#include "scene/overlap/overlap_grid.h"
 
 namespace quasimc::test {
 namespace {

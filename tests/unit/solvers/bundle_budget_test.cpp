@@ -1,4 +1,4 @@
-#include "solvers/bundle_budget.h"
+#include "solvers/ray_bundles/bundle_budget.h"
 
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "solvers/bundle_exchange.h"
+#include "solvers/ray_bundles/bundle_exchange.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "solvers/line_cost.h"
+#include "solvers/direct/line_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/sampling_budget.h"
+#include "solvers/direct/sampling_budget.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -1,4 +1,4 @@
-#include "solvers/lint_wedges.h"
+#include "planner/lint_wedges.h"
 
 #include <cmath>
 

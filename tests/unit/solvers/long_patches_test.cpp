@@ -1,12 +1,12 @@
-#include "solvers/long_patches.h"
+#include "solvers/ray_bundles/long_patches.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "solvers/bundle_budget.h"
-#include "solvers/lint_bundles.h"
+#include "planner/lint_bundles.h"
+#include "solvers/ray_bundles/bundle_budget.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

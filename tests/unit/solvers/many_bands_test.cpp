@@ -7,7 +7,7 @@
 
 #include "quasimc/result.h"
 #include "scene/repeat_bands.h"
-#include "solvers/band_packs.h"
+#include "solvers/ray_bundles/band_packs.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -1,4 +1,4 @@
-#include "solvers/sun_pixels.h"
+#include "solvers/direct/sun_pixels.h"
 
 #include <cmath>
 #include <memory>

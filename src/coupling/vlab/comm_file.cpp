@@ -1,0 +1,165 @@
+#include "coupling/vlab/comm_file.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "coupling/vlab/directive.h"
+#include "io/line_scanner.h"
+#include "io/numbers.h"
+
+namespace quasimc {
+namespace {
+
+/// A line "name: value" of the file.
+struct CommLine {
+    std::string place;
+    std::string_view name, value;
+};
+
+struct Reading {
+    Notices& notices;
+    CommFile file = {};
+    Faults faults = {};
+};
+
+/// The printf format of a turtle line: how many characters other than blanks it prints before the
+/// first number, and how many numbers. Blanks are no part of it: whether a line begins with one is
+/// up to who writes it.
+TurtleLine parse_format(std::string_view format) {
+    TurtleLine line{true, trimmed(format.substr(0, format.find('%'))).size(), 0};
+    for (std::size_t i = 0; i + 1 < format.size(); ++i) {
+        if (format[i] == '%') {
+            line.values += format[i + 1] == '%' ? 0 : 1;
+            ++i;
+        }
+    }
+    line.values = std::min<std::size_t>(line.values, 3);
+    line.is_sent = line.values > 0;
+    return line;
+}
+
+/// The plant simulator skips a type that it does not know, in capitals as well, and so keeps to
+/// pipes; a number of queries that is none is the usual one. Both sides must read the same.
+void read_transport(const CommLine& line, Reading& reading) {
+    constexpr std::array<std::string_view, 4> kNames{"pipes", "files", "memory", "sockets"};
+    std::string_view rest = line.value;
+    const std::string_view name = take_word(rest);
+    const auto* found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) {
+        if (lower_case(name) != kNames.front()) {
+            reading.notices.once(fmt::format(
+                "{}: {} is no communication type and skipped, as by the plant simulator, so that "
+                "pipes are used; {}",
+                line.place, shown(name), did_you_mean(name, kNames)));
+        }
+        return;
+    }
+    reading.file.transport = static_cast<Transport>(found - kNames.begin());
+    const std::string_view chunk = take_word(rest);
+    if (chunk.empty()) {
+        return;
+    }
+    const auto count = parse_integer(chunk);
+    if (!count || *count < 1) {
+        reading.notices.once(fmt::format(
+            "{}: {} queries in a chunk: the usual number is used, as the plant simulator does",
+            line.place, shown(chunk)));
+        return;
+    }
+    reading.file.chunk = static_cast<std::size_t>(*count);
+}
+
+void read_following(const CommLine& line, Reading& reading) {
+    // cpfg says yes and no, lpfg on and off; what neither knows leaves the default.
+    const std::string_view value = trimmed(line.value);
+    reading.file.following_module = value != "no" && value != "off";
+}
+
+void read_binary(const CommLine& line, Reading& reading) {
+    if (trimmed(line.value) == "on") {
+        reading.faults.add(
+            {line.place, "binary data is on", "messages are read as text",
+             "write 'binary data: off'"});
+    }
+}
+
+template <TurtleField Field>
+void read_turtle(const CommLine& line, Reading& reading) {
+    reading.file.turtle[static_cast<std::size_t>(Field)] = parse_format(line.value);
+}
+
+void read_interpreted(const CommLine& line, Reading& reading) {
+    reading.file.interprets_modules = !trimmed(line.value).empty();
+}
+
+void ignore(const CommLine& /*line*/, Reading& /*reading*/) {}
+
+/// One row of the table of names.
+struct CommEntry {
+    std::string_view name;
+    void (*read)(const CommLine& line, Reading& reading);
+};
+
+constexpr std::array kCommEntries{
+    CommEntry{"communication type", read_transport},
+    CommEntry{"executable", ignore},  // theirs
+    CommEntry{"turtle position", read_turtle<TurtleField::position>},
+    CommEntry{"turtle heading", read_turtle<TurtleField::heading>},
+    CommEntry{"turtle left", read_turtle<TurtleField::left>},
+    CommEntry{"turtle up", read_turtle<TurtleField::up>},
+    CommEntry{"turtle line width", read_turtle<TurtleField::line_width>},
+    CommEntry{"turtle scale factor", read_turtle<TurtleField::scale_factor>},
+    CommEntry{"following module", read_following},
+    CommEntry{"interpreted modules", read_interpreted},  // strings are read whenever they come
+    CommEntry{"when interpret", read_interpreted},
+    CommEntry{
+        "verbose", [](const CommLine& line,
+                      Reading& reading) { reading.file.verbose = trimmed(line.value) == "on"; }},
+    CommEntry{"strings only", ignore},
+    CommEntry{"binary data", read_binary},
+    CommEntry{"remote host", ignore},
+};
+
+void read_line(const CommLine& line, Reading& reading) {
+    const auto* entry = std::find_if(
+        kCommEntries.begin(), kCommEntries.end(),
+        [&](const CommEntry& e) { return e.name == line.name; });
+    if (entry != kCommEntries.end()) {
+        entry->read(line, reading);
+        return;
+    }
+    std::array<std::string_view, kCommEntries.size()> names;
+    std::transform(kCommEntries.begin(), kCommEntries.end(), names.begin(), [](const CommEntry& e) {
+        return e.name;
+    });
+    reading.notices.once(fmt::format(
+        "{}: {} is not known and skipped; {}", line.place, shown(line.name),
+        did_you_mean(line.name, names)));
+}
+
+}  // namespace
+
+CommFile read_comm_text(std::string_view text, const std::string& name, Notices& notices) {
+    Reading reading{notices};
+    LineScanner lines(text);
+    while (lines.next()) {
+        const std::size_t end = lines.line().find_first_of(":\t");
+        if (trimmed(lines.line()).empty()) {
+            continue;
+        }
+        const std::string place = fmt::format("{}:{}", name, lines.number());
+        if (end == std::string_view::npos) {
+            notices.once(fmt::format(
+                "{}: {} is skipped: a line reads 'name: value'", place, shown(lines.line())));
+            continue;
+        }
+        read_line({place, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading);
+    }
+    reading.faults.throw_if_any();
+    return reading.file;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "coupling/protocol/notices.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+
+/// How messages travel between the plant simulator and us.
+enum class Transport { pipes, files, memory, sockets };
+
+/// A line about the turtle that follows a query.
+struct TurtleLine {
+    bool is_sent = false;
+    std::size_t skip = 0;    ///< characters before the first number, but for blanks around them
+    std::size_t values = 0;  ///< numbers on the line, up to 3
+};
+
+/// The lines that may follow a query, in this order.
+enum class TurtleField { position, heading, left, up, line_width, scale_factor };
+inline constexpr std::size_t kTurtleFields = 6;
+
+/// What an environment file (.e) says: both processes read the same one.
+struct CommFile {
+    Transport transport = Transport::pipes;
+    /// Queries or answers in a chunk; nothing: the transport's own number.
+    std::optional<std::size_t> chunk;
+    std::array<TurtleLine, kTurtleFields> turtle{};
+    /// Whether a query names the module that follows it.
+    bool following_module = true;
+    /// Whether modules are interpreted: organs come as polygons in space, which need no turtle.
+    bool interprets_modules = false;
+    bool verbose = false;
+
+    [[nodiscard]] const TurtleLine& line(TurtleField field) const {
+        return turtle[static_cast<std::size_t>(field)];
+    }
+};
+
+/// Reads the text of an environment file as both simulators do: names are matched exactly, a name
+/// that is not known is skipped (with a notice). Faults: a transport that does not exist, chunks of
+/// no size, binary data.
+/// @param name  of the file, for messages
+[[nodiscard]] CommFile read_comm_text(
+    std::string_view text, const std::string& name, Notices& notices);
+
+}  // namespace quasimc

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/range.h"
+#include "coupling/protocol/notices.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+
+/// A line "name: values" of a specification file, with the lines ": values" that continue it.
+struct DirectiveLine {
+    std::uint32_t number = 0;
+    std::string name;  ///< lower case
+    std::string_view value;
+    std::vector<std::pair<std::uint32_t, std::string_view>> block;
+};
+
+/// The directives of a text in their order. Lines that are none are skipped, with a notice.
+/// @param place  of the text, for messages
+[[nodiscard]] std::vector<DirectiveLine> split_directives(
+    std::string_view text, const std::string& place, Notices& notices);
+
+inline constexpr Range kAnyNumber{-1e30, 1e30};
+inline constexpr Range kNotNegativeNumber{0, 1e30};
+
+/// The values of a directive, read from left to right; what is wrong becomes a fault, once for each
+/// directive.
+class Values {
+  public:
+    /// @param what  the directive as messages call it
+    Values(
+        std::string place,
+        std::string what,
+        std::string_view text,
+        Faults& faults,
+        Notices& notices);
+
+    /// The next word, or "" at the end. Words stand between blanks, commas, semicolons and colons.
+    std::string_view word();
+    [[nodiscard]] bool at_end() const;
+    [[nodiscard]] std::size_t words_left() const;
+    /// The next number; a fault if it is missing or out of range.
+    std::optional<double> number(std::string_view name, Range range = kAnyNumber);
+    std::optional<std::int64_t> integer(std::string_view name, Range range);
+    /// A number, or `otherwise` at the end.
+    std::optional<double> number_or(double otherwise, std::string_view name, Range range);
+    /// The next word as one of `names`, without regard to case: its place among them.
+    std::optional<std::size_t> choice(std::span<const std::string_view> names);
+    std::optional<bool> yes_no();
+    /// All that is left, as it stands: a file's name.
+    std::string rest();
+
+    void fault(std::string problem, std::string why = {}, std::string suggestion = {});
+    void notice(const std::string& text);
+    /// Tells that words which are left are not read.
+    void finish();
+
+    [[nodiscard]] const std::string& place() const { return place_; }
+    [[nodiscard]] bool failed() const { return failed_; }
+    [[nodiscard]] Faults& faults() { return *faults_; }
+
+  private:
+    std::string place_, what_;
+    std::string_view text_;
+    Faults* faults_;
+    Notices* notices_;
+    bool failed_ = false;
+};
+
+/// A text in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+}  // namespace quasimc

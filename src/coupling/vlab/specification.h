@@ -1,0 +1,181 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "coupling/protocol/notices.h"
+#include "coupling/vlab/arguments.h"
+#include "coupling/vlab/directive.h"
+#include "geometry/shapes/shapes.h"
+#include "io/input_files.h"
+#include "optics/material.h"
+#include "quasimc/result.h"
+#include "quasimc/run_spec.h"
+#include "scene/scene.h"
+#include "sources/sky_table.h"
+
+namespace quasimc {
+
+/// The letters of "return type".
+enum class ReturnType {
+    flux,     ///< F: light absorbed by the organ
+    density,  ///< D: absorbed per one-sided area
+    upper,    ///< U: falling on the upper side, per area
+    lower,    ///< L: falling on the lower side, per area
+    hits,     ///< H: falling on both sides per area, as a fraction of what the sources send
+};
+
+/// What "quantities" puts into the slots of an answer.
+struct ReturnQuantity {
+    std::optional<Quantity> quantity;  ///< nothing: the sunlit fraction of the area
+    bool is_error = false;             ///< its standard error instead
+};
+
+/// Parallel light as the file states it: y up, the way the light travels.
+struct StatedLight {
+    Vec3 travel;
+    double weight = 1;
+};
+
+enum class Weather { clear, overcast };
+
+/// The turbidities that may be stated: 1 is air without dust or water, 64 thick fog.
+inline constexpr Range kTurbidities{1, 64};
+/// From this turbidity on the luminance of the zenith grows with the height of the sun, as it does
+/// under a clear sky; skies that are stated to be clearer are as this one.
+inline constexpr double kClearestSky = 1.4;
+
+/// The light of the sky, and of the sun, at a place over a part of a day.
+struct SkyOfDay {
+    double latitude_deg = 0;
+    double longitude_deg = 0;  ///< east positive
+    Weather weather = Weather::clear;
+    double turbidity = 2.45;
+    double from_hour = 0, until_hour = 24;  ///< standard time of the zone
+    double day = 172;                       ///< of the year, from 1
+    bool with_sun = true;                   ///< whether a clear sky has its sun
+    friend bool operator==(const SkyOfDay&, const SkyOfDay&) = default;
+};
+
+/// A surface of the surface list in the frame of an organ: x along heading x up, y along heading, z
+/// along up.
+struct StatedSurface {
+    std::vector<Triangle> triangles;
+};
+
+/// The table of variances.
+struct VarianceFile {
+    std::string name;  ///< empty: made of the sampling method
+};
+
+struct StatedGround {
+    double height = 0;
+    std::size_t material = 0;
+};
+
+/// The cell of a periodic canopy: the axes x and z of the file.
+struct StatedCell {
+    double size_x = 0, size_z = 0;
+    double low_x = 0, low_z = 0;
+};
+
+/// Material indices of an organ's sides.
+struct SideMaterials {
+    std::size_t upper = 0, lower = 0;
+    friend bool operator==(const SideMaterials&, const SideMaterials&) = default;
+    friend bool operator<(const SideMaterials& a, const SideMaterials& b) {
+        return std::pair(a.upper, a.lower) < std::pair(b.upper, b.lower);
+    }
+};
+
+/// How the light of a file is computed that says nothing of it.
+[[nodiscard]] inline RunSpec usual_run() {
+    RunSpec run;
+    run.method = Method::automatic;
+    return run;
+}
+
+/// What a specification file states, checked, with the defaults for all that it doesn't.
+struct Specification {
+    SpecificationKind kind = SpecificationKind::quasimc;
+    int verbose = 1;
+
+    std::vector<Band> bands{{"660", "1"}};
+    std::vector<double> irradiance{1};  ///< per band, of all sources together
+    std::vector<ReturnType> returns{ReturnType::flux};
+    std::vector<ReturnQuantity> quantities;  ///< instead of `returns`, if any
+
+    RunSpec run = usual_run();
+    std::optional<double> ray_density;  ///< paths per unit of the domain's area, instead of a count
+    bool one_ray_per_spectrum = true;
+    /// Organs that ask are sensors, which light passes; nothing: they are part of the scene.
+    std::optional<double> sensor_half_angle_deg;
+
+    /// How materials scatter, by the catalogue's name, unless their exponents make them mirrors.
+    std::string light_model = "lambertian";
+    /// [material][band]; the first is the leaf's.
+    std::vector<std::vector<SideOptics>> materials{{{0.25, 0.25}}};
+    std::optional<std::size_t> leaf_lower;  ///< material of the lower side of leaves
+    /// Which parameter of surfaces and polygons names the material, from 1.
+    std::optional<std::size_t> material_parameter;
+
+    std::vector<StatedLight> lights;  ///< any light switches the sky off
+    std::optional<SkyOfDay> sky;
+    std::optional<SkyTable> sky_table;  ///< z up
+    bool has_uniform_sky = false;
+
+    std::vector<StatedSurface> surfaces;
+    int cylinder_sides = 12;
+    bool cylinder_takes_diameter = false;
+    bool cylinder_width_is_stated = false;
+    std::optional<StatedCell> cell;
+    std::optional<StatedGround> ground;
+
+    std::optional<VarianceFile> variance_file;
+    std::optional<std::string> picture_file;  ///< its name; the number of the step is put in
+    std::optional<int> view_port;             ///< of the page in the browser, 0: any; nothing: none
+
+    [[nodiscard]] std::size_t band_count() const { return bands.size(); }
+    /// The number by which organs name the first material.
+    [[nodiscard]] std::size_t first_material() const {
+        return kind == SpecificationKind::montecarlo ? 1 : 0;
+    }
+    /// Whether a query has an answer: one that asks, and with MonteCarlo those that only shade too.
+    /// Beside sensors these have no light that is known. @param asks  as its first parameter says
+    [[nodiscard]] bool is_answered(bool asks) const {
+        return asks || (kind == SpecificationKind::montecarlo && !sensor_half_angle_deg);
+    }
+    /// The materials of an organ that names an upper one, or both.
+    [[nodiscard]] SideMaterials sides_of(
+        std::size_t upper, std::optional<std::size_t> lower) const {
+        return {upper, lower.value_or(upper == 0 ? leaf_lower.value_or(0) : upper)};
+    }
+};
+
+/// The power of two nearest to a count, for the point sets that need one.
+[[nodiscard]] std::uint64_t nearest_power_of_two(std::uint64_t count);
+
+/// Reads the text of a specification file: directives "name: values", names without regard to case;
+/// lines that begin with // are comments.
+/// @param name   of the file, for messages
+/// @param files  reads what the text names: surfaces, skies, lights
+/// @throws InputError  every fault at once: unknown directives, values out of their range, blocks
+///                     of materials that are not whole
+[[nodiscard]] Specification read_specification_text(
+    std::string_view text,
+    const std::string& name,
+    SpecificationKind kind,
+    InputFiles& files,
+    Notices& notices);
+
+/// Reads a specification file; the files it names are relative to the working folder.
+[[nodiscard]] Specification read_specification(
+    const std::string& path, SpecificationKind kind, Notices& notices);
+
+}  // namespace quasimc

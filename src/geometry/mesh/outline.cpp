@@ -1,0 +1,101 @@
+#include "geometry/mesh/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kOctants = 8;
+
+int step(std::size_t octant, std::size_t axis) {
+    return ((octant >> axis) & 1U) != 0 ? 1 : -1;
+}
+
+}  // namespace
+
+OctantGrid::OctantGrid(const Bounds& bounds, std::size_t points) : low_(bounds.low) {
+    const double cells = std::clamp(std::cbrt(static_cast<double>(points) / 4), 2.0, 96.0);
+    const Vec3 size = bounds.size();
+    const std::array<double, 3> sizes{size.x, size.y, size.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // Along an axis without extent there is one cell, which counts as beyond itself.
+        count_[axis] = sizes[axis] > 0 ? static_cast<int>(cells) : 1;
+        per_unit_[axis] = sizes[axis] > 0 ? count_[axis] / sizes[axis] : 0;
+    }
+    octants_.resize(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], 0);
+}
+
+void OctantGrid::finish() {
+    for (std::size_t octant = 0; octant < kOctants; ++octant) {
+        spread(octant);
+    }
+}
+
+bool OctantGrid::is_inside(const Vec3& p) const {
+    const Cell3 cell = cell_of(p);
+    for (std::size_t octant = 0; octant < kOctants; ++octant) {
+        Cell3 beyond = cell;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            beyond[axis] += count_[axis] > 1 ? step(octant, axis) : 0;
+            if (beyond[axis] < 0 || beyond[axis] >= count_[axis]) {
+                return false;
+            }
+        }
+        if (!holds(beyond, octant)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+OctantGrid::Cell3 OctantGrid::cell_of(const Vec3& p) const {
+    const Vec3 q = p - low_;
+    const std::array<double, 3> place{q.x, q.y, q.z};
+    Cell3 cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cell[axis] = std::min(static_cast<int>(place[axis] * per_unit_[axis]), count_[axis] - 1);
+    }
+    return cell;
+}
+
+/// A cell's octant, itself included, holds a point if its own cell does or a neighbour's octant
+/// does.
+void OctantGrid::spread(std::size_t octant) {
+    Cell3 order{};
+    const auto place = [&](std::size_t axis) {
+        return step(octant, axis) > 0 ? count_[axis] - 1 - order[axis] : order[axis];
+    };
+    for (order[2] = 0; order[2] < count_[2]; ++order[2]) {
+        for (order[1] = 0; order[1] < count_[1]; ++order[1]) {
+            for (order[0] = 0; order[0] < count_[0]; ++order[0]) {
+                mark(Cell3{place(0), place(1), place(2)}, octant);
+            }
+        }
+    }
+}
+
+void OctantGrid::mark(const Cell3& cell, std::size_t octant) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Cell3 next = cell;
+        next[axis] += step(octant, axis);
+        if (next[axis] >= 0 && next[axis] < count_[axis] && holds(next, octant)) {
+            octants_[index(cell)] |= static_cast<std::uint8_t>(1U << octant);
+        }
+    }
+}
+
+std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells) {
+    Bounds bounds;
+    for (const Vec3& p : points) {
+        bounds.add(p);
+    }
+    const auto for_each = [&](const auto& visit) {
+        std::for_each(points.begin(), points.end(), visit);
+    };
+    return outline_of(for_each, bounds, cells);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,98 @@
+#include "planner/lint_lamps.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/length_units.h"
+#include "planner/near_lamp.h"
+#include "scene/lint.h"
+
+namespace quasimc {
+namespace {
+
+bool has_lamp(const Sources& sources) {
+    return std::any_of(
+        sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
+}
+
+/// "the median organ measures 10 m" if plants are not so large or so small; "" if they may be.
+std::string strange_size(const Scene& scene) {
+    constexpr double kLargeOrgan = 2, kSmallPlant = 5e-3;
+    const std::optional<double> metres = metres_per(scene.length_unit());
+    const Survey survey = survey_of(scene);
+    if (!metres || survey.canopy.empty()) {
+        return "";
+    }
+    const double organ = median_size(survey) * *metres;
+    const double plant = 2 * survey.canopy.radius() * *metres;
+    return organ > kLargeOrgan   ? fmt::format("the median organ measures {:.3g} m", organ)
+           : plant < kSmallPlant ? fmt::format("all organs together measure {:.3g} m", plant)
+                                 : "";
+}
+
+/// The middle of a lamp, as seen from the middle of the scene's box or from far away on one of its
+/// axes: a lamp below the ground mostly shines away from the box.
+std::optional<Vec3> find_lamp(const Source& source, const Bounds& bounds) {
+    constexpr std::array<Vec3, 7> kDirections{Vec3{0, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 0, 1},
+                                              Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0},
+                                              Vec3{0, -1, 0}};
+    const double far = 1000 * bounds.radius();
+    for (const Vec3& direction : kDirections) {
+        const Vec3 point = bounds.center() + far * direction;
+        if (const std::optional<Vec3> place = place_of_lamp(source, {point, point})) {
+            return place;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Warning> lint_lamp_unit(const Scene& scene, const Sources& sources, UnitOrigin origin) {
+    if (!has_lamp(sources)) {
+        return {};
+    }
+    const std::string size = strange_size(scene);
+    if (origin == UnitOrigin::assumed) {
+        return {
+            {"length_unit", fmt::format(
+                                "is not given, so that coordinates are taken as metres{}; the "
+                                "irradiance that lamps give depends on it: set length_unit to "
+                                "\"m\", \"cm\" or what the coordinates are in",
+                                size.empty() ? "" : " (" + size + ")")}};
+    }
+    if (size.empty()) {
+        return {};
+    }
+    return {
+        {"length_unit",
+         fmt::format(
+             "{} if coordinates are in {}; the irradiance that lamps give depends on it: is "
+             "length_unit right?",
+             size, scene.length_unit())}};
+}
+
+std::vector<Warning> lint_lamp_places(const Scene& scene, const Sources& sources) {
+    if (ground_of(scene) == nullptr || !has_lamp(sources)) {
+        return {};
+    }
+    const Bounds ground = survey_of(scene).organ_bounds.back();
+    WarningKind below("lamps are below the ground");
+    for (const auto& source : sources) {
+        const std::optional<Vec3> place = find_lamp(*source, scene.bounds());
+        if (place && ground.size().z == 0 && place->z < ground.low.z) {
+            below.add(
+                "source '" + source->name() + "'",
+                fmt::format(
+                    "is a lamp {:.3g} below the ground, which keeps its light from all that is "
+                    "above: check its position",
+                    ground.low.z - place->z));
+        }
+    }
+    return std::move(below).finish();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,279 @@
+// Which way of tracing has the smallest errors for its time: rules of thumb, each from a
+// measurement (docs/theory/choosing.md; `./dev bench planner` repeats them).
+
+#include "planner/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "detectors/catalogue.h"
+#include "planner/near_lamp.h"
+#include "solvers/ray_bundles/suits_bundles.h"
+#include "sums/statistics.h"
+#include "transport/organ_shares.h"
+
+namespace quasimc {
+namespace {
+
+/// From which gain of equal shares on tracing from organs is better than following light.
+struct Thresholds {
+    double dark, bright;  ///< where leaves absorb most light, or scatter most
+};
+// THE THRESHOLDS. First hits have direct light almost without noise: the more of the light is
+// direct, the more organs must gain elsewhere.
+constexpr Thresholds kSun{8, 5};
+constexpr Thresholds kSky{7, 4};
+constexpr Thresholds kLamps{2, 5};
+/// Where bundles would be taken, with paths to spare for each organ.
+constexpr Thresholds kBundles{14, 7};
+constexpr double kPathsForBundles = 8;
+/// Lamps outside the scene's box, as long as organs have so many paths each: few things if any are
+/// near enough to a lamp to be much brighter than the rest.
+constexpr double kDarkBelowFarLamps = 0.5;
+constexpr double kPathsToSpare = 16;
+/// Mean albedo from which on leaves count as bright.
+constexpr double kBright = 0.5;
+/// The part of all scattered light that sharp lobes scatter, from which on dark leaves under a sun
+/// are never traced from the organs: what is left to noise is the light of these lobes, and it has
+/// paths from the sun.
+constexpr double kMuchSharpLight = 0.3;
+/// Paths from the source that meet a typical organ, fewer than which tell nothing of the light that
+/// is followed through lobes: what they may bring is then the error of every method, and those that
+/// start from the sources alone are faster.
+constexpr double kFewPaths = 5;
+/// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
+/// has paths of its own.
+constexpr double kMostLostToGloss = 12;
+
+/// What the sources are, dark ones left out.
+struct Lighting {
+    bool lamp = false, sun = false, sky = false;
+    bool near_lamp = false;  ///< in the scene's box, or so near that some of it is much brighter
+};
+
+Lighting lighting_of(const Scene& scene, const Sources& sources) {
+    Lighting lighting;
+    for (const auto& source : sources) {
+        const auto spectrum = source->spectrum();
+        if (std::any_of(spectrum.begin(), spectrum.end(), [](double x) { return x > 0; })) {
+            (source->is_lamp()  ? lighting.lamp
+             : source->is_sun() ? lighting.sun
+                                : lighting.sky) = true;
+            lighting.near_lamp = lighting.near_lamp || is_near_lamp(*source, scene.bounds());
+        }
+    }
+    return lighting;
+}
+
+/// What surfaces do to light, means over organs (by area) and sides; sensors left out.
+struct Scattering {
+    double mean_albedo = 0;     ///< of the bands
+    double brightest_band = 0;  ///< the largest of their albedos
+    double sharp_part = 0;      ///< of the scattered light: that of lobes that are followed
+    [[nodiscard]] bool is_bright() const { return mean_albedo >= kBright; }
+};
+
+Scattering scattering_of(const Scene& scene) {
+    const double sharp_from = followed_peak(scene);
+    double area = 0, sharp = 0;
+    std::vector<double> scattered(scene.bands().size());
+    for (const Region& region : scene.regions()) {
+        const Material& material = scene.material(region);
+        for (const SurfaceSide side : kSurfaceSides) {
+            if (material.is_transparent()) {
+                continue;
+            }
+            area += region.area;
+            for (std::size_t b = 0; b < scattered.size(); ++b) {
+                scattered[b] += region.area * material.side(side).albedo()[b];
+            }
+            for (const Lobe& lobe : material.side(side).lobes()) {
+                const bool is_followed = peak_brightness(*lobe.shape) >= sharp_from;
+                sharp += is_followed ? region.area * mean_of(lobe.albedo) : 0;
+            }
+        }
+    }
+    if (!(area > 0) || scattered.empty()) {
+        return {};
+    }
+    const double all = mean_of(scattered);
+    return {
+        all / area, *std::max_element(scattered.begin(), scattered.end()) / area,
+        all > 0 ? sharp / all : 0};
+}
+
+double brightest_peak(const Side& side, double sharp_from) {
+    double brightest = 0;
+    for (const Lobe& lobe : side.lobes()) {
+        const double peak = peak_brightness(*lobe.shape);
+        brightest = std::max(
+            brightest, peak < sharp_from ? peak * mean_of(lobe.albedo)
+                                         : std::numeric_limits<double>::infinity());
+    }
+    return brightest;
+}
+
+std::string_view name_of(const Lighting& lighting) {
+    if (lighting.sun && lighting.sky) {
+        return "sun and sky";
+    }
+    return lighting.sun ? "the sun" : "the sky";
+}
+
+bool has_paths_to_spare(const Scene& scene, const RunSpec& spec, double for_each) {
+    const auto measured = std::count_if(
+        scene.organs().begin(), scene.organs().end(),
+        [](const Organ& organ) { return organ.measured && organ.area > 0; });
+    return static_cast<double>(spec.paths) >= for_each * static_cast<double>(measured);
+}
+
+/// About how many of as many paths from far away meet a typical organ.
+double paths_per_organ(const Scene& scene, const RunSpec& spec) {
+    return static_cast<double>(spec.paths) * median_measured_area(scene) / seen_area(scene);
+}
+
+/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
+/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
+/// @param bundles  whether bundles would find the light if points on organs don't
+double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
+    const Scattering scattering = scattering_of(scene);
+    const double peak = brightest_peak(scene);
+    const bool is_small = lighting.sun || lighting.lamp;
+    if (is_small && std::isinf(peak) && paths_per_organ(scene, spec) < kFewPaths) {
+        return std::numeric_limits<double>::infinity();
+    }
+    if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const Thresholds& table = bundles && has_paths_to_spare(scene, spec, kPathsForBundles)
+                                  ? kBundles
+                              : lighting.sun ? kSun
+                              : lighting.sky ? kSky
+                                             : kLamps;
+    const bool has_far_lamps_alone = !lighting.sun && !lighting.sky && !lighting.near_lamp;
+    double gain = scattering.is_bright() ? table.bright : table.dark;
+    if (has_far_lamps_alone && has_paths_to_spare(scene, spec, kPathsToSpare) &&
+        scattering.brightest_band < kBright) {
+        gain = kDarkBelowFarLamps;
+    }
+    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMostLostToGloss) : gain;
+}
+
+/// About how many of the scan lines across the scene meet a typical organ.
+double lines_per_organ(const Scene& scene, std::uint64_t paths) {
+    constexpr double kPathsPerLine = 80, kFewestLines = 128;
+    const double lines = std::max(kFewestLines, static_cast<double>(paths) / kPathsPerLine);
+    return lines * std::sqrt(median_measured_area(scene)) / length(scene.bounds().size());
+}
+
+/// How many times as large as its organs the scene looks from the mean direction (Cauchy: a quarter
+/// of the surface of its box, of leaves half their area; of an endless stand its cell), where
+/// organs are so small in it that lines miss them; else 1. Most light that comes to such a scene
+/// meets nothing.
+double emptiness(const Scene& scene, std::uint64_t paths) {
+    constexpr double kFewLines = 2;
+    double organs = 0;
+    for (const Organ& organ : scene.organs()) {
+        organs += 0.5 * organ.area;
+    }
+    const Cell& cell = scene.cell();
+    if (!(organs > 0) || cell.along_x != cell.along_y ||
+        lines_per_organ(scene, paths) >= kFewLines) {
+        return 1;
+    }
+    return std::max(1.0, seen_area(scene) / organs);
+}
+
+}  // namespace
+
+double gain_of_equal_shares(const Scene& scene) {
+    double all = 0;
+    double measured = 0;
+    for (const Organ& organ : scene.organs()) {
+        all += organ.area;
+        measured += organ.measured && organ.area > 0 ? 1 : 0;
+    }
+    return measured > 0 ? all / (measured * median_measured_area(scene))
+                        : std::numeric_limits<double>::infinity();
+}
+
+double brightest_peak(const Scene& scene) {
+    double brightest = 0;
+    const double sharp_from = followed_peak(scene);
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        const Material& material = scene.materials()[m];
+        if (is_used[m] && !material.is_transparent()) {
+            brightest = std::max(
+                {brightest, brightest_peak(material.side(SurfaceSide::upper), sharp_from),
+                 brightest_peak(material.side(SurfaceSide::lower), sharp_from)});
+        }
+    }
+    return brightest;
+}
+
+/// Copies of meshes may be more triangles than memory could hold; rasters keep something of each.
+constexpr std::size_t kMostForRasters = 100'000'000;
+
+ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    return plan_method(scene, sources, spec, [] { return false; });
+}
+
+ChosenMethod plan_method(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const std::function<bool()>& refuse_bundles) {
+    if (spec.method != Method::automatic) {
+        return {spec.method, "asked for"};
+    }
+    const Lighting lighting = lighting_of(scene, sources);
+    const bool is_far = lighting.sun || lighting.sky;
+    const double gain = (is_far ? emptiness(scene, spec.paths) : 1) * gain_of_equal_shares(scene);
+    // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
+    // escapes is not followed from organs.
+    const bool can_start_from_organs = std::isfinite(gain) &&
+                                       !(lighting.lamp && scene.cell().periodic()) &&
+                                       !need_escaped_light(scene.detectors());
+    const bool takes_bundles = is_far && !lighting.lamp && gain < kBundles.dark &&
+                               suits_bundles(scene, spec, gain, lighting.sun) && !refuse_bundles();
+    if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec, takes_bundles)) {
+        if (gain < kLamps.dark) {
+            return {
+                Method::from_organs,
+                "each organ has paths to spare to look for the lamps, which stand apart from all"};
+        }
+        return {
+            Method::from_organs,
+            fmt::format(
+                "the organs measured are a small part of the scene, equal shares of paths for each "
+                "gain a factor of {:.2g}",
+                gain)};
+    }
+    if (!lighting.sun && !lighting.sky) {
+        return {Method::light_tracing, "all light comes from lamps"};
+    }
+    if (scene.triangles().size() > kMostForRasters) {
+        return {
+            Method::light_tracing,
+            fmt::format("pictures of {} triangles would take too long", scene.triangles().size())};
+    }
+    if (takes_bundles) {
+        return {
+            Method::ray_bundles,
+            "surfaces are matt: what they scatter goes along bundles of lines, all at once"};
+    }
+    return {
+        Method::first_hits,
+        fmt::format(
+            "what {} {} is found without random paths, where that pays{}", name_of(lighting),
+            lighting.sun && lighting.sky ? "light" : "lights",
+            lighting.lamp ? "; lamps are traced from themselves" : "")};
+}
+
+}  // namespace quasimc

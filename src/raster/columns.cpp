@@ -1,0 +1,317 @@
+#include "raster/columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace quasimc {
+namespace {
+
+/// Lines of a beam, at most: they are numbered, and no scene needs more.
+constexpr double kMostLines = 1U << 30U;
+/// Where lines are so many for each fragment, they are not counted one by one.
+constexpr std::size_t kSparse = 16;
+
+/// Whether a direction lies within the field of view of a sensor.
+bool is_in_view(
+    const TriangleBlock& corners, std::size_t lane, double least_cosine, const Vec3& direction) {
+    const auto corner = [&](std::size_t i) {
+        const auto& at = corners.at[i];
+        return Vec3{at[0][lane], at[1][lane], at[2][lane]};
+    };
+    const Vec3 across = cross(corner(1) - corner(0), corner(2) - corner(0));
+    return std::abs(dot(across, direction)) >= least_cosine * length(across);
+}
+
+/// What a line passes in the first patch of a triangle, if light along it comes to the upper side.
+Columns::Passed first_passed(const ColumnTriangle& triangle) {
+    return (triangle.is_sensor ? Columns::kSensor : 0) | 2 * triangle.first_patch;
+}
+
+/// i modulo n, 0 <= result < n.
+std::int64_t wrapped(std::int64_t i, std::int64_t n) {
+    if (i >= 0 && i < n) {
+        return i;
+    }
+    const std::int64_t rest = i % n;
+    return rest < 0 ? rest + n : rest;
+}
+
+/// Puts the smaller one first, without a branch: which one it is can't be foreseen.
+void put_in_order(std::uint64_t& a, std::uint64_t& b) {
+    const std::uint64_t smaller = std::min(a, b);
+    b = std::max(a, b);
+    a = smaller;
+}
+
+/// Sorts what a line passes: mostly few.
+void sort_keys(std::uint64_t* keys, std::uint32_t count) {
+    constexpr std::uint32_t kMany = 32;
+    switch (count) {
+        case 0:
+        case 1:
+            break;
+        case 2:
+            put_in_order(keys[0], keys[1]);
+            break;
+        case 3:
+            put_in_order(keys[0], keys[1]);
+            put_in_order(keys[1], keys[2]);
+            put_in_order(keys[0], keys[1]);
+            break;
+        case 4:
+            put_in_order(keys[0], keys[1]);
+            put_in_order(keys[2], keys[3]);
+            put_in_order(keys[0], keys[2]);
+            put_in_order(keys[1], keys[3]);
+            put_in_order(keys[1], keys[2]);
+            break;
+        default:
+            if (count > kMany) {
+                std::sort(keys, keys + count);
+                break;
+            }
+            for (std::uint32_t i = 1; i < count; ++i) {
+                const std::uint64_t next = keys[i];
+                std::uint32_t at = i;
+                for (; at > 0 && next < keys[at - 1]; --at) {
+                    keys[at] = keys[at - 1];
+                }
+                keys[at] = next;
+            }
+    }
+}
+
+}  // namespace
+
+ColumnTriangles column_triangles(
+    const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines) {
+    ColumnTriangles triangles;
+    for (std::uint32_t i = 0; i < patches.triangles(); ++i) {
+        if (!patches.has(i)) {
+            continue;
+        }
+        const std::size_t lane = triangles.each.size() % kBlockLanes;
+        if (lane == 0) {
+            triangles.corners.push_back({});
+            triangles.patches.push_back({});
+            triangles.plain.push_back(0);
+        }
+        triangles.corners.back().set(lane, *scene.mesh, i);
+        triangles.each.push_back(
+            {.first_patch = patches.first(i),
+             .level = static_cast<std::uint8_t>(patches.level(i)),
+             .is_sensor = scene.role(i) == VisibilityRole::sensor,
+             .least_cosine = least_cosines.empty() ? 0 : least_cosines[i],
+             .cut = patches.cut_of(i)});
+        const ColumnTriangle& triangle = triangles.each.back();
+        triangles.patches.back().parts[lane] = std::ldexp(1.0, triangle.level);
+        triangles.patches.back().passed[lane] = first_passed(triangle);
+        const bool is_plain = triangle.cut == nullptr && !(triangle.least_cosine > 0);
+        triangles.plain.back() |= static_cast<std::uint8_t>(is_plain ? 1U << lane : 0);
+    }
+    return triangles;
+}
+
+void Columns::draw(
+    const ProjectedScene& scene, const ColumnTriangles& triangles, const Spec& spec) {
+    size_ = 0;
+    first_.clear();
+    counts_.assign(triangles.each.size(), 0);
+    set_grid(scene, spec);
+    if (grid_.columns == 0) {
+        return;
+    }
+    direction_ = spec.direction;
+    is_turned_ = dot(cross(grid_.x.along, grid_.y.along), direction_) < 0;
+    scene.check_stop();
+    for (std::size_t block = 0; block < triangles.corners.size(); ++block) {
+        draw_block(triangles, block);
+    }
+    sort_lines();
+}
+
+/// Across an open scene lines stand on squares. Along the periods of a periodic one there is a
+/// whole number of them.
+void Columns::set_grid(const ProjectedScene& scene, const Spec& spec) {
+    const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
+    grid_.columns = grid_.rows = 0;
+    grid_.row_shift = 0;
+    if (!(plane.size_s > 0 && plane.size_t > 0)) {
+        return;  // seen edge-on
+    }
+    grid_.repeats_x = plane.repeats_s;
+    grid_.repeats_y = plane.repeats_t;
+    const double area = plane.size_s * plane.size_t * plane.area;
+    const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
+    if (grid_.repeats_x && grid_.repeats_y) {
+        set_square_rows(plane, spec, lines);
+        return;
+    }
+    const double pitch = std::max(
+        std::sqrt(plane.size_s * plane.size_t / lines),
+        std::max(plane.size_s, plane.size_t) / lines);
+    const auto steps = [&](double size, bool repeats) {
+        return std::max(1.0, repeats ? std::round(size / pitch) : std::ceil(size / pitch));
+    };
+    const double across = steps(plane.size_s, grid_.repeats_x);
+    const double up = steps(plane.size_t, grid_.repeats_y);
+    const double pitch_x = grid_.repeats_x ? plane.size_s / across : pitch;
+    const double pitch_y = grid_.repeats_y ? plane.size_t / up : pitch;
+    grid_.columns = static_cast<std::int64_t>(across);
+    grid_.rows = static_cast<std::int64_t>(up);
+    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+    grid_.z = {plane.depth, 0};
+    line_area_ = pitch_x * pitch_y * plane.area;
+}
+
+/// Of a layer without end: as many columns as make squares across the beam, not on the horizontal,
+/// and each row so far beside the last that these are squares, not rhombs.
+void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, double lines) {
+    // Steps along s and t on the horizontal, as seen across the beam.
+    const Vec3 s{plane.s.x, plane.s.y, 0};
+    const Vec3 t{plane.t.x, plane.t.y, 0};
+    const double along_s = dot(s, spec.direction);
+    const double ss = dot(s, s) - along_s * along_s;
+    const double st = dot(s, t) - along_s * dot(t, spec.direction);
+    const double side = std::sqrt(plane.size_s * plane.size_t * plane.area / lines);
+    const double across =
+        std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::floor(lines));
+    const double up = std::max(1.0, std::round(lines / across));
+    grid_.columns = static_cast<std::int64_t>(across);
+    grid_.rows = static_cast<std::int64_t>(up);
+    const double pitch_x = plane.size_s / across;
+    const double pitch_y = plane.size_t / up;
+    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+    grid_.z = {plane.depth, 0};
+    grid_.row_shift = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
+    line_area_ = pitch_x * pitch_y * plane.area;
+}
+
+void Columns::draw_block(const ColumnTriangles& triangles, std::size_t block) {
+    const TriangleBlock& corners = triangles.corners[block];
+    if (!loops_.set(corners, grid_, spans_)) {
+        return;
+    }
+    const ColumnTriangle* each = &triangles.each[block * kBlockLanes];
+    // Light comes to the lower side if the corners turn to the left, seen along it.
+    BlockPatches patches = triangles.patches[block];
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        patches.passed[lane] |= (spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+    }
+    const std::uint32_t plain = triangles.plain[block];
+    while (loops_.next(grid_, spans_)) {
+        std::size_t places = 0;
+        spans_.for_each([&](std::size_t lane, std::size_t span) {
+            const ColumnTriangle& triangle = each[lane];
+            const auto count = static_cast<std::uint32_t>(spans_.last[span] - spans_.first[span]);
+            if ((plain >> lane & 1U) != 0) {
+                places += count;
+            } else if (
+                !(triangle.least_cosine > 0) ||
+                is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
+                draw_span(triangle, lane, span);
+            } else {
+                return;
+            }
+            counts_[block * kBlockLanes + lane] += count;
+        });
+        reserve(places);
+        size_ += loops_.place(
+            grid_, spans_, patches, plain, {lines_.data() + size_, keys_.data() + size_});
+    }
+}
+
+void Columns::reserve(std::size_t more) {
+    if (keys_.size() < size_ + more) {
+        lines_.resize(2 * size_ + more);
+        keys_.resize(lines_.size());
+    }
+}
+
+void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::size_t span) {
+    const auto gradient = [lane](const BlockGradient& g) {
+        return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
+    };
+    const PlaneGradient of_depth = gradient(spans_.depth);
+    const PlaneGradient of_u = gradient(spans_.u), of_v = gradient(spans_.v);
+    const double y = spans_.y[span], shift = spans_.shift[span];
+    const double z = of_depth.at + of_depth.by_y * y;
+    const double u = of_u.at + of_u.by_y * y;
+    const double v = of_v.at + of_v.by_y * y;
+    const double low = spans_.low_depth[lane], high = spans_.high_depth[lane];
+    // Light comes to the lower side if the corners turn to the left, seen along it.
+    const Passed lower = (spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
+    const Passed passed = first_passed(triangle) | lower;
+    const auto first = static_cast<std::int64_t>(spans_.first[span]);
+    const auto last = static_cast<std::int64_t>(spans_.last[span]);
+    const auto row_begin = static_cast<std::int64_t>(spans_.in_row[span]) * grid_.columns;
+    std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
+    const auto count = static_cast<std::size_t>(last - first);
+    reserve(count);
+    for (std::int64_t column = first; column < last; ++column) {
+        const double x = static_cast<double>(column) + shift;
+        const double depth = std::clamp(z + of_depth.by_x * x, low, high);
+        std::uint32_t part = 0;
+        if (triangle.level > 0) {
+            const double at_u = u + of_u.by_x * x;
+            const double at_v = v + of_v.by_x * x;
+            part = Patches::part(triangle.level, at_u, at_v);
+            part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
+        }
+        lines_[size_] = static_cast<std::uint32_t>(row_begin + line);
+        keys_[size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
+        ++line;
+        line = line == grid_.columns && grid_.repeats_x ? 0 : line;
+    }
+}
+
+/// By line, and along each by depth.
+void Columns::sort_lines() {
+    const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
+    if (passed_.size() < size_ + kReadAhead) {
+        passed_.resize(keys_.size() + kReadAhead);
+        sorted_.resize(keys_.size());
+    }
+    if (lines > kSparse * size_ + kSparse) {
+        sort_sparse_lines();
+        return;
+    }
+    first_.assign(lines + 1, 0);
+    for (std::size_t i = 0; i < size_; ++i) {
+        ++first_[lines_[i]];
+    }
+    std::uint32_t end = 0;
+    for (std::uint32_t& first : first_) {
+        end += first;
+        first = end;
+    }
+    for (std::size_t i = 0; i < size_; ++i) {
+        sorted_[--first_[lines_[i]]] = keys_[i];
+    }
+    for (std::size_t line = 0; line < lines; ++line) {
+        sort_keys(sorted_.data() + first_[line], first_[line + 1] - first_[line]);
+    }
+    for (std::size_t i = 0; i < size_; ++i) {
+        passed_[i] = static_cast<Passed>(sorted_[i]);
+    }
+}
+
+void Columns::sort_sparse_lines() {
+    std::vector<std::uint32_t> order(size_);
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return lines_[a] != lines_[b] ? lines_[a] < lines_[b] : keys_[a] < keys_[b];
+    });
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (i == 0 || lines_[order[i]] != lines_[order[i - 1]]) {
+            first_.push_back(static_cast<std::uint32_t>(i));
+        }
+        passed_[i] = static_cast<Passed>(keys_[order[i]]);
+    }
+    first_.push_back(static_cast<std::uint32_t>(size_));
+}
+
+}  // namespace quasimc

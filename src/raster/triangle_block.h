@@ -1,0 +1,121 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/projected_scene.h"
+
+namespace quasimc {
+
+/// Triangles that are drawn side by side, whatever the vector unit.
+inline constexpr std::size_t kBlockLanes = 8;
+/// Rows of a block that are drawn at one go.
+inline constexpr std::size_t kBlockRows = 8;
+
+/// Corners of a block of triangles, local coordinates: [corner][x, y or z][lane]. Lanes that are 0
+/// cover nothing.
+struct alignas(64) TriangleBlock {
+    double at[3][3][kBlockLanes];
+
+    void set(std::size_t lane, const LocalMesh& mesh, std::uint32_t triangle) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Vec3 p = mesh.vertex(triangle, static_cast<int>(corner));
+            at[corner][0][lane] = p.x;
+            at[corner][1][lane] = p.y;
+            at[corner][2][lane] = p.z;
+        }
+    }
+};
+
+/// Parallel lines, on a grid across the beam.
+struct RasterGrid {
+    BeamAxis x, y, z;  ///< place on the grid, and depth
+    std::int64_t columns = 0, rows = 0;
+    bool repeats_x = false, repeats_y = false;
+    double row_shift = 0;    ///< how far a row stands beside the last, in columns
+    bool has_places = true;  ///< whether `u` and `v` of a block are asked for
+};
+
+/// A number as it changes over the grid, by triangle: at + by_x x + by_y y.
+struct alignas(64) BlockGradient {
+    double at[kBlockLanes], by_x[kBlockLanes], by_y[kBlockLanes];
+};
+
+/// What of a grid a block of triangles covers, some rows at a time.
+struct alignas(64) BlockSpans {
+    static constexpr std::size_t kMost = kBlockLanes * kBlockRows;
+
+    /// Rows [row, end_row) that a triangle touches; unwrapped.
+    double row[kBlockLanes], end_row[kBlockLanes];
+    /// Its sides, as SidesByRow has them.
+    double low_x[kBlockLanes], low_y[kBlockLanes], middle_x[kBlockLanes], middle_y[kBlockLanes];
+    double slope_long[kBlockLanes], slope_low[kBlockLanes], slope_high[kBlockLanes];
+    BlockGradient depth, u, v;  ///< barycentric coordinates, if they are asked for
+    double low_depth[kBlockLanes], high_depth[kBlockLanes];
+    double first_x[kBlockLanes], first_y[kBlockLanes], first_depth[kBlockLanes];  ///< a corner
+    double twice_area[kBlockLanes];  ///< above 0 if corners turn to the left
+
+    /// Spans of columns [first, last) of a row, which stands so far beside its columns: of row i of
+    /// those at hand and a lane at i * kBlockLanes + lane, where bit `lane` of covered[i] is set.
+    std::size_t rows = 0;
+    std::uint32_t covered[kBlockRows];
+    alignas(64) double y[kMost], in_row[kMost], first[kMost], last[kMost], shift[kMost];
+
+    /// Calls visit(lane, place of the span) row by row, and in each triangle by triangle.
+    template <typename Visit>
+    void for_each(const Visit& visit) const {
+        for (std::size_t i = 0; i < rows; ++i) {
+            for (std::uint32_t left = covered[i]; left != 0; left &= left - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+                visit(lane, i * kBlockLanes + lane);
+            }
+        }
+    }
+};
+
+/// How the triangles of a block are cut into patches, by lane.
+struct alignas(64) BlockPatches {
+    double parts[kBlockLanes];          ///< along each side: 2^level
+    std::uint32_t passed[kBlockLanes];  ///< what a line passes in the first of them
+};
+
+/// Places where lines pass triangles, in no order: the line, and a key that is larger for what is
+/// deeper and tells what is passed there (depth_key()).
+struct LinePlaces {
+    std::uint32_t* lines;
+    std::uint64_t* keys;
+};
+
+/// Larger for what is deeper, and then for what is passed later.
+[[nodiscard]] inline std::uint64_t depth_key(float depth, std::uint32_t passed) {
+    constexpr std::uint32_t kSign = 0x80000000U;
+    const auto bits = std::bit_cast<std::uint32_t>(depth);
+    const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
+    return std::uint64_t{ordered} << 32U | passed;
+}
+
+/// The loops over a block, compiled for a vector unit.
+struct SpanLoops {
+    /// Sets all but the spans. False if no triangle touches a row.
+    bool (*set)(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans);
+    /// dot(unit normal of the upper side of each triangle, direction), 0 if it has no area: as
+    /// ProjectedScene::cosine() has it.
+    void (*cosines)(const TriangleBlock& corners, const Vec3& direction, double* to);
+    /// Finds the spans of the next kBlockRows rows of each triangle; false if there are no more
+    /// rows.
+    bool (*next)(const RasterGrid& grid, BlockSpans& spans);
+    /// Writes the places on the spans at hand of the lanes whose bit is set in `wanted`. There must
+    /// be room for all. @returns how many
+    std::size_t (*place)(
+        const RasterGrid& grid,
+        const BlockSpans& spans,
+        const BlockPatches& patches,
+        std::uint32_t wanted,
+        const LinePlaces& to);
+};
+
+/// Those for the vector unit of this machine. All variants compute the same bits.
+[[nodiscard]] SpanLoops best_span_loops();
+
+}  // namespace quasimc

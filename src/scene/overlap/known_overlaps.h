@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/scene_geometry.h"
+#include "scene/overlap/overlap_search.h"
+
+namespace quasimc {
+
+/// The overlaps of scenes that follow each other and differ little, as in growth and at the points
+/// of a sweep: pairs of which neither triangle changed are not compared again. What it finds is
+/// what find_overlaps() finds; where that can't be told beforehand, all are compared.
+class KnownOverlaps {
+  public:
+    /// @param owners  of each triangle what tells its organ from others, as its id; those of an
+    ///        organ stand together
+    [[nodiscard]] Overlaps find(
+        std::shared_ptr<const SceneGeometry> triangles, const std::vector<std::int64_t>& owners);
+
+    /// Of the last search: how many triangles had changed; none: all were compared.
+    [[nodiscard]] std::optional<std::size_t> changed() const { return last_changed_; }
+
+  private:
+    /// Triangles of one organ.
+    struct Run {
+        std::int64_t owner = 0;
+        std::uint32_t first = 0, count = 0;
+    };
+    [[nodiscard]] static std::vector<Run> runs_of(const std::vector<std::int64_t>& owners);
+    /// What became of the triangles that were known.
+    struct Matching {
+        std::vector<std::uint32_t> new_number;  ///< of each; kGone
+        std::vector<bool> changed;              ///< of each triangle of now
+        std::size_t changed_count = 0;
+    };
+    static constexpr std::uint32_t kGone = 0xFFFFFFFFU;
+    [[nodiscard]] Matching match(
+        const SceneGeometry& triangles, const std::vector<Run>& runs) const;
+    [[nodiscard]] bool can_go_on(const Bounds& bounds) const;
+    [[nodiscard]] std::optional<OverlapSearchResult> find_among_changed(
+        const SceneGeometry& triangles, const Bounds& bounds, const std::vector<Run>& runs);
+
+    std::shared_ptr<const SceneGeometry> triangles_;  // of the last search, with:
+    Bounds bounds_;
+    std::vector<Run> runs_;
+    OverlapSearchResult known_;
+    std::optional<std::size_t> last_changed_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,254 @@
+// Coplanar triangles that overlap: two of them share a cube on the home level of the larger
+// (OverlapGrid). In a cube they are sorted by a function of the normal that has the same value for
+// both sides, so that only triangles which are nearly parallel are compared.
+
+#include "scene/overlap/overlap_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "base/checks.h"
+#include "scene/overlap/coplanar.h"
+#include "scene/overlap/overlap_grid.h"
+
+namespace quasimc {
+namespace {
+
+using Entries = std::span<const OverlapEntry>;
+
+bool faces_before(const OverlapEntry& a, const OverlapEntry& b) {
+    return a.facing != b.facing ? a.facing < b.facing : a.triangle < b.triangle;
+}
+
+class OverlapSearch {
+  public:
+    OverlapSearch(
+        const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene)
+        : triangles_(triangles),
+          changed_(changed),
+          grid_(triangles, changed, scene),
+          same_before_(triangles.size()) {}
+
+    OverlapSearchResult run() {
+        for (std::uint64_t pass = 0; pass < grid_.passes(); ++pass) {
+            grid_.enter_all(pass);
+            compare_all();
+        }
+        sort_found();
+        const auto most = std::max_element(same_before_.begin(), same_before_.end());
+        return {
+            {std::move(found_), false, is_given_up()},
+            work_,
+            most == same_before_.end() ? 0U : *most};
+    }
+
+  private:
+    /// A triangle and its extent.
+    struct Placed {
+        Placed(std::uint32_t i, const Triangle& t) : number(i), triangle(t), extent(t) {}
+        std::uint32_t number;
+        Triangle triangle;
+        TriangleExtent extent;
+    };
+
+    void compare_all() {
+        std::vector<OverlapEntry>& natives = grid_.natives();
+        Entries visitors = grid_.visitors();
+        for (auto first = natives.begin(); first != natives.end();) {
+            const std::uint64_t cube = first->cube;
+            const auto last = std::find_if_not(
+                first, natives.end(), [&](const OverlapEntry& e) { return e.cube == cube; });
+            const auto come = std::find_if(
+                visitors.begin(), visitors.end(),
+                [&](const OverlapEntry& e) { return e.cube >= cube; });
+            const auto gone = std::find_if_not(
+                come, visitors.end(), [&](const OverlapEntry& e) { return e.cube == cube; });
+            std::sort(first, last, faces_before);
+            compare_in_cube({first, last}, {come, gone});
+            first = last;
+            visitors = {gone, visitors.end()};
+        }
+    }
+
+    void compare_in_cube(Entries natives, Entries visitors) {
+        float most_blur = 0;
+        for (const OverlapEntry& native : natives) {
+            most_blur = std::max(most_blur, native.blur);
+        }
+        for (std::size_t i = 0; i < natives.size(); ++i) {
+            compare(natives[i], natives.subspan(i + 1), most_blur);
+        }
+        for (const OverlapEntry& visitor : visitors) {
+            const auto near = std::lower_bound(
+                natives.begin(), natives.end(), visitor.facing - visitor.blur - most_blur,
+                [](const OverlapEntry& e, float facing) { return e.facing < facing; });
+            compare(visitor, {near, natives.end()}, most_blur);
+        }
+    }
+
+    /// Looks among triangles at home in a cube, sorted by `facing`, for those that `entry` lies on,
+    /// and for those that lie on it: slivers are at home with larger triangles, and lie on smaller
+    /// ones.
+    /// @param most_blur  of the triangles at home in the cube
+    void compare(const OverlapEntry& entry, Entries natives, float most_blur) {
+        std::optional<Placed> placed;
+        for (const OverlapEntry& other : natives) {
+            if (other.facing > entry.facing + entry.blur + most_blur) {
+                return;
+            }
+            if (!entry.is_parallel_to(other) || other.triangle == entry.triangle) {
+                continue;  // most triangles: they need not be fetched
+            }
+            if (is_piled(entry)) {
+                return;
+            }
+            if (is_piled(other) || !is_asked_for(entry, other)) {
+                continue;
+            }
+            const bool is_in_plane = entry.is_in_plane_of(other);
+            ++(is_in_plane ? work_.comparisons : work_.looks);
+            if (is_given_up()) {
+                return;
+            }
+            if (!is_in_plane) {
+                continue;
+            }
+            if (!placed) {
+                placed.emplace(entry.triangle, triangles_[entry.triangle]);
+            }
+            compare(*placed, {other.triangle, triangles_[other.triangle]});
+        }
+    }
+
+    void compare(const Placed& a, const Placed& b) {
+        if (!meet(grown(a.extent), grown(b.extent))) {
+            return;
+        }
+        const bool is_a_smaller = is_smaller(a.triangle, b.triangle);
+        if (is_a_smaller) {
+            look_on_larger(a, b);
+        }
+        if (!is_a_smaller || is_smaller(b.triangle, a.triangle)) {
+            look_on_larger(b, a);
+        }
+    }
+
+    void look_on_larger(const Placed& small, const Placed& large) {
+        const double tolerance = grid_.thickness(small.extent.size);
+        constexpr double kLeast = 1e-6, kMuch = 1e-3;
+        if (!may_lie_on(small.triangle, small.extent.bounds, large.triangle, tolerance)) {
+            return;
+        }
+        const double part = covered_part(small.triangle, large.triangle);
+        if (!(part > kLeast)) {
+            return;
+        }
+        const Overlap found{
+            std::min(small.number, large.number), std::max(small.number, large.number),
+            is_same(small.triangle, large.triangle, tolerance), part <= kMuch};
+        if (found.is_same) {
+            ++same_before_[found.second];
+        }
+        found_.push_back(found);
+    }
+
+    /// The bounds and the tolerance about them.
+    [[nodiscard]] Bounds grown(const TriangleExtent& extent) const {
+        const double blur = grid_.thickness(extent.size);
+        const Vec3 margin{blur, blur, blur};
+        return {extent.bounds.low - margin, extent.bounds.high + margin};
+    }
+
+    /// Whether a triangle is known to be the same as so many before it that nothing is learnt from
+    /// the others.
+    [[nodiscard]] bool is_piled(const OverlapEntry& entry) const {
+        return same_before_[entry.triangle] >= kPileOfTriangles;
+    }
+
+    [[nodiscard]] bool is_given_up() const { return work_.is_too_much(triangles_.size()); }
+
+    [[nodiscard]] bool is_asked_for(const OverlapEntry& a, const OverlapEntry& b) const {
+        return changed_.empty() || changed_[a.triangle] || changed_[b.triangle];
+    }
+
+    /// Of two triangles at home on one level; either of two equal ones.
+    static bool is_smaller(const Triangle& a, const Triangle& b) {
+        constexpr double kRounding = 1e-6;
+        return area(a) <= (1 + kRounding) * area(b);
+    }
+
+    /// Triangles meet in several cubes. They are the same if they were found to be so once, and
+    /// much of one is covered if it is of either.
+    void sort_found() {
+        const auto key = [](const Overlap& o) { return std::tie(o.first, o.second); };
+        std::sort(found_.begin(), found_.end(), [&](const Overlap& a, const Overlap& b) {
+            const auto worth = [](const Overlap& o) { return std::pair(!o.is_same, o.is_little); };
+            return key(a) != key(b) ? key(a) < key(b) : worth(a) < worth(b);
+        });
+        const auto end = std::unique(
+            found_.begin(), found_.end(),
+            [&](const Overlap& a, const Overlap& b) { return key(a) == key(b); });
+        found_.erase(end, found_.end());
+    }
+
+    /// Whether part of `small` may lie on `large`. The quick tests come first.
+    static bool may_lie_on(
+        const Triangle& small, Bounds bounds, const Triangle& large, double tolerance) {
+        const Vec3 blur{tolerance, tolerance, tolerance};
+        bounds.low -= blur;
+        bounds.high += blur;
+        return meet(bounds, bounds_of(large)) && lies_in_plane(small, large, tolerance) &&
+               !lie_apart(small, large, tolerance);
+    }
+
+    const SceneGeometry& triangles_;
+    const std::vector<bool>& changed_;
+    OverlapGrid grid_;
+    std::vector<std::uint8_t> same_before_;
+    std::vector<Overlap> found_;
+    OverlapWork work_;
+};
+
+}  // namespace
+
+double coplanar_tolerance(double triangle_size, double scene_size) {
+    constexpr double kOfTriangle = 1e-6;
+    constexpr double kSinglePrecision = 0x1p-22;  // of a ray from a place: kNear
+    return kOfTriangle * triangle_size + kSinglePrecision * scene_size;
+}
+
+Overlaps find_overlaps(const SceneGeometry& triangles) {
+    if (triangles.size() > kMostToCompare) {
+        return {.pairs = {}, .is_left_out = true};
+    }
+    return search_overlaps(triangles).overlaps;
+}
+
+OverlapWork& OverlapWork::operator+=(const OverlapWork& other) {
+    comparisons += other.comparisons;
+    looks += other.looks;
+    return *this;
+}
+
+bool OverlapWork::is_too_much(std::size_t triangles) const {
+    return comparisons + looks / 8 > 1'000'000 + 200 * triangles;
+}
+
+OverlapSearchResult search_overlaps(const SceneGeometry& triangles) {
+    EXPECT(triangles.size() <= kMostToCompare);
+    const std::vector<bool> all;
+    return OverlapSearch(triangles, all, bounds_of(triangles)).run();
+}
+
+OverlapSearchResult search_overlaps_of(
+    const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene) {
+    EXPECT(triangles.size() <= kMostToCompare && changed.size() == triangles.size());
+    return OverlapSearch(triangles, changed, scene).run();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,229 @@
+// Direct light of suns and skies by geometry: see solvers/first_hits/first_hits.cpp.
+
+#include "solvers/direct/direct_beams.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "solvers/light_kinds.h"
+#include "solvers/light_tracing/light_tracing.h"
+
+namespace quasimc {
+namespace {
+
+/// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
+TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& budget) {
+    TracedLights traced;
+    for (std::size_t i = 0; i < prepared.lights().size(); ++i) {
+        const Source& source = *prepared.lights()[i].source;
+        traced.push_back(
+            source.is_lamp() || !(source.is_sun() ? budget.has_lines(i) : budget.sees_skies()));
+    }
+    return traced;
+}
+
+/// The kind of lights that a task looks at: place in units.kinds.
+std::size_t kind_of(const VisibilityTask& task, const SumUnits& units) {
+    const FoundBy by = task.is_sky ? FoundBy::directions : FoundBy::lines;
+    const auto kind = std::find_if(
+        units.kinds.begin(), units.kinds.end(),
+        [&](const LightKind& each) { return each.found_by == by; });
+    return static_cast<std::size_t>(kind - units.kinds.begin());
+}
+
+/// How many paths' light a light brings.
+double paths_of(const BoundSource& light, const Round& round) {
+    return light.probability * static_cast<double>(round.count);
+}
+
+}  // namespace
+
+DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
+    : prepared_(input.prepared),
+      sampler_(input.sampler),
+      spec_(input.spec),
+      stop_(input.stop),
+      skies_(input.prepared),
+      seen_(input.prepared, &stop_),
+      budget_(input.prepared, skies_, scene(), input.spec.paths, scattered),
+      traced_(traced_lights(input.prepared, budget_)) {
+    if (budget_.sees_skies()) {
+        seen_.store_blocks();
+    }
+}
+
+std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
+    std::vector<VisibilityTask> tasks = budget_.tasks(round);
+    for (const VisibilityTask& task : tasks) {
+        const double brought = budget_.light_per_look(task, round);
+        double& most = sums.per_find[kind_of(task, sums.units)];
+        most = std::max(most, brought);
+    }
+    return tasks;
+}
+
+DirectBeams::Work DirectBeams::work_of(
+    const std::vector<VisibilityTask>& tasks,
+    const Round& round,
+    const SumUnits& units,
+    std::uint32_t replicate,
+    std::uint64_t block) {
+    const std::uint32_t i = task_of_block(tasks, block);
+    return {round,
+            replicate,
+            i,
+            tasks[i],
+            units,
+            kind_of(tasks[i], units),
+            block - tasks[i].first_block};
+}
+
+Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
+    // A block's paths can't be more than the light of the whole task; beams are placed by at
+    // most a number for each of them, and for each sky in each block.
+    const std::uint64_t placed = work.task.count + work.task.blocks * (1 + skies_.skies().size());
+    const std::uint64_t most = std::bit_ceil(2 * work.round.count + 2 + placed);
+    // Each light has at most so many tasks.
+    const std::uint64_t tasks = prepared_.lights().size() * kDiskBeams;
+    return {spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
+}
+
+std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t dimension) const {
+    const auto coordinate = [&](std::uint32_t i) {
+        return sampler_.coordinate(first, first.first, dimension + i);
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+DirectBeams::Beam DirectBeams::beam_of(
+    const BoundSource& light,
+    const Vec3& direction,
+    double density,
+    const Work& work,
+    std::uint32_t count) const {
+    const double area = prepared_.projection().entry_box().projected_area(direction);
+    const double entering =
+        light.source->radiance(-direction) * area / light.source_sampler->flux();
+    const double paths = paths_of(light, work.round) * entering / (density * count);
+    return {{&light, direction, paths}, area};
+}
+
+DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
+    const BoundSource& light = prepared_.lights()[work.task.light];
+    if (const auto direction = light.source_sampler->beam_direction()) {
+        return {{&light, *direction, paths_of(light, work.round)}, light.source_sampler->flux()};
+    }
+    // All beams of a disk are placed by the same three numbers.
+    const Work first{work.round, work.replicate, work.number - work.task.beam,
+                     work.task,  work.units,     work.kind,
+                     0};
+    const Stream placing = stream_of(first, 0);
+    const DrawnDirection from =
+        lattice_direction(light, work.task.beam, work.task.beams, placing_of(placing, 3));
+    return beam_of(light, from.direction, from.density, work, work.task.beams);
+}
+
+double DirectBeams::share_of_block(double paths, const Work& work) {
+    const auto until = [&](std::uint64_t i) {
+        return from_fixed(
+            to_fixed(paths * static_cast<double>(i) / static_cast<double>(work.task.blocks)));
+    };
+    return until(work.block + 1) - until(work.block);
+}
+
+void DirectBeams::set_lines(
+    const Work& work, const Beam& beam, const Stream& placing, Scratch& scratch) const {
+    const std::array<std::uint64_t, 3> key{work.number, work.replicate, work.round.first};
+    if (scratch.lines_of != key) {
+        scratch.lines.set(
+            scene(), {.direction = beam.direction,
+                      .rotation = sampler_.coordinate(placing, placing.first, 0),
+                      .shift = sampler_.coordinate(placing, placing.first, 1),
+                      .lines = work.task.count});
+        scratch.lines_of = key;
+    }
+}
+
+void DirectBeams::score_lines(
+    const Work& work,
+    const SurfaceBeam& share,
+    double per_length,
+    const ScanLines& lines,
+    Tally& tally) const {
+    DirectLightScore direct(prepared_, share, tally);
+    const double most = std::min(work.task.count, ScanLines::kStrip);
+    FindCounter finds(prepared_, work.units, work.kind, most, tally);
+    for (const ScanLines::Item& item : lines.items()) {
+        if (item.length > 0) {
+            const double amount = per_length * item.length;
+            direct.add(item.triangle, item.cosine, amount);
+            finds.add(item.triangle, item.cosine, amount, item.pieces);
+        }
+    }
+    finds.finish();
+    direct.add_escaped();
+}
+
+ItemBuffer::Spec DirectBeams::look_of(
+    const Work& work, const Stream& placing, std::uint32_t i, const Vec3& direction) const {
+    const std::uint64_t point = placing.first + 1 + i;
+    return {
+        .direction = direction,
+        .rotation = sampler_.coordinate(placing, point, 3),
+        .shift_s = sampler_.coordinate(placing, point, 4),
+        .shift_t = sampler_.coordinate(placing, point, 5),
+        .pixels = work.task.pixels};
+}
+
+void DirectBeams::count_finds(
+    const Work& work,
+    const Vec3& direction,
+    double paths,
+    const ItemBuffer& pixels,
+    Tally& tally) const {
+    const double area = prepared_.projection().entry_box().projected_area(direction);
+    const double amount = paths * pixels.pixel_area() / area;
+    FindCounter finds(prepared_, work.units, work.kind, 1, tally);
+    for (const ItemBuffer::Item& item : pixels.items()) {
+        finds.add(item.triangle, item.cosine, amount * item.pixels);
+    }
+    finds.finish();
+}
+
+SumMeaning direct_beams_meaning(
+    const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered) {
+    SumMeaning meaning = light_tracing_meaning(prepared, spec);
+    const SkyDirections skies(prepared);
+    const SeenScene seen(prepared);
+    const SamplingBudget budget(prepared, skies, seen.projected(), spec.paths, scattered);
+    const Round first{0, spec.paths};
+    std::vector<LightKind> counted;
+    double of_line = 0;
+    double spacing = 0;
+    for (const VisibilityTask& task : budget.tasks(first)) {
+        const double step = budget.light_per_look(task, first);
+        if (task.is_sky) {
+            counted.push_back(kind_by_direction(prepared, task.count, step));
+        } else {
+            of_line = std::max(of_line, step);
+            spacing = std::max(spacing, budget.spacing(task));
+        }
+    }
+    if (of_line > 0) {
+        counted.push_back(kind_by_line(prepared, budget.lights_with_lines(), of_line, spacing));
+    }
+    std::vector<LightKind>& kinds = meaning.units.kinds;
+    std::erase_if(kinds, [&](const LightKind& kind) {
+        return std::any_of(counted.begin(), counted.end(), [&](const LightKind& each) {
+            return std::ranges::includes(each.spectra, kind.spectra);
+        });
+    });
+    meaning.counted_kinds = counted.size();
+    if (of_line > 0 && budget.traces_suns()) {
+        kinds.push_back(kind_of_traced_suns(prepared, budget.lights_with_lines()));
+    }
+    kinds.insert(kinds.begin(), counted.begin(), counted.end());
+    return meaning;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/projected_scene.h"
+#include "sums/tally.h"
+#include "transport/prepared_scene.h"
+
+namespace quasimc {
+
+/// Light that comes to surfaces along one direction.
+struct SurfaceBeam {
+    const BoundSource* light = nullptr;
+    Vec3 direction;    ///< unit, in which the light travels
+    double paths = 0;  ///< how many paths' light it brings
+};
+
+/// The first vertex of a path: a place on a triangle of the mesh.
+struct PathVertex {
+    std::uint32_t triangle = 0;
+    std::uint32_t beam = 0;  ///< in the list of beams, which light comes by
+    float u = 0, v = 0;
+    double weight = 1;
+};
+
+/// What each side of each material scatters of the light of each spectrum, relative to the side
+/// that scatters most: mean over the bands, weighted by their light. 0 for sensors.
+class ScatteredShares {
+  public:
+    explicit ScatteredShares(const PreparedScene& prepared);
+
+    [[nodiscard]] double of(std::size_t spectrum, std::size_t material, SurfaceSide side) const {
+        return shares_[2 * (spectrum * materials_ + material) + index_of(side)];
+    }
+
+  private:
+    std::size_t materials_;
+    std::vector<double> shares_;  // [spectrum][material][side]
+};
+
+/// A piece of a lit surface as paths start from it.
+struct ScatteringPiece {
+    double scattered = 0;  ///< as many paths start, on average
+    double weight = 0;     ///< of each
+    std::uint32_t triangle = 0;
+};
+
+/// The piece on which `amount` paths' light of a beam falls.
+/// @param along  dot(unit normal of the upper side, direction of the beam)
+[[nodiscard]] ScatteringPiece scattering_piece(
+    const PreparedScene& prepared,
+    const ScatteredShares& shares,
+    const SurfaceBeam& beam,
+    std::uint32_t triangle,
+    double along,
+    double amount);
+
+/// Places the first vertices of paths at equal steps of what is scattered (systematic sampling):
+/// along the light in the order in which it is told, each stands for as much as one path brings.
+/// So none misses the scene, none is absorbed at its first hit, and bright surfaces get many.
+class SystematicPlacement {
+  public:
+    /// @param residual  light to be scattered until the next vertex; uniform in [0, 1) at first
+    explicit SystematicPlacement(double residual) : residual_(residual) {}
+
+    /// Places vertices on a stretch of `count` such pieces.
+    /// @param beam  PathVertex::beam
+    /// @param place  (f) of a number in [0, 1) that grows along the stretch: where it is, u and v
+    template <typename Place>
+    void place(
+        const ScatteringPiece& piece,
+        double count,
+        std::uint32_t beam,
+        const Place& place,
+        std::vector<PathVertex>& vertices) {
+        const double scattered = piece.scattered * count;
+        double at = residual_;
+        while (at < scattered) {
+            const Barycentric where = place(at / scattered);
+            vertices.push_back({piece.triangle, beam, where.u, where.v, piece.weight});
+            at += 1;
+        }
+        residual_ = at - scattered;
+    }
+
+  private:
+    double residual_;
+};
+
+/// Scores the direct light of one beam: what falls on triangles, and that the rest escapes.
+class DirectLightScore {
+  public:
+    DirectLightScore(const PreparedScene& prepared, const SurfaceBeam& beam, Tally& tally)
+        : prepared_(prepared),
+          beam_(beam),
+          tally_(tally),
+          stride_(tally.layout().stride()),
+          sides_{
+              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
+              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
+          finds_sunlit_(beam.light->lit_area > 0),
+          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
+
+    /// `amount` paths' light falls on a triangle. @param along  as in scattering_piece()
+    void add(std::uint32_t triangle, double along, double amount) {
+        const std::uint32_t region = prepared_.region(triangle);
+        // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is
+        // not stopped does.
+        const double exact = amount * prepared_.exact_share(triangle, beam_.direction, along);
+        const std::int64_t fixed = to_fixed(exact);
+        stopped_ += prepared_.material(region).is_transparent() ? 0 : fixed;
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
+        }
+        tally_.add(region * stride_ + sides_[along > 0 ? 1 : 0], fixed);
+        if (finds_sunlit_ && along != 0) {
+            add_sunlit(triangle, along, amount);
+        }
+        if (sums_absorbed_) {
+            add_absorbed(region, along, exact);
+        }
+    }
+    /// What fell on nothing escapes. To be called once, when all is added.
+    void add_escaped();
+
+  private:
+    void add_sunlit(std::uint32_t triangle, double along, double amount);
+    void add_absorbed(std::uint32_t region, double along, double amount);
+
+    const PreparedScene& prepared_;
+    const SurfaceBeam& beam_;
+    Tally& tally_;
+    std::size_t stride_;
+    std::array<std::size_t, 2> sides_;  // of direct light, in a row
+    bool finds_sunlit_, sums_absorbed_;
+    std::int64_t stopped_ = 0;  // fixed point
+};
+
+/// Sets `order` to that of the triangles, and of places on each; stable.
+struct VertexOrder {
+    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> keys, key_counts, next;  // scratch
+};
+void order_by_place(
+    std::span<const PathVertex> vertices, std::uint32_t triangles, VertexOrder& order);
+
+}  // namespace quasimc

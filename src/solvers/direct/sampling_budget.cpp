@@ -1,0 +1,313 @@
+#include "solvers/direct/sampling_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/scan_lines.h"
+#include "transport/organ_shares.h"
+
+namespace quasimc {
+namespace {
+
+/// Where all bands scatter most of the light, its noise is in the paths: fewer lines and pixels,
+/// which leaves time for more of them (the first scattering is split, as it were).
+constexpr SamplingDensity kDarkDensity{
+    .paths_per_line = 80,
+    .pixels_per_path = 40,
+    .pixels_per_root = 640,
+    .cuts_per_path = 10,
+    .paths_per_look = 4};
+constexpr SamplingDensity kBrightDensity{
+    .paths_per_line = 160,
+    .pixels_per_path = 10,
+    .pixels_per_root = 640,
+    .cuts_per_path = 10,
+    .paths_per_look = 4};
+/// Errors of lines fall with the third power of their number, those of bundles with the square root
+/// of theirs, at every albedo. For a path bundles take several times as long, and lines may too.
+constexpr SamplingDensity kBrightBundleDensity{
+    .lines_per_root = 12.8,
+    .pixels_per_path = 160,
+    .pixels_per_root = 320,
+    .most_over_root = 2,
+    .cuts_per_path = 160,
+    .paths_per_look = 2};
+/// So many times the pixels in each of as many directions.
+constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
+    density.pixels_per_path *= times;
+    density.pixels_per_root *= times;
+    return density;
+}
+/// ... but what dark leaves scatter has small errors: pixels are most of what is left.
+constexpr SamplingDensity kDarkBundleDensity = with_pixels(kBrightBundleDensity, 3);
+/// Largest albedo from which on a band is bright.
+constexpr double kBrightAlbedo = 0.5;
+
+/// Whether all bands scatter most of the light.
+bool is_bright(const PreparedScene& prepared) {
+    const std::vector<double> albedos = largest_albedos(prepared.scene());
+    return std::all_of(
+        albedos.begin(), albedos.end(), [](double albedo) { return albedo >= kBrightAlbedo; });
+}
+
+const SamplingDensity& sampling_density(const PreparedScene& prepared, ScatteredBy scattered) {
+    if (scattered == ScatteredBy::bundles) {
+        return is_bright(prepared) ? kBrightBundleDensity : kDarkBundleDensity;
+    }
+    return is_bright(prepared) ? kBrightDensity : kDarkDensity;
+}
+
+/// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
+/// each four.
+constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
+/// Few beams have at least so many lines together, which take no more time than to get started.
+constexpr std::uint32_t kFewestOfFew = 128;
+
+/// The fewest lines of each of so many beams.
+std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
+    const std::uint32_t of_many =
+        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
+    return std::max(of_many, kFewestOfFew / std::max(beams, 1U));
+}
+
+/// Triangles that are projected for each path of a sun. Where they would be more, or where lines
+/// would cut so much that too few of them are left, the sun is traced from itself, which then
+/// leaves the smaller errors for its time (docs/theory/choosing.md).
+constexpr double kMostTrianglesPerPath = 20;
+/// Of few organs each has many paths, and lines bring less: for each organ at most so many.
+constexpr double kMostTrianglesPerPathOfOrgan = 2;
+/// Lines of a sun that are too few, but where it is one of many: of an endless stand at 1 degree 37
+/// of them left organs 500 times the error of as many paths, at 5 degrees 41 of them 5 times.
+constexpr std::uint32_t kFewestWhereCostly = 64;
+
+/// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
+/// there are more of them each may be seen less well: the root is between, until there are two for
+/// each. Of very many paths directions become less of the error than pixels are, and each gets
+/// more.
+constexpr double kFewestPerTriangle = 2;
+/// ... and where scattered light has small errors, so many for each in as many directions, if they
+/// are not too many more.
+constexpr double kWantedPerTriangle = 6;
+constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
+constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
+/// Of a periodic scene none of them is empty.
+constexpr double kShareOfLayer = 1.0 / 3;
+/// Directions of a sky: at least so many, in at most so many blocks of work.
+constexpr std::uint32_t kFewestDirections = 16;
+constexpr std::uint32_t kDirectionBlocks = 16;
+/// To project a triangle costs as much as so many pixels; where it repeats itself, twice that.
+constexpr double kPixelsPerTriangle = 20;
+/// Skies that cost so many times the pixels that their paths are meant to have are traced from
+/// themselves, which then leaves the smaller errors for its time.
+constexpr double kMostOverPixels = 30;
+/// So are skies of fewer directions times organs: all organs have the errors of the directions in
+/// common, those of paths cancel in what is large.
+constexpr double kFewestViews = 400;
+
+/// How many organs are asked for, the ground aside.
+double measured_organs(const Scene& scene) {
+    return static_cast<double>(std::count_if(
+        scene.organs().begin(), scene.organs().end(),
+        [](const Organ& organ) { return organ.measured && !organ.is_ground && organ.area > 0; }));
+}
+
+}  // namespace
+
+std::uint32_t beams_of(const BoundSource& sun) {
+    return sun.source_sampler->beam_direction() ? 1 : kDiskBeams;
+}
+
+SamplingBudget::SamplingBudget(
+    const PreparedScene& prepared,
+    const SkyDirections& skies,
+    const ProjectedScene& seen,
+    std::uint64_t paths,
+    ScatteredBy scattered)
+    : prepared_(prepared), skies_(skies), density_(sampling_density(prepared, scattered)) {
+    std::uint32_t suns = 0, beams = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        if (light.source->is_sun()) {
+            ++suns;
+            beams += beams_of(light);
+        }
+    }
+    fewest_lines_ = fewest_lines(suns, beams);
+    set_lines(LineCost(seen), static_cast<double>(paths));
+    sees_skies_ = !skies.skies().empty() && are_skies_cheap(static_cast<double>(paths));
+}
+
+void SamplingBudget::set_lines(const LineCost& cost, double paths) {
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double most_triangles = std::min(
+        kMostTrianglesPerPath,
+        kMostTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
+    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+        const BoundSource& light = prepared_.lights()[i];
+        cuts_per_line_.push_back(0);
+        has_lines_.push_back(false);
+        if (light.source->is_sun()) {
+            const SourceSampler& sampler = *light.source_sampler;
+            cuts_per_line_[i] = cost.cuts_per_line(
+                sampler.beam_direction() ? *sampler.beam_direction()
+                                         : sampler.draw_direction(0.5, 0.5).direction);
+            const double own = light.probability * paths;
+            const VisibilityTask task = lines_of(i, own);
+            has_lines_[i] =
+                triangles <= most_triangles * own &&
+                task.beams * task.count * cuts_per_line_[i] <= density_.cuts_per_path * own &&
+                are_close(task, paths);
+        }
+    }
+}
+
+bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
+    const BoundSource& light = prepared_.lights()[task.light];
+    if (task.count >= usual_lines(task.light, light.probability * paths)) {
+        return true;
+    }
+    const Round round{.count = static_cast<std::uint64_t>(paths)};
+    const double organ = std::sqrt(median_measured_area(prepared_.scene()));
+    // Of an organ that no line finds lit, twice the distance of lines may be
+    // (theory/statistics.md).
+    return light_per_look(task, round) * std::min(organ, 2 * spacing(task)) <=
+           density_.paths_per_look;
+}
+
+bool SamplingBudget::traces_suns() const {
+    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+        if (prepared_.lights()[i].source->is_sun() && !has_lines_[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool SamplingBudget::are_skies_cheap(double paths) const {
+    const double own = skies_.probability() * paths;
+    const VisibilityTask task = skies_of(own);
+    const double images = prepared_.scene().cell().periodic() ? 2 : 1;
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double each = task.pixels + kPixelsPerTriangle * images * triangles;
+    return task.count * each <= kMostOverPixels * density_.pixels_per_path * own &&
+           task.count * measured_organs(prepared_.scene()) >= kFewestViews;
+}
+
+std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
+    std::vector<VisibilityTask> tasks;
+    for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
+        const BoundSource& light = prepared_.lights()[i];
+        if (has_lines_[i]) {
+            add_beams(i, light.probability * static_cast<double>(round.count), tasks);
+        }
+    }
+    if (sees_skies_) {
+        tasks.push_back(skies_of(skies_.probability() * static_cast<double>(round.count)));
+    }
+    std::uint64_t first = 0;
+    for (VisibilityTask& task : tasks) {
+        task.first_block = first;
+        first += task.blocks;
+    }
+    return tasks;
+}
+
+double SamplingBudget::light_per_look(const VisibilityTask& task, const Round& round) const {
+    const auto paths = static_cast<double>(round.count);
+    if (task.is_sky) {
+        return skies_.probability() * paths / task.count;
+    }
+    const BoundSource& light = prepared_.lights()[task.light];
+    const EntryBox& box = prepared_.projection().entry_box();
+    const SourceSampler& sampler = *light.source_sampler;
+    const double area = sampler.beam_direction()
+                            ? sampler.flux()
+                            : box.projected_area(sampler.draw_direction(0.5, 0.5).direction);
+    return light.probability * paths / task.beams * spacing(task) / area;
+}
+
+double SamplingBudget::spacing(const VisibilityTask& task) const {
+    // No more than the scene is wide over their number.
+    return length(prepared_.projection().entry_box().bounds.size()) / task.count;
+}
+
+std::uint32_t SamplingBudget::usual_lines(std::size_t light, double paths) const {
+    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
+    const bool is_disk = beams > 1;
+    // A disk's beams need more lines than their share: errors fall with the third power.
+    const double usual = density_.paths_per_line > 0 ? paths / density_.paths_per_line
+                                                     : density_.lines_per_root * std::sqrt(paths);
+    const double lines = usual * (is_disk ? 2 : 1) / beams;
+    return std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+}
+
+VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
+    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
+    std::uint32_t count = usual_lines(light, paths);
+    const double cuts = beams * cuts_per_line_[light];
+    if (count * cuts > density_.cuts_per_path * paths) {
+        const auto cheap = static_cast<std::uint32_t>(density_.cuts_per_path * paths / cuts);
+        const std::uint32_t fewest = std::max(kFewestOfMany, kFewestWhereCostly / beams);
+        count = std::min(count, std::max(fewest, cheap));
+    }
+    return {
+        .light = static_cast<std::uint32_t>(light),
+        .beams = beams,
+        .count = count,
+        .blocks = ScanLines::strips(count)};
+}
+
+void SamplingBudget::add_beams(
+    std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const {
+    VisibilityTask task = lines_of(light, paths);
+    for (; task.beam < task.beams; ++task.beam) {
+        tasks.push_back(task);
+    }
+}
+
+VisibilityTask SamplingBudget::skies_of(double paths) const {
+    const double directions = std::round(density_.pixels_per_path * paths / pixels_for(paths, 1));
+    const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
+    const std::uint32_t count =
+        std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
+    return {
+        .is_sky = true,
+        .count = count,
+        .pixels = pixels_for(paths, density_.most_over_root),
+        .blocks = std::min(count, kDirectionBlocks)};
+}
+
+double SamplingBudget::pixels_for(double paths, double most_over_root) const {
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double share = prepared_.scene().cell().periodic() ? kShareOfLayer : 1;
+    const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
+    const double root = density_.pixels_per_root * std::sqrt(triangles);
+    const double wanted = std::clamp(kWantedPerTriangle * triangles, root, most_over_root * root);
+    const double pixels = std::max(wanted, kFewestPerTriangle * triangles);
+    return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
+}
+
+bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {
+    const std::vector<BoundSource>& lights = prepared.lights();
+    if (lights.empty() || !std::all_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+            return light.source->is_sun();
+        })) {
+        return false;
+    }
+    const ProjectedScene seen{
+        &prepared.caster().mesh(),
+        prepared.projection().cell(),
+        {},
+        prepared.projection().outline(),
+        nullptr};
+    return SamplingBudget(prepared, SkyDirections(prepared), seen, paths, ScatteredBy::bundles)
+        .traces_suns();
+}
+
+std::uint32_t task_of_block(const std::vector<VisibilityTask>& tasks, std::uint64_t block) {
+    const auto after = std::upper_bound(
+        tasks.begin(), tasks.end(), block,
+        [](std::uint64_t b, const VisibilityTask& task) { return b < task.first_block; });
+    return static_cast<std::uint32_t>(after - tasks.begin() - 1);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,133 @@
+#include "solvers/direct/sun_pixels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/checks.h"
+#include "solvers/direct/direct_beams.h"
+#include "transport/sky_directions.h"
+
+namespace quasimc {
+namespace {
+
+/// Dimensions of a beam's point: how the pixels stand, and where on its disk a sun is looked at.
+constexpr std::uint32_t kPixelDimension = 0, kDiskDimension = 3;
+/// Each beam of a disk has at least so many.
+constexpr double kFewestOfBeam = 256;
+
+}  // namespace
+
+SunPixels::SunPixels(const SolverInput& input, double pixels)
+    : prepared_(input.prepared),
+      sampler_(input.sampler),
+      spec_(input.spec),
+      stop_(input.stop),
+      seen_(input.prepared, &stop_),
+      pixels_(pixels) {
+    seen_.store_blocks();
+}
+
+SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
+    const std::size_t regions = prepared_.scene().regions().size();
+    const std::size_t bands = prepared_.bands();
+    SunLight found{
+        std::vector<double>(2 * regions * bands), std::vector<double>(regions),
+        std::vector<double>(bands), std::vector<double>(bands)};
+    std::uint64_t beams = 0;
+    for (const BoundSource& light : prepared_.lights()) {
+        EXPECT(light.source->is_sun());
+        beams += beams_of(light);
+    }
+    const Stream stream{spec_.seed, 0, replicate, 0, std::bit_ceil(beams)};
+    std::uint64_t point = 0;
+    for (const BoundSource& light : prepared_.lights()) {
+        const std::uint32_t count = beams_of(light);
+        const std::uint64_t first = point;
+        for (; point < first + count; ++point) {
+            Look look = look_at(light, {stream, first, point});
+            buffer.draw(
+                seen_.projected(),
+                {.direction = look.direction,
+                 .rotation = sampler_.coordinate(stream, point, kPixelDimension),
+                 .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
+                 .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
+                 .pixels = std::max(kFewestOfBeam, pixels_ / count)});
+            look.of_pixel *= buffer.pixel_area();
+            score(look, buffer, found);
+        }
+    }
+    settle(found);
+    return found;
+}
+
+/// All beams of a disk are placed by the same three numbers.
+SunPixels::Look SunPixels::look_at(const BoundSource& light, const Placing& placing) const {
+    const SourceSampler& sampler = *light.source_sampler;
+    if (const auto direction = sampler.beam_direction()) {
+        return {light, *direction, light.probability, light.probability / sampler.flux()};
+    }
+    const auto place = [&](std::uint32_t i) {
+        return sampler_.coordinate(placing.stream, placing.first, kDiskDimension + i);
+    };
+    const DrawnDirection from = lattice_direction(
+        light, static_cast<std::uint32_t>(placing.point - placing.first), kDiskBeams,
+        {place(0), place(1), place(2)});
+    const double area = prepared_.projection().entry_box().projected_area(from.direction);
+    const double per_area =
+        light.source->radiance(-from.direction) / (sampler.flux() * from.density * kDiskBeams);
+    return {
+        light, from.direction, light.probability * per_area * area, light.probability * per_area};
+}
+
+/// Adds what one look brings: what falls on nothing opaque escapes.
+void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& found) const {
+    const std::size_t bands = prepared_.bands();
+    const std::vector<double>& weights = look.light.start_weights;
+    double stopped = 0;
+    for (const ItemBuffer::Item& item : buffer.items()) {
+        const std::uint32_t region = prepared_.region(item.triangle);
+        const double seen = look.of_pixel * item.pixels;
+        const double cosine = std::abs(item.cosine);
+        const double amount =
+            seen * prepared_.exact_share(item.triangle, look.direction, item.cosine);
+        stopped += prepared_.material(region).is_transparent() ? 0 : amount;
+        if (!prepared_.in_field_of_view(region, cosine)) {
+            continue;
+        }
+        const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+        double* flux = &found.flux[(std::size_t{2} * region + index_of(side)) * bands];
+        for (std::size_t b = 0; b < bands; ++b) {
+            flux[b] += amount * weights[b];
+        }
+        if (look.light.lit_area > 0 && cosine > 0 &&
+            prepared_.is_sunlit(item.triangle, look.direction, item.cosine)) {
+            found.sunlit_area[region] +=
+                seen * prepared_.sunlit_share(item.triangle) * look.light.lit_area / cosine;
+        }
+    }
+    for (std::size_t b = 0; b < bands; ++b) {
+        found.emitted[b] += look.part * weights[b];
+        found.escaped[b] += (look.part - stopped) * weights[b];
+    }
+}
+
+/// From parts of the light to light. Beams of a disk bring more or less than its light: in
+/// proportion to what they brought all of it is known better.
+void SunPixels::settle(SunLight& found) const {
+    const std::size_t bands = prepared_.bands();
+    for (std::size_t b = 0; b < bands; ++b) {
+        const double drawn = found.emitted[b];
+        const double scale = drawn > 0 ? prepared_.flux()[b] / drawn : 0;
+        found.emitted[b] *= scale;
+        found.escaped[b] *= scale;
+        for (std::size_t i = b; i < found.flux.size(); i += bands) {
+            found.flux[i] *= scale;
+        }
+    }
+    for (double& area : found.sunlit_area) {
+        area *= prepared_.sun_area();
+    }
+}
+
+}  // namespace quasimc

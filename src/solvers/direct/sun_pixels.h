@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "raster/item_buffer.h"
+#include "solvers/direct/seen_scene.h"
+#include "solvers/solver.h"
+
+namespace quasimc {
+
+/// Light straight from suns, as one replicate sees it.
+struct SunLight {
+    std::vector<double> flux;         ///< [region][side][band], what falls on each
+    std::vector<double> sunlit_area;  ///< by region, of suns by their share in the irradiance
+    std::vector<double> emitted;      ///< per band, into the scene
+    std::vector<double> escaped;      ///< per band, past all that is opaque
+};
+
+/// Direct light of suns alone, each looked at pixel by pixel. Of several looks at organs that need
+/// not be seen to a percent each this is faster than scan lines, of which the first few cost as
+/// much as all pixels (docs/theory/time-series.md).
+class SunPixels {
+  public:
+    /// @param input  all lights of which are suns
+    /// @param pixels  about as many of each beam, over the scene or a period of it
+    SunPixels(const SolverInput& input, double pixels);
+
+    /// @param buffer  of this thread
+    /// @throws StopRequested  if a stop was requested
+    [[nodiscard]] SunLight find(std::uint32_t replicate, ItemBuffer& buffer) const;
+
+  private:
+    /// Light along one direction, in parts of the light of all suns.
+    struct Look {
+        const BoundSource& light;
+        Vec3 direction;
+        double part = 0;
+        double of_pixel = 0;  ///< of a pixel; at first of an area of 1, local units squared
+    };
+
+    /// The point that places a beam, and that of its sun's first one.
+    struct Placing {
+        const Stream& stream;
+        std::uint64_t first, point;
+    };
+
+    [[nodiscard]] Look look_at(const BoundSource& light, const Placing& placing) const;
+    void score(const Look& look, const ItemBuffer& buffer, SunLight& found) const;
+    void settle(SunLight& found) const;
+
+    const PreparedScene& prepared_;
+    const Sampler& sampler_;
+    const RunSpec& spec_;
+    std::stop_token stop_;
+    SeenScene seen_;
+    double pixels_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,226 @@
+#include "solvers/from_organs/from_organs_units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solvers/from_organs/from_organs.h"
+#include "sums/fixed_point.h"
+#include "transport/organ_shares.h"
+
+namespace quasimc {
+namespace {
+
+/// Whether light comes from suns or lamps, or from skies.
+bool has_small_light(const PreparedScene& prepared) {
+    const auto& lights = prepared.lights();
+    return std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+        return !light.is_extended();
+    });
+}
+bool has_sky(const PreparedScene& prepared) {
+    const auto& lights = prepared.lights();
+    return std::any_of(
+        lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
+}
+
+/// Whether light of suns or lamps is followed through lobes.
+bool has_followed_lobes(const PreparedScene& prepared) {
+    return has_small_light(prepared) && prepared.sharpest_peak() >= followed_peak(prepared.scene());
+}
+
+/// The most that a material of the scene sends to one of its sides, of light that falls on it:
+/// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
+/// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
+/// as its peak; through sharp ones points find nothing but skies.
+/// @param sharp_from  peak_brightness() of those
+double brightest(const PreparedScene& prepared, std::size_t band, double sharp_from) {
+    constexpr double kUsual = 0.5;
+    const double by_sharp = has_sky(prepared) ? 1 : 0;
+    double most = 0;
+    for (std::uint32_t region = 0; region < prepared.scene().regions().size(); ++region) {
+        const Material& material = prepared.material(region);
+        for (const SurfaceSide side : kSurfaceSides) {
+            std::array<double, 2> sum{};
+            for (const Lobe& lobe : material.side(side).lobes()) {
+                const double peak = peak_brightness(*lobe.shape);
+                sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
+                    lobe.albedo[band] *
+                    (peak < sharp_from ? std::max(1.0, kUsual * peak) : by_sharp);
+            }
+            most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
+        }
+    }
+    return most;
+}
+
+/// What a light vertex brings to a point by way of another surface, about: of all light of a lamp,
+/// for a spectrum of 1, spread over twice the radius about it. As irradiance, over the square of
+/// the albedo.
+double irradiance_by_vertex(const NearLamps& near, const BoundSource& light) {
+    const double radius = near.scatter_radius(light);
+    return radius > 0 ? light.source_sampler->flux() / (2 * std::numbers::pi * radius * radius) : 0;
+}
+
+Bounds local_bounds(const PreparedScene& prepared, const Organ& organ) {
+    Bounds box;
+    for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
+        for (const Vec3& corner :
+             prepared.scene().triangles()[std::size_t{organ.first_triangle} + i]) {
+            box.add(prepared.caster().mesh().to_local(corner));
+        }
+    }
+    return box;
+}
+
+/// Organs to which so little of the light comes that leaves places near lamps are connected with
+/// those places. Others are met by enough paths.
+constexpr double kFewOfPaths = 0.05;
+
+double part_by_vertices(
+    const PreparedScene& prepared,
+    const MeasuredArea& measured,
+    const NearLamps& near,
+    const Organ& organ) {
+    constexpr double kLegs = 2;  // that may be followed one after the other
+    const Bounds box = local_bounds(prepared, organ);
+    const double area = organ.area / prepared.world_area();
+    double part = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        const double gap = light.source->is_lamp() ? near.gap_to(light, box)
+                                                   : std::numeric_limits<double>::infinity();
+        const double all = static_cast<double>(measured.organs.size()) * area;
+        part = std::max(
+            part, gap < kLegs * near.leg(light) ? 1 : all / (std::numbers::pi * gap * gap));
+    }
+    return std::min(1.0, part);
+}
+
+void set_light_paths(
+    const PreparedScene& prepared,
+    const MeasuredArea& measured,
+    const std::vector<double>& parts,
+    SumUnits& units) {
+    const Scene& scene = prepared.scene();
+    for (const double flux : prepared.flux()) {
+        units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
+    }
+    units.find_scale = units.region_scale;
+    for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
+        units.region_scale[i++] *= coarser;
+    }
+    // Light that is followed through lobes may come to all.
+    if (!has_followed_lobes(prepared)) {
+        units.light_path_part = parts;
+        for (double& part : units.light_path_part) {
+            part = part < kFewOfPaths ? part : 1;
+        }
+    }
+}
+
+}  // namespace
+
+MeasuredArea measured_area(const Scene& scene) {
+    MeasuredArea measured;
+    for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
+        if (scene.organs()[i].measured) {
+            measured.organs.push_back(i);
+            measured.area += scene.organs()[i].area;
+        }
+    }
+    return measured;
+}
+
+double units_of_light_path(const MeasuredArea& measured, double own_area) {
+    return own_area > 0 ? kFinerSteps * measured.area /
+                              (own_area * static_cast<double>(measured.organs.size()))
+                        : 0;
+}
+
+std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured) {
+    constexpr double kMostUnits = 1U << 21U;
+    static_assert(kMostUnits * kPointsPerBlock <= kLargestAmount);
+    std::vector<double> coarseness;
+    for (const Region& region : scene.regions()) {
+        const double units = units_of_light_path(measured, scene.organs()[region.organ.value].area);
+        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMostUnits)))));
+    }
+    return coarseness;
+}
+
+std::vector<double> parts_by_vertices(
+    const PreparedScene& prepared, const MeasuredArea& measured, const NearLamps& near) {
+    const Scene& scene = prepared.scene();
+    std::vector<double> parts;
+    for (const Region& region : scene.regions()) {
+        const Organ& organ = scene.organs()[region.organ.value];
+        parts.push_back(organ.measured ? part_by_vertices(prepared, measured, near, organ) : 1);
+    }
+    return parts;
+}
+
+std::vector<char> connected_regions(
+    const PreparedScene& prepared, const std::vector<double>& parts) {
+    const Scene& scene = prepared.scene();
+    std::vector<char> connected;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const bool is_asked_for = scene.organs()[scene.regions()[i].organ.value].measured;
+        connected.push_back(!is_asked_for || parts[i] < kFewOfPaths ? 1 : 0);
+    }
+    return connected;
+}
+
+bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
+    return near.any() || has_followed_lobes(prepared);
+}
+
+SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
+    const Scene& scene = prepared.scene();
+    const MeasuredArea measured = measured_area(scene);
+    SumMeaning meaning{
+        .units = {},
+        .measured = MeasuredOrgans::asked_for,
+        .unoccluded_light = UnoccludedLight::summed};
+    SumUnits& units = meaning.units;
+    const NearLamps near(prepared);
+    const std::vector<double> albedo = largest_albedos(scene);
+    const double sharp_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
+    const std::vector<double> parts =
+        near.any() ? parts_by_vertices(prepared, measured, near) : std::vector<double>{};
+    const bool has_connected =
+        std::any_of(parts.begin(), parts.end(), [](double part) { return part < kFewOfPaths; });
+    for (std::size_t b = 0; b < prepared.bands(); ++b) {
+        units.flux.push_back(prepared.flux()[b] / measured.area);
+        double irradiance = 0, on_surfaces = 0, by_vertex = 0;
+        for (const BoundSource& light : prepared.lights()) {
+            const double usual = light.usual_irradiance;
+            const double own = light.source->spectrum()[b];
+            irradiance += own * usual;
+            on_surfaces += own * std::max(usual, near.irradiance(light));
+            by_vertex += has_connected && light.source->is_lamp()
+                             ? own * albedo[b] * albedo[b] * irradiance_by_vertex(near, light)
+                             : 0;
+        }
+        units.flux_per_find.push_back(irradiance * kFinerSteps);
+        units.scattered_flux_per_find.push_back(
+            kFinerSteps * (2 * brightest(prepared, b, sharp_from) * on_surfaces + by_vertex));
+    }
+    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
+    units.sunlit_area_per_find = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        units.sunlit_area_per_find =
+            std::max(units.sunlit_area_per_find, kFinerSteps * light.sun_share / light.probability);
+    }
+    // A power of two: the division is exact.
+    for (const Region& region : scene.regions()) {
+        units.region_scale.push_back(scene.organs()[region.organ.value].area / kFinerSteps);
+    }
+    if (needs_light_paths(prepared, near)) {
+        set_light_paths(prepared, measured, parts, units);
+    }
+    return meaning;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,162 @@
+#include "solvers/from_organs/next_event.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/distribution.h"
+#include "sources/hemisphere.h"
+
+namespace quasimc {
+
+NextEvent::NextEvent(
+    const PreparedScene& prepared,
+    const Sampler& sampler,
+    const NearLamps& near,
+    double scale,
+    double sharp_from,
+    std::uint64_t points)
+    : prepared_(prepared),
+      sampler_(sampler),
+      near_(near),
+      scale_(scale),
+      sharp_from_(sharp_from),
+      shares_(prepared, points) {
+    const auto& lights = prepared.lights();
+    dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
+    constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
+    const bool has_lamp = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
+        return light.source->is_lamp();
+    });
+    if (has_lamp && lights.size() > 1 && lights.size() <= kMost) {
+        for (const BoundSource& light : lights) {
+            lamps_.push_back(light.source_sampler->lamp_place().value_or(LampPlace{}));
+        }
+    }
+}
+
+/// About the irradiance that a light would bring to a place, mean over the bands; of a lamp as if
+/// it shone alike in all directions.
+double NextEvent::worth(std::size_t index, const Vec3& place) const {
+    const BoundSource& light = prepared_.lights()[index];
+    const double spectrum = light.probability / light.source_sampler->flux();
+    if (!light.source->is_lamp()) {
+        return spectrum;
+    }
+    const Ball& body = lamps_[index].body;
+    constexpr double kNearest = 1e-6;
+    const Vec3 offset = place - body.center;
+    const double square = std::max(dot(offset, offset), body.radius * body.radius);
+    return spectrum / (4 * std::numbers::pi * prepared_.world_area() * (square + kNearest));
+}
+
+/// A fifth by the flux of the lights, so that none is left out that is worth more than it seems.
+NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
+    const auto& lights = prepared_.lights();
+    if (lamps_.empty()) {
+        const LightPick share = shares_.pick(u);
+        return {&lights[share.index], share.u, share.probability};
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        sum += worth(i, place);
+    }
+    constexpr double kByFlux = 0.2;
+    double before = 0;
+    for (std::size_t i = 0;; ++i) {
+        const double probability =
+            kByFlux * lights[i].probability + (1 - kByFlux) * worth(i, place) / sum;
+        if (u < before + probability || i + 1 == lights.size()) {
+            return {
+                &lights[i], std::clamp((u - before) / probability, 0.0, kBelowOne), probability};
+        }
+        before += probability;
+    }
+}
+
+namespace {
+
+/// A sky as a narrow view shows it. Of directions drawn over all of the sky as many fall into the
+/// view in nearly every replicate, which then can't tell how many should.
+Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, double u1) {
+    const double part = 1 - view.least_cosine * view.least_cosine;  // sine of its edge, squared
+    const double edge = std::sqrt(part);
+    const bool above = view.normal.z > -edge;  // whether that side sees any of the sky
+    const bool below = -view.normal.z > -edge;
+    const bool is_upper = above && (!below || u0 < .5);
+    const double u = above && below ? 2 * u0 - (is_upper ? 0 : 1) : u0;
+    const Vec3 axis = is_upper ? view.normal : -view.normal;
+    const Vec3 to_light = cosine_direction_about(axis, part * u, u1);
+    const double sides = above && below ? 2 : 1;
+    return {
+        to_light, sides * std::numbers::pi * part * sky.radiance(to_light) / dot(to_light, axis)};
+}
+
+}  // namespace
+
+Sight NextEvent::look(
+    const Stream& stream,
+    std::uint64_t point,
+    std::uint32_t dimension,
+    const Vec3& place,
+    const FieldOfView& view) const {
+    double u0 = 0;
+    double u1 = 0;
+    if (dimensions_ > 0) {
+        u0 = sampler_.coordinate(stream, point, dimension);
+        u1 = sampler_.coordinate(stream, point, dimension + 1);
+    }
+    const Pick picked = pick(u0, place);
+    const BoundSource& light = *picked.light;
+    const Illumination seen =
+        view.least_cosine > 0 && light.is_extended()
+            ? sky_within(*light.source, view, picked.u, u1)
+            : light.source->illuminate(prepared_.to_world(place), picked.u, u1);
+    const double rarer = light.probability / picked.probability;
+    return {
+        &light, seen.to_light, seen.weight * scale_of(light) * rarer,
+        seen.distance * prepared_.caster().mesh().scale, picked.probability};
+}
+
+bool NextEvent::is_in_plane(const Sight& sight, const Vec3& normal) {
+    // Half a digit of the coordinates of either, and a little.
+    constexpr double kHeight = 8e-8;
+    return std::isfinite(sight.distance) &&
+           std::abs(dot(sight.to_light, normal)) * sight.distance < kHeight;
+}
+
+std::uint64_t NextEvent::add_light(
+    const Sight& sight,
+    const Surface& surface,
+    const Vec3& place,
+    const Vec3& out,
+    GatherScratch& path) const {
+    const bool is_same_side = dot(sight.to_light, surface.normal) > 0;
+    const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
+    const Material& material = prepared_.material(surface.region);
+    if (material.side(arrival).lobes().empty() || sight.factor == 0 ||
+        is_in_plane(sight, surface.normal) || near_.scatters_near(*sight.light, place) ||
+        !prepared_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
+        return 0;
+    }
+    for (std::size_t b = 0; b < path.weights.size(); ++b) {
+        path.products[b] = path.weights[b] * sight.light->start_weights[b];
+    }
+    material.add_reflected(
+        surface.normal, surface.side, out, -sight.to_light, sight.factor, path.products,
+        path.gathered, sight.light->is_extended() ? kSharpPeak : sharp_from_);
+    return 1;
+}
+
+void NextEvent::add_sky(const Vec3& to_light, GatherScratch& path) const {
+    for (const BoundSource& light : prepared_.lights()) {
+        const double radiance =
+            light.is_extended() ? light.source->radiance(to_light) * light.probability : 0;
+        for (std::size_t b = 0; radiance > 0 && b < path.weights.size(); ++b) {
+            path.gathered[b] +=
+                path.weights[b] * light.start_weights[b] * radiance * scale_of(light);
+        }
+    }
+}
+
+}  // namespace quasimc

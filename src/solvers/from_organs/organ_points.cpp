@@ -1,0 +1,90 @@
+#include "solvers/from_organs/organ_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "base/checks.h"
+#include "base/distribution.h"
+
+namespace quasimc {
+
+OrganPoints::OrganPoints(const PreparedScene& prepared)
+    : prepared_(prepared), areas_(prepared.scene().organ_areas()) {
+    if (!prepared.caster().has_own_numbers()) {
+        list_images();
+    }
+}
+
+void OrganPoints::list_images() {
+    const RayCaster& caster = prepared_.caster();
+    const std::uint32_t n = caster.mesh().triangle_count();
+    first_image_.assign(prepared_.scene().triangles().size() + 1, 0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        ++first_image_[caster.source(i) + 1];
+    }
+    for (std::size_t i = 1; i < first_image_.size(); ++i) {
+        first_image_[i] += first_image_[i - 1];
+    }
+    images_.resize(n);
+    std::vector<std::uint32_t> next(first_image_.begin(), first_image_.end() - 1);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        images_[next[caster.source(i)]++] = i;
+    }
+}
+
+double OrganPoints::open_part(const Organ& organ) {
+    return organ.area > 0 ? std::max(0.0, 1 - organ.covered_area / organ.area) : 0;
+}
+
+OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+    const Organ& organ = prepared_.scene().organs()[organ_index];
+    EXPECT(organ.area > organ.covered_area);
+    const OrganAreas::Pick pick = areas_.pick(organ, u0 * (organ.area - organ.covered_area));
+    const double root = std::sqrt(pick.fraction);
+    return on_triangle(pick.triangle, root * (1 - u1), root * u1);
+}
+
+OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, double v) const {
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const std::uint32_t triangle =
+        first_image_.empty() ? scene_triangle : image_at(scene_triangle, u, v);
+    return {
+        mesh.point(triangle, u, v), normalized(across(scene_triangle, triangle)), triangle,
+        prepared_.region(triangle)};
+}
+
+/// Across a triangle on its upper side: as it is rounded, or as given where that turns it.
+Vec3 OrganPoints::across(std::uint32_t scene_triangle, std::uint32_t mesh_triangle) const {
+    constexpr double kLeast = 1e-5;
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const Vec3 rounded = mesh.exact_across(mesh_triangle);
+    const Vec3 given =
+        mesh.scale * mesh.scale * area_vector(prepared_.scene().triangles()[scene_triangle]);
+    const Vec3 off = given - rounded;
+    const bool is_turned = dot(off, off) > kLeast * kLeast * dot(given, given);
+    return is_turned && dot(given, given) > 0 ? given : rounded;
+}
+
+/// The image of a triangle that has the point (u, v) in the cell.
+std::uint32_t OrganPoints::image_at(std::uint32_t scene_triangle, double u, double v) const {
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const std::uint32_t first = first_image_[scene_triangle];
+    const std::uint32_t last = first_image_[scene_triangle + 1];
+    for (std::uint32_t i = first; i < last && last - first > 1; ++i) {
+        if (in_cell(mesh.point(images_[i], u, v))) {
+            return images_[i];
+        }
+    }
+    return images_[first];
+}
+
+bool OrganPoints::in_cell(const Vec3& local) const {
+    const Cell& cell = prepared_.scene().cell();
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    const Vec3 p = mesh.to_world(local);
+    return !(cell.along_x && (p.x < cell.low_x || p.x >= cell.low_x + cell.size_x)) &&
+           !(cell.along_y && (p.y < cell.low_y || p.y >= cell.low_y + cell.size_y));
+}
+
+}  // namespace quasimc

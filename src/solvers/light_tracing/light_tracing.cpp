@@ -1,0 +1,57 @@
+#include "solvers/light_tracing/light_tracing.h"
+
+#include <algorithm>
+
+#include "solvers/block_runner.h"
+#include "solvers/light_kinds.h"
+#include "solvers/light_tracing/light_tracer.h"
+
+namespace quasimc {
+namespace {
+
+class LightTracing final : public Solver {
+  public:
+    explicit LightTracing(const SolverInput& input) : tracer_(input, {}), runner_(input) {}
+
+    void solve(const Round& round, Executor& executor, Sums& sums) override {
+        const std::uint64_t blocks = LightTracer::blocks(round);
+        executor.announce(blocks * sums.replicates.size());
+        runner_.run(
+            blocks, executor, sums,
+            [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
+                Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
+        sums.paths += round.count;
+        sums.samples += samples_of(round);
+    }
+
+  private:
+    LightTracer tracer_;
+    BlockRunner<LightTracer::Scratch> runner_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_light_tracing(const SolverInput& input) {
+    return std::make_unique<LightTracing>(input);
+}
+
+SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) {
+    // A path of a sun that is seldom picked stands for many.
+    double largest = 0;
+    for (const BoundSource& light : prepared.lights()) {
+        largest = std::max(largest, light.lit_area);
+    }
+    return {
+        .units = {
+            .flux = prepared.flux(),
+            .flux_per_find = prepared.flux(),
+            .sunlit_area = prepared.sun_area(),
+            .sunlit_area_per_find = prepared.sun_area() * largest,
+            .kinds = kinds_by_path(prepared)}};
+}
+
+bool do_light_tracing_rounds_add_up(const Scene& /*scene*/, std::uint64_t first_paths) {
+    return first_paths % LightTracer::kPathsPerBlock == 0;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solvers/ray_bundles/bundle_exchange.h"
+#include "solvers/ray_bundles/patch_light.h"
+
+namespace quasimc {
+
+/// Patches that a scene is cut into for so many paths of the first round.
+[[nodiscard]] double patches_for(std::uint64_t paths);
+
+/// Of a path's light, what goes along one stretch of a line, about: most bring less.
+[[nodiscard]] double light_of_stretch();
+
+/// How many directions and lines each step of the exchange gets. A path is worth some stretches of
+/// lines, from a patch to the next. Most go to the last step, in which all light is sent once more;
+/// those of single orders share the rest by the light that is on its way, so that a step that
+/// brings little costs little. See docs/theory/ray-bundles.md.
+class BundleBudget {
+  public:
+    /// @param paths  of the round
+    /// @param first  light that leaves surfaces at first, by column of PatchLight
+    BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first);
+
+    /// Of a step in which so much light of one order leaves surfaces.
+    [[nodiscard]] BundleGroup of_order(const std::vector<double>& leaving, std::uint64_t key);
+    /// Of the step in which all orders told until now go together.
+    [[nodiscard]] BundleGroup of_all(std::uint64_t key) const;
+
+  private:
+    struct Wanted {
+        double stretches = 0, fewest = 0, fewest_directions = 0;
+        std::uint64_t key = 0;
+    };
+    [[nodiscard]] static double stretches(const Wanted& wanted);
+    [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
+
+    double patches_, area_;
+    double passed_on_;          // by the brightest surface, twice; of nearly white ones 1
+    double of_direction_;       // stretches
+    double of_first_, of_all_;  // stretches of the first order, and of all orders together
+    double of_orders_ = 0;      // stretches that single orders have got until now
+    std::vector<double> first_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,79 @@
+#include "solvers/ray_bundles/bundle_memory.h"
+
+#include <algorithm>
+#include <limits>
+
+#ifdef __linux__
+#include <sys/sysinfo.h>
+#endif
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "solvers/ray_bundles/bundle_budget.h"
+#include "solvers/ray_bundles/patch_light.h"
+
+namespace quasimc {
+namespace {
+
+unsigned replicates_at_work(const RunSpec& spec) {
+    return std::min(thread_count(spec.threads), static_cast<unsigned>(spec.replicates));
+}
+
+/// Infinite where the system does not tell.
+double bytes_of_machine() {
+#ifdef __linux__
+    struct sysinfo machine {};
+    if (::sysinfo(&machine) == 0) {
+        return static_cast<double>(machine.totalram) * static_cast<double>(machine.mem_unit);
+    }
+#endif
+    return std::numeric_limits<double>::infinity();
+}
+
+std::string gigabytes(double bytes) {
+    constexpr double kBytesOfGigabyte = 1e9;
+    return fmt::format("{:.1f} GB", bytes / kBytesOfGigabyte);
+}
+
+}  // namespace
+
+double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches) {
+    constexpr double kBytesOfTriangle = 270;
+    return bytes_of_patch_light(patches, scene.bands().size()) * replicates_at_work(spec) +
+           kBytesOfTriangle * static_cast<double>(scene.triangles().size());
+}
+
+std::vector<Warning> lint_bundle_memory(
+    const Scene& scene, const RunSpec& spec, const PatchSize& size) {
+    if (bytes_of_patch_light(size.count, scene.bands().size()) <= kMaxBytesUnasked) {
+        return {};
+    }
+    return {
+        {"scene",
+         fmt::format(
+             "ray_bundles takes about {} of memory for {:.0f} patches, in which {} replicates are "
+             "at work at a time; fewer threads take less, and method = \"first_hits\" far less",
+             gigabytes(bytes_of_bundles(scene, spec, size.count)), size.count,
+             replicates_at_work(spec))}};
+}
+
+void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    constexpr double kMinPatchesOfTriangle = 4;
+    const double patches = std::max(
+        patches_for(spec.paths),
+        kMinPatchesOfTriangle * static_cast<double>(scene.triangles().size()));
+    const double bytes = bytes_of_bundles(scene, spec, patches);
+    const double all = bytes_of_machine();
+    if (bytes > all) {
+        faults.add(
+            {"method",
+             fmt::format(
+                 "ray_bundles takes about {} of memory for {:.0f} patches and {} replicates at a "
+                 "time",
+                 gigabytes(bytes), patches, replicates_at_work(spec)),
+             "the machine has " + gigabytes(all), "use fewer threads, or method = \"first_hits\""});
+    }
+}
+
+}  // namespace quasimc

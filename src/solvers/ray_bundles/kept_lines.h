@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/columns.h"
+
+namespace quasimc {
+
+/// What the lines of several beams pass, kept so that light can go along them again and again.
+class KeptLines {
+  public:
+    /// The lines of a beam, as Columns have them.
+    class Beam {
+      public:
+        Beam(std::span<const Columns::Passed> passed, std::span<const std::uint32_t> lengths)
+            : passed_(passed), lengths_(lengths) {}
+
+        /// Of all lines.
+        [[nodiscard]] std::size_t size() const { return passed_.size(); }
+        /// See Columns::for_each_line().
+        template <typename Visit>
+        void for_each_line(const Visit& visit) const {
+            std::size_t first = 0;
+            for (const std::uint32_t length : lengths_) {
+                visit(passed_.subspan(first, length));
+                first += length;
+            }
+        }
+
+      private:
+        std::span<const Columns::Passed> passed_;
+        std::span<const std::uint32_t> lengths_;
+    };
+
+    void add(const Columns& lines) {
+        passed_.resize(size_);
+        starts_.push_back({size_, lengths_.size()});
+        lines.for_each_line([&](std::span<const Columns::Passed> line) {
+            passed_.insert(passed_.end(), line.begin(), line.end());
+            lengths_.push_back(static_cast<std::uint32_t>(line.size()));
+        });
+        size_ = passed_.size();
+        passed_.resize(size_ + Columns::kReadAhead);
+    }
+    void clear() {
+        passed_.clear();
+        lengths_.clear();
+        starts_.clear();
+        size_ = 0;
+    }
+
+    /// Of all beams.
+    [[nodiscard]] std::size_t size() const { return size_; }
+    /// The `i`-th that was added. It is read until another one is added.
+    [[nodiscard]] Beam beam(std::size_t i) const {
+        const Start& start = starts_[i];
+        const Start end = i + 1 < starts_.size() ? starts_[i + 1] : Start{size_, lengths_.size()};
+        return {
+            std::span(passed_).subspan(start.passed, end.passed - start.passed),
+            std::span(lengths_).subspan(start.line, end.line - start.line)};
+    }
+
+  private:
+    struct Start {
+        std::size_t passed = 0, line = 0;
+    };
+    std::vector<Columns::Passed> passed_;  // the first size_, and as many as may be read ahead
+    std::vector<std::uint32_t> lengths_;   // by line
+    std::vector<Start> starts_;            // by beam
+    std::size_t size_ = 0;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,122 @@
+#include "solvers/ray_bundles/long_patches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace quasimc {
+namespace {
+
+/// Longest edge over height. Stems of rings of triangles with a ratio of 10 have the error that is
+/// told, with one of 25 twice that, with one of 100 ten times (docs/theory/ray-bundles.md).
+constexpr double kLongTriangle = 12;
+/// A patch is long beside its organ's width if it is longer than this part of it.
+constexpr double kOfWidth = 0.75;
+/// Of an organ's area, what may lie in long patches; of all surfaces, what may lie in flat organs
+/// that have them, and in closed ones, as stems are: what goes to and fro between these is little.
+constexpr double kMostOfOrgan = 0.05, kMostOfScene = 0.15, kMostClosed = 0.25;
+/// Organs of which the normals agree so well are flat: they send themselves next to no light.
+constexpr double kFlat = 0.9;
+
+using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
+
+Edge edge_of(const Vec3& a, const Vec3& b) {
+    return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
+}
+
+/// Whether every edge is one of two triangles that run along it in opposite ways: no light gets in.
+bool is_closed(const Scene& scene, const Organ& organ) {
+    std::map<Edge, int> open;
+    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+        const Triangle t = scene.triangles()[organ.first_triangle + i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& a = t[k];
+            const Vec3& b = t[(k + 1) % 3];
+            const auto other = open.find(edge_of(b, a));
+            if (other == open.end()) {
+                ++open[edge_of(a, b)];
+            } else if (--other->second == 0) {
+                open.erase(other);
+            }
+        }
+    }
+    return open.empty();
+}
+
+double longest_edge(const Triangle& t) {
+    return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
+}
+
+/// What matters of an organ's shape.
+class Shape {
+  public:
+    /// @param patch  the area that patches have
+    Shape(const Scene& scene, const Organ& organ, double patch) : area_(organ.area) {
+        for (std::size_t i = 0; i < organ.triangle_count; ++i) {
+            const Triangle t = scene.triangles()[organ.first_triangle + i];
+            bounds_.include(bounds_of(t));
+            normals_ += 0.5 * area_vector(t);
+            const double own = area(t);
+            of_triangles_ += own;
+            const double edge = longest_edge(t);
+            if (own > 0 && edge * edge > 2 * kLongTriangle * own) {
+                long_.push_back({std::ldexp(edge, -patch_level(own, patch)), own});
+            }
+        }
+    }
+
+    [[nodiscard]] bool has_long_patches() const {
+        // Area over length: of a stem its circumference.
+        const double most = kOfWidth * area_ / (2 * bounds_.radius());
+        double in_long = 0;
+        for (const Long& part : long_) {
+            in_long += part.patch > most ? part.area : 0;
+        }
+        return in_long > kMostOfOrgan * area_;
+    }
+    [[nodiscard]] bool is_flat() const { return length(normals_) >= kFlat * of_triangles_; }
+
+  private:
+    /// A long triangle.
+    struct Long {
+        double patch = 0;  ///< length of its patches
+        double area = 0;
+    };
+    double area_, of_triangles_ = 0;
+    Bounds bounds_;
+    Vec3 normals_;  // of all triangles, as long as these are large
+    std::vector<Long> long_;
+};
+
+}  // namespace
+
+LongPatches find_long_patches(const Scene& scene, const PatchSize& size) {
+    std::vector<const Organ*> found, flat, closed;
+    double in_flat = 0, in_closed = 0;
+    for (const Organ& organ : scene.organs()) {
+        const Shape shape(scene, organ, size.part * size.area);
+        if (!(organ.area > 0) || !shape.has_long_patches()) {
+            continue;
+        }
+        if (shape.is_flat()) {
+            flat.push_back(&organ);
+            in_flat += organ.area;
+        } else if (is_closed(scene, organ)) {
+            closed.push_back(&organ);
+            in_closed += organ.area;
+        } else {
+            found.push_back(&organ);
+        }
+    }
+    if (in_flat > kMostOfScene * size.area) {
+        found.insert(found.end(), flat.begin(), flat.end());
+    }
+    if (in_closed > kMostClosed * size.area) {
+        found.insert(found.end(), closed.begin(), closed.end());
+    }
+    return {std::move(found), in_closed / size.area};
+}
+
+}  // namespace quasimc

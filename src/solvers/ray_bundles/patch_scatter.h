@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "solvers/ray_bundles/patch_scene.h"
+#include "solvers/ray_bundles/patch_sides.h"
+
+namespace quasimc {
+
+/// Scatters the light on single patches of PatchLight, in the bands of a pack.
+template <std::size_t kBands>
+class PatchScatter {
+  public:
+    struct Sent {
+        std::size_t patch = 0;
+        double area = 0;
+        double share = 1;  ///< of what came to it
+    };
+
+    /// @param sides  in the bands of a pack
+    /// @param first_band  of the pack
+    /// @param kept  exitance of all steps, [2 * patch + side][column]
+    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* kept)
+        : sides_(sides), first_band_(first_band), kept_(kept) {}
+
+    /// Sets the exitance, which is remembered, to what is sent on, and forgets what came. The
+    /// cosine law: light leaves a patch equally bright in all directions.
+    /// @param scattered  what leaves is added to it, [column]
+    void scatter(
+        const PatchOptics& upper,
+        const PatchOptics& lower,
+        const Sent& sent,
+        double* scattered) const {
+        scatter_side(2 * sent.patch, upper, lower, sent, scattered);
+        scatter_side(2 * sent.patch + 1, lower, upper, sent, scattered);
+        forget_incident(sent.patch);
+    }
+    void forget_incident(std::size_t patch) const {
+        std::fill_n(sides_.incident(2 * patch), sides_.columns(), 0.0);
+        std::fill_n(sides_.incident(2 * patch + 1), sides_.columns(), 0.0);
+    }
+
+    /// Numbers of the coarser level of a patch: both sides.
+    [[nodiscard]] std::size_t row() const { return sides_.columns(); }
+    /// Adds `part` of the coarser level's exitance to a row.
+    void add_coarse(std::size_t patch, double part, double* row) const {
+        for (std::size_t side = 0; side < 2; ++side) {
+            const double* from = sides_.exitance(2 * patch + side) + bands();
+            for (std::size_t b = 0; b < bands(); ++b) {
+                row[side * bands() + b] += part * from[b];
+            }
+        }
+    }
+    void set_coarse(std::size_t patch, const double* row) const {
+        for (std::size_t side = 0; side < 2; ++side) {
+            double* to = sides_.exitance(2 * patch + side) + bands();
+            for (std::size_t b = 0; b < bands(); ++b) {
+                to[b] = row[side * bands() + b];
+            }
+        }
+    }
+
+  private:
+    void scatter_side(
+        std::size_t side,
+        const PatchOptics& own,
+        const PatchOptics& other,
+        const Sent& sent,
+        double* scattered) const {
+        const double per_area = sent.area > 0 ? sent.share / sent.area : 0;
+        const double* reflected = own.reflected.data() + first_band_;
+        const double* transmitted = other.transmitted.data() + first_band_;
+        const double* came = sides_.incident(side);
+        const double* across = sides_.incident(side ^ 1U);
+        double* out = sides_.exitance(side);
+        double* kept = kept_ + side * sides_.columns();
+        for (std::size_t level = 0; level < sides_.columns(); level += bands()) {
+            for (std::size_t b = 0; b < bands(); ++b) {
+                const std::size_t i = level + b;
+                kept[i] += out[i];
+                out[i] = (reflected[b] * came[i] + transmitted[b] * across[i]) * per_area;
+                scattered[i] += out[i] * sent.area;
+            }
+        }
+    }
+    [[nodiscard]] std::size_t bands() const { return sides_.columns() / 2; }
+
+    PatchSides<2 * kBands> sides_;
+    std::size_t first_band_;
+    double* kept_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,145 @@
+#include "solvers/ray_bundles/patch_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "quasimc/error.h"
+#include "solvers/ray_bundles/patch_size.h"
+
+namespace quasimc {
+namespace {
+
+double area_of(const PreparedScene& prepared, std::uint32_t triangle) {
+    return length(prepared.caster().mesh().across(triangle)) / 2;
+}
+
+bool is_image(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
+    return !roles.empty() && roles[triangle] == VisibilityRole::left_out;
+}
+
+bool is_sensor(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
+    return !roles.empty() && roles[triangle] == VisibilityRole::sensor;
+}
+
+PatchOptics optics_of(const Side& side, std::size_t bands) {
+    PatchOptics optics{std::vector<double>(bands), std::vector<double>(bands)};
+    for (const Lobe& lobe : side.lobes()) {
+        const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
+        for (std::size_t b = 0; b < bands; ++b) {
+            (is_reflected ? optics.reflected : optics.transmitted)[b] += lobe.albedo[b];
+        }
+    }
+    return optics;
+}
+
+/// Which triangle stands for all images of one, by triangle; empty: each for itself.
+std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
+    std::vector<std::uint32_t> found;
+    if (prepared.scene().cell().periodic()) {
+        const RayCaster& caster = prepared.caster();
+        for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
+            const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
+            found.push_back(image ? found.back() : i);
+        }
+    }
+    return found;
+}
+
+/// Where surfaces cross those that light leaves, on the triangles that have patches.
+std::vector<SurfaceCrossing> crossings_of(
+    const PreparedScene& prepared, const std::stop_token& stop) {
+    const SurfaceCrossings& all = prepared.caster().crossings(stop);
+    if (all.gave_up) {
+        throw InputError({{
+            "method",
+            "ray_bundles, where very many triangles cross each other, or their boxes overlap",
+            "patches are cut where surfaces cross, which would take too long",
+            "use method = \"first_hits\"",
+        }});
+    }
+    const auto is_sensor = [&](std::uint32_t triangle) {
+        return prepared.has_transparent() &&
+               prepared.material(prepared.region(triangle)).is_transparent();
+    };
+    const std::vector<std::uint32_t> representatives = find_representatives(prepared);
+    std::vector<SurfaceCrossing> crossings;
+    for (SurfaceCrossing crossing : all.found) {
+        if (!is_sensor(crossing.triangle) && !is_sensor(crossing.other)) {
+            crossing.triangle =
+                representatives.empty() ? crossing.triangle : representatives[crossing.triangle];
+            crossings.push_back(crossing);
+        }
+    }
+    return crossings;
+}
+
+}  // namespace
+
+Patches make_patches(
+    const PreparedScene& prepared,
+    std::span<const VisibilityRole> roles,
+    double most,
+    const std::stop_token& stop) {
+    const LocalMesh& mesh = prepared.caster().mesh();
+    const std::uint32_t triangles = mesh.triangle_count();
+    double area = 0;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        area += is_image(roles, i) ? 0 : area_of(prepared, i);
+    }
+    const double usual = area * patch_size(prepared.scene(), most).part;
+    std::vector<std::uint8_t> levels;
+    levels.reserve(triangles);
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        const double own = area_of(prepared, i);
+        if (is_image(roles, i) || !(own > 0)) {
+            levels.push_back(Patches::kNone);
+        } else if (is_sensor(roles, i)) {
+            levels.push_back(0);  // no light leaves it
+        } else {
+            levels.push_back(static_cast<std::uint8_t>(patch_level(own, usual)));
+        }
+    }
+    return Patches(std::move(levels), crossings_of(prepared, stop));
+}
+
+PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut)
+    : prepared(scene), patches(std::move(cut)) {
+    const std::size_t bands = prepared.bands();
+    for (const Material& material : prepared.scene().materials()) {
+        for (const SurfaceSide side : kSurfaceSides) {
+            optics.push_back(
+                material.is_transparent()
+                    ? PatchOptics{std::vector<double>(bands), std::vector<double>(bands)}
+                    : optics_of(material.side(side), bands));
+        }
+    }
+    const LocalMesh& mesh = prepared.caster().mesh();
+    const std::uint32_t triangles = patches.triangles();
+    representatives = find_representatives(prepared);
+    std::vector<double> scattered(bands);
+    std::vector<float> least_cosines;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        if (prepared.has_narrow()) {
+            least_cosines.push_back(static_cast<float>(prepared.least_cosine(prepared.region(i))));
+        }
+        if (!patches.has(i)) {
+            continue;
+        }
+        const double own = area_of(prepared, i);
+        const PrimitiveInfo info = prepared.primitive(i);
+        surfaces.push_back(
+            {i, info.region, info.material, own, length(mesh.exact_across(i)) / (2 * own),
+             is_sensor(seen.roles, i)});
+        area += own;
+        for (std::size_t b = 0; b < bands; ++b) {
+            for (const SurfaceSide side : kSurfaceSides) {
+                const PatchOptics& o = of(info.material, side);
+                scattered[b] += own / 2 * (o.reflected[b] + o.transmitted[b]);
+            }
+        }
+    }
+    drawn = column_triangles(seen, patches, least_cosines);
+    mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,86 @@
+#include "solvers/ray_bundles/patch_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "raster/patches.h"
+#include "transport/organ_shares.h"
+
+namespace quasimc {
+namespace {
+
+/// What casts shadows is as large as so many of the patches that tell them apart. With patches four
+/// times as large both levels are too coarse, and their difference is a third of the error
+/// (docs/theory/ray-bundles.md).
+constexpr double kPatchesPerOrgan = 8;
+/// An organ of one triangle is cut into four, which do for organs like itself.
+constexpr double kFewestPerOrgan = 4;
+/// Each triangle is cut into so many at least ...
+constexpr double kPatchesPerTriangle = 4;
+/// ... and so many times as many may be made for the sake of shadows.
+constexpr double kMostTimes = 4;
+
+/// Patches that are smaller than the mean by more are met less than once in two steps.
+constexpr double kMuchSmaller = 6;
+/// So many organs may have such, if they are flat: no light goes to and fro within them.
+constexpr double kMostSmall = 0.05;
+constexpr std::uint32_t kTrianglesOfFlat = 2;
+
+/// The area of an organ's patches, where others have the usual one.
+double patch_of(const Organ& organ, double usual) {
+    return std::min(organ.area / (kPatchesPerTriangle * organ.triangle_count), usual);
+}
+
+double count_patches(const Scene& scene, double usual) {
+    double patches = 0;
+    for (const Organ& organ : scene.organs()) {
+        patches += organ.area > 0 ? organ.area / patch_of(organ, usual) : 0;
+    }
+    return patches;
+}
+
+/// @param mean  area of a patch
+bool are_alike(const Scene& scene, double mean, double usual) {
+    double small = 0;
+    for (const Organ& organ : scene.organs()) {
+        if (organ.area > 0 && kMuchSmaller * patch_of(organ, usual) < mean) {
+            if (organ.triangle_count > kTrianglesOfFlat) {
+                return false;
+            }
+            ++small;
+        }
+    }
+    return small <= kMostSmall * static_cast<double>(scene.organs().size());
+}
+
+}  // namespace
+
+int patch_level(double area, double patch) {
+    return static_cast<int>(
+        std::clamp(std::round(std::log2(area / patch) / 2), 1.0, double{Patches::kFinest}));
+}
+
+PatchSize patch_size(const Scene& scene, double most) {
+    double area = 0;
+    double triangles = 0;
+    for (const Organ& organ : scene.organs()) {
+        area += organ.area;
+        triangles += organ.triangle_count;
+    }
+    const double typical = median_measured_area(scene);
+    if (!(area > 0 && typical > 0)) {
+        return {area, 1 / std::max(1.0, most), std::max(1.0, most)};
+    }
+    const double for_shadows =
+        std::max(typical / kPatchesPerOrgan, area / (kMostTimes * kPatchesPerTriangle * triangles));
+    const double usual = std::min(area / std::max(1.0, most), for_shadows);
+    const bool holds =
+        std::all_of(scene.organs().begin(), scene.organs().end(), [&](const Organ& organ) {
+            return !(organ.area > 0 && patch_of(organ, usual) > typical / kFewestPerOrgan);
+        });
+    const double count = count_patches(scene, usual);
+    return {area, usual / area, count, holds, are_alike(scene, area / count, usual)};
+}
+
+}  // namespace quasimc

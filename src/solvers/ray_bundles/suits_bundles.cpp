@@ -1,0 +1,66 @@
+#include "solvers/ray_bundles/suits_bundles.h"
+
+#include <algorithm>
+
+#include "solvers/ray_bundles/bundle_budget.h"
+#include "solvers/ray_bundles/bundle_memory.h"
+#include "solvers/ray_bundles/long_patches.h"
+#include "solvers/ray_bundles/patch_light.h"
+#include "solvers/ray_bundles/patch_size.h"
+
+namespace quasimc {
+namespace {
+
+/// Each patch is met a few times in every step, however few paths there are: with fewer than this
+/// for each triangle that takes more time than it is worth.
+constexpr double kFewestPathsPerTriangle = 0.2;
+/// Of few organs each has so many paths that first hits leave less of an error than patches do.
+constexpr double kMostPathsPerOrgan = 1000;
+/// ... and far fewer under a sun where so much of all surfaces is closed stems of long patches,
+/// whose error does not get less with more paths.
+constexpr double kManyStems = 0.15, kMostPathsBesideStems = 4;
+constexpr std::size_t kFewestOrgans = 16;
+
+bool is_matt(const Side& side) {
+    return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
+        return lobe.shape->is_lambertian();
+    });
+}
+
+}  // namespace
+
+bool is_matt(const Material& material) {
+    return material.is_transparent() || (is_matt(material.side(SurfaceSide::upper)) &&
+                                         is_matt(material.side(SurfaceSide::lower)));
+}
+
+bool is_matt(const Scene& scene) {
+    const std::vector<bool> is_used = used_materials(scene);
+    for (std::size_t m = 0; m < is_used.size(); ++m) {
+        if (is_used[m] && !is_matt(scene.materials()[m])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool has_sun) {
+    const auto organs = static_cast<double>(scene.organs().size());
+    const auto triangles = static_cast<double>(scene.triangles().size());
+    const auto paths = static_cast<double>(spec.paths);
+    const auto has_good_patches = [&] {
+        const PatchSize size = patch_size(scene, patches_for(spec.paths));
+        if (!size.holds_shadows || !size.are_alike ||
+            bytes_of_patch_light(size.count, scene.bands().size()) > kMaxBytesUnasked) {
+            return false;
+        }
+        const LongPatches are_long = find_long_patches(scene, size);
+        return are_long.organs.empty() && (!has_sun || are_long.closed_part < kManyStems ||
+                                           paths <= kMostPathsBesideStems * organs);
+    };
+    return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
+           paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&
+           has_good_patches();
+}
+
+}  // namespace quasimc
