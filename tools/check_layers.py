@@ -20,13 +20,13 @@ FENCES = {
     "embree4/": ["src/geometry/cast/embree.cpp", "bench/"],
     "boost/": [
         "src/geometry/mesh/crossings.cpp",
-        "src/scene/overlap_grid.cpp",
+        "src/scene/overlap/overlap_grid.cpp",
         "src/sums/statistics.cpp",
         "tests/",
     ],
     "hwy/": [
-        "src/geometry/raster/draw_span.cpp",
-        "src/geometry/raster/triangle_block.cpp",
+        "src/raster/draw_span.cpp",
+        "src/raster/triangle_block.cpp",
         "src/run/add_responses.cpp",
         "src/samplers/vector_loops.cpp",
         "tests/",
@@ -68,6 +68,10 @@ ENGINE_CALLS = re.compile(r"\b(std::(cout|cerr|clog|exit|quick_exit|abort)\b|pri
 ENGINE_EXCEPTIONS = {"src/base/checks.h"}  # EXPECT and ENSURE end the program
 
 FILE_LINES_HINT = 300
+
+# Sources that include each other's headers, in however many steps, are read as one.  More than this
+# are a knot, which is a fault.
+LARGEST_KNOT = 3
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -124,6 +128,32 @@ def module_of(path, layers):
     return None
 
 
+def knots(includes):
+    """The sets of units that reach each other by their includes, by Tarjan's algorithm.
+
+    A unit is a header with its source; `includes` has for each those it includes.
+    """
+    order, low, stack, found = {}, {}, [], []
+
+    def visit(unit):
+        order[unit] = low[unit] = len(order)
+        stack.append(unit)
+        for other in sorted(includes.get(unit, ())):
+            if other not in order:
+                visit(other)
+            if other in stack:
+                low[unit] = min(low[unit], low[other])
+        if low[unit] == order[unit]:
+            start = stack.index(unit)
+            found.append(sorted(stack[start:]))
+            del stack[start:]
+
+    for unit in sorted(includes):
+        if unit not in order:
+            visit(unit)
+    return found
+
+
 class Checker:
     def __init__(self, root):
         self.root = root
@@ -131,6 +161,7 @@ class Checker:
         self.every, self.public = read_links(root, self.layers)
         self.faults = []
         self.hints = []
+        self.includes = {}  # by unit of src/, its path without suffix
 
     def fault(self, path, line, problem):
         self.faults.append(f"{path}:{line}: {problem}")
@@ -203,6 +234,10 @@ class Checker:
         for number, content in enumerate(lines, 1):
             match = INCLUDE.match(content)
             if match and match.group(1) == '"':
+                if path.parts[0] == "src":
+                    unit = str(path.relative_to("src").with_suffix(""))
+                    other = str(Path(match.group(2)).with_suffix(""))
+                    self.includes.setdefault(unit, set()).update({other} - {unit})
                 self.check_own_include(path, number, module, match.group(2))
             if match:
                 self.check_fences(path, number, match.group(2))
@@ -234,6 +269,9 @@ class Checker:
             for path in sorted((self.root / folder).rglob("*")):
                 if path.suffix in (".h", ".cpp"):
                     self.check_file(path.relative_to(self.root))
+        for knot in knots(self.includes):
+            if len(knot) > LARGEST_KNOT:
+                self.fault(f"src/{knot[0]}", 1, f"{len(knot)} units include each other: {', '.join(knot)}")
         return self.faults
 
 

@@ -59,6 +59,22 @@ class CheckLayers(unittest.TestCase):
         text = "#pragma once\n#include <toml++/toml.h>\n"
         self.assert_one_fault("src/io/toml.h", text, "slow to compile")
 
+    def test_a_knot_of_more_than_three_units_is_refused(self):
+        names = ["a", "b", "c", "d"]
+        self.assertEqual(check_layers.knots({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}),
+                         [["a", "b", "c"], ["d"]])
+        with tempfile.TemporaryDirectory() as folder:
+            for name, content in TREE.items():
+                file = Path(folder) / name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(content)
+            for name, other in zip(names, names[1:] + names[:1]):
+                header = Path(folder) / f"src/base/{name}.h"
+                header.write_text(f'#pragma once\n#include "base/{other}.h"\n')
+            faults = check_layers.Checker(Path(folder)).run()
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn("4 units include each other", faults[0])
+
     def test_an_engine_that_prints_is_refused(self):
         text = 'void f() { std::printf("x"); }\n'
         self.assert_one_fault("src/geometry/a.cpp", text, "neither prints nor exits")
