@@ -232,19 +232,6 @@ std::vector<Option> rows_of_groups() {
     };
 }
 
-// To rename an option or its values: change its row, and add here what it was. Run files, results
-// and command lines of before are understood on, with a warning that names what stands there now.
-std::vector<Option> former_rows() {
-    Option method = choice_option<Method>(
-        {"trace_from", "", "the former name of method"}, &RunSpec::method,
-        {{"sources", Method::light_tracing},
-         {"organs", Method::from_organs},
-         {"lit_surfaces", Method::first_hits},
-         {"auto", Method::automatic}});
-    method.replaced_by = "method";
-    return {method};
-}
-
 std::vector<Option> make_table() {
     std::vector<Option> table = rows_of_paths();
     for (const auto& more : {rows_of_engine(), rows_of_ends(), rows_of_groups()}) {
@@ -257,11 +244,6 @@ std::vector<Option> make_table() {
 
 std::span<const Option> option_table() {
     static const std::vector<Option> table = make_table();
-    return table;
-}
-
-std::span<const Option> former_option_table() {
-    static const std::vector<Option> table = former_rows();
     return table;
 }
 

@@ -111,21 +111,11 @@ class RunSweep::State {
         std::size_t first = 0, points = 0;
     };
 
-    /// The option of the run that is swept, by its name of today; null if it is none.
-    static const Option* swept_option(const SweptKey& key) {
-        constexpr std::string_view kRun = "run.";
-        const std::string path = key.from_top();
-        const Option* stated =
-            path.starts_with(kRun) ? find_stated_option(path.substr(kRun.size())) : nullptr;
-        return stated == nullptr ? nullptr : &option_of_today(*stated);
-    }
-
     /// A flag would undo a part of the sweep.
     void check_overrides() {
         for (const Override& stated : overrides_) {
-            const Option* option = find_stated_option(stated.key);
             for (const SweptKey& key : plan_.keys()) {
-                if (option != nullptr && swept_option(key) == &option_of_today(*option)) {
+                if (key.from_top() == "run." + stated.key) {
                     reporter_.faults.add(
                         {stated.place, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),

@@ -277,16 +277,12 @@ void TableReader::finish() {
     if (table == nullptr) {
         return;
     }
-    std::vector<std::string_view> advised = known_;
-    std::erase_if(advised, [&](std::string_view key) {
-        return std::find(not_advised_.begin(), not_advised_.end(), key) != not_advised_.end();
-    });
     for (const Member& member : *table) {
         if (std::find(known_.begin(), known_.end(), member.key) == known_.end()) {
             const std::string subject = what_.empty() ? "" : what_ + ": ";
             reporter_->fault(
                 member.line, fmt::format("{}unknown key '{}'", subject, member.key), "",
-                did_you_mean(member.key, advised));
+                did_you_mean(member.key, known_));
         }
     }
 }

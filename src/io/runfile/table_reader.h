@@ -93,9 +93,6 @@ class TableReader {
     /// Whether anything of this table was reported so far.
     [[nodiscard]] bool failed() const { return reporter_->faults.size() > faults_before_; }
 
-    /// A key that is understood, and not suggested for those that are not.
-    void leave_out_of_advice(std::string_view key) { not_advised_.push_back(key); }
-
     [[nodiscard]] const std::string& what() const { return what_; }
     void rename(std::string what) { what_ = std::move(what); }
     [[nodiscard]] std::uint32_t line() const { return node_->line; }
@@ -115,7 +112,7 @@ class TableReader {
     std::string what_;
     Reporter* reporter_;
     std::size_t faults_before_;
-    std::vector<std::string_view> known_, not_advised_;
+    std::vector<std::string_view> known_;
 };
 
 }  // namespace quasimc
