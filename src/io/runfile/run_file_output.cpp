@@ -77,25 +77,9 @@ void refuse_groups(TableReader& table) {
 }
 
 std::optional<std::array<double, 2>> read_hours(TableReader& table) {
-    constexpr double kHours = 24;
     const Node* node = table.any("hours");
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto* list = node->as<Node::List>();
-    if (list == nullptr || list->size() != 2) {
-        table.fault_at(*node, "hours is no list of two numbers", "", "write hours = [6, 20]");
-        return std::nullopt;
-    }
-    const auto from = table.real_at("hours", (*list)[0], {0, kHours});
-    const auto to = table.real_at("hours", (*list)[1], {0, kHours});
-    if (from && to && !(*from < *to)) {
-        table.fault_at(
-            *node, fmt::format("hours runs from {} to {}", *from, *to),
-            "times are written that begin from the one to before the other", "");
-        return std::nullopt;
-    }
-    return from && to ? std::optional(std::array{*from, *to}) : std::nullopt;
+    const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
+    return hours ? std::optional(std::array{hours->low, hours->high}) : std::nullopt;
 }
 
 void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec& output) {

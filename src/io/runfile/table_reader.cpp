@@ -300,6 +300,25 @@ std::optional<double> TableReader::real_at(std::string_view key, const Node& nod
     return value;
 }
 
+std::optional<Range> TableReader::interval_at(std::string_view key, const Node& node, Range range) {
+    const auto* list = node.as<Node::List>();
+    if (list == nullptr || list->size() != 2) {
+        fault_at(node, fmt::format("{} is no pair of numbers", key), "it must be [low, high]");
+        return std::nullopt;
+    }
+    const auto low = real_at(key, (*list)[0], range);
+    const auto high = real_at(key, (*list)[1], range);
+    if (!low || !high) {
+        return std::nullopt;
+    }
+    if (!(*low < *high)) {
+        fault_at(
+            node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
+        return std::nullopt;
+    }
+    return Range{*low, *high};
+}
+
 std::optional<Vec3> TableReader::vector_of(std::string_view key, const Node& node) {
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() != 3) {

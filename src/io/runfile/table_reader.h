@@ -60,6 +60,9 @@ class TableReader {
     /// A number somewhere in the value of a key.
     [[nodiscard]] std::optional<double> real_at(
         std::string_view key, const Node& node, Range range);
+    /// Two numbers [low, high] of a range, the first less than the second, in the value of a key.
+    [[nodiscard]] std::optional<Range> interval_at(
+        std::string_view key, const Node& node, Range range);
     /// A list of points somewhere in the value of a key.
     [[nodiscard]] std::optional<std::vector<Vec3>> vectors_at(
         std::string_view key, const Node& node);
