@@ -35,11 +35,15 @@ struct RealsDomain {};  ///< a list of finite numbers
 using OptionDomain =
     std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
 
-/// One row of the table of run options: one field of RunSpec.
-struct Option {
+/// The words of a row.
+struct OptionWords {
     std::string_view key;      ///< in the run file's [run]; the flag is --key with '-' for '_'
     std::string_view unit;     ///< may be empty
     std::string_view summary;  ///< one line for the manual, the usage and the default file
+};
+
+/// One row of the table of run options: one field of RunSpec.
+struct Option : OptionWords {
     OptionDomain domain;
     std::function<void(RunSpec&, const OptionValue&)>
         set;  ///< of a value that check_option accepts

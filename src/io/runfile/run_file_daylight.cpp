@@ -121,11 +121,7 @@ void warn_of_dark_bands(TimeContext& context, const DaylightSources& how) {
 
 /// The name of a sky of the catalogue.
 std::string read_sky_model(TableReader& table, std::string_view key, std::string_view usual) {
-    std::vector<std::string_view> names;
-    for (const SkyEntry& entry : sky_catalogue()) {
-        names.push_back(entry.name);
-    }
-    return table.choice(key, names).value_or(std::string(usual));
+    return table.choice(key, names_in(sky_catalogue())).value_or(std::string(usual));
 }
 
 }  // namespace

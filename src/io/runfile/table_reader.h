@@ -16,6 +16,16 @@
 
 namespace quasimc {
 
+/// The names of the rows of a table or of a list, for suggestions.
+template <typename Rows>
+[[nodiscard]] std::vector<std::string_view> names_in(const Rows& rows) {
+    std::vector<std::string_view> names;
+    for (const auto& row : rows) {
+        names.push_back(row.name);
+    }
+    return names;
+}
+
 /// Where the reader of a document puts what it has to say.
 struct Reporter {
     std::string file;  ///< name of the document
@@ -108,6 +118,13 @@ class TableReader {
     static constexpr Range kLight{0, 1e15};
 
   private:
+    template <typename T>
+    [[nodiscard]] std::optional<T> typed(std::string_view key, std::string_view expected);
+    /// @param read   an item; @param items  what they are, for messages: "times"
+    [[nodiscard]] std::optional<std::vector<std::string>> list_of(
+        std::string_view key,
+        std::optional<std::string> (*read)(const Node& node),
+        std::string_view items);
     [[nodiscard]] std::optional<Vec3> vector_of(std::string_view key, const Node& node);
     void wrong_type(std::string_view key, const Node& node, std::string_view expected);
 
