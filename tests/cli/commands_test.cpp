@@ -90,7 +90,6 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         {"run", "run.toml", "--from", "out.json"},
         {"check"},
         {"list", "apples"},
-        {"run", "run.toml", "--csv", "a", "--json", "a"},
         {"--dump"},
         {"export", "run.toml"}};
     for (const Arguments& arguments : table) {

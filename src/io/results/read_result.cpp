@@ -183,8 +183,9 @@ void forget_outputs(Node::Table& members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);
         if (member.key == "output" && output != nullptr) {
             std::erase_if(*output, [](const Member& key) {
-                return std::find(kOutputFiles.begin(), kOutputFiles.end(), key.key) !=
-                       kOutputFiles.end();
+                return std::any_of(
+                    kOutputFiles.begin(), kOutputFiles.end(),
+                    [&](const OutputFileKey& each) { return each.key == key.key; });
             });
         }
     }
