@@ -62,13 +62,6 @@ struct StatedShape {
 [[nodiscard]] std::optional<StatedShape> read_table_shape(
     TableReader& table, const RunFileContext& context);
 
-/// What a lamp emits, per band, in irradiance unit x square scene unit; nothing after a fault.
-/// run_file_lamps.cpp
-[[nodiscard]] std::optional<std::vector<double>> read_flux(
-    TableReader& table, const RunFileContext& context);
-/// "emits PAR 400 umol s-1"
-[[nodiscard]] std::string flux_words(
-    const std::vector<double>& flux, const RunFileContext& context);
 /// A vector of some length, as a unit vector with z up; nothing after a fault. run_file_lamps.cpp
 /// @param usual  if none is stated; nothing: it must be
 [[nodiscard]] std::optional<Vec3> read_direction(
@@ -77,15 +70,7 @@ struct StatedShape {
     const std::optional<Vec3>& usual,
     const RunFileContext& context);
 
-/// A source of a kind that has a `make`, by the keys of its row; nothing after a fault.
-/// run_file_stated_source.cpp
-[[nodiscard]] std::optional<NotedSource> read_stated_source(
-    const SourceEntry& kind,
-    TableReader& table,
-    const std::string& name,
-    const RunFileContext& context);
-
-// The kinds that have a reader of their own: nothing after a fault.
+// The kinds of sources: nothing after a fault.
 // run_file_directional.cpp
 [[nodiscard]] std::optional<NotedSource> read_directional(
     TableReader& table, const std::string& name, const RunFileContext& context);
@@ -94,6 +79,8 @@ struct StatedShape {
     TableReader& table, const std::string& name, const RunFileContext& context);
 // run_file_sky.cpp
 [[nodiscard]] std::optional<NotedSource> read_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context);
+[[nodiscard]] std::optional<NotedSource> read_uniform_sky(
     TableReader& table, const std::string& name, const RunFileContext& context);
 // run_file_lamps.cpp: of every type of lamp
 [[nodiscard]] std::optional<NotedSource> read_lamp(
