@@ -50,39 +50,6 @@ FAMILIES = {
         ),
         others=(("docs/guide/options.md", r"(\| `sampler` .*? one of [^|]*?) \|", r"\1, @name@ |"),),
     ),
-    "source": Family(
-        folder="src/sources",
-        tests="tests/unit/sources",
-        pages="docs/theory",
-        catalogue="src/sources/catalogue.cpp",
-        entries=(
-            (
-                "declares a kind",
-                "std::shared_ptr<const Source> make_@name@(const StatedSource& stated);",
-            ),
-            (
-                "tells the keys of a kind",
-                """constexpr std::array k@Name@Keys{SourceKey{
-    .name = "power_of_sine",
-    .summary = "of the elevation",
-    .type = SourceKeyType::number,
-    .low = 0,
-    .high = 100,
-    .usual = 1.0}};
-""",
-            ),
-            (
-                "enters a kind",
-                """    SourceEntry{
-        .name = "@name@",
-        .words = "@words@",
-        .summary = "@words@",
-        .amount = SourceAmount::irradiance_horizontal,
-        .keys = k@Name@Keys,
-        .make = make_@name@},""",
-            ),
-        ),
-    ),
     "bsdf": Family(
         folder="src/optics",
         tests="tests/unit/optics",

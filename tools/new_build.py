@@ -25,7 +25,6 @@ PARTS = (
 # The tests that try every row of a catalogue, with what they need, and which of their cases.
 EVERY_ROW = {
     "bsdf": ("models_test.cpp", "optics_testing.cpp"),
-    "source": (),
     "format": ("formats_test.cpp", "io_testing.cpp", "catalogues_test.cpp"),
     "sampler": ("every_sampler_test.cpp", "sampler_testing.cpp"),
     "solver": ("every_solver_test.cpp", "../../statistical/scenes.cpp"),

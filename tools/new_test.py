@@ -55,7 +55,7 @@ class EveryFamily(unittest.TestCase):
     """On the tree as it stands: nothing is written to it."""
 
     def test_there_are_some(self):
-        self.assertLessEqual({"bsdf", "source", "format", "sampler", "solver", "detector"}, set(new.available(ROOT)))
+        self.assertLessEqual({"bsdf", "format", "sampler", "solver", "detector"}, set(new.available(ROOT)))
 
     def test_a_seam_that_is_not_there_yet_is_not_offered(self):
         with tempfile.TemporaryDirectory() as folder:

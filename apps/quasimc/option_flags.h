@@ -9,7 +9,7 @@
 #include "io/runfile/run_file.h"
 
 /// The flags of the run options (--paths, --sampler, ...), one for each row of the table of
-/// options; those of former options are not shown. Flags point into it.
+/// options. Flags point into it.
 class OptionFlags {
   public:
     OptionFlags();
@@ -27,7 +27,7 @@ class OptionFlags {
         const quasimc::Option* option;
         std::optional<std::string> text;
     };
-    std::vector<Given> given_;  // of every option, and of those with former names
+    std::vector<Given> given_;  // of every option
 };
 
 /// Prints the warnings of a run file to stderr.

@@ -2,96 +2,56 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace {
 
-/// The flags that name files to be written, and those files.
-std::array<std::pair<std::string_view, const std::string*>, 10> outputs_of(
-    const RunArguments& arguments) {
-    return {{
-        {"--csv", &arguments.csv},
-        {"--json", &arguments.json},
-        {"--days", &arguments.days},
-        {"--groups-csv", &arguments.groups_csv},
-        {"--groups-days", &arguments.groups_days},
-        {"--picture", &arguments.picture},
-        {"--vtp", &arguments.vtp},
-        {"--ply", &arguments.ply},
-        {"--glb", &arguments.glb},
-        {"--nc", &arguments.nc},
-    }};
-}
+/// A flag that names a file to be written.
+struct OutputFlag {
+    const char* flag;
+    std::string RunArguments::*file;
+    const char* summary;
+};
+constexpr std::array<OutputFlag, 10> kOutputFlags{{
+    {"--csv", &RunArguments::csv, "write the table of organs here; - is standard output"},
+    {"--json", &RunArguments::json, "write everything here; - is standard output"},
+    {"--days", &RunArguments::days,
+     "of a run with [time]: write the table of sums over days here; - is standard output"},
+    {"--groups-csv", &RunArguments::groups_csv,
+     "write the table of groups of organs here; - is standard output"},
+    {"--groups-days", &RunArguments::groups_days,
+     "of a run with [time]: write the table of sums of groups over days here; - is standard "
+     "output"},
+    {"--picture", &RunArguments::picture,
+     "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more"},
+    {"--vtp", &RunArguments::vtp,
+     "write the scene with its numbers here, for ParaView and pyvista"},
+    {"--ply", &RunArguments::ply, "the same as PLY, for MeshLab and CloudCompare"},
+    {"--glb", &RunArguments::glb, "the same as binary glTF, coloured, for Blender"},
+    {"--nc", &RunArguments::nc,
+     "write the light by organ, band and time here, for xarray and others"},
+}};
 
-/// Of what is written and told.
-std::vector<Flag> output_flags(RunArguments& arguments) {
-    std::vector<Flag> flags{
-        {.name = "--csv",
-         .target = &arguments.csv,
-         .summary = "write the table of organs here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--json",
-         .target = &arguments.json,
-         .summary = "write everything here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--days",
-         .target = &arguments.days,
-         .summary =
-             "of a run with [time]: write the table of sums over days here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--groups-csv",
-         .target = &arguments.groups_csv,
-         .summary = "write the table of groups of organs here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--groups-days",
-         .target = &arguments.groups_days,
-         .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
-                    "standard output",
-         .type_name = "FILE"},
-        {.name = "--picture",
-         .target = &arguments.picture,
-         .summary = "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
-         .type_name = "FILE"},
-        {.name = "--vtp",
-         .target = &arguments.vtp,
-         .summary = "write the scene with its numbers here, for ParaView and pyvista",
-         .type_name = "FILE"},
-        {.name = "--ply",
-         .target = &arguments.ply,
-         .summary = "the same as PLY, for MeshLab and CloudCompare",
-         .type_name = "FILE"},
-        {.name = "--glb",
-         .target = &arguments.glb,
-         .summary = "the same as binary glTF, coloured, for Blender",
-         .type_name = "FILE"},
-        {.name = "--nc",
-         .target = &arguments.nc,
-         .summary = "write the light by organ, band and time here, for xarray and others",
-         .type_name = "FILE"},
-        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
-        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
+/// Adds those of what is written and told.
+void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
+    for (const OutputFlag& output : kOutputFlags) {
+        flags.push_back(
+            {.name = output.flag,
+             .target = &(arguments.*output.file),
+             .summary = output.summary,
+             .type_name = "FILE"});
+    }
+    flags.push_back(
+        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"});
+    flags.push_back(
+        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"});
     add_choice_flags(arguments.choice, flags);
-    return flags;
 }
 
 }  // namespace
-
-void check_outputs(const RunArguments& arguments) {
-    const auto files = outputs_of(arguments);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!files[i].second->empty() && *files[i].second == *files[j].second) {
-                throw UsageError(
-                    fmt::format("{} and {}: name the same file", files[j].first, files[i].first));
-            }
-        }
-    }
-}
 
 void check_usage(const RunArguments& arguments) {
     if (arguments.file.empty() && arguments.from.empty()) {
@@ -113,13 +73,12 @@ void check_usage(const RunArguments& arguments) {
     if (std::isnan(arguments.every)) {
         throw UsageError("--every: nan is no time");
     }
-    for (const auto& [flag, path] : outputs_of(arguments)) {
-        if (!arguments.part.empty() && !path->empty()) {
-            throw UsageError(
-                fmt::format("{}: a --part has no results; `quasimc merge` writes them", flag));
+    for (const OutputFlag& output : kOutputFlags) {
+        if (!arguments.part.empty() && !(arguments.*output.file).empty()) {
+            throw UsageError(fmt::format(
+                "{}: a --part has no results; `quasimc merge` writes them", output.flag));
         }
     }
-    check_outputs(arguments);
 }
 
 std::vector<Flag> flags_of_run(RunArguments& arguments) {
@@ -159,9 +118,7 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
          "go on from the checkpoint, if it is there; paths, target_error, target_fraction, "
          "max_paths and "
          "max_seconds may be others than before"}};
-    for (Flag& flag : output_flags(arguments)) {
-        flags.push_back(std::move(flag));
-    }
+    add_output_flags(arguments, flags);
     arguments.flags.add_to(flags);
     return flags;
 }
@@ -172,8 +129,6 @@ std::vector<Flag> flags_of_merge(RunArguments& arguments) {
          .target = &arguments.parts,
          .summary = "files of `quasimc run --part`: all parts of one run, in any order",
          .required = true}};
-    for (Flag& flag : output_flags(arguments)) {
-        flags.push_back(std::move(flag));
-    }
+    add_output_flags(arguments, flags);
     return flags;
 }

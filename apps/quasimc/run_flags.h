@@ -13,6 +13,3 @@
 /// Whether what `quasimc run` is asked for goes together.
 /// @throws UsageError
 void check_usage(const RunArguments& arguments);
-/// Whether the files that are to be written are different ones.
-/// @throws UsageError
-void check_outputs(const RunArguments& arguments);

@@ -1,4 +1,4 @@
-// Whether trace_from = "auto" chooses well: every way of tracing on scenes of many kinds, by the
+// Whether method = "auto" chooses well: every way of tracing on scenes of many kinds, by the
 // variance of the light on the organs that are measured.
 
 #include "planner/planner.h"

@@ -20,10 +20,9 @@ struct Place {
     double temperature_c = 12;      ///< yearly mean; for refraction
 };
 
-/// A moment as clocks show it. Dates before 1582-10-15 are those of the Julian calendar; year 0 is
-/// 1 BC.
+/// A moment as clocks show it.
 struct CivilTime {
-    int year = 2000;  ///< -2000 to 6000
+    int year = 2000;  ///< 1900 to 2100
     int month = 1;    ///< 1 to 12
     int day = 1;      ///< from 1
     int hour = 0;     ///< 0 to 23
@@ -35,8 +34,8 @@ struct CivilTime {
     friend bool operator==(const CivilTime&, const CivilTime&) = default;
 };
 
-inline constexpr int kFirstYear = -2000;
-inline constexpr int kLastYear = 6000;
+inline constexpr int kFirstYear = 1900;
+inline constexpr int kLastYear = 2100;
 
 /// Reports what is wrong with a place. @param where  for the messages
 void check_place(const Place& place, std::string_view where, Faults& faults);
@@ -48,7 +47,6 @@ void check_time(const CivilTime& time, std::string_view where, Faults& faults);
 /// pressure is not known; -2000 to 11000 m.
 [[nodiscard]] double standard_pressure_hpa(double elevation_m);
 
-[[nodiscard]] bool is_leap_year(int year);
 [[nodiscard]] int days_in_month(int year, int month);
 /// 1 for the 1st of January.
 [[nodiscard]] int day_of_year(const CivilTime& time);
@@ -62,8 +60,7 @@ void check_time(const CivilTime& time, std::string_view where, Faults& faults);
 [[nodiscard]] CivilTime later(const CivilTime& time, double seconds);
 
 /// Terrestrial time less universal time [s]: polynomials of Espenak and Meeus (2006), "Five
-/// millennium canon of solar eclipses"; some seconds off after 2006, hours before -500.
-[[nodiscard]] double delta_t_seconds(double decimal_year);
+/// millennium canon of solar eclipses"; some seconds off after 2006.
 [[nodiscard]] double delta_t_seconds(const CivilTime& time);
 
 /// What the solar position algorithm computes on its way, named as in Reda and Andreas (2004);
@@ -98,8 +95,7 @@ struct SunPosition {
     [[nodiscard]] double zenith_deg() const { return 90 - elevation_deg; }
 };
 
-/// Position of the sun by the solar position algorithm of NREL, good to 0.0003 degrees from -2000
-/// to 6000.
+/// Position of the sun by the solar position algorithm of NREL, good to 0.0003 degrees.
 ///
 /// Reda and Andreas (2004), "Solar position algorithm for solar radiation applications", Solar
 /// Energy 76, 577-589; NREL/TP-560-34302 (revised 2008).

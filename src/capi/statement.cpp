@@ -137,7 +137,7 @@ void Statement::take_back(const std::string& key) {
 }
 
 void Statement::set_option(const std::string& key, const std::string& text) {
-    const Option* option = find_stated_option(key);
+    const Option* option = find_option(key);
     if (option == nullptr) {
         throw InputError(
             {{"option '" + key + "'", "no such option", "", "docs/guide/options.md lists them"}});

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "io/descriptor.h"
 #include "io/file_identity.h"
 #include "io/standard_streams.h"
 #include "quasimc/error.h"
@@ -94,12 +95,6 @@ void AtomicFile::write(std::string_view bytes) {
     }
 }
 
-void AtomicFile::commit() {
-    prepare();
-    put_in_place();
-    sync_place();
-}
-
 void AtomicFile::prepare() {
     if (std::fflush(file_) != 0) {
         fail();
@@ -116,7 +111,8 @@ void AtomicFile::prepare() {
     }
 }
 
-void AtomicFile::put_in_place() {
+void AtomicFile::commit() {
+    prepare();
     if (straight_) {
         return;
     }
@@ -124,16 +120,10 @@ void AtomicFile::put_in_place() {
         fail();
     }
     temporary_.clear();
-}
-
-void AtomicFile::sync_place() const {
-    if (straight_) {
-        return;
-    }
-    const int descriptor = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        static_cast<void>(::fsync(descriptor));
-        ::close(descriptor);
+    // Makes the name last, as far as the file system can.
+    const Descriptor folder(::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.is_open()) {
+        static_cast<void>(::fsync(folder.number()));
     }
 }
 

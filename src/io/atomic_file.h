@@ -2,11 +2,8 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-
-#include "io/commit_record.h"
 
 namespace quasimc {
 
@@ -23,22 +20,11 @@ class AtomicFile {
 
     /// @throws InputError  if the bytes can't be written (full disk)
     void write(std::string_view bytes);
-    /// Gives the file its name. At most once, nothing is written after it. @throws InputError
-    void commit();
-
-    // The three steps of it, for files that get their names together.
-
-    /// Brings all of the file to the disk, beside its place. Nothing is written after it.
-    /// @throws InputError
+    /// Brings all of the file to the disk, under a temporary name beside its place. Nothing is
+    /// written after it. @throws InputError
     void prepare();
-    /// What put_in_place() will do; nothing of what is written straight. After prepare().
-    [[nodiscard]] std::optional<PendingName> pending_name() const {
-        return straight_ ? std::nullopt : std::optional(PendingName{temporary_, path_});
-    }
-    /// Puts it in its place. After prepare(). @throws InputError
-    void put_in_place();
-    /// Makes the name last, as far as the file system can. After put_in_place().
-    void sync_place() const;
+    /// Prepares the file and gives it its name. At most once. @throws InputError
+    void commit();
 
   private:
     [[noreturn]] void fail() const;

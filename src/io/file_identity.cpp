@@ -51,17 +51,7 @@ FileIdentity identity_of(const fs::path& path, int standard) {
     if (::stat(path.c_str(), &status) == 0) {
         return identity(status);
     }
-    const fs::path target = followed(path);
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    FileIdentity result;
-    if (::stat(folder.c_str(), &status) == 0) {
-        result = identity(status);
-        result.is_regular = false;
-        result.name = target.filename();
-    } else {
-        result.name = target;
-    }
-    return result;
+    return {.name = followed(path)};
 }
 
 const InputFile* input_at(const FileIdentity& file, std::span<const InputFile> inputs) {

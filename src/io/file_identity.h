@@ -10,8 +10,8 @@ namespace quasimc {
 
 /// The file that a path stands for, whatever links lead there: two paths of one file are equal.
 struct FileIdentity {
-    std::uint64_t device = 0, inode = 0;  ///< of the file; of its folder if it is not there yet
-    std::filesystem::path name = {};      ///< in that folder, of a file that is not there yet
+    std::uint64_t device = 0, inode = 0;  ///< of a file that is there
+    std::filesystem::path name = {};      ///< where one will be that is not there yet
     bool is_regular = false;              ///< not so a pipe, a device, what is not there
     bool is_discard = false;              ///< /dev/null, which any number may share
 

@@ -43,11 +43,6 @@ OutputFiles::OutputFiles(std::vector<OutputPath> outputs, std::span<const InputF
     Faults faults;
     check_apart(outputs_, inputs, faults);
     faults.throw_if_any();
-    std::vector<std::filesystem::path> paths;
-    for (const OutputPath& output : outputs_) {
-        paths.emplace_back(output.path);
-    }
-    finish_commits(paths);
     const FileIdentity standard = identity_of_descriptor(STDOUT_FILENO);
     for (const OutputPath& output : outputs_) {
         // However it is called, it is written to where it is now, not replaced.
@@ -104,18 +99,8 @@ void OutputFiles::commit() {
     for (std::size_t i = 0; i < files_.size(); ++i) {
         attempt(i, [](AtomicFile& file) { file.prepare(); });
     }
-    std::vector<PendingName> names;
-    for (const auto& file : files_) {
-        if (const auto name = file ? file->pending_name() : std::nullopt) {
-            names.push_back(*name);
-        }
-    }
-    const CommitRecord record(names);
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        attempt(i, [](AtomicFile& file) { file.put_in_place(); });
-    }
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-        attempt(i, [](AtomicFile& file) { file.sync_place(); });
+        attempt(i, [](AtomicFile& file) { file.commit(); });
     }
 }
 

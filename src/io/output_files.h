@@ -35,8 +35,7 @@ class OutputFiles {
     /// Gives an output up. Throws if none is left to be written.
     void give_up(std::size_t output, const InputError& error);
     /// Brings all outputs to the disk, and then gives them their names, in their order, one
-    /// straight after the other. A program that is killed in between leaves a record, by which the
-    /// next one with one of these outputs does the rest (finish_commits).
+    /// straight after the other.
     void commit();
 
     /// The outputs that are files and were not given up, as stated.

@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "io/sha256_blocks.h"
-
 namespace quasimc {
 
 /// The SHA-256 digest (FIPS 180-4, section 6.2) of bytes that come in pieces.
@@ -18,10 +16,10 @@ class Sha256 {
     [[nodiscard]] std::string hex() const;
 
   private:
-    static constexpr std::size_t kBlock = kSha256Block;
+    static constexpr std::size_t kBlock = 64;  // bytes
 
-    Sha256State state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                       0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     std::array<char, kBlock> pending_{};  // the beginning of a block
     std::uint64_t size_ = 0;              // bytes so far
 };

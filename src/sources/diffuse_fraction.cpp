@@ -39,17 +39,6 @@ double diffuse_fraction_spitters(double clearness, double sine) {
     return k <= bend ? 1.47 - 1.66 * k : clear;
 }
 
-double diffuse_fraction_spitters_daily(double clearness) {
-    const double k = clearness;
-    if (k < 0.07) {
-        return 1;
-    }
-    if (k < 0.35) {
-        return 1 - 2.3 * (k - 0.07) * (k - 0.07);
-    }
-    return k < 0.75 ? 1.33 - 1.46 * k : 0.23;
-}
-
 double diffuse_fraction(DiffuseModel model, double clearness, double sine) {
     switch (model) {
         case DiffuseModel::reindl:

@@ -17,9 +17,6 @@ namespace quasimc {
 /// hourly.
 [[nodiscard]] double diffuse_fraction_spitters(double clearness, double sine);
 
-/// The same paper's eq. 2: sums of a day.
-[[nodiscard]] double diffuse_fraction_spitters_daily(double clearness);
-
 enum class DiffuseModel { erbs, reindl, spitters };
 /// By the model's hourly equation.
 [[nodiscard]] double diffuse_fraction(DiffuseModel model, double clearness, double sine);

@@ -128,9 +128,4 @@ HourSources make_hour_sources(HourParts parts) {
     return hour;
 }
 
-HourSources make_hour_sources(
-    const SunPath& path, const HourLight& light, const DaylightSources& how) {
-    return make_hour_sources(make_hour_parts(path, light, how));
-}
-
 }  // namespace quasimc

@@ -112,8 +112,5 @@ struct HourSources {
     std::string shapes;
 };
 [[nodiscard]] HourSources make_hour_sources(HourParts parts);
-/// The same, of the parts of an hour.
-[[nodiscard]] HourSources make_hour_sources(
-    const SunPath& path, const HourLight& light, const DaylightSources& how);
 
 }  // namespace quasimc

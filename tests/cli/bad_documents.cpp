@@ -79,8 +79,6 @@ const std::vector<BadInput> kBadDocuments{
      "run.toml:4: paths: 1000 is not a power of two"},
     {"UnknownSampler", kPaths, "sampler = \"sobel\"",
      "run.toml:4: [run]: sampler is 'sobel' (no such choice); did you mean 'sobol'?"},
-    {"FormerNameOfAMethod", kPaths, "method = \"lit_surfaces\"",
-     "run.toml:4: [run]: method is 'lit_surfaces' (no such choice); it is now \"first_hits\""},
     {"GroupsOfAnUnknownLabel", kPaths, "paths = 256\ngroups = [\"plant\"]",
      "run.toml:5: groups: no organ has a label 'plant' (no organ has any label); give organs "
      "labels"},

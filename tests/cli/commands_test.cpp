@@ -29,36 +29,6 @@ TEST_F(ProgramTest, NamesTheMethodThatItChose) {
     EXPECT_NE(outcome.out.find("method    first_hits: "), std::string::npos) << outcome.out;
 }
 
-TEST_F(ProgramTest, UnderstandsTheFormerNameOfTheMethod) {
-    const Outcome outcome = run({"run", "run.toml", "--trace-from", "lit_surfaces"});
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_EQ(
-        outcome.err,
-        "warning: --trace-from: trace_from = \"lit_surfaces\" is now method = \"first_hits\"\n");
-    EXPECT_NE(folder_.read("out.csv").find("method = \"first_hits\""), std::string::npos);
-    EXPECT_EQ(
-        run({"run", "run.toml", "--trace-from", "sources", "--method", "light_tracing"}).status, 0);
-    const Outcome torn =
-        run({"run", "run.toml", "--trace-from", "sources", "--method", "first_hits"});
-    EXPECT_EQ(torn.status, 1);
-    EXPECT_NE(torn.err.find("--trace-from: says otherwise than --method"), std::string::npos)
-        << torn.err;
-    EXPECT_EQ(run({"run", "run.toml", "--trace-from", "first_hits"}).status, 1);
-    EXPECT_EQ(run({"run", "--help"}).out.find("trace-from"), std::string::npos);
-}
-
-TEST_F(ProgramTest, RepeatsResultsThatHaveTheFormerNameOfTheMethod) {
-    ASSERT_EQ(run({"run", "run.toml", "--method", "from_organs"}).status, 0);
-    std::string json = folder_.read("out.json");
-    json = replaced(json, "\"format_version\": 2", "\"format_version\": 1");
-    json = replaced(json, "\"method\": \"from_organs\"", "\"trace_from\": \"organs\"");
-    folder_.write("old.json", json);
-    const Outcome outcome = run({"run", "--from", "old.json"});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("the same numbers as in old.json"), std::string::npos);
-    EXPECT_EQ(outcome.err, "");
-}
-
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
     const Outcome outcome = run({"run", "run.toml"});
     EXPECT_EQ(outcome.status, 0);
@@ -120,7 +90,6 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         {"run", "run.toml", "--from", "out.json"},
         {"check"},
         {"list", "apples"},
-        {"run", "run.toml", "--csv", "a", "--json", "a"},
         {"--dump"},
         {"export", "run.toml"}};
     for (const Arguments& arguments : table) {
@@ -133,7 +102,7 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
 
 TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
     const std::vector<std::pair<Arguments, std::string>> table{
-        {{"run", "run.toml", "--trace-from"}, "--trace-from: its value is missing\n"},
+        {{"run", "run.toml", "--method"}, "--method: its value is missing\n"},
         {{"run", "run.toml", "--paths"}, "--paths: its value is missing\n"},
         {{"run", "run.toml", "--paths", "--quiet"}, "--paths: its value is missing\n"},
         {{"run", "run.toml", "--path", "3"},

@@ -28,7 +28,7 @@ ClearDay make_day() {
     for (int hour = 0; hour < 24; ++hour) {
         const SunPath path = sun_path(kPlace, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
         const HourLight light = clear_light(path, {});
-        HourSources sources = make_hour_sources(path, light, how);
+        HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
         day.hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
         day.horizontal += 3600 * (how.spectra.direct(how.bands[0]) * light.daylight.direct +
                                   how.spectra.diffuse(how.bands[0], light.daylight));

@@ -40,7 +40,7 @@ std::vector<TimeStep> hours_of_two_days() {
     std::vector<TimeStep> hours;
     for (const int hour : {6, 9, 12, 16}) {
         const SunPath path = sun_path(place, {2024, 6, 21, hour, 0, 0, 1}, 3600, 1200);
-        HourSources sources = make_hour_sources(path, clear_light(path, {}), how);
+        HourSources sources = make_hour_sources(make_hour_parts(path, clear_light(path, {}), how));
         hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
     }
     for (const int hour : {8, 13}) {
@@ -48,7 +48,7 @@ std::vector<TimeStep> hours_of_two_days() {
         const HourLight light = measured_light(
             path, {.global = 150 + 10 * hour, .diffuse = 150}, LightUnit::full_spectrum,
             DiffuseModel::erbs, how.spectra);
-        HourSources sources = make_hour_sources(path, light, how);
+        HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
         hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 1});
     }
     return hours;

@@ -183,29 +183,10 @@ void forget_outputs(Node::Table& members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);
         if (member.key == "output" && output != nullptr) {
             std::erase_if(*output, [](const Member& key) {
-                return std::find(kOutputFiles.begin(), kOutputFiles.end(), key.key) !=
-                       kOutputFiles.end();
+                return std::any_of(
+                    kOutputFiles.begin(), kOutputFiles.end(),
+                    [&](const OutputFileKey& each) { return each.key == key.key; });
             });
-        }
-    }
-}
-
-/// Gives options that a result of before names otherwise their names of today.
-void rename_former_options(Node& document) {
-    auto& members = std::get<Node::Table>(document.value);
-    const auto run = std::find_if(
-        members.begin(), members.end(), [](const Member& member) { return member.key == "run"; });
-    auto* options = run == members.end() ? nullptr : std::get_if<Node::Table>(&run->node.value);
-    for (std::size_t i = 0; options != nullptr && i < options->size(); ++i) {
-        Member& member = (*options)[i];
-        const Option* former = find_former_option(member.key);
-        const auto* text = member.node.as<std::string>();
-        if (former != nullptr && text != nullptr && !check_option(*former, *text)) {
-            RunSpec spec;
-            former->set(spec, *text);
-            const OptionValue today = option_of_today(*former).get(spec);
-            member.key = std::string(former->replaced_by);
-            member.node.value = std::get<std::string>(today);
         }
     }
 }
@@ -227,7 +208,6 @@ StoredSweep read_result_text(
     Node document = to_node(*run, name, 0);
     auto& members = std::get<Node::Table>(document.value);
     forget_outputs(members);
-    rename_former_options(document);
 
     const std::vector<InputFile> inputs = stored_inputs(head);
     const fs::path folder = input_folder(head, inputs, beside, access);

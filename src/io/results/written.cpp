@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "io/numbers.h"
+#include "io/runfile/table_reader.h"
 
 namespace quasimc {
 namespace {
@@ -107,18 +108,10 @@ std::string point_words(const SweepPoint& point) {
 }
 
 void check_written(const OutputSpec& output, const std::vector<Band>& bands, Faults& faults) {
-    std::vector<std::string_view> quantities;
-    for (const QuantityEntry& entry : quantity_table()) {
-        quantities.push_back(entry.name);
-    }
+    std::vector<std::string_view> quantities = names_in(quantity_table());
     quantities.push_back(kSunlit);
-    std::vector<std::string_view> names;
-    names.reserve(bands.size());
-    for (const Band& band : bands) {
-        names.push_back(band.name);
-    }
     check_names(output.quantities, quantities, "quantities", "quantity", faults);
-    check_names(output.bands, names, "bands", "band of the scene", faults);
+    check_names(output.bands, names_in(bands), "bands", "band of the scene", faults);
 }
 
 }  // namespace quasimc

@@ -2,7 +2,6 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -43,7 +42,6 @@ class Cursor {
 };
 
 bool read_date(Cursor& cursor, CivilTime& time) {
-    const bool is_bc = cursor.skip("-");
     const auto year = cursor.number();
     const bool first = cursor.skip("-");
     const auto month = cursor.number();
@@ -53,7 +51,7 @@ bool read_date(Cursor& cursor, CivilTime& time) {
     if (!is_date || *year >= 1e6 || *month >= 100 || *day >= 100) {
         return false;
     }
-    time.year = static_cast<int>(is_bc ? -*year : *year);
+    time.year = static_cast<int>(*year);
     time.month = static_cast<int>(*month);
     time.day = static_cast<int>(*day);
     return true;
@@ -149,9 +147,7 @@ std::optional<CivilTime> parse_civil_time(
 }
 
 std::string date_text(const CivilTime& time) {
-    return fmt::format(
-        "{}{:04d}-{:02d}-{:02d}", time.year < 0 ? "-" : "", std::abs(time.year), time.month,
-        time.day);
+    return fmt::format("{:04d}-{:02d}-{:02d}", time.year, time.month, time.day);
 }
 
 std::string civil_time_text(const CivilTime& time) {

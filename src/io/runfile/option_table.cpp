@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/runfile/options.h"
+#include "io/runfile/table_reader.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
@@ -14,18 +15,10 @@ namespace {
 
 constexpr double kLongestRun = 1e9;  // seconds
 
-/// Words of a row that don't depend on the field's type.
-struct Words {
-    std::string_view key, unit, summary;
-};
-
 template <typename T>
-Option integer_option(Words words, T RunSpec::*field, IntegerDomain domain) {
+Option integer_option(OptionWords words, T RunSpec::*field, IntegerDomain domain) {
     return {
-        words.key,
-        words.unit,
-        words.summary,
-        domain,
+        words, domain,
         [field](RunSpec& spec, const OptionValue& value) {
             spec.*field = static_cast<T>(std::get<std::int64_t>(value));
         },
@@ -34,30 +27,38 @@ Option integer_option(Words words, T RunSpec::*field, IntegerDomain domain) {
         }};
 }
 
-Option real_option(Words words, double RunSpec::*field, RealDomain domain) {
+/// @param value_of  the field's value in an OptionValue
+template <typename T>
+Option plain_option(
+    OptionWords words,
+    T RunSpec::*field,
+    OptionDomain domain,
+    T (*value_of)(const OptionValue& value) = [](const OptionValue& value) {
+        return std::get<T>(value);
+    }) {
     return {
-        words.key,
-        words.unit,
-        words.summary,
-        domain,
-        [field](RunSpec& spec, const OptionValue& value) { spec.*field = as_real(value); },
+        words, std::move(domain),
+        [field, value_of](RunSpec& spec, const OptionValue& value) {
+            spec.*field = value_of(value);
+        },
         [field](const RunSpec& spec) -> OptionValue { return spec.*field; }};
+}
+
+Option real_option(OptionWords words, double RunSpec::*field, RealDomain domain) {
+    return plain_option(words, field, domain, as_real);
 }
 
 template <typename Enum>
 using Named = std::vector<std::pair<std::string_view, Enum>>;
 
 template <typename Enum>
-Option choice_option(Words words, Enum RunSpec::*field, const Named<Enum>& values) {
+Option choice_option(OptionWords words, Enum RunSpec::*field, const Named<Enum>& values) {
     ChoiceDomain domain;
     for (const auto& [name, value] : values) {
         domain.names.push_back(name);
     }
     return {
-        words.key,
-        words.unit,
-        words.summary,
-        domain,
+        words, domain,
         [field, values](RunSpec& spec, const OptionValue& value) {
             const auto is_named = [&](const auto& v) {
                 return v.first == std::get<std::string>(value);
@@ -80,34 +81,6 @@ Named<Method> names_of_methods() {
     return names;
 }
 
-Option sampler_option(Words words) {
-    ChoiceDomain domain;
-    for (const SamplerEntry& entry : sampler_catalogue()) {
-        domain.names.push_back(entry.name);
-    }
-    return {
-        words.key,
-        words.unit,
-        words.summary,
-        domain,
-        [](RunSpec& spec, const OptionValue& value) {
-            spec.sampler = std::get<std::string>(value);
-        },
-        [](const RunSpec& spec) -> OptionValue { return spec.sampler; }};
-}
-
-Option words_option(Words words, std::vector<std::string> RunSpec::*field, WordsDomain domain) {
-    return {
-        words.key,
-        words.unit,
-        words.summary,
-        domain,
-        [field](RunSpec& spec, const OptionValue& value) {
-            spec.*field = std::get<std::vector<std::string>>(value);
-        },
-        [field](const RunSpec& spec) -> OptionValue { return spec.*field; }};
-}
-
 // THE TABLE.
 //
 // To add an option of a run: add a field with its default to RunSpec (quasimc/run_spec.h) and a row
@@ -118,7 +91,9 @@ Option words_option(Words words, std::vector<std::string> RunSpec::*field, Words
 std::vector<Option> rows_of_paths() {
     constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
     return {
-        sampler_option({"sampler", "", "point set that the paths are made from"}),
+        plain_option(
+            {"sampler", "", "point set that the paths are made from"}, &RunSpec::sampler,
+            ChoiceDomain{names_in(sampler_catalogue())}),
         choice_option<Method>(
             {"method", "",
              "how light is followed: ray_bundles (sun and sky on matt surfaces), first_hits (sun, "
@@ -205,44 +180,30 @@ std::vector<Option> rows_of_ends() {
             {"tally_memory_mb", "MB",
              "private tallies of all threads; larger ones are shared (same results)"},
             &RunSpec::tally_memory_mb, {0, 1e6}),
-        words_option(
+        plain_option(
             {"ratios", "", "ratios of the light of two bands that falls on an organ"},
-            &RunSpec::ratios, {"BAND:BAND"}),
+            &RunSpec::ratios, WordsDomain{"BAND:BAND"}),
     };
 }
 
 std::vector<Option> rows_of_groups() {
     constexpr std::int64_t kMostLayers = 100000;
     return {
-        words_option(
+        plain_option(
             {"groups", "",
              "labels of organs whose light is summed for each value, with errors of the sums; "
              "\"plant+kind\" for each pair of values"},
-            &RunSpec::groups, {"LABEL"}),
+            &RunSpec::groups, WordsDomain{"LABEL"}),
         integer_option(
             {"layers", "",
              "layers of equal height, from the ground, or the lowest point if lower, to "
              "the highest of the organs, whose light is summed; 0: none"},
             &RunSpec::layers, {0, kMostLayers}),
-        {"layer_heights", "",
-         "instead of layers: the heights between them, ascending, in the unit of length",
-         RealsDomain{},
-         [](RunSpec& spec, const OptionValue& value) { spec.layer_heights = as_reals(value); },
-         [](const RunSpec& spec) -> OptionValue { return spec.layer_heights; }},
+        plain_option(
+            {"layer_heights", "",
+             "instead of layers: the heights between them, ascending, in the unit of length"},
+            &RunSpec::layer_heights, RealsDomain{}, as_reals),
     };
-}
-
-// To rename an option or its values: change its row, and add here what it was. Run files, results
-// and command lines of before are understood on, with a warning that names what stands there now.
-std::vector<Option> former_rows() {
-    Option method = choice_option<Method>(
-        {"trace_from", "", "the former name of method"}, &RunSpec::method,
-        {{"sources", Method::light_tracing},
-         {"organs", Method::from_organs},
-         {"lit_surfaces", Method::first_hits},
-         {"auto", Method::automatic}});
-    method.replaced_by = "method";
-    return {method};
 }
 
 std::vector<Option> make_table() {
@@ -257,11 +218,6 @@ std::vector<Option> make_table() {
 
 std::span<const Option> option_table() {
     static const std::vector<Option> table = make_table();
-    return table;
-}
-
-std::span<const Option> former_option_table() {
-    static const std::vector<Option> table = former_rows();
     return table;
 }
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/checks.h"
 #include "base/text.h"
 #include "io/numbers.h"
 
@@ -79,12 +78,6 @@ bool is_number(const OptionDomain& domain) {
            std::holds_alternative<RealDomain>(domain);
 }
 
-const Option* find_in(std::span<const Option> table, std::string_view key) {
-    const auto found = std::find_if(
-        table.begin(), table.end(), [key](const Option& option) { return option.key == key; });
-    return found == table.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 double as_real(const OptionValue& value) {
@@ -98,22 +91,10 @@ std::vector<double> as_reals(const OptionValue& value) {
 }
 
 const Option* find_option(std::string_view key) {
-    return find_in(option_table(), key);
-}
-
-const Option* find_former_option(std::string_view key) {
-    return find_in(former_option_table(), key);
-}
-
-const Option* find_stated_option(std::string_view key) {
-    const Option* option = find_option(key);
-    return option != nullptr ? option : find_former_option(key);
-}
-
-const Option& option_of_today(const Option& option) {
-    const Option* today = option.replaced_by.empty() ? &option : find_option(option.replaced_by);
-    ENSURE(today != nullptr);
-    return *today;
+    const std::span<const Option> table = option_table();
+    const auto found = std::find_if(
+        table.begin(), table.end(), [key](const Option& option) { return option.key == key; });
+    return found == table.end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> option_keys() {
@@ -122,15 +103,6 @@ std::vector<std::string_view> option_keys() {
         keys.push_back(option.key);
     }
     return keys;
-}
-
-std::string replacement_words(const Option& former, const OptionValue& value) {
-    RunSpec spec;
-    former.set(spec, value);
-    const OptionValue now = option_of_today(former).get(spec);
-    return fmt::format(
-        "{} = {} is now {} = {}", former.key, option_toml(value), former.replaced_by,
-        option_toml(now));
 }
 
 std::string option_flag(const Option& option) {
@@ -180,13 +152,6 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         fault.why = "no such choice";
         fault.suggestion = did_you_mean(std::get<std::string>(value), choice->names);
-        for (const Option& former : former_option_table()) {
-            if (former.replaced_by == option.key && in_domain(former.domain, value)) {
-                RunSpec spec;
-                former.set(spec, value);
-                fault.suggestion = "it is now " + option_toml(option.get(spec));
-            }
-        }
     }
     return fault;
 }

@@ -35,24 +35,23 @@ struct RealsDomain {};  ///< a list of finite numbers
 using OptionDomain =
     std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
 
-/// One row of the table of run options: one field of RunSpec.
-struct Option {
+/// The words of a row.
+struct OptionWords {
     std::string_view key;      ///< in the run file's [run]; the flag is --key with '-' for '_'
     std::string_view unit;     ///< may be empty
     std::string_view summary;  ///< one line for the manual, the usage and the default file
+};
+
+/// One row of the table of run options: one field of RunSpec.
+struct Option : OptionWords {
     OptionDomain domain;
     std::function<void(RunSpec&, const OptionValue&)>
         set;  ///< of a value that check_option accepts
     std::function<OptionValue(const RunSpec&)> get;
-    std::string_view replaced_by = {};  ///< of a former option: the key of today
 };
 
 /// All options of a run, in the order of the manual.
 [[nodiscard]] std::span<const Option> option_table();
-
-/// Options under the names they had before, with the values of then. They are still understood,
-/// with a warning; lists and manuals leave them out.
-[[nodiscard]] std::span<const Option> former_option_table();
 
 /// A number, of an integer too.
 [[nodiscard]] double as_real(const OptionValue& value);
@@ -62,18 +61,9 @@ struct Option {
 
 /// The row of that key, or null.
 [[nodiscard]] const Option* find_option(std::string_view key);
-[[nodiscard]] const Option* find_former_option(std::string_view key);
-/// The row of that key, of today or former; or null.
-[[nodiscard]] const Option* find_stated_option(std::string_view key);
-/// The option that says today what this one did; itself if it still does.
-[[nodiscard]] const Option& option_of_today(const Option& option);
 
 /// The keys of the table of options, for suggestions.
 [[nodiscard]] std::vector<std::string_view> option_keys();
-
-/// What to tell who states a former option with a value that it takes: "trace_from = "organs" is
-/// now method = "from_organs"".
-[[nodiscard]] std::string replacement_words(const Option& former, const OptionValue& value);
 
 /// "--max-depth" for max_depth.
 [[nodiscard]] std::string option_flag(const Option& option);

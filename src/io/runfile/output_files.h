@@ -1,12 +1,29 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "quasimc/file.h"
 
 namespace quasimc {
 
 /// The keys of [output] that name files.
-inline constexpr std::array<std::string_view, 10> kOutputFiles{
-    "csv", "json", "days", "groups_csv", "groups_days", "picture", "vtp", "ply", "glb", "nc"};
+struct OutputFileKey {
+    std::string_view key;
+    std::optional<std::string> OutputSpec::*file;
+};
+inline constexpr std::array<OutputFileKey, 10> kOutputFiles{
+    {{"csv", &OutputSpec::csv},
+     {"json", &OutputSpec::json},
+     {"days", &OutputSpec::days},
+     {"groups_csv", &OutputSpec::groups_csv},
+     {"groups_days", &OutputSpec::groups_days},
+     {"picture", &OutputSpec::picture},
+     {"vtp", &OutputSpec::vtp},
+     {"ply", &OutputSpec::ply},
+     {"glb", &OutputSpec::glb},
+     {"nc", &OutputSpec::nc}}};
 
 }  // namespace quasimc

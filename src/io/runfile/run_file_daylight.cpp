@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "io/line_scanner.h"
-#include "io/numbers.h"
-#include "io/runfile/row_faults.h"
+#include "io/runfile/run_file_spectrum.h"
 #include "io/runfile/run_file_time.h"
 #include "sources/solar_reference.h"
 
@@ -26,81 +24,33 @@ std::optional<SpectralSpan::Count> count_of(std::string_view unit) {
     return unit == "lx" ? std::optional(SpectralSpan::Count::lumens) : std::nullopt;
 }
 
-/// A spectrum of the columns of a file.
-struct SpectrumColumns {
-    std::vector<double> nm, direct, diffuse;
-};
+constexpr SpectrumForm kDaylightForm{
+    "wavelength_nm,direct,diffuse",
+    "a row holds wavelength [nm], direct and diffuse irradiance per nm, 0 or more",
+    [](const std::vector<double>& values) {
+        return values.size() == 3 && std::all_of(values.begin(), values.end(), [](double x) {
+                   return std::isfinite(x) && x >= 0;
+               });
+    }};
 
 /// The spectra of the columns, continued beyond their ends.
 struct DaylightColumns {
     Spectrum direct, diffuse;
 };
 
-void read_spectrum_row(
-    std::string_view line, std::uint32_t number, SpectrumColumns& columns, RowFaults& faults) {
-    std::vector<double> values;
-    for (const std::string& field : split_fields(line, ',')) {
-        values.push_back(parse_real(trimmed(field)).value_or(NAN));
-    }
-    const bool is_row =
-        values.size() == 3 && std::all_of(values.begin(), values.end(), [](double x) {
-            return std::isfinite(x) && x >= 0;
-        });
-    if (!is_row) {
-        faults.add(
-            number, "is no row of a spectrum",
-            "a row holds wavelength [nm], direct and diffuse irradiance per nm, 0 or more");
-    } else if (!columns.nm.empty() && values[0] <= columns.nm.back()) {
-        faults.add(number, "the wavelength does not grow", "rows are in ascending order");
-    } else {
-        columns.nm.push_back(values[0]);
-        columns.direct.push_back(values[1]);
-        columns.diffuse.push_back(values[2]);
-    }
-}
-
-/// wavelength_nm,direct,diffuse: a line of names, then rows; '#' begins a comment.
-SpectrumColumns read_spectrum_columns(std::string_view text, Reporter& reporter) {
-    SpectrumColumns columns;
-    RowFaults faults;
-    LineScanner scanner(text);
-    bool has_names = false;
-    while (scanner.next()) {
-        const std::string_view line = trimmed(scanner.line());
-        if (line.empty() || line[0] == '#') {
-            continue;
-        }
-        if (!has_names && line != "wavelength_nm,direct,diffuse") {
-            reporter.fault(
-                scanner.number(), "the names are not those of a spectrum",
-                "they are wavelength_nm,direct,diffuse");
-            break;
-        }
-        if (has_names) {
-            read_spectrum_row(line, scanner.number(), columns, faults);
-        }
-        has_names = true;
-    }
-    faults.report(reporter);
-    if (reporter.faults.empty() && columns.nm.size() < 2) {
-        reporter.fault(0, "holds no spectrum", "at least two rows are needed");
-    }
-    return columns;
-}
-
 /// The share of a span's light that lies outside the wavelengths of the rows.
 double share_outside(
-    const Spectrum& light, const SpectralSpan& span, const SpectrumColumns& columns) {
+    const Spectrum& light, const SpectralSpan& span, const std::vector<double>& nm) {
     SpectralSpan inside = span;
-    inside.from_nm = std::max(span.from_nm, columns.nm.front());
-    inside.to_nm = std::min(span.to_nm, columns.nm.back());
+    inside.from_nm = std::max(span.from_nm, nm.front());
+    inside.to_nm = std::min(span.to_nm, nm.back());
     const double all = light.within(span);
     return all > 0 ? 1 - (inside.from_nm < inside.to_nm ? light.within(inside) : 0) / all : 0;
 }
 
 /// Warns of rows that lack a thousandth or more of daylight or of a band.
 void warn_of_short_rows(
-    const SpectrumColumns& columns,
+    const std::vector<double>& nm,
     const DaylightColumns& continued,
     const std::vector<SpectralSpan>& bands,
     Reporter& reporter) {
@@ -109,7 +59,7 @@ void warn_of_short_rows(
     spans.push_back(all);
     constexpr double kLittle = 1e-3;
     const bool is_short = std::any_of(spans.begin(), spans.end(), [&](const SpectralSpan& span) {
-        return share_outside(reference_global(), span, columns) >= kLittle;
+        return share_outside(reference_global(), span, nm) >= kLittle;
     });
     if (is_short) {
         reporter.warnings.push_back(
@@ -119,9 +69,9 @@ void warn_of_short_rows(
                  "spectrum is taken to be the standard's (ASTM G173-03), scaled to the rows, and "
                  "dark beyond a row of 0; {:.2g} % of the direct and {:.2g} % of the diffuse light "
                  "lie there; add rows if that is not so",
-                 shortest(columns.nm.front()), shortest(columns.nm.back()), all.from_nm, all.to_nm,
-                 100 * share_outside(continued.direct, all, columns),
-                 100 * share_outside(continued.diffuse, all, columns))});
+                 shortest(nm.front()), shortest(nm.back()), all.from_nm, all.to_nm,
+                 100 * share_outside(continued.direct, all, nm),
+                 100 * share_outside(continued.diffuse, all, nm))});
     }
 }
 
@@ -130,20 +80,21 @@ std::optional<DaylightSpectra> read_spectra(
     Reporter own{path, {}, {}};
     SpectrumColumns columns;
     try {
-        columns = read_spectrum_columns(context.run->files->read(path), own);
+        columns = read_spectrum_columns(context.run->files->read(path), kDaylightForm, own);
     } catch (const InputError& error) {
         own.faults.add(error);
     }
     std::optional<DaylightSpectra> spectra;
     if (own.faults.empty()) {
-        const Spectrum direct(columns.nm, columns.direct);
-        const Spectrum diffuse(columns.nm, columns.diffuse);
+        const auto& [nm, direct_values, diffuse_values] = columns;
+        const Spectrum direct(nm, direct_values);
+        const Spectrum diffuse(nm, diffuse_values);
         const SpectralSpan all = span_of(LightUnit::full_spectrum);
         if (direct.within(all) > 0 && diffuse.within(all) > 0) {
             // Under clouds the sky's light has the spectrum of the global light.
             const DaylightColumns whole{
                 continued(direct, reference_direct()), continued(diffuse, reference_global())};
-            warn_of_short_rows(columns, whole, bands, own);
+            warn_of_short_rows(nm, whole, bands, own);
             spectra = DaylightSpectra(whole.direct, whole.diffuse);
         } else {
             own.fault(0, "has no light", "direct and diffuse must have some from 280 to 4000 nm");
@@ -170,11 +121,7 @@ void warn_of_dark_bands(TimeContext& context, const DaylightSources& how) {
 
 /// The name of a sky of the catalogue.
 std::string read_sky_model(TableReader& table, std::string_view key, std::string_view usual) {
-    std::vector<std::string_view> names;
-    for (const SkyEntry& entry : sky_catalogue()) {
-        names.push_back(entry.name);
-    }
-    return table.choice(key, names).value_or(std::string(usual));
+    return table.choice(key, names_in(sky_catalogue())).value_or(std::string(usual));
 }
 
 }  // namespace

@@ -26,12 +26,9 @@ void read_parameter(
 }
 
 void read_detector(const Node& node, Reporter& reporter, SceneBuilder& builder) {
-    std::vector<std::string_view> names;
-    for (const DetectorEntry& type : detector_catalogue()) {
-        names.push_back(type.name);
-    }
     TableReader table(node, "detector", reporter);
-    const std::optional<std::string> type = table.required("type", table.choice("type", names));
+    const std::optional<std::string> type =
+        table.required("type", table.choice("type", names_in(detector_catalogue())));
     const std::string name = table.text("name").value_or(type.value_or("detector"));
     table.rename(fmt::format("detector '{}'", name));
     if (!type) {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "io/runfile/run_file_source_kinds.h"
@@ -9,7 +6,7 @@ namespace quasimc {
 namespace {
 
 /// The unit vector in which light travels, z up; nothing after a fault.
-std::optional<Vec3> read_travel(TableReader& table, const Orientation& orientation) {
+std::optional<Vec3> read_travel(TableReader& table, const RunFileContext& context) {
     const bool has_direction = table.any("direction") != nullptr;
     // Each is looked at, or a fault below would leave the other a key that nobody knows.
     const bool has_azimuth = table.any("azimuth_deg") != nullptr;
@@ -24,31 +21,17 @@ std::optional<Vec3> read_travel(TableReader& table, const Orientation& orientati
         return std::nullopt;
     }
     if (has_angles) {
-        const auto elevation =
-            table.required("elevation_deg", table.real("elevation_deg", {-90, 90}));
-        const auto azimuth = table.required("azimuth_deg", table.real("azimuth_deg", {-360, 360}));
-        return elevation && azimuth ? std::optional(-orientation.towards(*azimuth, *elevation))
-                                    : std::nullopt;
+        const auto to_light = read_towards(table, context.orientation);
+        return to_light ? std::optional(-*to_light) : std::nullopt;
     }
-    const std::optional<Vec3> direction = table.vector("direction");
-    if (!direction) {
-        return std::nullopt;
-    }
-    // Scaled first: the square of a very long or short vector is no number.
-    const double size =
-        std::max({std::abs(direction->x), std::abs(direction->y), std::abs(direction->z)});
-    if (size == 0) {
-        table.fault_at("direction", "direction is [0, 0, 0]", "it points nowhere");
-        return std::nullopt;
-    }
-    return normalized(orientation.inward(*direction / size));
+    return read_direction(table, "direction", std::nullopt, context);
 }
 
 }  // namespace
 
 std::optional<NotedSource> read_directional(
     TableReader& table, const std::string& name, const RunFileContext& context) {
-    const std::optional<Vec3> travel = read_travel(table, context.orientation);
+    const std::optional<Vec3> travel = read_travel(table, context);
     const std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
     if (!travel || !irradiance) {
         return std::nullopt;

@@ -40,21 +40,9 @@ std::optional<CivilTime> read_date(TimeContext& context, std::string_view key) {
 /// hours = [from, to], of each day.
 void read_hours(TableReader& table, TimeSpan& span) {
     const Node* node = table.any("hours");
-    if (node == nullptr) {
-        return;
-    }
-    const auto* list = node->as<Node::List>();
-    if (list == nullptr || list->size() != 2) {
-        table.fault_at("hours", "hours is no pair of numbers", "", "write hours = [5, 21]");
-        return;
-    }
-    const auto low = table.real_at("hours", (*list)[0], {0, 24});
-    const auto high = table.real_at("hours", (*list)[1], {0, 24});
-    if (low && high && *low >= *high) {
-        table.fault_at("hours", "hours ends before it begins", "the first is less than the second");
-    }
-    span.from_hour = low.value_or(0);
-    span.to_hour = high.value_or(24);
+    const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
+    span.from_hour = hours ? hours->low : 0;
+    span.to_hour = hours ? hours->high : 24;
 }
 
 /// The amounts of light of each of `times`; lists, or numbers for all.

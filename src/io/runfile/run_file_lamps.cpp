@@ -204,8 +204,7 @@ bool add_flux(
     return stated.has_value();
 }
 
-}  // namespace
-
+/// What a lamp emits, per band, in irradiance unit x square scene unit; nothing after a fault.
 std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
     std::vector<double> flux(context.bands.size());
     bool is_stated = false;
@@ -232,6 +231,20 @@ std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileCo
     return flux;
 }
 
+/// "emits PAR 400 umol s-1"
+std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
+    std::string text = "emits";
+    for (std::size_t b = 0; b < flux.size(); ++b) {
+        const FluxUnit unit = named_flux_unit(context.bands[b].unit, context.length_unit);
+        text += fmt::format(
+            "{} {} {:.6g} {}", b == 0 ? "" : ",", context.bands[b].name, unit.factor * flux[b],
+            unit.name);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::optional<Vec3> read_direction(
     TableReader& table,
     std::string_view key,
@@ -251,17 +264,6 @@ std::optional<Vec3> read_direction(
         return std::nullopt;
     }
     return normalized(context.orientation.inward(*stated / size));
-}
-
-std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
-    std::string text = "emits";
-    for (std::size_t b = 0; b < flux.size(); ++b) {
-        const FluxUnit unit = named_flux_unit(context.bands[b].unit, context.length_unit);
-        text += fmt::format(
-            "{} {} {:.6g} {}", b == 0 ? "" : ",", context.bands[b].name, unit.factor * flux[b],
-            unit.name);
-    }
-    return text;
 }
 
 std::optional<NotedSource> read_lamp(

@@ -15,10 +15,6 @@ constexpr Range kFraction{0, 1};
 
 /// The name of a lobe model, or nothing after a fault.
 std::optional<std::string> read_model(TableReader& table, std::string_view key, const Node& node) {
-    std::vector<std::string_view> names;
-    for (const BsdfEntry& entry : bsdf_catalogue()) {
-        names.push_back(entry.name);
-    }
     const auto* text = node.as<std::string>();
     if (text == nullptr) {
         table.fault_at(node, fmt::format("{} is {}", key, node.type_name()), "it must be a name");
@@ -27,7 +23,7 @@ std::optional<std::string> read_model(TableReader& table, std::string_view key, 
     if (find_bsdf(*text) == nullptr) {
         table.fault_at(
             node, fmt::format("{} is '{}'", key, *text), "no such model",
-            did_you_mean(*text, names));
+            did_you_mean(*text, names_in(bsdf_catalogue())));
         return std::nullopt;
     }
     return *text;

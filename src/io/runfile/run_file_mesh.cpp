@@ -8,10 +8,7 @@ namespace quasimc {
 namespace {
 
 const FormatEntry* read_format(TableReader& table, const std::string& file) {
-    std::vector<std::string_view> names;
-    for (const FormatEntry& entry : format_table()) {
-        names.push_back(entry.name);
-    }
+    const std::vector<std::string_view> names = names_in(format_table());
     if (table.any("format") != nullptr) {
         const auto name = table.choice("format", names);
         return name ? find_format(*name) : nullptr;
@@ -48,14 +45,6 @@ std::optional<MeshFile> read_bytes(
     std::optional<double> plant_metres,
     const RunFileContext& context) {
     Reporter reporter{file, {}, {}};
-    const MeshCache::Key key{
-        file, std::string(format.name), context.orientation.up(), context.length_unit,
-        plant_metres};
-    if (const auto known = context.meshes != nullptr ? context.meshes->find(key) : nullptr) {
-        reporter.warnings = known->warnings;
-        table.reporter().add(reporter);
-        return known->mesh;
-    }
     MeshFile mesh;
     try {
         const std::string bytes = context.files->read(file);
@@ -77,15 +66,7 @@ std::optional<MeshFile> read_bytes(
         table.fault_at("file", fmt::format("file '{}' holds no triangle", file));
     }
     table.reporter().add(reporter);
-    if (table.failed()) {
-        return std::nullopt;
-    }
-    if (context.meshes != nullptr) {
-        context.meshes->add(
-            key,
-            std::make_shared<const MeshCache::Parsed>(MeshCache::Parsed{mesh, reporter.warnings}));
-    }
-    return mesh;
+    return table.failed() ? std::nullopt : std::optional(std::move(mesh));
 }
 
 /// `plant_unit`: metres in the unit of the plants of a scene of plants. Nothing if it is absent.

@@ -69,77 +69,26 @@ Node option_node(const OptionValue& value) {
     return {std::get<std::string>(value)};
 }
 
-/// What to do about a value that an option does not take: of a former one, to use that of today.
-std::string advice(const Option& option, const Fault& fault) {
-    if (option.replaced_by.empty()) {
-        return fault.suggestion;
-    }
-    const Option& today = option_of_today(option);
-    return fmt::format("{} is now {}, which takes {}", option.key, today.key, domain_text(today));
-}
-
-/// Reads one option. @returns whether it is stated, with a value that it takes
-bool read_option(TableReader& table, const Option& option, RunOptions& options) {
+/// Reads one option.
+void read_option(TableReader& table, const Option& option, RunOptions& options) {
     const Node* stated = table.any(option.key);
     if (stated == nullptr) {
-        return false;
+        return;
     }
-    const bool is_former = !option.replaced_by.empty();
-    const std::string_view key = is_former ? option.replaced_by : option.key;
-    options.places[key] = table.reporter().place(stated->line);
+    options.places[option.key] = table.reporter().place(stated->line);
     std::optional<OptionValue> value = option_value(*stated);
     if (!value) {
         table.fault_at(
             *stated, fmt::format("{} is {}", option.key, stated->type_name()),
             "it takes " + domain_text(option));
-        return false;
+        return;
     }
     value = whole_if_integer(option, *value);
     if (const std::optional<Fault> fault = check_option(option, *value)) {
-        table.fault_at(*stated, fault->problem, fault->why, advice(option, *fault));
-        return false;
-    }
-    if (is_former) {
-        table.warn_at(*stated, replacement_words(option, *value));
+        table.fault_at(*stated, fault->problem, fault->why, fault->suggestion);
+        return;
     }
     option.set(options.spec, *value);
-    return true;
-}
-
-/// Reads a former option, which must not contradict that of today.
-void read_former_option(TableReader& table, const Option& former, RunOptions& options) {
-    const Option& today = option_of_today(former);
-    const bool has_both = table.any(today.key) != nullptr;
-    const OptionValue value = today.get(options.spec);
-    if (read_option(table, former, options) && has_both && today.get(options.spec) != value) {
-        table.fault_at(
-            former.key, fmt::format("{} and {} say different things", former.key, today.key),
-            fmt::format("{} is the former name of {}", former.key, today.key),
-            fmt::format("leave {} out", former.key));
-    }
-}
-
-/// Sets an option; an override of the same option by its other name must have set the same.
-void set_override(
-    const Override& stated,
-    const Option& option,
-    RunOptions& options,
-    std::map<std::string_view, Override>& set,
-    Reporter& reporter) {
-    const Option& today = option_of_today(option);
-    const OptionValue before = today.get(options.spec);
-    const OptionValue value = parse_option(option, stated.text);
-    option.set(options.spec, value);
-    options.places[today.key] = stated.place;
-    if (!option.replaced_by.empty()) {
-        reporter.warnings.push_back({stated.place, replacement_words(option, value)});
-    }
-    const auto [other, is_first] = set.try_emplace(today.key, stated);
-    if (!is_first && other->second.key != stated.key && today.get(options.spec) != before) {
-        reporter.faults.add(
-            {stated.place, fmt::format("says otherwise than {}", other->second.place),
-             "they are two names of one option", ""});
-    }
 }
 
 }  // namespace
@@ -151,30 +100,25 @@ void read_run_options(TableReader& top, RunOptions& options) {
     }
     TableReader table(*node, "[run]", top.reporter());
     for (const Option& option : option_table()) {
-        static_cast<void>(read_option(table, option, options));
-    }
-    for (const Option& former : former_option_table()) {
-        read_former_option(table, former, options);
-        table.leave_out_of_advice(former.key);
+        read_option(table, option, options);
     }
     table.finish();
 }
 
 void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter) {
-    std::map<std::string_view, Override> set;  // by the option's key of today
     for (const Override& stated : overrides) {
-        const Option* option = find_stated_option(stated.key);
+        const Option* option = find_option(stated.key);
         if (option == nullptr) {
             reporter.faults.add(
                 {stated.place, fmt::format("there is no option '{}'", stated.key), "",
                  did_you_mean(stated.key, option_keys())});
         } else if (auto fault = check_option(*option, parse_option(*option, stated.text))) {
             fault->place = stated.place;
-            fault->suggestion = advice(*option, *fault);
             reporter.faults.add(*fault);
         } else {
-            set_override(stated, *option, options, set, reporter);
+            option->set(options.spec, parse_option(*option, stated.text));
+            options.places[option->key] = stated.place;
         }
     }
 }
@@ -196,13 +140,11 @@ Node completed(Node document, const RunSpec& spec) {
 }
 
 void refuse_options_at_the_top(TableReader& top) {
-    for (const std::span<const Option> table : {option_table(), former_option_table()}) {
-        for (const Option& option : table) {
-            if (const Node* node = top.any(option.key)) {
-                top.fault_at(
-                    *node, fmt::format("{} is an option of the run", option.key), "",
-                    "put it below [run]");
-            }
+    for (const Option& option : option_table()) {
+        if (const Node* node = top.any(option.key)) {
+            top.fault_at(
+                *node, fmt::format("{} is an option of the run", option.key), "",
+                "put it below [run]");
         }
     }
 }

@@ -19,33 +19,10 @@ std::array<std::string_view, 2> horizontal_axes(const Orientation& orientation) 
                                          : std::array<std::string_view, 2>{"z", "x"};
 }
 
-struct HorizontalRange {
-    double low, high;
-};
-
 /// A pair low, high with low < high.
-std::optional<HorizontalRange> read_horizontal_range(TableReader& table, std::string_view key) {
+std::optional<Range> read_horizontal_range(TableReader& table, std::string_view key) {
     const Node* node = table.any(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto* list = node->as<Node::List>();
-    if (list == nullptr || list->size() != 2) {
-        table.fault_at(
-            *node, fmt::format("{} is no pair of numbers", key), "it must be [low, high]");
-        return std::nullopt;
-    }
-    const auto low = table.real_at(key, (*list)[0], TableReader::kFinite);
-    const auto high = table.real_at(key, (*list)[1], TableReader::kFinite);
-    if (!low || !high) {
-        return std::nullopt;
-    }
-    if (!(*low < *high)) {
-        table.fault_at(
-            *node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
-        return std::nullopt;
-    }
-    return HorizontalRange{*low, *high};
+    return node ? table.interval_at(key, *node, TableReader::kFinite) : std::nullopt;
 }
 
 /// Rotation by `angle` about the unit vector `k` (Rodrigues).
@@ -244,8 +221,8 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
         if (along_x || along_y) {
             table.fault("both a file and ranges are given", "", "use one of them");
         }
-        along_x = HorizontalRange{(*pattern)[0], (*pattern)[2]};
-        along_y = HorizontalRange{(*pattern)[1], (*pattern)[3]};
+        along_x = Range{(*pattern)[0], (*pattern)[2]};
+        along_y = Range{(*pattern)[1], (*pattern)[3]};
     }
     if (!along_x && !along_y && !table.failed()) {
         table.fault(

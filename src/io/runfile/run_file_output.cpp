@@ -1,7 +1,6 @@
 // [output]: the files that results go to, and what of them is written.
 
 #include <array>
-#include <map>
 #include <utility>
 
 #include <unistd.h>
@@ -15,8 +14,6 @@
 
 namespace quasimc {
 namespace {
-
-using Paths = std::map<std::string_view, std::optional<std::string>>;
 
 std::optional<std::string> read_path(
     TableReader& table, std::string_view key, const InputFiles& files) {
@@ -39,13 +36,11 @@ std::optional<std::string> read_path(
 }
 
 /// No two files may be one.
-void check_apart(TableReader& table, const Paths& paths) {
-    for (std::size_t i = 0; i < kOutputFiles.size(); ++i) {
-        for (std::size_t j = i + 1; j < kOutputFiles.size(); ++j) {
-            const auto& first = paths.at(kOutputFiles[i]);
-            if (first && first == paths.at(kOutputFiles[j])) {
-                table.fault(
-                    fmt::format("{} and {} name the same file", kOutputFiles[i], kOutputFiles[j]));
+void check_apart(TableReader& table, const OutputSpec& output) {
+    for (const OutputFileKey& one : kOutputFiles) {
+        for (const OutputFileKey* other = kOutputFiles.data(); other != &one; ++other) {
+            if (output.*one.file && output.*one.file == output.*other->file) {
+                table.fault(fmt::format("{} and {} name the same file", other->key, one.key));
             }
         }
     }
@@ -77,25 +72,9 @@ void refuse_groups(TableReader& table) {
 }
 
 std::optional<std::array<double, 2>> read_hours(TableReader& table) {
-    constexpr double kHours = 24;
     const Node* node = table.any("hours");
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto* list = node->as<Node::List>();
-    if (list == nullptr || list->size() != 2) {
-        table.fault_at(*node, "hours is no list of two numbers", "", "write hours = [6, 20]");
-        return std::nullopt;
-    }
-    const auto from = table.real_at("hours", (*list)[0], {0, kHours});
-    const auto to = table.real_at("hours", (*list)[1], {0, kHours});
-    if (from && to && !(*from < *to)) {
-        table.fault_at(
-            *node, fmt::format("hours runs from {} to {}", *from, *to),
-            "times are written that begin from the one to before the other", "");
-        return std::nullopt;
-    }
-    return from && to ? std::optional(std::array{*from, *to}) : std::nullopt;
+    const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
+    return hours ? std::optional(std::array{hours->low, hours->high}) : std::nullopt;
 }
 
 void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec& output) {
@@ -131,21 +110,10 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
         return output;
     }
     TableReader table(*node, "[output]", top.reporter());
-    Paths paths;
-    for (const std::string_view key : kOutputFiles) {
-        paths[key] = read_path(table, key, files);
+    for (const OutputFileKey& each : kOutputFiles) {
+        output.*each.file = read_path(table, each.key, files);
     }
-    output.csv = paths["csv"];
-    output.json = paths["json"];
-    output.days = paths["days"];
-    output.groups_csv = paths["groups_csv"];
-    output.groups_days = paths["groups_days"];
-    output.picture = paths["picture"];
-    output.vtp = paths["vtp"];
-    output.ply = paths["ply"];
-    output.glb = paths["glb"];
-    output.nc = paths["nc"];
-    check_apart(table, paths);
+    check_apart(table, output);
     read_choice(table, bands, output);
     refuse_groups(table);
     check_times(table, output, top.any("time") != nullptr);

@@ -14,10 +14,7 @@ namespace {
 constexpr std::string_view kTable = "table";
 
 std::vector<std::string_view> model_names() {
-    std::vector<std::string_view> names;
-    for (const SkyEntry& entry : sky_catalogue()) {
-        names.push_back(entry.name);
-    }
+    std::vector<std::string_view> names = names_in(sky_catalogue());
     names.push_back(kTable);
     return names;
 }
@@ -147,6 +144,19 @@ std::optional<NotedSource> read_sky(
         is_uniform ? make_uniform_sky(name, *values) : make_sky(name, sky->shape, *values),
         note,
         {}};
+}
+
+std::optional<NotedSource> read_uniform_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const auto values = table.required(
+        "irradiance_horizontal", read_irradiances(table, "irradiance_horizontal", context.bands));
+    if (!values) {
+        return std::nullopt;
+    }
+    return NotedSource{
+        make_uniform_sky(name, *values),
+        fmt::format(
+            "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands))};
 }
 
 }  // namespace quasimc

@@ -43,6 +43,9 @@ struct Irradiance {
 [[nodiscard]] std::optional<std::vector<double>> facing_irradiance(
     TableReader& table, Irradiance irradiance, double sine);
 
+/// The direction of `azimuth_deg` and `elevation_deg`, unit, z up; nothing after a fault.
+/// run_file_sun.cpp
+[[nodiscard]] std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientation);
 /// Where the sun stands, by `time` (and [place]) or by `azimuth_deg` and `elevation_deg`; nothing
 /// after a fault. run_file_sun.cpp
 [[nodiscard]] std::optional<StatedSun> read_stated_sun(
@@ -59,13 +62,6 @@ struct StatedShape {
 [[nodiscard]] std::optional<StatedShape> read_table_shape(
     TableReader& table, const RunFileContext& context);
 
-/// What a lamp emits, per band, in irradiance unit x square scene unit; nothing after a fault.
-/// run_file_lamps.cpp
-[[nodiscard]] std::optional<std::vector<double>> read_flux(
-    TableReader& table, const RunFileContext& context);
-/// "emits PAR 400 umol s-1"
-[[nodiscard]] std::string flux_words(
-    const std::vector<double>& flux, const RunFileContext& context);
 /// A vector of some length, as a unit vector with z up; nothing after a fault. run_file_lamps.cpp
 /// @param usual  if none is stated; nothing: it must be
 [[nodiscard]] std::optional<Vec3> read_direction(
@@ -74,15 +70,7 @@ struct StatedShape {
     const std::optional<Vec3>& usual,
     const RunFileContext& context);
 
-/// A source of a kind that has a `make`, by the keys of its row; nothing after a fault.
-/// run_file_stated_source.cpp
-[[nodiscard]] std::optional<NotedSource> read_stated_source(
-    const SourceEntry& kind,
-    TableReader& table,
-    const std::string& name,
-    const RunFileContext& context);
-
-// The kinds that have a reader of their own: nothing after a fault.
+// The kinds of sources: nothing after a fault.
 // run_file_directional.cpp
 [[nodiscard]] std::optional<NotedSource> read_directional(
     TableReader& table, const std::string& name, const RunFileContext& context);
@@ -91,6 +79,8 @@ struct StatedShape {
     TableReader& table, const std::string& name, const RunFileContext& context);
 // run_file_sky.cpp
 [[nodiscard]] std::optional<NotedSource> read_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context);
+[[nodiscard]] std::optional<NotedSource> read_uniform_sky(
     TableReader& table, const std::string& name, const RunFileContext& context);
 // run_file_lamps.cpp: of every type of lamp
 [[nodiscard]] std::optional<NotedSource> read_lamp(

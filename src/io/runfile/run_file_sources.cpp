@@ -10,39 +10,24 @@
 namespace quasimc {
 namespace {
 
-/// A kind of source whose keys depend on each other, so that its row in the catalogue
-/// (sources/catalogue.cpp, the one table of kinds) does not tell all of it.
-struct OwnReader {
+/// How the keys of a kind of source are read; its words stand in sources/catalogue.cpp.
+struct KindReader {
     std::string_view name;
     std::optional<NotedSource> (*read)(
         TableReader& table, const std::string& name, const RunFileContext& context);
 };
-constexpr std::array kOwnReaders{
-    OwnReader{"directional", read_directional},
-    OwnReader{"sun", read_sun},
-    OwnReader{"sky", read_sky},
-    OwnReader{"point", read_lamp},
-    OwnReader{"spot", read_lamp},
-    OwnReader{"rectangle", read_lamp},
-    OwnReader{"disk", read_lamp},
-    OwnReader{"line", read_lamp},
-    OwnReader{"sphere", read_lamp},
-    OwnReader{"ies", read_lamp}};
-
-std::optional<NotedSource> read_kind(
-    const SourceEntry& kind,
-    TableReader& table,
-    const std::string& name,
-    const RunFileContext& context) {
-    if (kind.make != nullptr) {
-        return read_stated_source(kind, table, name, context);
-    }
-    const auto* own = std::find_if(
-        kOwnReaders.begin(), kOwnReaders.end(),
-        [&](const OwnReader& reader) { return reader.name == kind.name; });
-    EXPECT(own != kOwnReaders.end());
-    return own->read(table, name, context);
-}
+constexpr std::array kKindReaders{
+    KindReader{"directional", read_directional},
+    KindReader{"sun", read_sun},
+    KindReader{"sky", read_sky},
+    KindReader{"uniform_sky", read_uniform_sky},
+    KindReader{"point", read_lamp},
+    KindReader{"spot", read_lamp},
+    KindReader{"rectangle", read_lamp},
+    KindReader{"disk", read_lamp},
+    KindReader{"line", read_lamp},
+    KindReader{"sphere", read_lamp},
+    KindReader{"ies", read_lamp}};
 
 /// One pair of hours; nothing after a fault.
 std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Node& node) {
@@ -94,18 +79,19 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
 }
 
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
-    std::vector<std::string_view> names;
-    for (const SourceEntry& kind : source_catalogue()) {
-        names.push_back(kind.name);
-    }
     TableReader table(node, "source", *context.reporter);
-    const std::optional<std::string> type = table.required("type", table.choice("type", names));
+    const std::optional<std::string> type =
+        table.required("type", table.choice("type", names_in(source_catalogue())));
     const std::string name = table.text("name").value_or(type.value_or("source"));
     table.rename(fmt::format("source '{}'", name));
     if (!type) {
         return std::nullopt;  // which keys are meant can't be told
     }
-    std::optional<NotedSource> source = read_kind(*find_source(*type), table, name, context);
+    const auto* kind = std::find_if(
+        kKindReaders.begin(), kKindReaders.end(),
+        [&](const KindReader& reader) { return reader.name == *type; });
+    EXPECT(kind != kKindReaders.end());
+    std::optional<NotedSource> source = kind->read(table, name, context);
     const std::optional<DailyHours> hours = read_on_hours(table, context);
     if (source && hours) {
         source->hours = hours;

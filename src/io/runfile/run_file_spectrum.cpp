@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "io/line_scanner.h"
 #include "io/numbers.h"
-#include "io/runfile/row_faults.h"
 #include "io/runfile/run_file_sections.h"
 #include "io/runfile/run_file_time.h"
 #include "sources/band_mean.h"
@@ -18,60 +17,49 @@
 namespace quasimc {
 namespace {
 
-void read_optics_row(
-    std::string_view line, std::uint32_t number, SurfaceSpectrum& columns, RowFaults& faults) {
-    std::vector<double> values;
-    for (const std::string& field : split_fields(line, ',')) {
-        values.push_back(parse_real(trimmed(field)).value_or(NAN));
-    }
-    if (values.size() == 2) {
-        values.push_back(0);
-    }
-    const bool is_row = values.size() == 3 && std::isfinite(values[0]) && values[0] > 0 &&
-                        values[1] >= 0 && values[2] >= 0 && values[1] + values[2] <= 1;
-    if (!is_row) {
-        faults.add(
-            number, "is no row of a surface's spectrum",
-            "a row holds wavelength [nm], reflectance and, if there is any, transmittance, "
-            "together "
-            "at most 1");
-    } else if (!columns.nm.empty() && values[0] <= columns.nm.back()) {
-        faults.add(number, "the wavelength does not grow", "rows are in ascending order");
-    } else {
-        columns.nm.push_back(values[0]);
-        columns.reflectance.push_back(values[1]);
-        columns.transmittance.push_back(values[2]);
-    }
-}
+/// Collects the faults of a table's rows, to report each kind of fault once.
+class RowFaults {
+  public:
+    explicit RowFaults(Reporter& reporter) : reporter_(reporter) {}
 
-/// A line of names, then rows; '#' begins a comment.
-SurfaceSpectrum read_optics_columns(std::string_view bytes, Reporter& reporter) {
-    SurfaceSpectrum columns;
-    RowFaults faults;
-    LineScanner scanner(bytes);
-    bool has_names = false;
-    while (scanner.next()) {
-        const std::string_view line = trimmed(scanner.line().substr(0, scanner.line().find('#')));
-        if (line.empty()) {
-            continue;
+    /// @param problem, why  name the kind, and must outlive this
+    void add(std::uint32_t line, std::string_view problem, std::string_view why) {
+        const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
+            return kind.problem == problem;
+        });
+        if (known != kinds_.end()) {
+            ++known->more;
+        } else {
+            kinds_.push_back({problem, why, line});
         }
-        if (!has_names) {
-            has_names = true;
-            if (!line.starts_with("wavelength_nm,reflectance")) {
-                reporter.fault(
-                    scanner.number(), "the names of the columns are missing", "",
-                    "begin with wavelength_nm,reflectance,transmittance");
-            }
-            continue;
+    }
+    void report() const {
+        for (const Kind& kind : kinds_) {
+            reporter_.fault(
+                kind.first, std::string(kind.problem), std::string(kind.why),
+                kind.more > 0 ? fmt::format("{} more rows have this fault", kind.more) : "");
         }
-        read_optics_row(line, scanner.number(), columns, faults);
     }
-    faults.report(reporter);
-    if (columns.nm.size() < 2 && reporter.faults.empty()) {
-        reporter.faults.add({reporter.file, "has less than two wavelengths", "", ""});
-    }
-    return columns;
-}
+
+  private:
+    struct Kind {
+        std::string_view problem, why;
+        std::uint32_t first = 0;
+        std::size_t more = 0;  // rows
+    };
+    Reporter& reporter_;
+    std::vector<Kind> kinds_;
+};
+
+constexpr SpectrumForm kOpticsForm{
+    "wavelength_nm,reflectance",
+    "a row holds wavelength [nm], reflectance and, if there is any, transmittance, together at "
+    "most 1",
+    [](const std::vector<double>& v) {
+        const double transmittance = v.size() == 3 ? v[2] : 0;
+        return (v.size() == 2 || v.size() == 3) && std::isfinite(v[0]) && v[0] > 0 && v[1] >= 0 &&
+               transmittance >= 0 && v[1] + transmittance <= 1;
+    }};
 
 /// What is weighed by: daylight, its beam, or every wavelength alike.
 const Spectrum& light_of(const std::optional<std::string>& name, const Spectrum& flat) {
@@ -82,6 +70,50 @@ const Spectrum& light_of(const std::optional<std::string>& name, const Spectrum&
 }
 
 }  // namespace
+
+SpectrumColumns read_spectrum_columns(
+    std::string_view text, const SpectrumForm& form, Reporter& reporter) {
+    SpectrumColumns columns;
+    RowFaults faults(reporter);
+    LineScanner scanner(text);
+    bool has_names = false;
+    while (scanner.next()) {
+        const std::string_view line = trimmed(scanner.line().substr(0, scanner.line().find('#')));
+        if (line.empty()) {
+            continue;
+        }
+        if (!has_names) {
+            has_names = true;
+            if (!line.starts_with(form.names)) {
+                reporter.fault(
+                    scanner.number(), "the names of the columns are missing", "",
+                    fmt::format("begin with {}", form.names));
+                break;
+            }
+            continue;
+        }
+        std::vector<double> values;
+        for (const std::string& field : split_fields(line, ',')) {
+            values.push_back(parse_real(trimmed(field)).value_or(NAN));
+        }
+        if (!form.is_row(values)) {
+            faults.add(scanner.number(), "is no row of a spectrum", form.row);
+        } else if (!columns[0].empty() && values[0] <= columns[0].back()) {
+            faults.add(
+                scanner.number(), "the wavelength does not grow", "rows are in ascending order");
+        } else {
+            values.resize(columns.size());
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                columns[i].push_back(values[i]);
+            }
+        }
+    }
+    faults.report();
+    if (reporter.faults.empty() && columns[0].size() < 2) {
+        reporter.fault(0, "holds no spectrum", "at least two rows are needed");
+    }
+    return columns;
+}
 
 std::optional<SpectralOptics> optics_of_bands(
     TableReader& table,
@@ -122,16 +154,18 @@ std::optional<SpectralOptics> read_spectral_optics(
         return std::nullopt;
     }
     Reporter own{*file, {}, {}};
-    SurfaceSpectrum columns;
+    SurfaceSpectrum spectrum;
     try {
-        columns = read_optics_columns(context.files->read(*file), own);
+        auto [nm, reflectance, transmittance] =
+            read_spectrum_columns(context.files->read(*file), kOpticsForm, own);
+        spectrum = {std::move(nm), std::move(reflectance), std::move(transmittance)};
     } catch (const InputError& error) {
         table.fault_at(
             "spectrum", fmt::format("file '{}' can't be read", *file), error.faults().front().why);
         return std::nullopt;
     }
     table.reporter().add(own);
-    return optics_of_bands(table, context, columns, {"spectrum", *file, light_name});
+    return optics_of_bands(table, context, spectrum, {"spectrum", *file, light_name});
 }
 
 }  // namespace quasimc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,20 @@
 #include "io/runfile/table_reader.h"
 
 namespace quasimc {
+
+/// Wavelengths [nm], in ascending order, and two values at each.
+using SpectrumColumns = std::array<std::vector<double>, 3>;
+
+/// What a file of such columns holds.
+struct SpectrumForm {
+    std::string_view names;  ///< with which its line of names begins
+    std::string_view row;    ///< what a row holds, for messages
+    bool (*is_row)(const std::vector<double>& values);
+};
+
+/// Reads a line of names, then rows of which the last value may be left out; '#' begins a comment.
+[[nodiscard]] SpectrumColumns read_spectrum_columns(
+    std::string_view text, const SpectrumForm& form, Reporter& reporter);
 
 /// What a surface reflects and transmits at some wavelengths, in ascending order; linear between.
 struct SurfaceSpectrum {

@@ -39,6 +39,13 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
 
 }  // namespace
 
+std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientation) {
+    const auto elevation = table.required("elevation_deg", table.real("elevation_deg", {-90, 90}));
+    const auto azimuth = table.required("azimuth_deg", table.real("azimuth_deg", {-360, 360}));
+    return elevation && azimuth ? std::optional(orientation.towards(*azimuth, *elevation))
+                                : std::nullopt;
+}
+
 std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContext& context) {
     const bool has_time = table.any("time") != nullptr;
     const bool has_angles =
@@ -57,12 +64,8 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
             "give time (with [place]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }
-    const auto elevation = table.required("elevation_deg", table.real("elevation_deg", {-90, 90}));
-    const auto azimuth = table.required("azimuth_deg", table.real("azimuth_deg", {-360, 360}));
-    if (!elevation || !azimuth) {
-        return std::nullopt;
-    }
-    return StatedSun{context.orientation.towards(*azimuth, *elevation), 1, ""};
+    const auto to_sun = read_towards(table, context.orientation);
+    return to_sun ? std::optional(StatedSun{*to_sun, 1, ""}) : std::nullopt;
 }
 
 std::string sun_words(const StatedSun& sun, const Orientation& orientation) {

@@ -67,10 +67,8 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
     }
     const UsualOptics* usual = find_usual_optics(*name);
     if (usual == nullptr) {
-        std::vector<std::string_view> names{kSoil};
-        for (const UsualOptics& entry : usual_optics()) {
-            names.push_back(entry.name);
-        }
+        std::vector<std::string_view> names = names_in(usual_optics());
+        names.insert(names.begin(), kSoil);
         table.fault_at(
             "optics", fmt::format("optics is '{}'", *name), "no such optics",
             did_you_mean(*name, names));

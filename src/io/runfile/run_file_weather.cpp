@@ -30,7 +30,7 @@ WeatherColumns read_columns(TimeContext& context) {
     if (const auto words = table.texts("missing_values")) {
         columns.missing.insert(words->begin(), words->end());
     }
-    if (const auto year = table.integer("year", {-2000, 6000})) {
+    if (const auto year = table.integer("year", {kFirstYear, kLastYear})) {
         columns.year = static_cast<int>(*year);
     }
     if (const Node* node = table.any("columns")) {

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "io/results/written.h"
-#include "io/runfile/mesh_cache.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
@@ -111,21 +110,11 @@ class RunSweep::State {
         std::size_t first = 0, points = 0;
     };
 
-    /// The option of the run that is swept, by its name of today; null if it is none.
-    static const Option* swept_option(const SweptKey& key) {
-        constexpr std::string_view kRun = "run.";
-        const std::string path = key.from_top();
-        const Option* stated =
-            path.starts_with(kRun) ? find_stated_option(path.substr(kRun.size())) : nullptr;
-        return stated == nullptr ? nullptr : &option_of_today(*stated);
-    }
-
     /// A flag would undo a part of the sweep.
     void check_overrides() {
         for (const Override& stated : overrides_) {
-            const Option* option = find_stated_option(stated.key);
             for (const SweptKey& key : plan_.keys()) {
-                if (option != nullptr && swept_option(key) == &option_of_today(*option)) {
+                if (key.from_top() == "run." + stated.key) {
                     reporter_.faults.add(
                         {stated.place, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),
@@ -147,8 +136,7 @@ class RunSweep::State {
         files.read_through([this](auto reader) { return cache_.around(std::move(reader)); });
         const KnownScene known{
             .same = first_ && plan_.keeps_geometry() ? &first_->scene : nullptr,
-            .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_,
-            .meshes = plan_.keeps_geometry() ? nullptr : &meshes_};
+            .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_};
         return read_run_document(
             std::move(document), reporter_.file, files, overrides_, known, Darkness::allowed);
     }
@@ -270,7 +258,6 @@ class RunSweep::State {
     SweepPlan plan_;
     FileCache cache_;
     KnownOverlaps overlaps_;  // of the point that was read last
-    MeshCache meshes_;
     std::shared_ptr<CommonMemory> common_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;

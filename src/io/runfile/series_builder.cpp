@@ -81,7 +81,9 @@ void SeriesBuilder::add(const Interval& interval) {
                                                    path, *interval.reading, rules_.unit,
                                                    rules_.model, rules_.how.spectra, rules_.air)
                                              : clear_light(path, rules_.air);
-    note(light.note, interval);
+    if (light.note != ReadingNote::none) {
+        noted_[light.note].add(interval);
+    }
     if (light.fault != ReadingFault::none) {
         report(light.fault, path, interval);
         return;
@@ -178,14 +180,6 @@ void SeriesBuilder::close_gathered() {
     gathered_times_.clear();
 }
 
-void SeriesBuilder::note(ReadingNote note, const Interval& interval) {
-    if (note == ReadingNote::none) {
-        return;
-    }
-    Noted& noted = noted_[note];
-    noted.first = noted.count++ == 0 ? interval.place : noted.first;
-}
-
 void SeriesBuilder::warn(const Noted& noted, std::string_view text) {
     if (noted.count > 0) {
         reporter_.warnings.push_back({noted.first, fmt::format("{} {}", noted.count, text)});
@@ -202,7 +196,7 @@ void SeriesBuilder::note_brightness(
     if (!(daylight.global() > kMuch * outside + kFaint)) {
         return;
     }
-    too_bright_.first = too_bright_.count++ == 0 ? interval.place : too_bright_.first;
+    too_bright_.add(interval);
     if (daylight.global() > brightest_) {
         brightest_ = daylight.global();
         brightest_ratio_ = brightest_ / std::max(outside, kFaint);
@@ -225,10 +219,10 @@ void SeriesBuilder::note_darkness(
         path.steps.begin(), path.steps.end(),
         [](const SunPosition& sun) { return sun.elevation_deg > kHighDeg; });
     if (is_high && light.daylight.global() <= 0 && light.note == ReadingNote::none) {
-        dark_by_day_.first = dark_by_day_.count++ == 0 ? interval.place : dark_by_day_.first;
+        dark_by_day_.add(interval);
     }
     if (path.mean_sine() > kLowSine) {
-        by_day_.first = by_day_.count++ == 0 ? interval.place : by_day_.first;
+        by_day_.add(interval);
         clearest_ =
             std::max(clearest_, light.daylight.global() / (path.outside() * path.mean_sine()));
         longest_ = std::max(longest_, interval.seconds);

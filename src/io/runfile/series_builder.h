@@ -38,6 +38,8 @@ class SeriesBuilder {
     struct Noted {
         std::size_t count = 0;
         std::string first;
+
+        void add(const Interval& interval) { first = count++ == 0 ? interval.place : first; }
     };
 
     template <typename Share>
@@ -46,7 +48,6 @@ class SeriesBuilder {
         const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts);
     void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
     void close_gathered();
-    void note(ReadingNote note, const Interval& interval);
     void note_brightness(const Daylight& daylight, const SunPath& path, const Interval& interval);
     void warn(const Noted& noted, std::string_view text);
     void note_darkness(const HourLight& light, const SunPath& path, const Interval& interval);

@@ -61,13 +61,9 @@ bool has_empty_part(std::string_view path) {
            path.find("..") != std::string_view::npos;
 }
 
-bool is_option(std::string_view key) {
-    return find_stated_option(key) != nullptr;
-}
-
 /// A key without a section is that of an option. @returns whether it is none, which is reported
 bool refuse_single(const Node& document, const SweptKey& key, Reporter& reporter) {
-    if (is_option(key.path)) {
+    if (find_option(key.path) != nullptr) {
         return false;
     }
     const bool is_section = is_among(std::string_view(key.path), kSweptSections) ||

@@ -34,13 +34,15 @@ std::optional<double> number_of(const Node& node) {
     return real ? std::optional(*real) : std::nullopt;
 }
 
-/// A time as a text or as a date-time of TOML.
-std::optional<std::string> time_of(const Node& node) {
-    if (const auto* other = node.as<Node::Other>(); other != nullptr && !other->text.empty()) {
-        return other->text;
-    }
+std::optional<std::string> text_of(const Node& node) {
     const auto* text = node.as<std::string>();
     return text ? std::optional(*text) : std::nullopt;
+}
+
+/// A time as a text or as a date-time of TOML.
+std::optional<std::string> time_of(const Node& node) {
+    const auto* other = node.as<Node::Other>();
+    return other != nullptr && !other->text.empty() ? other->text : text_of(node);
 }
 
 }  // namespace
@@ -76,62 +78,64 @@ const Node* TableReader::any(std::string_view key) {
     return node_->find(key);
 }
 
-std::optional<std::string> TableReader::text(std::string_view key) {
+template <typename T>
+std::optional<T> TableReader::typed(std::string_view key, std::string_view expected) {
     const Node* node = any(key);
-    if (node == nullptr) {
-        return std::nullopt;
+    const T* value = node != nullptr ? node->as<T>() : nullptr;
+    if (node != nullptr && value == nullptr) {
+        wrong_type(key, *node, expected);
     }
-    if (const auto* text = node->as<std::string>()) {
-        return *text;
-    }
-    wrong_type(key, *node, "a text");
-    return std::nullopt;
+    return value != nullptr ? std::optional(*value) : std::nullopt;
+}
+
+std::optional<std::string> TableReader::text(std::string_view key) {
+    return typed<std::string>(key, "a text");
+}
+
+std::optional<bool> TableReader::boolean(std::string_view key) {
+    return typed<bool>(key, "true or false");
 }
 
 std::optional<std::string> TableReader::time_text(std::string_view key) {
     const Node* node = any(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    std::optional<std::string> text = time_of(*node);
-    if (!text) {
+    std::optional<std::string> text = node != nullptr ? time_of(*node) : std::nullopt;
+    if (node != nullptr && !text) {
         wrong_type(key, *node, "a time as 2024-06-21T12:00:00+02:00");
     }
     return text;
 }
 
-std::optional<std::vector<std::string>> TableReader::time_texts(std::string_view key) {
+std::optional<std::vector<std::string>> TableReader::list_of(
+    std::string_view key,
+    std::optional<std::string> (*read)(const Node& node),
+    std::string_view items) {
     const Node* node = any(key);
     if (node == nullptr) {
         return std::nullopt;
     }
     const auto* list = node->as<Node::List>();
     if (list == nullptr) {
-        wrong_type(key, *node, "a list of times");
+        wrong_type(key, *node, fmt::format("a list of {}", items));
         return std::nullopt;
     }
     std::vector<std::string> result;
     for (const Node& item : *list) {
-        const std::optional<std::string> text = time_of(item);
+        std::optional<std::string> text = read(item);
         if (!text) {
-            wrong_type(key, item, "times only");
+            wrong_type(key, item, fmt::format("{} only", items));
             return std::nullopt;
         }
-        result.push_back(*text);
+        result.push_back(std::move(*text));
     }
     return result;
 }
 
-std::optional<bool> TableReader::boolean(std::string_view key) {
-    const Node* node = any(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    if (const auto* boolean = node->as<bool>()) {
-        return *boolean;
-    }
-    wrong_type(key, *node, "true or false");
-    return std::nullopt;
+std::optional<std::vector<std::string>> TableReader::texts(std::string_view key) {
+    return list_of(key, text_of, "texts");
+}
+
+std::optional<std::vector<std::string>> TableReader::time_texts(std::string_view key) {
+    return list_of(key, time_of, "times");
 }
 
 std::optional<std::int64_t> TableReader::integer(std::string_view key, Range range) {
@@ -187,28 +191,6 @@ std::optional<std::vector<Vec3>> TableReader::vectors_at(std::string_view key, c
         points.push_back(*point);
     }
     return points;
-}
-
-std::optional<std::vector<std::string>> TableReader::texts(std::string_view key) {
-    const Node* node = any(key);
-    if (node == nullptr) {
-        return std::nullopt;
-    }
-    const auto* list = node->as<Node::List>();
-    if (list == nullptr) {
-        wrong_type(key, *node, "a list of texts");
-        return std::nullopt;
-    }
-    std::vector<std::string> result;
-    for (const Node& item : *list) {
-        const auto* text = item.as<std::string>();
-        if (text == nullptr) {
-            wrong_type(key, item, "texts only");
-            return std::nullopt;
-        }
-        result.push_back(*text);
-    }
-    return result;
 }
 
 std::optional<std::string> TableReader::choice(
@@ -277,16 +259,12 @@ void TableReader::finish() {
     if (table == nullptr) {
         return;
     }
-    std::vector<std::string_view> advised = known_;
-    std::erase_if(advised, [&](std::string_view key) {
-        return std::find(not_advised_.begin(), not_advised_.end(), key) != not_advised_.end();
-    });
     for (const Member& member : *table) {
         if (std::find(known_.begin(), known_.end(), member.key) == known_.end()) {
             const std::string subject = what_.empty() ? "" : what_ + ": ";
             reporter_->fault(
                 member.line, fmt::format("{}unknown key '{}'", subject, member.key), "",
-                did_you_mean(member.key, advised));
+                did_you_mean(member.key, known_));
         }
     }
 }
@@ -302,6 +280,25 @@ std::optional<double> TableReader::real_at(std::string_view key, const Node& nod
         return std::nullopt;
     }
     return value;
+}
+
+std::optional<Range> TableReader::interval_at(std::string_view key, const Node& node, Range range) {
+    const auto* list = node.as<Node::List>();
+    if (list == nullptr || list->size() != 2) {
+        fault_at(node, fmt::format("{} is no pair of numbers", key), "it must be [low, high]");
+        return std::nullopt;
+    }
+    const auto low = real_at(key, (*list)[0], range);
+    const auto high = real_at(key, (*list)[1], range);
+    if (!low || !high) {
+        return std::nullopt;
+    }
+    if (!(*low < *high)) {
+        fault_at(
+            node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
+        return std::nullopt;
+    }
+    return Range{*low, *high};
 }
 
 std::optional<Vec3> TableReader::vector_of(std::string_view key, const Node& node) {

@@ -16,6 +16,16 @@
 
 namespace quasimc {
 
+/// The names of the rows of a table or of a list, for suggestions.
+template <typename Rows>
+[[nodiscard]] std::vector<std::string_view> names_in(const Rows& rows) {
+    std::vector<std::string_view> names;
+    for (const auto& row : rows) {
+        names.push_back(row.name);
+    }
+    return names;
+}
+
 /// Where the reader of a document puts what it has to say.
 struct Reporter {
     std::string file;  ///< name of the document
@@ -60,6 +70,9 @@ class TableReader {
     /// A number somewhere in the value of a key.
     [[nodiscard]] std::optional<double> real_at(
         std::string_view key, const Node& node, Range range);
+    /// Two numbers [low, high] of a range, the first less than the second, in the value of a key.
+    [[nodiscard]] std::optional<Range> interval_at(
+        std::string_view key, const Node& node, Range range);
     /// A list of points somewhere in the value of a key.
     [[nodiscard]] std::optional<std::vector<Vec3>> vectors_at(
         std::string_view key, const Node& node);
@@ -93,9 +106,6 @@ class TableReader {
     /// Whether anything of this table was reported so far.
     [[nodiscard]] bool failed() const { return reporter_->faults.size() > faults_before_; }
 
-    /// A key that is understood, and not suggested for those that are not.
-    void leave_out_of_advice(std::string_view key) { not_advised_.push_back(key); }
-
     [[nodiscard]] const std::string& what() const { return what_; }
     void rename(std::string what) { what_ = std::move(what); }
     [[nodiscard]] std::uint32_t line() const { return node_->line; }
@@ -108,6 +118,13 @@ class TableReader {
     static constexpr Range kLight{0, 1e15};
 
   private:
+    template <typename T>
+    [[nodiscard]] std::optional<T> typed(std::string_view key, std::string_view expected);
+    /// @param read   an item; @param items  what they are, for messages: "times"
+    [[nodiscard]] std::optional<std::vector<std::string>> list_of(
+        std::string_view key,
+        std::optional<std::string> (*read)(const Node& node),
+        std::string_view items);
     [[nodiscard]] std::optional<Vec3> vector_of(std::string_view key, const Node& node);
     void wrong_type(std::string_view key, const Node& node, std::string_view expected);
 
@@ -115,7 +132,7 @@ class TableReader {
     std::string what_;
     Reporter* reporter_;
     std::size_t faults_before_;
-    std::vector<std::string_view> known_, not_advised_;
+    std::vector<std::string_view> known_;
 };
 
 }  // namespace quasimc

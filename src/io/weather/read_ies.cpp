@@ -1,7 +1,6 @@
 #include "io/weather/read_ies.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -91,22 +90,6 @@ std::optional<std::string> find_tilt(LineScanner& scanner) {
     return std::nullopt;
 }
 
-/// Whether a text is EULUMDAT (.ldt): after a line of text its kind (1 to 3), its symmetry (0 to
-/// 4), and numbers of planes and angles, each on a line.
-bool is_eulumdat(std::string_view text) {
-    constexpr std::array<double, 5> kMost{3, 4, 721, 360, 361};
-    LineScanner scanner(text);
-    bool is_like_it = scanner.next();
-    for (const double most : kMost) {
-        is_like_it = is_like_it && scanner.next();
-        std::string number(trimmed(scanner.line()));
-        std::replace(number.begin(), number.end(), ',', '.');
-        const std::optional<double> value = parse_real(number);
-        is_like_it = is_like_it && value && *value >= 0 && *value <= most;
-    }
-    return is_like_it;
-}
-
 /// TILT=INCLUDE: how much a lamp emits that is tilted. Whoever uses the file states what the lamp
 /// emits, so the factors (here, or in the file that TILT names) do not count.
 void skip_tilt(Numbers& numbers) {
@@ -182,16 +165,12 @@ std::size_t count_of(double value, std::string_view what, Numbers& numbers) {
 }
 
 /// Goes to the number of lamps. @returns false  after a fault
-bool pass_head(std::string_view text, LineScanner& scanner, Numbers& numbers) {
+bool pass_head(LineScanner& scanner, Numbers& numbers) {
     const std::optional<std::string> tilt = find_tilt(scanner);
-    if (!tilt && is_eulumdat(text)) {
-        numbers.fail(
-            "is a EULUMDAT file (.ldt)", "only IES files (LM-63) are read",
-            "export or convert it to IES, of photometric type C");
-        return false;
-    }
     if (!tilt) {
-        numbers.fail("there is no line TILT=", "every IES file has one before its numbers");
+        numbers.fail(
+            "there is no line TILT=", "every IES file (LM-63) has one before its numbers",
+            "convert a EULUMDAT file (.ldt) to IES, of photometric type C");
         return false;
     }
     if (*tilt == "INCLUDE") {
@@ -218,7 +197,7 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     IesFile file;
     LineScanner scanner(text);
     Numbers numbers(scanner, reporter);
-    if (!pass_head(text, scanner, numbers)) {
+    if (!pass_head(scanner, numbers)) {
         return file;
     }
     numbers.next("the number of lamps");
@@ -247,7 +226,7 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
     set_opening(unit * width, unit * length, file);
     const double ballast = numbers.next("the ballast factor");
     numbers.next("the ballast-lamp factor");
-    file.input_watts = numbers.next("the input watts");
+    numbers.next("the input watts");
     file.web.vertical_deg = numbers.list(rows, "the vertical angles");
     file.web.horizontal_deg = numbers.list(columns, "the horizontal angles");
     file.web.candela = numbers.list(rows * columns, "the intensities");

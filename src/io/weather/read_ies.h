@@ -13,7 +13,6 @@ struct IesFile {
     PhotometricWeb web;                ///< ballast factor and multiplier included
     double length_m = 0, width_m = 0;  ///< of the opening, along and across the 0 degree plane
     double radius_m = 0;               ///< of a round opening; then length and width are 0
-    double input_watts = 0;
 };
 
 /// Reads IES LM-63 (1986, 1991, 1995, 2002, 2019), type C. What is wrong goes to the reporter;

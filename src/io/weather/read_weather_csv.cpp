@@ -90,11 +90,11 @@ class TableOfWeather {
             return parse_civil_time(text, columns_.utc_offset_hours, place, reporter_.faults);
         }
         are_dates_ = false;
-        constexpr double kLastDay = 366, kLastHour = 24, kLastYear = 6000;
+        constexpr double kLastDay = 366, kLastHour = 24;
         const auto day = number(fields, *header_.day_of_year, "the day of the year", {1, kLastDay});
         const auto hour = number(fields, *header_.hour, "the hour", {0, kLastHour});
         const auto year = header_.year
-                              ? number(fields, *header_.year, "the year", {-2000, kLastYear})
+                              ? number(fields, *header_.year, "the year", {kFirstYear, kLastYear})
                               : std::optional<double>(*columns_.year);
         if (!day || !hour || !year || !whole_number(*day) || !whole_number(*year)) {
             if (day && hour && year) {

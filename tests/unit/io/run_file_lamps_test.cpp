@@ -70,7 +70,6 @@ TEST(Ies, IsReadWithItsOpeningAndItsFactors) {
         EXPECT_TRUE(read.faults.empty());
         EXPECT_EQ(read.file.width_m, .6);
         EXPECT_EQ(read.file.length_m, 1.2);
-        EXPECT_EQ(read.file.input_watts, 10);
         EXPECT_EQ(read.file.web.vertical_deg.size(), 19U);
         EXPECT_NEAR(read.file.web.candela[0], 1000 / pi, 1e-5);
     }
@@ -313,11 +312,8 @@ TEST(Ies, RefusesOrWarnsOfWhatDoesNotFit) {
     EXPECT_TRUE(ies(lambertian_ies() + "\r\n\x1A").warnings.empty());
     EXPECT_TRUE(
         mentions(ies(lambertian_ies(1, "TILT=other.tlt\n")).warnings, "TILT names 'other.tlt'"));
-    EXPECT_EQ(
-        ies("Maker of lamps\n1\n1\n4\n90\n19\n5\nreport\n").faults,
-        std::vector<std::string>{
-            "lamp.ies:8: is a EULUMDAT file (.ldt) (only IES files (LM-63) are read); export or "
-            "convert it to IES, of photometric type C"});
+    EXPECT_TRUE(mentions(
+        ies("Maker of lamps\n1\n1\n4\n90\n19\n5\nreport\n").faults, "convert a EULUMDAT file"));
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST(RunFileSpectrum, TellsFaults) {
     expect({}, "", "file 'leaf.csv' can't be read");
     expect({{"leaf.csv", "400,0.1\n500,0.1\n"}}, "", "leaf.csv:1: the names of the columns");
     const std::string names = "wavelength_nm,reflectance,transmittance\n";
-    expect({{"leaf.csv", names + "400,0.6,0.5\n"}}, "", "leaf.csv:2: is no row of a surface's");
+    expect({{"leaf.csv", names + "400,0.6,0.5\n"}}, "", "leaf.csv:2: is no row of a spectrum");
     expect({{"leaf.csv", names + "400,0,0\n400,0,0\n"}}, "", "leaf.csv:3: the wavelength does not");
     expect(
         {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",

@@ -142,7 +142,7 @@ TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
     EXPECT_TRUE(mentions(faults, "'PRA' is not a band of the scene; did you mean 'PAR'?"));
     EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
     EXPECT_TRUE(mentions(faults, "night without [time] (nights need times)"));
-    EXPECT_TRUE(mentions(faults, "hours runs from 8 to 6"));
+    EXPECT_TRUE(mentions(faults, "hours is [8, 6]"));
     text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));
 }

@@ -105,7 +105,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     EXPECT_TRUE(mentions(bad, "s.csv:2: is no row of a spectrum"));
     EXPECT_TRUE(mentions(bad, "; 1 more rows have this fault"));
     EXPECT_TRUE(mentions(
-        faults_of(text.text(), {{"s.csv", "nm,a\n"}}), "names are not those of a spectrum"));
+        faults_of(text.text(), {{"s.csv", "nm,a\n"}}), "names of the columns are missing"));
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n4,0,0\n5,0,0\n"}}),
         "no light"));

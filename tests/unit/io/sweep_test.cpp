@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/runfile/mesh_cache.h"
 #include "io/runfile/run_file.h"
 #include "io_testing.h"
 #include "quasimc/error.h"
@@ -177,7 +176,7 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
     EXPECT_TRUE(mentions(sweep_faults(many), "more than 100000 points"));
 }
 
-TEST(Sweep, AFlagThatItSweepsIsRefusedUnderEitherName) {
+TEST(Sweep, AFlagThatItSweepsIsRefused) {
     const InputFiles files("/run");
     const auto said = [&](const std::string& keys, const Override& flag) {
         try {
@@ -188,14 +187,9 @@ TEST(Sweep, AFlagThatItSweepsIsRefusedUnderEitherName) {
         }
         return std::string("taken");
     };
-    const std::string now = "method = ['first_hits']\n";
-    const std::string before = "trace_from = ['lit_surfaces']\n";
     for (const auto& [keys, flag] : std::vector<std::pair<std::string, Override>>{
              {"paths = [64]\n", {"paths", "128", "--paths"}},
-             {now, {"method", "from_organs", "--method"}},
-             {now, {"trace_from", "organs", "--trace-from"}},
-             {before, {"method", "from_organs", "--method"}},
-             {before, {"trace_from", "organs", "--trace-from"}}}) {
+             {"method = ['first_hits']\n", {"method", "from_organs", "--method"}}}) {
         EXPECT_NE(
             said(keys, flag).find(flag.place + ": is swept by the run file"), std::string::npos)
             << said(keys, flag);
@@ -215,20 +209,6 @@ TEST(Sweep, ReadsGeometryOnceWhereItStaysTheSame) {
         EXPECT_EQ(other.inputs.size(), first.inputs.size());
     }
     EXPECT_EQ(counted.reads["leaves.tri"], 1);
-}
-
-TEST(Sweep, KeepsTheParsedFilesOfThePointBefore) {
-    const MeshCache::Key key{"a.tri", "tri", UpAxis::z, "m", {}};
-    MeshCache meshes;
-    meshes.start_point();
-    meshes.add(key, std::make_shared<const MeshCache::Parsed>());
-    for (int point = 0; point < 3; ++point) {
-        meshes.start_point();
-        EXPECT_NE(meshes.find(key), nullptr);
-    }
-    meshes.start_point();  // which does not name it
-    meshes.start_point();
-    EXPECT_EQ(meshes.find(key), nullptr);
 }
 
 TEST(Sweep, MayVaryGeometryToo) {

@@ -27,22 +27,14 @@ struct DatedDay {
 
 /// Reda and Andreas (2004), table A4.1, and Meeus (1998), chapter 7.
 TEST(CivilTime, HasTheJulianDaysOfThePublishedTables) {
-    const std::array<DatedDay, 15> table{
+    const std::array<DatedDay, 7> table{
         {{{2000, 1, 1, 12}, 2451545.0},
          {{1999, 1, 1}, 2451179.5},
          {{1987, 1, 27}, 2446822.5},
          {{1987, 6, 19, 12}, 2446966.0},
          {{1988, 1, 27}, 2447187.5},
          {{1988, 6, 19, 12}, 2447332.0},
-         {{1900, 1, 1}, 2415020.5},
-         {{1600, 1, 1}, 2305447.5},
-         {{1600, 12, 31}, 2305812.5},
-         {{837, 4, 10, 7, 12}, 2026871.8},
-         {{-123, 12, 31}, 1676496.5},
-         {{-122, 1, 1}, 1676497.5},
-         {{-1000, 7, 12, 12}, 1356001.0},
-         {{-1000, 2, 29}, 1355866.5},
-         {{-1001, 8, 17, 21, 36}, 1355671.4}}};
+         {{1900, 1, 1}, 2415020.5}}};
     for (const DatedDay& row : table) {
         EXPECT_NEAR(julian_day(row.time), row.julian_day, 1e-9)
             << row.time.year << '-' << row.time.month << '-' << row.time.day;
@@ -58,13 +50,6 @@ TEST(CivilTime, CountsTimeZonesFromUtc) {
     EXPECT_NEAR(julian_day({2024, 6, 22, 2, 0, 0, 14}), noon, 1e-9);
 }
 
-TEST(CivilTime, SkipsTenDaysOfOctober1582) {
-    EXPECT_NEAR(julian_day({1582, 10, 15}) - julian_day({1582, 10, 4}), 1, 1e-9);
-    EXPECT_NE(faults_of({1582, 10, 10}).find("there was no 10 October 1582"), std::string::npos);
-    EXPECT_EQ(civil_time(2299159.5, 0), (CivilTime{1582, 10, 4}));
-    EXPECT_EQ(civil_time(2299160.5, 0), (CivilTime{1582, 10, 15}));
-}
-
 RC_GTEST_PROP(CivilTime, ComesBackFromItsJulianDay, ()) {
     CivilTime time;
     time.year = *rc::gen::inRange(kFirstYear, kLastYear + 1);
@@ -74,7 +59,6 @@ RC_GTEST_PROP(CivilTime, ComesBackFromItsJulianDay, ()) {
     time.minute = *rc::gen::inRange(0, 60);
     time.second = *rc::gen::inRange(0, 60);
     time.utc_offset_hours = *rc::gen::inRange(-14, 15);
-    RC_PRE(faults_of(time).empty());
     const CivilTime back = civil_time(julian_day(time), time.utc_offset_hours);
     CivilTime expected = time;
     // A double holds a Julian day to 0.04 ms.
@@ -83,19 +67,17 @@ RC_GTEST_PROP(CivilTime, ComesBackFromItsJulianDay, ()) {
     RC_ASSERT(back == expected);
 }
 
-TEST(CivilTime, KnowsLeapDaysOfBothCalendars) {
-    for (const int year : {2024, 2000, 1600, 1500, 4, 0, -4, -2000}) {
-        EXPECT_TRUE(is_leap_year(year)) << year;
+TEST(CivilTime, KnowsLeapDays) {
+    for (const int year : {2024, 2000, 1904}) {
+        EXPECT_EQ(days_in_month(year, 2), 29) << year;
         EXPECT_EQ(faults_of({year, 2, 29}), "") << year;
     }
-    for (const int year : {2023, 1900, 2100, 1700, 3, -1}) {
-        EXPECT_FALSE(is_leap_year(year)) << year;
+    for (const int year : {2023, 1900, 2100}) {
         EXPECT_NE(faults_of({year, 2, 29}).find("has 28 days"), std::string::npos) << year;
     }
     EXPECT_EQ(day_of_year({2024, 12, 31}), 366);
     EXPECT_EQ(day_of_year({2023, 12, 31}), 365);
     EXPECT_EQ(day_of_year({2024, 3, 1}), 61);
-    EXPECT_EQ(day_of_year({1582, 12, 31}), 355);
 }
 
 TEST(CivilTime, KnowsWhereLeapSecondsAre) {
@@ -114,7 +96,7 @@ TEST(CivilTime, KnowsWhereLeapSecondsAre) {
 
 TEST(CivilTime, RefusesWhatNoClockShows) {
     for (const CivilTime& wrong :
-         {CivilTime{6001}, CivilTime{-2001}, CivilTime{2024, 13}, CivilTime{2024, 0},
+         {CivilTime{1899}, CivilTime{2101}, CivilTime{2024, 13}, CivilTime{2024, 0},
           CivilTime{2024, 4, 31}, CivilTime{2024, 4, 0}, CivilTime{2024, 4, 1, 24},
           CivilTime{2024, 4, 1, -1}, CivilTime{2024, 4, 1, 0, 60}, CivilTime{2024, 4, 1, 0, 0, -1},
           CivilTime{2024, 4, 1, 0, 0, NAN}, CivilTime{2024, 4, 1, 0, 0, 0, 14.5},
@@ -124,6 +106,8 @@ TEST(CivilTime, RefusesWhatNoClockShows) {
     EXPECT_NE(
         faults_of({2024, 4, 1, 0, 0, 0, 200}).find("its time zone is 200 h from UTC"),
         std::string::npos);
+    EXPECT_NE(
+        faults_of({1899}).find("year is 1899 (it must be from 1900 to 2100)"), std::string::npos);
     Faults faults;
     check_place({91, 181, 12000, -1, 200}, "place", faults);
     EXPECT_EQ(faults.size(), 5);
@@ -147,14 +131,8 @@ TEST(DeltaT, IsThatOfEspenakAndMeeus) {
         int year, month;
         double seconds;
     };
-    const std::array<Row, 16> table{
-        {{-499, 1, 1.7184831e+04},
-         {500, 2, 5.7088051e+03},
-         {1000, 3, 1.5730419e+03},
-         {1500, 4, 1.9801820e+02},
-         {1800, 5, 1.3596506e+01},
-         {1860, 6, 7.8316585e+00},
-         {1900, 6, -2.1171894e+00},
+    const std::array<Row, 9> table{
+        {{1900, 6, -2.1171894e+00},
          {1950, 7, 2.9289261e+01},
          {1970, 8, 4.0824887e+01},
          {1985, 9, 5.4724581e+01},
@@ -162,14 +140,12 @@ TEST(DeltaT, IsThatOfEspenakAndMeeus) {
          {1990, 10, 5.7426651e+01},
          {2000, 11, 6.4108015e+01},
          {2005, 12, 6.5038015e+01},
-         {2050, 12, 9.4952955e+01},
-         {2150, 12, 3.3050693e+02}}};
+         {2050, 12, 9.4952955e+01}}};
     for (const Row& row : table) {
         EXPECT_NEAR(
             delta_t_seconds(CivilTime{row.year, row.month}), row.seconds, 1e-7 * row.seconds + 2e-3)
             << row.year;
     }
-    EXPECT_NEAR(delta_t_seconds(-2000.0), -20 + 32 * 38.2 * 38.2, 1e-6);
 }
 
 }  // namespace

@@ -167,9 +167,6 @@ TEST(DiffuseFraction, FollowsSpitters) {
     EXPECT_NEAR(diffuse_fraction_spitters(.9, .5), .847 - .805 + .26, 1e-12);
     EXPECT_NEAR(
         diffuse_fraction_spitters(.35, .5), diffuse_fraction_spitters(.35 + 1e-9, .5), .005);
-    EXPECT_EQ(diffuse_fraction_spitters_daily(.05), 1);
-    EXPECT_NEAR(diffuse_fraction_spitters_daily(.5), .6, 1e-12);
-    EXPECT_EQ(diffuse_fraction_spitters_daily(.8), .23);
 }
 
 TEST(DiffuseFraction, StaysBetweenNoneAndAll) {

@@ -94,7 +94,8 @@ TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
             const double expected = how.spectra.direct(how.bands[0]) * light.daylight.direct +
                                     how.spectra.diffuse(how.bands[0], light.daylight);
             EXPECT_NEAR(
-                on_the_horizontal(make_hour_sources(path, light, how)), expected, 1e-6 * expected);
+                on_the_horizontal(make_hour_sources(make_hour_parts(path, light, how))), expected,
+                1e-6 * expected);
         }
     }
 }
