@@ -73,41 +73,6 @@ Mesh mesh_of(const Scene& scene, const Organ& organ) {
     return mesh;
 }
 
-std::string dae_text(const Scene& scene) {
-    const Marks marks{"{} {} {}", " ", "{} {} {}", " "};
-    std::string shapes, nodes;
-    for (const Organ& organ : scene.organs()) {
-        const Mesh mesh = mesh_of(scene, organ);
-        fmt::format_to(
-            std::back_inserter(shapes),
-            "<geometry id=\"g{0}\"><mesh><source id=\"s{0}\"><float_array>{1}</float_array>"
-            "<technique_common><accessor stride=\"3\"/></technique_common></source><vertices "
-            "id=\"v{0}\"><input semantic=\"POSITION\" source=\"#s{0}\"/></vertices><triangles>"
-            "<input semantic=\"VERTEX\" source=\"#v{0}\" offset=\"0\"/><p>{2}</p></triangles>"
-            "</mesh></geometry>\n",
-            organ.id, points_text(mesh, marks), faces_text(mesh, marks));
-        fmt::format_to(
-            std::back_inserter(nodes),
-            "<node name=\"{0}\"><instance_geometry url=\"#g{0}\"/></node>\n", organ.id);
-    }
-    return "<COLLADA><asset><up_axis>Z_UP</up_axis></asset><library_geometries>" + shapes +
-           "</library_geometries><library_visual_scenes><visual_scene id=\"x\">" + nodes +
-           "</visual_scene></library_visual_scenes></COLLADA>";
-}
-
-std::string geom_text(const Scene& scene) {
-    const Marks marks{"<{},{},{}>", ",\n", "[{},{},{}]", ",\n"};
-    std::string text;
-    for (const Organ& organ : scene.organs()) {
-        const Mesh mesh = mesh_of(scene, organ);
-        fmt::format_to(
-            std::back_inserter(text),
-            "Shape {{ Id {} Geometry TriangleSet {{ PointList [ {} ] IndexList [ {} ] }} }}\n",
-            organ.id, points_text(mesh, marks), faces_text(mesh, marks));
-    }
-    return text;
-}
-
 std::string opf_text(const Scene& scene) {
     const Marks marks{"{} {} {}", " ", "<face>{} {} {}</face>", ""};
     std::string meshes, shapes, nodes;
@@ -185,12 +150,6 @@ Scene leaves(std::size_t count) {
 }
 
 std::string text_of(std::string_view format, const Scene& scene) {
-    if (format == "dae") {
-        return dae_text(scene);
-    }
-    if (format == "geom") {
-        return geom_text(scene);
-    }
     if (format == "opf") {
         return opf_text(scene);
     }

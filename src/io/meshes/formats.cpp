@@ -123,21 +123,6 @@ std::span<const FormatEntry> format_table() {
             .read = read_gltf,
             .has_units = true},
         FormatEntry{
-            .name = "dae",
-            .extensions = ".dae",
-            .summary = "COLLADA; nodes with a geometry are organs",
-            .organs = "groups",
-            .keeps = "names, materials, labels",
-            .read = read_dae,
-            .has_units = true},
-        FormatEntry{
-            .name = "geom",
-            .extensions = ".geom",
-            .summary = "PlantGL's scenes as text; shapes are organs",
-            .organs = "groups",
-            .keeps = "ids, names, materials, labels",
-            .read = read_geom},
-        FormatEntry{
             .name = "vgx",
             .extensions = ".vgx .vgs",
             .summary = "VegeSTAR's and RATP's table of objects; each is an organ",

@@ -177,8 +177,6 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 [[nodiscard]] MeshFile read_stl(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_ops(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_gltf(std::string_view bytes, FormatContext& context);
-[[nodiscard]] MeshFile read_dae(std::string_view bytes, FormatContext& context);
-[[nodiscard]] MeshFile read_geom(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_vgx(std::string_view bytes, FormatContext& context);
 
 // The writers. Coordinates come out in the axes of the scene's file, with all their digits.
