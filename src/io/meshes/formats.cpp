@@ -251,20 +251,4 @@ std::vector<Mesh> MeshFile::take_meshes() {
     return meshes;
 }
 
-std::string MaterialNames::name_of(
-    const std::string& name, std::optional<double> reflectance, MeshFile& file) {
-    std::vector<std::optional<double>>& known = known_[name];
-    const auto found = std::find(known.begin(), known.end(), reflectance);
-    const auto number = static_cast<std::size_t>(found - known.begin()) + 1;
-    if (found == known.end()) {
-        known.push_back(reflectance);
-    }
-    if (number == 1) {
-        return name;
-    }
-    std::string unique = fmt::format("{} ({})", name, number);
-    file.aliases.emplace(unique, name);
-    return unique;
-}
-
 }  // namespace quasimc

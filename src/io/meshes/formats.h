@@ -86,17 +86,6 @@ struct MeshFile {
     [[nodiscard]] std::vector<Mesh> take_meshes();
 };
 
-/// Gives the materials of a file different names where their optics differ.
-class MaterialNames {
-  public:
-    /// The name for a material; "leaf (2)" with the alias "leaf" where another one, with another
-    /// reflectance, is called "leaf". @param reflectance  nothing: the file does not give it
-    std::string name_of(const std::string& name, std::optional<double> reflectance, MeshFile& file);
-
-  private:
-    std::map<std::string, std::vector<std::optional<double>>> known_;
-};
-
 /// What a reader is told beside the bytes. Faults go to `reporter`, whose `file` is the file that
 /// is read.
 struct FormatContext {
@@ -156,8 +145,8 @@ struct ForeignFormat {
 /// The row for the extension of a path, or null.
 [[nodiscard]] const ForeignFormat* foreign_format_of_path(std::string_view path);
 
-/// Reads a file, and checks what no format's reader needs to know: names are UTF-8 (XML in Latin-1
-/// that says so becomes UTF-8), and coordinates are not too coarse for the triangles.
+/// Reads a file, and checks what no format's reader needs to know: names are UTF-8, and coordinates
+/// are not too coarse for the triangles.
 [[nodiscard]] MeshFile read_mesh(
     const FormatEntry& format, std::string_view bytes, FormatContext& context);
 

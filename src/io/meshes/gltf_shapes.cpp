@@ -16,6 +16,29 @@ std::vector<std::uint32_t> numbers_below(std::size_t count) {
     return indices;
 }
 
+/// The triangles of corners in an order; of strips and fans those that are but lines are left out.
+std::vector<Face> faces_of(CornerOrder order, const std::vector<std::uint32_t>& corners) {
+    std::vector<Face> faces;
+    if (order == CornerOrder::triangles) {
+        faces.reserve(corners.size() / 3);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+            faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        }
+        return faces;
+    }
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        const std::size_t odd = i % 2;
+        const Face face = order == CornerOrder::fan
+                              ? Face{corners[0], corners[i + 1], corners[i + 2]}
+                              : Face{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]};
+        // Strips go on over triangles that are lines.
+        if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
+            faces.push_back(face);
+        }
+    }
+    return faces;
+}
+
 }  // namespace
 
 std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primitive) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@ class GltfSceneReader {
           placed_(file_, context.reporter) {
         meshes_.resize(document.meshes.size());
         for (const GltfMaterial& material : document.materials) {
-            materials_.push_back(names_.name_of(material.name, material.reflectance, file_));
+            materials_.push_back(name_of(material));
         }
     }
 
@@ -79,6 +81,33 @@ class GltfSceneReader {
         file_.groups.push_back(std::move(group));
     }
 
+    /// Adds a label that the group does not have yet, unless it is empty or the group's name.
+    static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
+        const bool is_stated = std::any_of(
+            group.labels.begin(), group.labels.end(),
+            [key](const auto& label) { return label.first == key; });
+        if (!is_stated && !value.empty() && value != group.name) {
+            group.labels.emplace_back(key, value);
+        }
+    }
+
+    /// The name for a material; "leaf (2)" with the alias "leaf" where another one, with another
+    /// reflectance, is called "leaf".
+    std::string name_of(const GltfMaterial& material) {
+        std::vector<std::optional<double>>& known = names_[material.name];
+        const auto found = std::find(known.begin(), known.end(), material.reflectance);
+        const auto number = found - known.begin() + 1;
+        if (found == known.end()) {
+            known.push_back(material.reflectance);
+        }
+        if (number == 1) {
+            return material.name;
+        }
+        std::string unique = fmt::format("{} ({})", material.name, number);
+        file_.aliases.emplace(unique, material.name);
+        return unique;
+    }
+
     /// The triangles of a mesh, read when it is first placed.
     const std::vector<LocalTriangles>& shapes_of(std::size_t number) {
         std::optional<std::vector<LocalTriangles>>& shapes = meshes_[number];
@@ -125,9 +154,9 @@ class GltfSceneReader {
     GltfShapes shapes_;
     MeshFile file_{{}, {}, "node", {}};
     PlacedTriangles placed_;
-    std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;  // those read so far
-    MaterialNames names_;
-    std::vector<std::string> materials_;  // names
+    std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;   // those read so far
+    std::map<std::string, std::vector<std::optional<double>>> names_;  // reflectances of each
+    std::vector<std::string> materials_;                               // names
     std::size_t without_triangles_ = 0;
 };
 

@@ -7,7 +7,6 @@
 #include "base/text.h"
 #include "io/meshes/float_steps.h"
 #include "io/meshes/formats.h"
-#include "io/xml_scanner.h"
 
 namespace quasimc {
 namespace {
@@ -75,8 +74,7 @@ void warn_of_float_steps(const MeshFile& file, Reporter& reporter) {
 }  // namespace
 
 MeshFile read_mesh(const FormatEntry& format, std::string_view bytes, FormatContext& context) {
-    const std::optional<std::string> recoded = xml_from_latin1(bytes);
-    MeshFile file = format.read(recoded ? *recoded : bytes, context);
+    MeshFile file = format.read(bytes, context);
     if (context.reporter.faults.empty()) {
         NameCheck(file, context.reporter).check();
         warn_of_float_steps(file, context.reporter);

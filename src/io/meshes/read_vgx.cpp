@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,6 +29,26 @@ constexpr std::size_t kObj = 0, kScale = 1, kShift = 4, kTurn = 7, kCorners = 10
 
 /// The kinds of objects that are read. Round ones lie along x from their base.
 enum class VgxShape { triangle = 0, leaf = 11, disk = 21, sphere = 31, cylinder = 32, cone = 33 };
+
+/// The turn by an angle in degrees about an axis of length 1, counter-clockwise as seen from where
+/// it points (Rodrigues).
+Affine rotation_about(const Vec3& k, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Vec3 kc = (1 - c) * k;
+    return {
+        {Vec3{c + kc.x * k.x, kc.x * k.y - s * k.z, kc.x * k.z + s * k.y},
+         Vec3{kc.y * k.x + s * k.z, c + kc.y * k.y, kc.y * k.z - s * k.x},
+         Vec3{kc.z * k.x - s * k.y, kc.z * k.y + s * k.x, c + kc.z * k.z}},
+        {}};
+}
+
+/// A turn about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
+Affine euler_rotation(double azimuth, double elevation, double roll) {
+    return after(
+        after(rotation_about({0, 0, 1}, azimuth), rotation_about({0, 1, 0}, elevation)),
+        rotation_about({1, 0, 0}, roll));
+}
 
 /// What stands in a row.
 struct VgxRow {
