@@ -146,12 +146,10 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 double FormatContext::units_per_metre() {
     const std::optional<double> metres = metres_per(length_unit);
     if (!metres) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
-                 "they are taken as they are",
-                 one_line(length_unit))});
+        reporter.warn(fmt::format(
+            "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
+            "they are taken as they are",
+            one_line(length_unit)));
     }
     return 1 / metres.value_or(1);
 }
@@ -168,12 +166,10 @@ void CrossedFaces::add(std::string_view word, std::uint64_t number) {
 
 void CrossedFaces::warn(Reporter& reporter) const {
     if (count > 0) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "{} faces have sides that cross each other, the first is {}: each is cut into "
-                 "triangles from its first corner",
-                 count, first)});
+        reporter.warn(fmt::format(
+            "{} faces have sides that cross each other, the first is {}: each is cut into "
+            "triangles from its first corner",
+            count, first));
     }
 }
 
@@ -192,6 +188,13 @@ bool MeshPart::add_face(
     }
     lines.resize(faces.size(), line);
     return sides_cross;
+}
+
+MeshPart& MeshGroup::part(const std::string& material) {
+    const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
+        return part.material == material;
+    });
+    return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}, {}});
 }
 
 namespace {

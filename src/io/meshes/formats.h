@@ -53,6 +53,9 @@ struct MeshGroup {
     std::optional<std::int64_t> id;  ///< if the file gives one
     std::vector<MeshPart> parts;
     Labels labels = {};  ///< what else the file says of it
+
+    /// The part of that material, perhaps a new one.
+    MeshPart& part(const std::string& material);
 };
 
 /// What a file says of a material.
@@ -131,9 +134,6 @@ struct FormatEntry {
 
 /// Whether the image file of that name can have an alpha channel, and so be a mask: JPEG has none.
 [[nodiscard]] bool may_have_alpha(std::string_view image);
-
-/// Warns of masks and of transparency, which are not read, with the area concerned.
-void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter);
 
 /// The names of the formats that have a writer.
 [[nodiscard]] std::vector<std::string> writable_formats();

@@ -1,5 +1,3 @@
-#include "io/meshes/gltf_keys.h"
-
 #include <algorithm>
 #include <array>
 #include <span>
@@ -101,11 +99,9 @@ void warn_of_unknown_keys(const Node& root, Reporter& reporter) {
         }
     }
     if (unknown.count > 0) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "keys that glTF 2.0 does not have are left out: {} in all, the first is {}",
-                 unknown.count, unknown.first)});
+        reporter.warn(fmt::format(
+            "keys that glTF 2.0 does not have are left out: {} in all, the first is {}",
+            unknown.count, unknown.first));
     }
 }
 

@@ -11,7 +11,7 @@
 namespace quasimc {
 
 void PlacedTriangles::add(
-    const LocalTriangles& shape,
+    const Mesh& shape,
     const Affine& transform,
     const std::string& material,
     std::uint32_t line,
@@ -20,14 +20,14 @@ void PlacedTriangles::add(
     if (shape.faces.empty()) {
         return;
     }
-    if (file_.vertices.size() + shape.points.size() >= kMost) {
+    if (file_.vertices.size() + shape.vertices.size() >= kMost) {
         if (!std::exchange(is_too_large_, true)) {
             reporter_.fault(0, "it has more than 4294967294 vertices", "");
         }
         return;
     }
     const auto first = static_cast<std::uint32_t>(file_.vertices.size());
-    for (const Vec3& point : shape.points) {
+    for (const Vec3& point : shape.vertices) {
         file_.vertices.push_back(transform.point(point));
     }
     const bool is_mirrored = determinant(transform) < 0;
@@ -50,10 +50,8 @@ void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter
     if (repeated == 0) {
         return;
     }
-    reporter.warnings.push_back(
-        {reporter.file, fmt::format(
-                            "{0} {1}s have an id that another {1} has: organs are counted instead",
-                            repeated, word)});
+    reporter.warn(fmt::format(
+        "{0} {1}s have an id that another {1} has: organs are counted instead", repeated, word));
     for (MeshGroup& group : file.groups) {
         group.id.reset();
     }

@@ -10,12 +10,6 @@
 
 namespace quasimc {
 
-/// Triangles in the axes of their mesh.
-struct LocalTriangles {
-    std::vector<Vec3> points;
-    std::vector<Face> faces;
-};
-
 /// Puts meshes of a file, moved, among its vertices.
 class PlacedTriangles {
   public:
@@ -25,7 +19,7 @@ class PlacedTriangles {
     /// is its front. Faults, once, when the file has too many vertices.
     /// @param line  of each triangle
     void add(
-        const LocalTriangles& shape,
+        const Mesh& shape,
         const Affine& transform,
         const std::string& material,
         std::uint32_t line,

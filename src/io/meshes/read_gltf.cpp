@@ -7,7 +7,6 @@
 #include "io/meshes/file_axes.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/gltf_buffers.h"
-#include "io/meshes/gltf_container.h"
 #include "io/meshes/gltf_document.h"
 #include "io/meshes/gltf_shapes.h"
 #include "io/meshes/placed_triangles.h"
@@ -67,7 +66,7 @@ class GltfSceneReader {
         MeshGroup group{
             name.empty() ? fmt::format("node {}", place.node) : name, node.organ_id, {}};
         const auto line = static_cast<std::uint32_t>(place.node);
-        const std::vector<LocalTriangles>& shapes = shapes_of(*node.mesh);
+        const std::vector<Mesh>& shapes = shapes_of(*node.mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             const auto material = mesh.primitives[i].material;
             placed_.add(shapes[i], transform, material ? materials_[*material] : "", line, group);
@@ -109,31 +108,26 @@ class GltfSceneReader {
     }
 
     /// The triangles of a mesh, read when it is first placed.
-    const std::vector<LocalTriangles>& shapes_of(std::size_t number) {
-        std::optional<std::vector<LocalTriangles>>& shapes = meshes_[number];
+    const std::vector<Mesh>& shapes_of(std::size_t number) {
+        std::optional<std::vector<Mesh>>& shapes = meshes_[number];
         if (!shapes) {
             shapes.emplace();
             for (const GltfPrimitive& primitive : document_.meshes[number].primitives) {
                 const bool has_triangles = primitive.mode != CornerOrder::none;
                 without_triangles_ += has_triangles ? 0 : 1;
                 shapes->push_back(
-                    has_triangles ? shapes_.triangles(primitive).value_or(LocalTriangles())
-                                  : LocalTriangles());
+                    has_triangles ? shapes_.triangles(primitive).value_or(Mesh()) : Mesh());
                 note_material(primitive, shapes->back());
             }
         }
         return *shapes;
     }
 
-    void note_material(const GltfPrimitive& primitive, const LocalTriangles& triangles) {
+    void note_material(const GltfPrimitive& primitive, const Mesh& triangles) {
         if (primitive.material && !triangles.faces.empty() &&
             document_.materials[*primitive.material].is_cut_out) {
             file_.masks.emplace(materials_[*primitive.material], "alphaMode");
         }
-    }
-
-    void warn(std::string text) {
-        context_.reporter.warnings.push_back({context_.reporter.file, std::move(text)});
     }
 
     void finish() {
@@ -143,7 +137,8 @@ class GltfSceneReader {
             }
         }
         if (without_triangles_ > 0) {
-            warn(fmt::format("{} parts are lines or points: left out", without_triangles_));
+            context_.reporter.warn(
+                fmt::format("{} parts are lines or points: left out", without_triangles_));
         }
         shapes_.finish();
         drop_repeated_ids(file_, "node", context_.reporter);
@@ -154,7 +149,7 @@ class GltfSceneReader {
     GltfShapes shapes_;
     MeshFile file_{{}, {}, "node", {}};
     PlacedTriangles placed_;
-    std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;   // those read so far
+    std::vector<std::optional<std::vector<Mesh>>> meshes_;             // those read so far
     std::map<std::string, std::vector<std::optional<double>>> names_;  // reflectances of each
     std::vector<std::string> materials_;                               // names
     std::size_t without_triangles_ = 0;

@@ -66,11 +66,10 @@ class OpfReader : pugi::xml_tree_walker {
         }
         crossed_.warn(reporter_);
         if (without_girth_ > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.file, fmt::format(
-                                     "{} nodes have no finite <dDwn> and <dUp>: their meshes, "
-                                     "without enableScale, keep their size",
-                                     without_girth_)});
+            reporter_.warn(fmt::format(
+                "{} nodes have no finite <dDwn> and <dUp>: their meshes, "
+                "without enableScale, keep their size",
+                without_girth_));
         }
         for (const auto& [id, reflectance] : reflectances_) {
             file_.materials.push_back({fmt::format("material {}", id), reflectance});

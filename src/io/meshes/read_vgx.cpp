@@ -60,27 +60,23 @@ struct VgxRow {
     }
 };
 
-LocalTriangles local_triangles(Mesh mesh) {
-    return {std::move(mesh.vertices), std::move(mesh.faces)};
-}
-
 /// A shape of length, width and height 1, its base at the origin.
-LocalTriangles unit_shape(VgxShape shape) {
+Mesh unit_shape(VgxShape shape) {
     constexpr int kSides = 12, kLevels = 2;
     constexpr double kThird = 1.0 / 3;
     if (shape == VgxShape::leaf) {
         const std::array<Vec3, 6> outline{
             Vec3{0, 0, 0}, Vec3{kThird, -0.5, 0},    Vec3{2 * kThird, -0.5, 0},
             Vec3{1, 0, 0}, Vec3{2 * kThird, 0.5, 0}, Vec3{kThird, 0.5, 0}};
-        return local_triangles(Mesh(make_polygon(outline)));
+        return make_polygon(outline);
     }
     if (shape == VgxShape::disk) {
-        return local_triangles(Mesh(make_disk({0.5, 0, 0}, {0, 0, 1}, 0.5, kSides)));
+        return make_disk({0.5, 0, 0}, {0, 0, 1}, 0.5, kSides);
     }
     if (shape == VgxShape::sphere) {
-        return local_triangles(Mesh(make_sphere({0, 0, 0}, 0.5, kLevels)));
+        return make_sphere({0, 0, 0}, 0.5, kLevels);
     }
-    return local_triangles(Mesh(make_cylinder({0, 0, 0}, {1, 0, 0}, 0.5, 0.5, kSides, false)));
+    return make_cylinder({0, 0, 0}, {1, 0, 0}, 0.5, 0.5, kSides, false);
 }
 
 /// Reads the rows, one after the other.
@@ -201,17 +197,16 @@ class VgxReader {
     }
 
     static std::optional<VgxShape> shape_of(double kind) {
+        constexpr double kLeaf = 11, kLastLeaf = 13;
+        const double first = kind == kLeaf + 1 || kind == kLastLeaf ? kLeaf : kind;
         for (const VgxShape shape :
-             {VgxShape::triangle, VgxShape::disk, VgxShape::sphere, VgxShape::cylinder,
-              VgxShape::cone}) {
-            if (kind == static_cast<double>(shape)) {
+             {VgxShape::triangle, VgxShape::leaf, VgxShape::disk, VgxShape::sphere,
+              VgxShape::cylinder, VgxShape::cone}) {
+            if (first == static_cast<double>(shape)) {
                 return shape;
             }
         }
-        constexpr std::array<double, 3> kLeafKinds{11, 12, 13};
-        const bool is_leaf =
-            std::find(kLeafKinds.begin(), kLeafKinds.end(), kind) != kLeafKinds.end();
-        return is_leaf ? std::optional(VgxShape::leaf) : std::nullopt;
+        return std::nullopt;
     }
 
     /// Triangles that follow one another, alike in colour and labels, are one organ.
@@ -262,13 +257,12 @@ class VgxReader {
     }
 
     /// From a width of EchY to one of EchZ.
-    static LocalTriangles cone(const Vec3& scale) {
+    static Mesh cone(const Vec3& scale) {
         constexpr int kSides = 12;
-        return local_triangles(Mesh(
-            make_cylinder({0, 0, 0}, {scale.x, 0, 0}, scale.y / 2, scale.z / 2, kSides, false)));
+        return make_cylinder({0, 0, 0}, {scale.x, 0, 0}, scale.y / 2, scale.z / 2, kSides, false);
     }
 
-    const LocalTriangles& triangles_of(VgxShape shape) {
+    const Mesh& triangles_of(VgxShape shape) {
         const auto [found, is_new] = shapes_.try_emplace(shape);
         if (is_new) {
             found->second = unit_shape(shape);
@@ -307,8 +301,7 @@ class VgxReader {
 
     void warn_of(const Notes& notes, std::string_view what) {
         if (notes.count > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.place(notes.first), fmt::format("{} {}", notes.count, what)});
+            reporter_.warn(fmt::format("{} {}", notes.count, what), notes.first);
         }
     }
 
@@ -316,7 +309,7 @@ class VgxReader {
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
     std::vector<std::pair<std::size_t, std::string>> columns_;  // of the table, or the end; names
-    std::map<VgxShape, LocalTriangles> shapes_;
+    std::map<VgxShape, Mesh> shapes_;
     std::map<std::array<double, 3>, std::string> materials_;
     Notes leaves_, points_, colors_;
     std::uint32_t line_ = 0;
