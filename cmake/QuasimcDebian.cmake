@@ -44,7 +44,7 @@ set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "The shared library, with a C interface.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libquasimc-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(quasimc_dev_depends "libquasimc${quasimc_abi} (= ${PROJECT_VERSION})" libembree-dev libfmt-dev libhwy-dev
-                        libtomlplusplus-dev)
+                        libpugixml-dev libtomlplusplus-dev)
 if(PNG_FOUND)
     list(APPEND quasimc_dev_depends libpng-dev)
 endif()

@@ -145,6 +145,12 @@ Exit convert(const ConvertArguments& arguments) {
     const quasimc::FormatEntry* from = arguments.from.empty()
                                            ? quasimc::format_of_path(arguments.input)
                                            : quasimc::find_format(arguments.from);
+    const quasimc::ForeignFormat* foreign = quasimc::foreign_format_of_path(arguments.input);
+    if (from == nullptr && foreign != nullptr) {
+        throw quasimc::InputError(
+            {{arguments.input, fmt::format("is {}, which is not read", foreign->name), "",
+              std::string(foreign->advice)}});
+    }
     return from != nullptr ? convert_geometry(arguments, *from) : convert_result(arguments);
 }
 

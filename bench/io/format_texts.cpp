@@ -39,84 +39,23 @@ void add_leaf(std::string& obj, std::size_t number) {
     }
 }
 
-/// Points and triangles of an organ, each between marks.
-struct Marks {
-    std::string_view point, between_points, face, between_faces;
-};
-
-std::string points_text(const Mesh& mesh, const Marks& marks) {
-    std::string text;
-    for (const Vec3& p : mesh.vertices) {
-        text += text.empty() ? "" : marks.between_points;
-        fmt::format_to(std::back_inserter(text), fmt::runtime(marks.point), p.x, p.y, p.z);
-    }
-    return text;
-}
-
-std::string faces_text(const Mesh& mesh, const Marks& marks) {
-    std::string text;
-    for (const auto& [a, b, c] : mesh.faces) {
-        text += text.empty() ? "" : marks.between_faces;
-        fmt::format_to(std::back_inserter(text), fmt::runtime(marks.face), a, b, c);
-    }
-    return text;
-}
-
-/// The triangles of an organ, with the points that they share.
-Mesh mesh_of(const Scene& scene, const Organ& organ) {
-    Mesh mesh;
-    for (const Triangle& triangle : scene.triangles_of(organ)) {
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), triangle.begin(), triangle.end());
-        mesh.faces.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
-
-std::string dae_text(const Scene& scene) {
-    const Marks marks{"{} {} {}", " ", "{} {} {}", " "};
-    std::string shapes, nodes;
-    for (const Organ& organ : scene.organs()) {
-        const Mesh mesh = mesh_of(scene, organ);
-        fmt::format_to(
-            std::back_inserter(shapes),
-            "<geometry id=\"g{0}\"><mesh><source id=\"s{0}\"><float_array>{1}</float_array>"
-            "<technique_common><accessor stride=\"3\"/></technique_common></source><vertices "
-            "id=\"v{0}\"><input semantic=\"POSITION\" source=\"#s{0}\"/></vertices><triangles>"
-            "<input semantic=\"VERTEX\" source=\"#v{0}\" offset=\"0\"/><p>{2}</p></triangles>"
-            "</mesh></geometry>\n",
-            organ.id, points_text(mesh, marks), faces_text(mesh, marks));
-        fmt::format_to(
-            std::back_inserter(nodes),
-            "<node name=\"{0}\"><instance_geometry url=\"#g{0}\"/></node>\n", organ.id);
-    }
-    return "<COLLADA><asset><up_axis>Z_UP</up_axis></asset><library_geometries>" + shapes +
-           "</library_geometries><library_visual_scenes><visual_scene id=\"x\">" + nodes +
-           "</visual_scene></library_visual_scenes></COLLADA>";
-}
-
-std::string geom_text(const Scene& scene) {
-    const Marks marks{"<{},{},{}>", ",\n", "[{},{},{}]", ",\n"};
-    std::string text;
-    for (const Organ& organ : scene.organs()) {
-        const Mesh mesh = mesh_of(scene, organ);
-        fmt::format_to(
-            std::back_inserter(text),
-            "Shape {{ Id {} Geometry TriangleSet {{ PointList [ {} ] IndexList [ {} ] }} }}\n",
-            organ.id, points_text(mesh, marks), faces_text(mesh, marks));
-    }
-    return text;
-}
-
 std::string opf_text(const Scene& scene) {
-    const Marks marks{"{} {} {}", " ", "<face>{} {} {}</face>", ""};
     std::string meshes, shapes, nodes;
     for (const Organ& organ : scene.organs()) {
-        const Mesh mesh = mesh_of(scene, organ);
+        std::string points, faces;
+        std::size_t number = 0;
+        for (const Triangle& triangle : scene.triangles_of(organ)) {
+            for (const Vec3& p : triangle) {
+                fmt::format_to(std::back_inserter(points), "{} {} {} ", p.x, p.y, p.z);
+            }
+            fmt::format_to(
+                std::back_inserter(faces), "<face>{} {} {}</face>", number, number + 1, number + 2);
+            number += 3;
+        }
         fmt::format_to(
             std::back_inserter(meshes),
-            "<mesh Id=\"{}\"><points>{}</points><faces>{}</faces></mesh>\n", organ.id,
-            points_text(mesh, marks), faces_text(mesh, marks));
+            "<mesh Id=\"{}\"><points>{}</points><faces>{}</faces></mesh>\n", organ.id, points,
+            faces);
         fmt::format_to(
             std::back_inserter(shapes), "<shape Id=\"{0}\"><meshIndex>{0}</meshIndex></shape>\n",
             organ.id);
@@ -128,45 +67,6 @@ std::string opf_text(const Scene& scene) {
     }
     return "<opf><meshBDD>" + meshes + "</meshBDD><shapeBDD>" + shapes +
            "</shapeBDD><topology class=\"Plant\" id=\"0\">" + nodes + "</topology></opf>";
-}
-
-std::string fasttracer_text(const Scene& scene) {
-    std::string text;
-    for (const Organ& organ : scene.organs()) {
-        for (const auto& [a, b, c] : scene.triangles_of(organ)) {
-            fmt::format_to(
-                std::back_inserter(text), "1 1 1 1 {} {} {} {} {} {} {} {} {} {} 1 0.1 0.1\n",
-                organ.id, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
-        }
-    }
-    return text;
-}
-
-std::string vgx_text(const Scene& scene) {
-    std::string text = "Obj\tR\tG\tB\tX1\tY1\tZ1\tX2\tY2\tZ2\tX3\tY3\tZ3\tGrp1\n";
-    for (const Organ& organ : scene.organs()) {
-        for (const auto& [a, b, c] : scene.triangles_of(organ)) {
-            fmt::format_to(
-                std::back_inserter(text), "0\t30\t90\t60\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n",
-                a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, organ.id);
-        }
-    }
-    return text;
-}
-
-/// A disk of twelve triangles for every twelve.
-std::string def_text(const Scene& scene) {
-    constexpr std::size_t kSides = 12;
-    std::string text;
-    std::size_t count = 0;
-    for (const Triangle& triangle : scene.triangles()) {
-        if (count++ % kSides == 0) {
-            fmt::format_to(
-                std::back_inserter(text), "0.05 {} {} {} 0 0.6 0.8\n", triangle[0].x, triangle[0].y,
-                triangle[0].z);
-        }
-    }
-    return text;
 }
 
 }  // namespace
@@ -185,23 +85,8 @@ Scene leaves(std::size_t count) {
 }
 
 std::string text_of(std::string_view format, const Scene& scene) {
-    if (format == "dae") {
-        return dae_text(scene);
-    }
-    if (format == "geom") {
-        return geom_text(scene);
-    }
     if (format == "opf") {
         return opf_text(scene);
-    }
-    if (format == "fasttracer") {
-        return fasttracer_text(scene);
-    }
-    if (format == "vgx") {
-        return vgx_text(scene);
-    }
-    if (format == "def") {
-        return def_text(scene);
     }
     std::string bytes;
     write_geometry(*find_format(format), scene, [&](std::string_view piece) { bytes += piece; });

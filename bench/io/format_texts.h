@@ -11,7 +11,7 @@ namespace quasimc::bench {
 /// Leaves of 1,000 triangles each, 21 x 26 points that their triangles share.
 [[nodiscard]] Scene leaves(std::size_t count);
 
-/// The triangles of a scene in a format, also in one that is only read.
+/// The triangles of a scene in a format that is written, or as OPF.
 [[nodiscard]] std::string text_of(std::string_view format, const Scene& scene);
 
 }  // namespace quasimc::bench

@@ -81,21 +81,14 @@ CaribuOptics read_caribu_optics(std::string_view bytes, Reporter& reporter) {
 std::vector<CaribuLight> read_caribu_light(std::string_view bytes, Reporter& reporter) {
     const std::string rule = "a line holds the irradiance on the horizontal and a direction";
     std::vector<CaribuLight> lights;
-    LineScanner scanner(bytes);
-    while (scanner.next() && !reporter.is_full()) {
-        const std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
-        const auto numbers = numbers_of_line(line, scanner.number(), rule, reporter);
-        if (!numbers || numbers->empty()) {
-            continue;
-        }
-        if (numbers->size() != 4) {
-            reporter.fault(scanner.number(), fmt::format("{} numbers", numbers->size()), rule);
-        } else if ((*numbers)[0] < 0) {
-            reporter.fault(scanner.number(), "the irradiance is less than 0", rule);
+    const auto add = [&](const std::vector<double>& numbers, std::uint32_t line) {
+        if (numbers[0] < 0) {
+            reporter.fault(line, "the irradiance is less than 0", rule);
         } else {
-            lights.push_back({(*numbers)[0], point_at(*numbers, 1)});
+            lights.push_back({numbers[0], point_at(numbers, 1)});
         }
-    }
+    };
+    take_number_lines(bytes, 4, rule, reporter, add);
     if (lights.empty() && reporter.faults.empty()) {
         reporter.faults.add({reporter.file, "holds no light", rule, ""});
     }

@@ -151,8 +151,12 @@ TEST_F(ConvertCommand, NamesFilesThatAreNoRunFiles) {
     }
     expect_in(
         run({"info", "plant.bgeom"}).err,
-        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not read); let PlantGL "
-        "write triangles");
+        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not read); load it in "
+        "Python with PlantGL");
+    folder_.write("plant.dae", "<COLLADA/>");
+    const Outcome dae = run({"convert", "plant.dae", "plant.obj"});
+    EXPECT_EQ(dae.status, 1);
+    expect_in(dae.err, "plant.dae: is a COLLADA file, which is not read; make glTF of it");
 }
 
 }  // namespace

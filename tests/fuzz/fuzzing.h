@@ -24,10 +24,11 @@ inline std::string read_small_file(const std::filesystem::path& path) {
         return "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng b\nusemtl c\nf 1 2 3\n";
     }
     if (name == "a.opf") {
-        return "<meshBDD><mesh Id=\"0\"><points>0 0 1 1 0 1 0 1 1</points><faces><face>0 1 2</face>"
+        return "<opf><meshBDD><mesh Id=\"0\"><points>0 0 1 1 0 1 0 1 1</points><faces><face>0 1 "
+               "2</face>"
                "</faces></mesh></meshBDD><shapeBDD><shape Id=\"0\"><meshIndex>0</meshIndex></shape>"
                "</shapeBDD><topology id=\"1\"><geometry><shapeIndex>0</shapeIndex></geometry>"
-               "</topology>";
+               "</topology></opf>";
     }
     if (name == "a.bin") {
         return std::string(48, '\0');

@@ -1,7 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the OPF that quasimc writes with its JSON, by Python's XML: check_opf.py QUASIMC [VALUES]
-
-VALUES is a program that prints the attributes of an OPF file as another reader of XML finds them."""
+"""Compares the OPF that quasimc writes with its JSON, by Python's XML: check_opf.py QUASIMC"""
 
 import json
 import sys
@@ -56,17 +54,6 @@ def nodes(root):
     return {e.get("id"): e for e in root.iter() if e.get("id") and e.get("class")}
 
 
-def check_other_reader(folder, program, after):
-    """Whether another reader of XML finds the attributes that Python's does."""
-    theirs = {}
-    for line in run_in(folder, program, "light.opf").splitlines():
-        number, name, text = line.split("\t")
-        theirs.setdefault(number, []).append((name, text.strip()))
-    for number, node in after.items():
-        ours = [(e.tag, (e.text or "").strip()) for e in node if e.get("class") is None]
-        assert theirs.get(number, []) == ours, (number, theirs.get(number), ours)
-
-
 def check(program, folder, table):
     def run(*command, status=0):
         return run_in(folder, program, *command, status=status)
@@ -92,8 +79,6 @@ def check(program, folder, table):
             assert float(error) == density["standard_error"]
         kept = [e.tag for e in node if not e.tag.endswith("_PAR") and "_standard_error" not in e.tag]
         assert [t for t in kept if t != "sunlit_fraction"] == [e.tag for e in before[number]]
-    if len(sys.argv) > 2:
-        check_other_reader(folder, sys.argv[2], after)
     declared = [e.get("name") for e in root.iter("attribute")]
     assert declared.count("absorbed_flux_density_PAR") == 1, declared
     assert ("length" in declared) == ("length" in table)

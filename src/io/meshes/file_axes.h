@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <numbers>
-#include <optional>
-
 #include "quasimc/vec3.h"
 
 namespace quasimc {
@@ -23,32 +19,6 @@ namespace quasimc {
 /// The factor by which a transform multiplies volumes: less than 0 if it makes mirror images.
 [[nodiscard]] constexpr double determinant(const Affine& transform) {
     return dot(transform.rows[0], cross(transform.rows[1], transform.rows[2]));
-}
-
-/// The turn by an angle in degrees about an axis, counter-clockwise as seen from where it points
-/// (Rodrigues). Nothing of an axis without a direction.
-[[nodiscard]] inline std::optional<Affine> rotation_about(const Vec3& axis, double degrees) {
-    const double size = length(axis);
-    if (!(size > 0) || !std::isfinite(size)) {
-        return std::nullopt;
-    }
-    const Vec3 k = axis / size;
-    const double angle = degrees * std::numbers::pi / 180;
-    const double c = std::cos(angle), s = std::sin(angle);
-    const Vec3 kc = (1 - c) * k;
-    return Affine{
-        {Vec3{c + kc.x * k.x, kc.x * k.y - s * k.z, kc.x * k.z + s * k.y},
-         Vec3{kc.y * k.x + s * k.z, c + kc.y * k.y, kc.y * k.z - s * k.x},
-         Vec3{kc.z * k.x - s * k.y, kc.z * k.y + s * k.x, c + kc.z * k.z}},
-        {}};
-}
-
-/// A turn about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
-[[nodiscard]] inline Affine euler_rotation(double azimuth, double elevation, double roll) {
-    const Affine z = *rotation_about({0, 0, 1}, azimuth);
-    const Affine y = *rotation_about({0, 1, 0}, elevation);
-    const Affine x = *rotation_about({1, 0, 0}, roll);
-    return after(after(z, y), x);
 }
 
 /// From the axes and the unit of a file whose y axis points up to those of a scene: x stays x.

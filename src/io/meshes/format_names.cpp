@@ -42,10 +42,15 @@ std::string extension_of(std::string_view path) {
 
 const ForeignFormat* foreign_format_of_path(std::string_view path) {
     constexpr std::string_view kBlender = "write it as OBJ or GLB, with Blender for example";
+    constexpr std::string_view kPlantgl =
+        "load it in Python with PlantGL, and give the Scene to quasimc.compat.caribu.CaribuScene "
+        "or let it write triangles: Scene(\"plant.geom\").save(\"plant.obj\")";
     static constexpr std::array kForeign{
+        ForeignFormat{".geom", "a scene of PlantGL", kPlantgl},
+        ForeignFormat{".bgeom", "a binary scene of PlantGL", kPlantgl},
         ForeignFormat{
-            ".bgeom", "a binary scene of PlantGL",
-            "let PlantGL write triangles: Scene(\"plant.bgeom\").save(\"plant.obj\")"},
+            ".dae", "a COLLADA file",
+            "make glTF of it, with Blender or by `assimp export plant.dae plant.glb`"},
         ForeignFormat{".blend", "a file of Blender", kBlender},
         ForeignFormat{".fbx", "an FBX file", kBlender},
         ForeignFormat{".usd", "a USD file", kBlender},

@@ -123,21 +123,6 @@ std::span<const FormatEntry> format_table() {
             .read = read_gltf,
             .has_units = true},
         FormatEntry{
-            .name = "dae",
-            .extensions = ".dae",
-            .summary = "COLLADA; nodes with a geometry are organs",
-            .organs = "groups",
-            .keeps = "names, materials, labels",
-            .read = read_dae,
-            .has_units = true},
-        FormatEntry{
-            .name = "geom",
-            .extensions = ".geom",
-            .summary = "PlantGL's scenes as text; shapes are organs",
-            .organs = "groups",
-            .keeps = "ids, names, materials, labels",
-            .read = read_geom},
-        FormatEntry{
             .name = "vgx",
             .extensions = ".vgx .vgs",
             .summary = "VegeSTAR's and RATP's table of objects; each is an organ",
@@ -161,12 +146,10 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 double FormatContext::units_per_metre() {
     const std::optional<double> metres = metres_per(length_unit);
     if (!metres) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
-                 "they are taken as they are",
-                 one_line(length_unit))});
+        reporter.warn(fmt::format(
+            "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
+            "they are taken as they are",
+            one_line(length_unit)));
     }
     return 1 / metres.value_or(1);
 }
@@ -183,12 +166,10 @@ void CrossedFaces::add(std::string_view word, std::uint64_t number) {
 
 void CrossedFaces::warn(Reporter& reporter) const {
     if (count > 0) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "{} faces have sides that cross each other, the first is {}: each is cut into "
-                 "triangles from its first corner",
-                 count, first)});
+        reporter.warn(fmt::format(
+            "{} faces have sides that cross each other, the first is {}: each is cut into "
+            "triangles from its first corner",
+            count, first));
     }
 }
 
@@ -207,6 +188,13 @@ bool MeshPart::add_face(
     }
     lines.resize(faces.size(), line);
     return sides_cross;
+}
+
+MeshPart& MeshGroup::part(const std::string& material) {
+    const auto known = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& part) {
+        return part.material == material;
+    });
+    return known != parts.end() ? *known : parts.emplace_back(MeshPart{material, {}, {}});
 }
 
 namespace {
@@ -264,22 +252,6 @@ std::vector<Mesh> MeshFile::take_meshes() {
     }
     vertices = {};
     return meshes;
-}
-
-std::string MaterialNames::name_of(
-    const std::string& name, std::optional<double> reflectance, MeshFile& file) {
-    std::vector<std::optional<double>>& known = known_[name];
-    const auto found = std::find(known.begin(), known.end(), reflectance);
-    const auto number = static_cast<std::size_t>(found - known.begin()) + 1;
-    if (found == known.end()) {
-        known.push_back(reflectance);
-    }
-    if (number == 1) {
-        return name;
-    }
-    std::string unique = fmt::format("{} ({})", name, number);
-    file.aliases.emplace(unique, name);
-    return unique;
 }
 
 }  // namespace quasimc

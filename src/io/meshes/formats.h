@@ -53,6 +53,9 @@ struct MeshGroup {
     std::optional<std::int64_t> id;  ///< if the file gives one
     std::vector<MeshPart> parts;
     Labels labels = {};  ///< what else the file says of it
+
+    /// The part of that material, perhaps a new one.
+    MeshPart& part(const std::string& material);
 };
 
 /// What a file says of a material.
@@ -84,17 +87,6 @@ struct MeshFile {
     /// The meshes of all parts, group after group, each with the vertices that it needs. Takes the
     /// vertices and the faces from the file.
     [[nodiscard]] std::vector<Mesh> take_meshes();
-};
-
-/// Gives the materials of a file different names where their optics differ.
-class MaterialNames {
-  public:
-    /// The name for a material; "leaf (2)" with the alias "leaf" where another one, with another
-    /// reflectance, is called "leaf". @param reflectance  nothing: the file does not give it
-    std::string name_of(const std::string& name, std::optional<double> reflectance, MeshFile& file);
-
-  private:
-    std::map<std::string, std::vector<std::optional<double>>> known_;
 };
 
 /// What a reader is told beside the bytes. Faults go to `reporter`, whose `file` is the file that
@@ -143,9 +135,6 @@ struct FormatEntry {
 /// Whether the image file of that name can have an alpha channel, and so be a mask: JPEG has none.
 [[nodiscard]] bool may_have_alpha(std::string_view image);
 
-/// Warns of masks and of transparency, which are not read, with the area concerned.
-void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter);
-
 /// The names of the formats that have a writer.
 [[nodiscard]] std::vector<std::string> writable_formats();
 
@@ -156,8 +145,8 @@ struct ForeignFormat {
 /// The row for the extension of a path, or null.
 [[nodiscard]] const ForeignFormat* foreign_format_of_path(std::string_view path);
 
-/// Reads a file, and checks what no format's reader needs to know: names are UTF-8 (XML in Latin-1
-/// that says so becomes UTF-8), and coordinates are not too coarse for the triangles.
+/// Reads a file, and checks what no format's reader needs to know: names are UTF-8, and coordinates
+/// are not too coarse for the triangles.
 [[nodiscard]] MeshFile read_mesh(
     const FormatEntry& format, std::string_view bytes, FormatContext& context);
 
@@ -177,8 +166,6 @@ void write_geometry(const FormatEntry& format, const Scene& scene, const TextSin
 [[nodiscard]] MeshFile read_stl(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_ops(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_gltf(std::string_view bytes, FormatContext& context);
-[[nodiscard]] MeshFile read_dae(std::string_view bytes, FormatContext& context);
-[[nodiscard]] MeshFile read_geom(std::string_view bytes, FormatContext& context);
 [[nodiscard]] MeshFile read_vgx(std::string_view bytes, FormatContext& context);
 
 // The writers. Coordinates come out in the axes of the scene's file, with all their digits.

@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "base/length_units.h"
+#include "geometry/mesh/mesh.h"
 #include "io/little_endian.h"
+#include "io/meshes/file_axes.h"
 #include "quasimc/error.h"
 #include "quasimc/version.h"
 
@@ -18,15 +21,6 @@ constexpr std::uint64_t kGlbHeaders = 12 + 8 + 8;
 
 std::uint64_t padded(std::uint64_t bytes) {
     return (bytes + 3) / 4 * 4;
-}
-
-void add_numbers(JsonStream& json, std::string_view key, const std::vector<double>& numbers) {
-    json.key(key);
-    json.begin_list(JsonLayout::compact);
-    for (const double number : numbers) {
-        json.number(number);
-    }
-    json.end_list();
 }
 
 }  // namespace
@@ -40,11 +34,7 @@ std::size_t GlbParts::add_view(const GlbNumbers& kind) {
     return views_.size() - 1;
 }
 
-std::size_t GlbParts::add_list(
-    std::size_t view,
-    std::string_view bytes,
-    const std::vector<double>& low,
-    const std::vector<double>& high) {
+std::size_t GlbParts::add_list(std::size_t view, std::string_view bytes, const Bounds* bounds) {
     View& place = views_[view];
     accessors_.begin_object(JsonLayout::compact);
     accessors_.count("bufferView", view);
@@ -55,9 +45,10 @@ std::size_t GlbParts::add_list(
     if (place.kind.is_normalized) {
         accessors_.boolean("normalized", true);
     }
-    if (!low.empty()) {
-        add_numbers(accessors_, "min", low);
-        add_numbers(accessors_, "max", high);
+    if (bounds != nullptr && !bounds->empty()) {
+        const auto& [low, high] = *bounds;
+        add_json_numbers(accessors_, "min", {low.x, low.y, low.z});
+        add_json_numbers(accessors_, "max", {high.x, high.y, high.z});
     }
     accessors_.end_object();
     place.bytes->add(bytes);
@@ -67,20 +58,18 @@ std::size_t GlbParts::add_list(
 
 std::size_t GlbParts::add_points(
     std::size_t view, const std::vector<Vec3>& points, const Vec3& origin) {
-    constexpr double kMost = std::numeric_limits<double>::max();
-    std::vector<double> low(3, kMost), high(3, -kMost);
+    Bounds bounds;
     std::string bytes;
     for (const Vec3& point : points) {
         const Vec3 p = point - origin;
-        const std::array xyz{p.x, p.y, p.z};
-        for (std::size_t axis = 0; axis < xyz.size(); ++axis) {
-            const auto number = static_cast<float>(xyz[axis]);
+        const std::array<float, 3> xyz{
+            static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+        for (const float number : xyz) {
             append_little_endian(bytes, number);
-            low[axis] = std::min<double>(low[axis], number);
-            high[axis] = std::max<double>(high[axis], number);
         }
+        bounds.add({xyz[0], xyz[1], xyz[2]});
     }
-    return add_list(view, bytes, low, high);
+    return add_list(view, bytes, &bounds);
 }
 
 void GlbParts::write(const std::string& members, const TextSink& sink) {
@@ -122,6 +111,60 @@ void GlbParts::write(const std::string& members, const TextSink& sink) {
     for (const View& view : views_) {
         view.bytes->copy_to(sink);
     }
+}
+
+GlbMeshes::GlbMeshes(const Scene& scene)
+    : scene_(scene),
+      outward_(to_y_up(scene.orientation().up(), metres_per(scene.length_unit()).value_or(1))),
+      numbers_(scene.triangles().mesh().vertices.size(), kNone) {}
+
+Mesh GlbMeshes::mesh(std::uint32_t first, std::uint32_t count) {
+    const auto moved = [this](const Vec3& p) {
+        return outward_.point(scene_.orientation().outward(p));
+    };
+    const FrozenMesh& shared = scene_.triangles().mesh();
+    std::vector<Triangle> apart;
+    std::vector<std::uint32_t> taken;
+    Mesh mesh;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        if (i >= shared.faces.size()) {
+            const Triangle t = scene_.triangles()[i];
+            apart.push_back({moved(t[0]), moved(t[1]), moved(t[2])});
+            continue;
+        }
+        Face face = shared.faces[i];
+        for (std::uint32_t& vertex : face) {
+            if (numbers_[vertex] == kNone) {
+                numbers_[vertex] = static_cast<std::uint32_t>(taken.size());
+                taken.push_back(vertex);
+                mesh.vertices.push_back(moved(shared.vertices[vertex]));
+            }
+            vertex = numbers_[vertex];
+        }
+        mesh.faces.push_back(face);
+    }
+    for (const std::uint32_t vertex : taken) {
+        numbers_[vertex] = kNone;
+    }
+    return apart.empty() ? mesh : Mesh(apart);
+}
+
+Vec3 middle_of(const std::vector<Vec3>& points) {
+    Bounds bounds;
+    for (const Vec3& point : points) {
+        bounds.add(point);
+    }
+    return bounds.empty() ? Vec3{} : bounds.center();
+}
+
+void add_json_numbers(
+    JsonStream& json, std::string_view key, std::initializer_list<double> numbers) {
+    json.key(key);
+    json.begin_list(JsonLayout::compact);
+    for (const double number : numbers) {
+        json.number(number);
+    }
+    json.end_list();
 }
 
 std::string glb_scene_members(std::size_t roots) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,7 +11,9 @@
 #include "io/results/json_stream.h"
 #include "io/results/spool.h"
 #include "quasimc/file.h"
+#include "quasimc/mesh.h"
 #include "quasimc/vec3.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 
@@ -36,12 +39,8 @@ class GlbParts {
     /// A place for lists of one kind. @returns its number
     std::size_t add_view(const GlbNumbers& kind);
     /// A list in a view. @returns the number of its accessor
-    /// @param low, high  of points, per axis: the least and largest coordinates; else empty
-    std::size_t add_list(
-        std::size_t view,
-        std::string_view bytes,
-        const std::vector<double>& low = {},
-        const std::vector<double>& high = {});
+    /// @param bounds  of points; null for other numbers
+    std::size_t add_list(std::size_t view, std::string_view bytes, const Bounds* bounds = nullptr);
     /// The same of points, in single precision about an origin.
     std::size_t add_points(std::size_t view, const std::vector<Vec3>& points, const Vec3& origin);
 
@@ -61,6 +60,30 @@ class GlbParts {
     JsonStream accessors_;
     std::size_t lists_ = 0;
 };
+
+/// Takes parts of a scene as meshes of their own, in metres with y up, as glTF has it.
+class GlbMeshes {
+  public:
+    explicit GlbMeshes(const Scene& scene);
+
+    /// The triangles of a scene from one number on, with the vertices that they share.
+    /// @param first, count  triangles of one region
+    [[nodiscard]] Mesh mesh(std::uint32_t first, std::uint32_t count);
+
+  private:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+    const Scene& scene_;
+    Affine outward_;                      // from the scene's axes and unit
+    std::vector<std::uint32_t> numbers_;  // of the scene's vertices in the mesh being made
+};
+
+/// The middle of the box about points; the origin if there are none.
+[[nodiscard]] Vec3 middle_of(const std::vector<Vec3>& points);
+
+/// Adds a list of numbers to an object.
+void add_json_numbers(
+    JsonStream& json, std::string_view key, std::initializer_list<double> numbers);
 
 /// The members of every file: asset and scene. @param roots  how many nodes the scene has, the
 /// first ones

@@ -8,10 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include "io/meshes/gltf_container.h"
+#include "io/meshes/formats.h"
 #include "io/meshes/gltf_values.h"
 
 namespace quasimc {
+
+/// The two parts of a glTF file.
+struct GltfContainer {
+    std::string_view json;
+    std::optional<std::string_view> binary;  ///< what a GLB file holds behind the JSON
+};
+
+/// Takes a glTF file apart: GLB version 2, or JSON alone. @returns nothing after a fault
+[[nodiscard]] std::optional<GltfContainer> open_gltf(std::string_view bytes, Reporter& reporter);
 
 /// Numbers in a buffer, element after element, `stride` bytes apart.
 struct GltfAccessor {

@@ -8,7 +8,6 @@
 
 #include "base/text.h"
 #include "io/line_scanner.h"
-#include "io/meshes/gltf_keys.h"
 #include "io/meshes/gltf_values.h"
 
 namespace quasimc {

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "io/meshes/formats.h"
-#include "io/meshes/placed_triangles.h"
 #include "io/runfile/document.h"
 #include "quasimc/scene.h"
 #include "quasimc/vec3.h"
 
 namespace quasimc {
+
+/// How the corners of triangles follow each other; what is none has no triangles.
+enum class CornerOrder { none, triangles, strip, fan };
 
 /// A part of a mesh that is of one material.
 struct GltfPrimitive {

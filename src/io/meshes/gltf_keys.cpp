@@ -1,13 +1,13 @@
-#include "io/meshes/gltf_keys.h"
-
+#include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "io/meshes/gltf_values.h"
-#include "io/meshes/unknown_keywords.h"
 
 namespace quasimc {
 namespace {
@@ -64,17 +64,29 @@ constexpr std::array kListKeys{
     ListKeys{"bufferViews", "bufferView", kViewKeys},
     ListKeys{"buffers", "buffer", kBufferKeys}};
 
-void check_keys(const Node& object, std::string_view where, Keys keys, UnknownKeywords& unknown) {
+/// How many keys are not known where they stand, and the first.
+struct UnknownKeys {
+    std::size_t count = 0;
+    std::string first;
+};
+
+void check_keys(const Node& object, std::string_view where, Keys keys, UnknownKeys& unknown) {
     const auto* members = object.as<Node::Table>();
     for (std::size_t i = 0; members != nullptr && i < members->size(); ++i) {
-        unknown.check((*members)[i].key, where, keys);
+        const std::string& key = (*members)[i].key;
+        if (std::find(keys.begin(), keys.end(), key) == keys.end() && unknown.count++ == 0) {
+            const std::string_view near = nearest_word(key, keys);
+            unknown.first = fmt::format(
+                "{} in {}{}", shown(key), where,
+                near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+        }
     }
 }
 
 }  // namespace
 
 void warn_of_unknown_keys(const Node& root, Reporter& reporter) {
-    UnknownKeywords unknown;
+    UnknownKeys unknown;
     check_keys(root, "the file", kRootKeys, unknown);
     for (const auto& [list, word, keys] : kListKeys) {
         std::size_t number = 0;
@@ -86,7 +98,11 @@ void warn_of_unknown_keys(const Node& root, Reporter& reporter) {
             }
         }
     }
-    unknown.warn("keys that glTF 2.0 does not have", reporter);
+    if (unknown.count > 0) {
+        reporter.warn(fmt::format(
+            "keys that glTF 2.0 does not have are left out: {} in all, the first is {}",
+            unknown.count, unknown.first));
+    }
 }
 
 }  // namespace quasimc

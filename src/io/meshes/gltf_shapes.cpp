@@ -16,9 +16,32 @@ std::vector<std::uint32_t> numbers_below(std::size_t count) {
     return indices;
 }
 
+/// The triangles of corners in an order; of strips and fans those that are but lines are left out.
+std::vector<Face> faces_of(CornerOrder order, const std::vector<std::uint32_t>& corners) {
+    std::vector<Face> faces;
+    if (order == CornerOrder::triangles) {
+        faces.reserve(corners.size() / 3);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+            faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        }
+        return faces;
+    }
+    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+        const std::size_t odd = i % 2;
+        const Face face = order == CornerOrder::fan
+                              ? Face{corners[0], corners[i + 1], corners[i + 2]}
+                              : Face{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]};
+        // Strips go on over triangles that are lines.
+        if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
+            faces.push_back(face);
+        }
+    }
+    return faces;
+}
+
 }  // namespace
 
-std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primitive) {
+std::optional<Mesh> GltfShapes::triangles(const GltfPrimitive& primitive) {
     auto points = read_points(*primitive.positions);
     if (!points) {
         return std::nullopt;
@@ -33,9 +56,9 @@ std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primiti
             fmt::format("a part with {} corners", corners->size()), "triangles have three each");
         return std::nullopt;
     }
-    LocalTriangles triangles{std::move(*points), faces_of(primitive.mode, *corners)};
+    Mesh triangles{std::move(*points), faces_of(primitive.mode, *corners)};
     const std::span<const Face> faces(triangles.faces);
-    const std::string steps = describe_float_steps(triangles.points, {&faces, 1});
+    const std::string steps = describe_float_steps(triangles.vertices, {&faces, 1});
     if (!steps.empty() && ++coarse_.count == 1) {
         coarse_.first = steps;
     }
@@ -43,17 +66,14 @@ std::optional<LocalTriangles> GltfShapes::triangles(const GltfPrimitive& primiti
 }
 
 void GltfShapes::finish() {
-    const auto warn = [this](std::string text) {
-        reporter_.warnings.push_back({reporter_.file, std::move(text)});
-    };
     if (other_bounds_.count > 0) {
-        warn(fmt::format(
+        reporter_.warn(fmt::format(
             "points are not within the min and max that the file gives for them ({} accessors, the "
             "first is {}): a type or an offset may be wrong, or the file is damaged",
             other_bounds_.count, other_bounds_.first));
     }
     if (coarse_.count > 0) {
-        warn(
+        reporter_.warn(
             coarse_.count == 1
                 ? coarse_.first
                 : fmt::format("{} (the first of {} meshes)", coarse_.first, coarse_.count));

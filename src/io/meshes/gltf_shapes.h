@@ -19,7 +19,7 @@ class GltfShapes {
         : buffers_(buffers), reporter_(reporter), values_(reporter) {}
 
     /// Nothing after a fault. @param primitive  with triangles
-    std::optional<LocalTriangles> triangles(const GltfPrimitive& primitive);
+    std::optional<Mesh> triangles(const GltfPrimitive& primitive);
     /// Warns of points that are not within the bounds that the file states, or too coarse.
     void finish();
 

@@ -52,4 +52,8 @@ class GltfValues {
 /// The list of a key; an empty one if it has none.
 [[nodiscard]] const Node::List& gltf_list(const Node& object, std::string_view key);
 
+/// Warns of keys that glTF 2.0 does not have, where geometry is stated: a misspelled "translation"
+/// would be passed over.
+void warn_of_unknown_keys(const Node& root, Reporter& reporter);
+
 }  // namespace quasimc

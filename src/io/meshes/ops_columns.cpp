@@ -103,9 +103,9 @@ OpsNumbers OpsColumns::arrange(const std::vector<double>& numbers, std::uint32_t
 
 void OpsColumns::Notes::warn(std::string_view text, Reporter& reporter) const {
     if (count > 0) {
-        reporter.warnings.push_back(
-            {reporter.place(first),
-             fmt::format("{} {} {}", counted(count, "plant"), count == 1 ? "has" : "have", text)});
+        reporter.warn(
+            fmt::format("{} {} {}", counted(count, "plant"), count == 1 ? "has" : "have", text),
+            first);
     }
 }
 

@@ -1,6 +1,5 @@
 #include "io/meshes/placed_triangles.h"
 
-#include <algorithm>
 #include <limits>
 #include <set>
 #include <utility>
@@ -12,7 +11,7 @@
 namespace quasimc {
 
 void PlacedTriangles::add(
-    const LocalTriangles& shape,
+    const Mesh& shape,
     const Affine& transform,
     const std::string& material,
     std::uint32_t line,
@@ -21,14 +20,14 @@ void PlacedTriangles::add(
     if (shape.faces.empty()) {
         return;
     }
-    if (file_.vertices.size() + shape.points.size() >= kMost) {
+    if (file_.vertices.size() + shape.vertices.size() >= kMost) {
         if (!std::exchange(is_too_large_, true)) {
             reporter_.fault(0, "it has more than 4294967294 vertices", "");
         }
         return;
     }
     const auto first = static_cast<std::uint32_t>(file_.vertices.size());
-    for (const Vec3& point : shape.points) {
+    for (const Vec3& point : shape.vertices) {
         file_.vertices.push_back(transform.point(point));
     }
     const bool is_mirrored = determinant(transform) < 0;
@@ -42,36 +41,6 @@ void PlacedTriangles::add(
     group.parts.push_back(std::move(part));
 }
 
-bool add_polygon(
-    std::span<const Vec3> corners, std::span<const std::uint32_t> numbers, LocalTriangles& shape) {
-    MeshPart part{"", std::move(shape.faces), {}};
-    const bool sides_cross = part.add_face(corners, numbers, 0);
-    shape.faces = std::move(part.faces);
-    return sides_cross;
-}
-
-std::vector<Face> faces_of(CornerOrder order, const std::vector<std::uint32_t>& corners) {
-    std::vector<Face> faces;
-    if (order == CornerOrder::triangles) {
-        faces.reserve(corners.size() / 3);
-        for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-            faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
-        }
-        return faces;
-    }
-    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-        const std::size_t odd = i % 2;
-        const Face face = order == CornerOrder::fan
-                              ? Face{corners[0], corners[i + 1], corners[i + 2]}
-                              : Face{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]};
-        // Strips go on over triangles that are lines.
-        if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
-            faces.push_back(face);
-        }
-    }
-    return faces;
-}
-
 void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter) {
     std::set<std::int64_t> known;
     std::size_t repeated = 0;
@@ -81,21 +50,10 @@ void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter
     if (repeated == 0) {
         return;
     }
-    reporter.warnings.push_back(
-        {reporter.file, fmt::format(
-                            "{0} {1}s have an id that another {1} has: organs are counted instead",
-                            repeated, word)});
+    reporter.warn(fmt::format(
+        "{0} {1}s have an id that another {1} has: organs are counted instead", repeated, word));
     for (MeshGroup& group : file.groups) {
         group.id.reset();
-    }
-}
-
-void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
-    const bool is_stated = std::any_of(
-        group.labels.begin(), group.labels.end(),
-        [key](const auto& label) { return label.first == key; });
-    if (!is_stated && !value.empty() && value != group.name) {
-        group.labels.emplace_back(key, value);
     }
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -22,28 +21,20 @@ class FastTracerReader {
     explicit FastTracerReader(Reporter& reporter) : reporter_(reporter) {}
 
     MeshFile read(std::string_view bytes) {
-        LineScanner scanner(bytes);
-        while (scanner.next() && !reporter_.is_full()) {
-            line_ = scanner.number();
-            const std::string_view text = scanner.line().substr(0, scanner.line().find('#'));
-            const auto numbers = numbers_of_line(text, line_, kFastTracerLine, reporter_);
-            if (numbers && !numbers->empty()) {
-                read_columns(*numbers);
-            }
-        }
+        take_number_lines(
+            bytes, kColumns, kFastTracerLine, reporter_,
+            [this](const std::vector<double>& columns, std::uint32_t line) {
+                read_columns(columns, line);
+            });
         return std::move(mesh_);
     }
 
   private:
-    void read_columns(const std::vector<double>& columns) {
-        if (columns.size() != kColumns) {
-            reporter_.fault(line_, fmt::format("{} numbers", columns.size()), kFastTracerLine);
-            return;
-        }
+    void read_columns(const std::vector<double>& columns, std::uint32_t line) {
         const double transmittance = columns[15], reflectance = columns[16];
         if (!(transmittance >= 0 && reflectance >= 0 && transmittance + reflectance <= 1)) {
             reporter_.fault(
-                line_,
+                line,
                 fmt::format("transmittance {} and reflectance {}", transmittance, reflectance),
                 "both are 0 or more, and at most 1 together");
             return;
@@ -52,9 +43,9 @@ class FastTracerReader {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             mesh_.vertices.push_back(point_at(columns, kIds + 3 * corner));
         }
-        MeshPart& part = part_of(group_of(columns), material_of(reflectance, transmittance));
+        MeshPart& part = group_of(columns).part(material_of(reflectance, transmittance));
         part.faces.push_back({first, first + 1, first + 2});
-        part.lines.push_back(line_);
+        part.lines.push_back(line);
     }
 
     MeshGroup& group_of(const std::vector<double>& columns) {
@@ -80,19 +71,10 @@ class FastTracerReader {
         return name;
     }
 
-    static MeshPart& part_of(MeshGroup& group, const std::string& material) {
-        const auto known = std::find_if(
-            group.parts.begin(), group.parts.end(),
-            [&](const MeshPart& part) { return part.material == material; });
-        return known != group.parts.end() ? *known
-                                          : group.parts.emplace_back(MeshPart{material, {}, {}});
-    }
-
     Reporter& reporter_;
     MeshFile mesh_{{}, {}, "line", {}};
     std::map<std::vector<double>, std::size_t> groups_;
     std::map<std::pair<double, double>, std::string> materials_;
-    std::uint32_t line_ = 0;
 };
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -5,7 +7,6 @@
 #include "io/meshes/file_axes.h"
 #include "io/meshes/formats.h"
 #include "io/meshes/gltf_buffers.h"
-#include "io/meshes/gltf_container.h"
 #include "io/meshes/gltf_document.h"
 #include "io/meshes/gltf_shapes.h"
 #include "io/meshes/placed_triangles.h"
@@ -23,7 +24,7 @@ class GltfSceneReader {
           placed_(file_, context.reporter) {
         meshes_.resize(document.meshes.size());
         for (const GltfMaterial& material : document.materials) {
-            materials_.push_back(names_.name_of(material.name, material.reflectance, file_));
+            materials_.push_back(name_of(material));
         }
     }
 
@@ -65,7 +66,7 @@ class GltfSceneReader {
         MeshGroup group{
             name.empty() ? fmt::format("node {}", place.node) : name, node.organ_id, {}};
         const auto line = static_cast<std::uint32_t>(place.node);
-        const std::vector<LocalTriangles>& shapes = shapes_of(*node.mesh);
+        const std::vector<Mesh>& shapes = shapes_of(*node.mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             const auto material = mesh.primitives[i].material;
             placed_.add(shapes[i], transform, material ? materials_[*material] : "", line, group);
@@ -79,32 +80,54 @@ class GltfSceneReader {
         file_.groups.push_back(std::move(group));
     }
 
+    /// Adds a label that the group does not have yet, unless it is empty or the group's name.
+    static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
+        const bool is_stated = std::any_of(
+            group.labels.begin(), group.labels.end(),
+            [key](const auto& label) { return label.first == key; });
+        if (!is_stated && !value.empty() && value != group.name) {
+            group.labels.emplace_back(key, value);
+        }
+    }
+
+    /// The name for a material; "leaf (2)" with the alias "leaf" where another one, with another
+    /// reflectance, is called "leaf".
+    std::string name_of(const GltfMaterial& material) {
+        std::vector<std::optional<double>>& known = names_[material.name];
+        const auto found = std::find(known.begin(), known.end(), material.reflectance);
+        const auto number = found - known.begin() + 1;
+        if (found == known.end()) {
+            known.push_back(material.reflectance);
+        }
+        if (number == 1) {
+            return material.name;
+        }
+        std::string unique = fmt::format("{} ({})", material.name, number);
+        file_.aliases.emplace(unique, material.name);
+        return unique;
+    }
+
     /// The triangles of a mesh, read when it is first placed.
-    const std::vector<LocalTriangles>& shapes_of(std::size_t number) {
-        std::optional<std::vector<LocalTriangles>>& shapes = meshes_[number];
+    const std::vector<Mesh>& shapes_of(std::size_t number) {
+        std::optional<std::vector<Mesh>>& shapes = meshes_[number];
         if (!shapes) {
             shapes.emplace();
             for (const GltfPrimitive& primitive : document_.meshes[number].primitives) {
                 const bool has_triangles = primitive.mode != CornerOrder::none;
                 without_triangles_ += has_triangles ? 0 : 1;
                 shapes->push_back(
-                    has_triangles ? shapes_.triangles(primitive).value_or(LocalTriangles())
-                                  : LocalTriangles());
+                    has_triangles ? shapes_.triangles(primitive).value_or(Mesh()) : Mesh());
                 note_material(primitive, shapes->back());
             }
         }
         return *shapes;
     }
 
-    void note_material(const GltfPrimitive& primitive, const LocalTriangles& triangles) {
+    void note_material(const GltfPrimitive& primitive, const Mesh& triangles) {
         if (primitive.material && !triangles.faces.empty() &&
             document_.materials[*primitive.material].is_cut_out) {
             file_.masks.emplace(materials_[*primitive.material], "alphaMode");
         }
-    }
-
-    void warn(std::string text) {
-        context_.reporter.warnings.push_back({context_.reporter.file, std::move(text)});
     }
 
     void finish() {
@@ -114,7 +137,8 @@ class GltfSceneReader {
             }
         }
         if (without_triangles_ > 0) {
-            warn(fmt::format("{} parts are lines or points: left out", without_triangles_));
+            context_.reporter.warn(
+                fmt::format("{} parts are lines or points: left out", without_triangles_));
         }
         shapes_.finish();
         drop_repeated_ids(file_, "node", context_.reporter);
@@ -125,9 +149,9 @@ class GltfSceneReader {
     GltfShapes shapes_;
     MeshFile file_{{}, {}, "node", {}};
     PlacedTriangles placed_;
-    std::vector<std::optional<std::vector<LocalTriangles>>> meshes_;  // those read so far
-    MaterialNames names_;
-    std::vector<std::string> materials_;  // names
+    std::vector<std::optional<std::vector<Mesh>>> meshes_;             // those read so far
+    std::map<std::string, std::vector<std::optional<double>>> names_;  // reflectances of each
+    std::vector<std::string> materials_;                               // names
     std::size_t without_triangles_ = 0;
 };
 

@@ -11,15 +11,6 @@
 namespace quasimc {
 namespace {
 
-/// The last word: options come before the name of an image.
-std::string_view image_of(std::string_view line) {
-    std::string_view last;
-    for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-        last = word;
-    }
-    return last;
-}
-
 /// Reads the statements of a library, one material after the other.
 class MtlReader {
   public:
@@ -50,7 +41,7 @@ class MtlReader {
     void read_statement(std::string_view word, std::string_view line) {
         if (word == "Kd") {
             read_color(line);
-        } else if (word == "map_d" || (word == "map_Kd" && may_have_alpha(image_of(line)))) {
+        } else if (word == "map_d" || (word == "map_Kd" && may_have_alpha(trimmed(line)))) {
             if (mask_ != "map_d") {
                 mask_ = word;
             }
@@ -96,10 +87,8 @@ class MtlReader {
     /// The first of several materials of one name counts, as where a file names several libraries.
     void finish() {
         if (material_ && !own_.insert(material_->name).second) {
-            context_.reporter.warnings.push_back(
-                {context_.reporter.file,
-                 fmt::format(
-                     "material {} is there twice: the first counts", shown(material_->name))});
+            context_.reporter.warn(fmt::format(
+                "material {} is there twice: the first counts", shown(material_->name)));
         }
         if (material_ && known_.insert(material_->name).second) {
             if (!mask_.empty()) {

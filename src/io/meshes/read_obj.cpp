@@ -164,12 +164,7 @@ class ObjReader {
                 const std::string separator = object_.empty() || group_.empty() ? "" : "/";
                 mesh_.groups.push_back({object_ + separator + group_, {}, {}, labels_});
             }
-            std::vector<MeshPart>& parts = mesh_.groups[group->second].parts;
-            const auto found = std::find_if(parts.begin(), parts.end(), [&](const MeshPart& p) {
-                return p.material == material_;
-            });
-            part_ =
-                found != parts.end() ? &*found : &parts.emplace_back(MeshPart{material_, {}, {}});
+            part_ = &mesh_.groups[group->second].part(material_);
         }
         return *part_;
     }
@@ -208,9 +203,7 @@ class ObjReader {
     void fault(std::string problem, std::string why = {}, std::string suggestion = {}) {
         context_.reporter.fault(line_, std::move(problem), std::move(why), std::move(suggestion));
     }
-    void warn(std::string text) {
-        context_.reporter.warnings.push_back({context_.reporter.place(line_), std::move(text)});
-    }
+    void warn(std::string text) { context_.reporter.warn(std::move(text), line_); }
 
     FormatContext& context_;
     MeshFile mesh_{{}, {}, "line", {}};

@@ -203,13 +203,11 @@ class OpsReader {
     void warn() {
         columns_.warn(reporter_);
         if (largest_ > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.file,
-                 fmt::format(
-                     "plants are taken to be in centimetres and their places in metres, as in "
-                     "AMAP's programs: the largest plant measures {:.3g} m; give plant_unit in "
-                     "[[geometry]] (\"cm\", \"m\", ...) if that is not so, or to say that it is",
-                     largest_ / unit_)});
+            reporter_.warn(fmt::format(
+                "plants are taken to be in centimetres and their places in metres, as in "
+                "AMAP's programs: the largest plant measures {:.3g} m; give plant_unit in "
+                "[[geometry]] (\"cm\", \"m\", ...) if that is not so, or to say that it is",
+                largest_ / unit_));
         }
     }
 

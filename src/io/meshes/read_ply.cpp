@@ -43,15 +43,11 @@ class PlyReader {
     }
 
   private:
-    void warn(std::string text) {
-        context_.reporter.warnings.push_back({context_.reporter.file, std::move(text)});
-    }
-
     /// A file that holds more than its header says has lost faces, or its lists are misread.
     void warn_of_rest() {
         if (const std::string rest = values_.rest();
             !rest.empty() && !context_.reporter.is_full()) {
-            warn(fmt::format(
+            context_.reporter.warn(fmt::format(
                 "after the last element that its header names there is more ({}), which is not "
                 "read: "
                 "the header's counts or the lengths of lists are wrong, and faces may be missing; "
@@ -83,7 +79,7 @@ class PlyReader {
             element.properties.begin(), element.properties.end(),
             [](const PlyProperty& property) { return property.role == PlyRole::corners; });
         if (element.name != "face" && has_corners && element.count > 0) {
-            warn(fmt::format(
+            context_.reporter.warn(fmt::format(
                 "elements {} have corners and are left out ({} in all): only 'face' is read",
                 shown(element.name), element.count));
         }

@@ -63,9 +63,8 @@ class StlReader {
         if (is_open_ || !corners_.empty()) {
             fault("the file ends within a loop");
         } else if (is_in_solid_) {
-            reporter_.warnings.push_back(
-                {reporter_.place(line_),
-                 "the file ends without endsolid: it may be cut short; write it anew"});
+            reporter_.warn(
+                "the file ends without endsolid: it may be cut short; write it anew", line_);
         }
         finish_group();
         file_.vertices = std::move(mesh_.vertices);
@@ -102,10 +101,7 @@ class StlReader {
     }
 
     void read_name(std::string_view line) {
-        name_.clear();
-        for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-            name_ += (name_.empty() ? "" : " ") + std::string(word);
-        }
+        name_ = rest_of_line(line);
         if (!is_utf8(name_)) {
             fault("the name " + shown(name_) + " is not UTF-8");
             name_.clear();

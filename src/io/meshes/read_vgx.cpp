@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -29,6 +30,26 @@ constexpr std::size_t kObj = 0, kScale = 1, kShift = 4, kTurn = 7, kCorners = 10
 /// The kinds of objects that are read. Round ones lie along x from their base.
 enum class VgxShape { triangle = 0, leaf = 11, disk = 21, sphere = 31, cylinder = 32, cone = 33 };
 
+/// The turn by an angle in degrees about an axis of length 1, counter-clockwise as seen from where
+/// it points (Rodrigues).
+Affine rotation_about(const Vec3& k, double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Vec3 kc = (1 - c) * k;
+    return {
+        {Vec3{c + kc.x * k.x, kc.x * k.y - s * k.z, kc.x * k.z + s * k.y},
+         Vec3{kc.y * k.x + s * k.z, c + kc.y * k.y, kc.y * k.z - s * k.x},
+         Vec3{kc.z * k.x - s * k.y, kc.z * k.y + s * k.x, c + kc.z * k.z}},
+        {}};
+}
+
+/// A turn about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
+Affine euler_rotation(double azimuth, double elevation, double roll) {
+    return after(
+        after(rotation_about({0, 0, 1}, azimuth), rotation_about({0, 1, 0}, elevation)),
+        rotation_about({1, 0, 0}, roll));
+}
+
 /// What stands in a row.
 struct VgxRow {
     std::array<double, kVgxColumns.size()> numbers{};
@@ -39,27 +60,23 @@ struct VgxRow {
     }
 };
 
-LocalTriangles local_triangles(Mesh mesh) {
-    return {std::move(mesh.vertices), std::move(mesh.faces)};
-}
-
 /// A shape of length, width and height 1, its base at the origin.
-LocalTriangles unit_shape(VgxShape shape) {
+Mesh unit_shape(VgxShape shape) {
     constexpr int kSides = 12, kLevels = 2;
     constexpr double kThird = 1.0 / 3;
     if (shape == VgxShape::leaf) {
         const std::array<Vec3, 6> outline{
             Vec3{0, 0, 0}, Vec3{kThird, -0.5, 0},    Vec3{2 * kThird, -0.5, 0},
             Vec3{1, 0, 0}, Vec3{2 * kThird, 0.5, 0}, Vec3{kThird, 0.5, 0}};
-        return local_triangles(Mesh(make_polygon(outline)));
+        return make_polygon(outline);
     }
     if (shape == VgxShape::disk) {
-        return local_triangles(Mesh(make_disk({0.5, 0, 0}, {0, 0, 1}, 0.5, kSides)));
+        return make_disk({0.5, 0, 0}, {0, 0, 1}, 0.5, kSides);
     }
     if (shape == VgxShape::sphere) {
-        return local_triangles(Mesh(make_sphere({0, 0, 0}, 0.5, kLevels)));
+        return make_sphere({0, 0, 0}, 0.5, kLevels);
     }
-    return local_triangles(Mesh(make_cylinder({0, 0, 0}, {1, 0, 0}, 0.5, 0.5, kSides, false)));
+    return make_cylinder({0, 0, 0}, {1, 0, 0}, 0.5, 0.5, kSides, false);
 }
 
 /// Reads the rows, one after the other.
@@ -180,17 +197,16 @@ class VgxReader {
     }
 
     static std::optional<VgxShape> shape_of(double kind) {
+        constexpr double kLeaf = 11, kLastLeaf = 13;
+        const double first = kind == kLeaf + 1 || kind == kLastLeaf ? kLeaf : kind;
         for (const VgxShape shape :
-             {VgxShape::triangle, VgxShape::disk, VgxShape::sphere, VgxShape::cylinder,
-              VgxShape::cone}) {
-            if (kind == static_cast<double>(shape)) {
+             {VgxShape::triangle, VgxShape::leaf, VgxShape::disk, VgxShape::sphere,
+              VgxShape::cylinder, VgxShape::cone}) {
+            if (first == static_cast<double>(shape)) {
                 return shape;
             }
         }
-        constexpr std::array<double, 3> kLeafKinds{11, 12, 13};
-        const bool is_leaf =
-            std::find(kLeafKinds.begin(), kLeafKinds.end(), kind) != kLeafKinds.end();
-        return is_leaf ? std::optional(VgxShape::leaf) : std::nullopt;
+        return std::nullopt;
     }
 
     /// Triangles that follow one another, alike in colour and labels, are one organ.
@@ -241,13 +257,12 @@ class VgxReader {
     }
 
     /// From a width of EchY to one of EchZ.
-    static LocalTriangles cone(const Vec3& scale) {
+    static Mesh cone(const Vec3& scale) {
         constexpr int kSides = 12;
-        return local_triangles(Mesh(
-            make_cylinder({0, 0, 0}, {scale.x, 0, 0}, scale.y / 2, scale.z / 2, kSides, false)));
+        return make_cylinder({0, 0, 0}, {scale.x, 0, 0}, scale.y / 2, scale.z / 2, kSides, false);
     }
 
-    const LocalTriangles& triangles_of(VgxShape shape) {
+    const Mesh& triangles_of(VgxShape shape) {
         const auto [found, is_new] = shapes_.try_emplace(shape);
         if (is_new) {
             found->second = unit_shape(shape);
@@ -286,8 +301,7 @@ class VgxReader {
 
     void warn_of(const Notes& notes, std::string_view what) {
         if (notes.count > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.place(notes.first), fmt::format("{} {}", notes.count, what)});
+            reporter_.warn(fmt::format("{} {}", notes.count, what), notes.first);
         }
     }
 
@@ -295,7 +309,7 @@ class VgxReader {
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
     std::vector<std::pair<std::size_t, std::string>> columns_;  // of the table, or the end; names
-    std::map<VgxShape, LocalTriangles> shapes_;
+    std::map<VgxShape, Mesh> shapes_;
     std::map<std::array<double, 3>, std::string> materials_;
     Notes leaves_, points_, colors_;
     std::uint32_t line_ = 0;

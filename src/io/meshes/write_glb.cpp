@@ -5,7 +5,6 @@
 #include "io/line_scanner.h"
 #include "io/little_endian.h"
 #include "io/meshes/formats.h"
-#include "io/meshes/glb_meshes.h"
 #include "io/meshes/glb_parts.h"
 
 namespace quasimc {
@@ -80,12 +79,7 @@ class GlbWriter {
         nodes_.text("name", organ.name);
         if (has_mesh) {
             nodes_.count("mesh", mesh_count_);
-            nodes_.key("translation");
-            nodes_.begin_list(JsonLayout::compact);
-            nodes_.number(origin.x);
-            nodes_.number(origin.y);
-            nodes_.number(origin.z);
-            nodes_.end_list();
+            add_json_numbers(nodes_, "translation", {origin.x, origin.y, origin.z});
         }
         nodes_.key("extras");
         nodes_.begin_object(JsonLayout::compact);

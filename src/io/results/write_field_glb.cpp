@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "io/little_endian.h"
-#include "io/meshes/glb_meshes.h"
 #include "io/meshes/glb_parts.h"
 #include "io/results/field_formats.h"
 #include "quasimc/error.h"
@@ -147,12 +146,7 @@ class FieldGlbWriter {
         json.begin_object(JsonLayout::compact);
         json.text("name", "light");
         json.count("mesh", 0);
-        json.key("translation");
-        json.begin_list(JsonLayout::compact);
-        json.number(origin_.x);
-        json.number(origin_.y);
-        json.number(origin_.z);
-        json.end_list();
+        add_json_numbers(json, "translation", {origin_.x, origin_.y, origin_.z});
         json.end_object();
         return json.take();
     }

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
 
 #include "base/text.h"
-#include "io/line_scanner.h"
 #include "io/numbers.h"
-#include "io/xml_scanner.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -29,11 +28,19 @@ std::string element_name(const std::string& name) {
     return element;
 }
 
-/// Copies a file from tag to tag, and puts in what is new.
-class OpfWriter {
+void remove_with_blanks(pugi::xml_node child) {
+    pugi::xml_node parent = child.parent();
+    const pugi::xml_node before = child.previous_sibling();
+    if (before.type() == pugi::node_pcdata && trimmed(before.value()).empty()) {
+        parent.remove_child(before);
+    }
+    parent.remove_child(child);
+}
+
+/// Puts what is new into the nodes of a file.
+class OpfWriter : pugi::xml_tree_walker {
   public:
-    OpfWriter(std::string_view bytes, const FieldScene& shown, const TextSink& sink)
-        : bytes_(without_bom(bytes)), scanner_(bytes), shown_(shown), sink_(sink) {
+    explicit OpfWriter(const FieldScene& shown) : shown_(shown) {
         for (std::size_t i = 0; i < shown.scene.organs().size(); ++i) {
             organs_[shown.scene.organs()[i].id] = i;
         }
@@ -42,83 +49,37 @@ class OpfWriter {
         }
     }
 
-    OpfMatches write() {
-        XmlScanner::Kind kind = scanner_.next();
-        for (; kind == XmlScanner::Kind::open || kind == XmlScanner::Kind::close;
-             kind = scanner_.next()) {
-            kind == XmlScanner::Kind::open ? open() : close();
-        }
-        if (kind == XmlScanner::Kind::broken) {
-            throw InputError({{"OPF", std::string(scanner_.problem()), "it is no XML", ""}});
-        }
+    OpfMatches write(pugi::xml_document& document) {
+        pugi::xml_node root = document.document_element();
+        pugi::xml_node table = root.child("attributeBDD");
+        set_table(table ? table : root.insert_child_before("attributeBDD", root.child("topology")));
+        document.traverse(*this);
         if (found_.empty()) {
             throw InputError(
                 {{"OPF", "no organ of the result is a node of the file",
                   "their ids are not those of its nodes",
                   "leave first_id and at out of [[geometry]]"}});
         }
-        copy_to(bytes_.size());
         return {found_.size(), shown_.scene.organs().size() - found_.size()};
     }
 
   private:
-    void open() {
-        const std::string_view name = scanner_.name();
-        if (name == "topology" && !has_table_) {
-            copy_to(scanner_.tag_begin());
-            sink_("<attributeBDD>" + table() + "</attributeBDD>\n");
-            has_table_ = true;
-        }
-        is_in_table_ = is_in_table_ || (name == "attributeBDD" && !scanner_.closes_itself());
-        if (skipped_level_ == 0 && is_replaced(name)) {
-            const bool is_blank = trimmed(scanner_.text()).empty();
-            copy_to(scanner_.tag_begin() - (is_blank ? scanner_.text().size() : 0));
-            skipped_level_ = levels_.size() + 1;
-        }
-        const auto organ = organ_of_node();
-        levels_.push_back(organ.has_value());
-        if (organ) {
-            copy_to(scanner_.tag_end());
-            sink_(values_of(*organ));
+    bool for_each(pugi::xml_node& node) override {
+        if (const auto organ = organ_of(node)) {
+            set_values(node, *organ);
             found_.insert(*organ);
         }
+        return true;
     }
 
-    /// Whether an element is what an earlier result has left: an attribute of a node, or what the
-    /// table says of it. An empty table is written anew.
-    [[nodiscard]] bool is_replaced(std::string_view name) const {
-        if (is_in_table_) {
-            return name == "attribute" && is_ours(scanner_.attribute("name").value_or(""));
-        }
-        const bool is_empty_table = name == "attributeBDD" && scanner_.closes_itself();
-        return is_empty_table || (!levels_.empty() && levels_.back() && is_ours(name));
-    }
-
-    void close() {
-        if (is_in_table_ && scanner_.name() == "attributeBDD") {
-            copy_to(scanner_.tag_begin());
-            sink_(table());
-            has_table_ = true;
-            is_in_table_ = false;
-        }
-        if (skipped_level_ == levels_.size()) {
-            done_ = scanner_.tag_end();
-            skipped_level_ = 0;
-        }
-        if (!levels_.empty()) {
-            levels_.pop_back();
-        }
-    }
-
-    /// The organ that was made of the node whose tag has been read.
-    [[nodiscard]] std::optional<std::size_t> organ_of_node() const {
-        const auto word = scanner_.attribute("id");
-        const auto id = word ? parse_integer(trimmed(*word)) : std::nullopt;
+    /// The organ that was made of a node.
+    [[nodiscard]] std::optional<std::size_t> organ_of(pugi::xml_node node) const {
+        const auto id = parse_integer(trimmed(node.attribute("id").value()));
         const auto organ = id ? organs_.find(*id) : organs_.end();
         if (organ == organs_.end()) {
             return std::nullopt;
         }
-        const std::string kind = xml_text(scanner_.attribute("class").value_or(""));
+        const std::string_view kind = trimmed(node.attribute("class").value());
         const Labels& labels = shown_.scene.organs()[organ->second].labels;
         const bool is_same = std::any_of(labels.begin(), labels.end(), [&](const auto& label) {
             return label.first == "class" && label.second == kind;
@@ -126,54 +87,70 @@ class OpfWriter {
         return is_same ? std::optional(organ->second) : std::nullopt;
     }
 
-    [[nodiscard]] bool is_ours(std::string_view name) const {
-        return std::find(names_.begin(), names_.end(), name) != names_.end();
-    }
-
-    [[nodiscard]] std::string values_of(std::size_t organ) const {
-        std::string text;
-        for (std::size_t i = 0; i < names_.size(); ++i) {
+    /// Replaces the attributes of an earlier result.
+    void set_values(pugi::xml_node node, std::size_t organ) const {
+        for (std::size_t i = names_.size(); i-- > 0;) {
+            const char* name = names_[i].c_str();
+            while (const pugi::xml_node old = node.child(name)) {
+                remove_with_blanks(old);
+            }
             const double value = shown_.fields[i].values[organ];
             if (std::isfinite(value)) {
-                text += fmt::format("\n<{0}>{1}</{0}>", names_[i], shortest(value));
+                node.prepend_child(name).text().set(shortest(value).c_str());
+                node.prepend_child(pugi::node_pcdata).set_value("\n");
             }
         }
-        return text;
     }
 
-    /// What the head of the file says of the attributes.
-    [[nodiscard]] std::string table() const {
-        std::string text;
+    /// Sets what the head of the file says of the attributes.
+    void set_table(pugi::xml_node table) const {
         for (const std::string& name : names_) {
-            text += fmt::format("\n<attribute name=\"{}\" class=\"Double\"/>", name);
+            while (const pugi::xml_node old =
+                       table.find_child_by_attribute("attribute", "name", name.c_str())) {
+                remove_with_blanks(old);
+            }
         }
-        return text;
+        for (const std::string& name : names_) {
+            table.append_child(pugi::node_pcdata).set_value("\n");
+            pugi::xml_node attribute = table.append_child("attribute");
+            attribute.append_attribute("name") = name.c_str();
+            attribute.append_attribute("class") = "Double";
+        }
     }
 
-    void copy_to(std::size_t end) {
-        if (end > done_) {
-            sink_(bytes_.substr(done_, end - done_));
-            done_ = end;
-        }
-    }
-
-    std::string_view bytes_;
-    XmlScanner scanner_;
     const FieldScene& shown_;
-    const TextSink& sink_;
     std::map<std::int64_t, std::size_t> organs_;  // by id
     std::vector<std::string> names_;              // of the fields
     std::set<std::size_t> found_;
-    std::size_t done_ = 0;           // bytes of the file that are written or left out
-    std::vector<bool> levels_;       // open elements: whether they are nodes of organs
-    std::size_t skipped_level_ = 0;  // of the element that is left out; 0: none is
-    bool has_table_ = false, is_in_table_ = false;
+};
+
+class SinkWriter : public pugi::xml_writer {
+  public:
+    explicit SinkWriter(const TextSink& sink) : sink_(sink) {}
+    void write(const void* data, std::size_t size) override {
+        sink_({static_cast<const char*>(data), size});
+    }
+
+  private:
+    const TextSink& sink_;
 };
 
 }  // namespace
 
 OpfMatches write_opf(std::string_view bytes, const FieldScene& shown, const TextSink& sink) {
-    return OpfWriter(bytes, shown, sink).write();
+    constexpr unsigned int kAll =
+        (pugi::parse_full | pugi::parse_ws_pcdata | pugi::parse_fragment) &
+        ~static_cast<unsigned int>(pugi::parse_eol | pugi::parse_wconv_attribute);
+    pugi::xml_document document;
+    const pugi::xml_parse_result parsed =
+        document.load_buffer(bytes.data(), bytes.size(), kAll, pugi::encoding_utf8);
+    if (!parsed) {
+        throw InputError({{"OPF", parsed.description(), "it is no XML", ""}});
+    }
+    const OpfMatches matches = OpfWriter(shown).write(document);
+    SinkWriter writer(sink);
+    document.save(writer, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
+    return matches;
 }
 
 }  // namespace quasimc

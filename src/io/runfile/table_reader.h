@@ -38,6 +38,9 @@ struct Reporter {
     [[nodiscard]] bool is_full() const { return faults.size() >= 100; }
     void fault(
         std::uint32_t line, std::string problem, std::string why, std::string suggestion = {});
+    void warn(std::string text, std::uint32_t line = 0) {
+        warnings.push_back({place(line), std::move(text)});
+    }
     /// Takes over what another one has collected.
     void add(const Reporter& other);
 };

@@ -324,12 +324,21 @@ TEST(Formats, OfEveryKindRefuseNamesThatAreNotUtf8) {
 }
 
 TEST(Formats, NameTheOnesThatAreNotRead) {
-    RunText text;
-    text.organs = "[[geometry]]\nfile = 'tree.bgeom'\nmaterial = 'leaf'\n";
+    const auto faults = [](const std::string& file) {
+        RunText text;
+        text.organs = "[[geometry]]\nfile = '" + file + "'\nmaterial = 'leaf'\n";
+        return faults_of(text.text());
+    };
+    const std::string way =
+        ", which is not read; load it in Python with PlantGL, and give the Scene to "
+        "quasimc.compat.caribu.CaribuScene or let it write triangles: "
+        "Scene(\"plant.geom\").save(\"plant.obj\")";
+    EXPECT_TRUE(mentions(faults("tree.geom"), "'tree.geom' is a scene of PlantGL" + way));
+    EXPECT_TRUE(mentions(faults("t.bgeom"), "'t.bgeom' is a binary scene of PlantGL" + way));
     EXPECT_TRUE(mentions(
-        faults_of(text.text()),
-        "'tree.bgeom' is a binary scene of PlantGL, which is not read; let PlantGL write "
-        "triangles: Scene(\"plant.bgeom\").save(\"plant.obj\")"));
+        faults("tree.dae"),
+        "'tree.dae' is a COLLADA file, which is not read; make glTF of it, with Blender or by "
+        "`assimp export plant.dae plant.glb`"));
 }
 
 }  // namespace

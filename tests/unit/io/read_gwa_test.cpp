@@ -46,11 +46,24 @@ TEST(ReadGwa, TellsWhatIsWrong) {
         Texts{"file:5: 'x' is not a finite number"});
     EXPECT_EQ(
         faults("100	0	0	100", "100	0	100"),
-        Texts{"file:5: <points> holds 11 numbers (a point has 3)"});
+        Texts{"file:5: <points> holds 11 numbers (a point is x y z)"});
     EXPECT_EQ(
         read_mesh_text("gwa", "<opf></opf>").faults,
         Texts{"file: it is no GWA file (its outermost element is not <gwa>)"});
     EXPECT_EQ(read_mesh_text("gwa", "<gwa").faults.size(), 1U);
+}
+
+TEST(ReadGwa, TakesLatin1ThatSaysSo) {
+    const std::string bad = gwa_with("label=\"pave\"", "label=\"pav\xE9\"");
+    EXPECT_TRUE(mentions(read_mesh_text("gwa", bad).faults, "the name 'pav?' is not UTF-8"));
+    std::string text =
+        "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n" + bad.substr(bad.find("<gwa"));
+    const ReadMesh read = read_mesh_text("gwa", text);
+    EXPECT_EQ(read.faults, Texts{});
+    ASSERT_EQ(read.mesh.groups.size(), 1U);
+    EXPECT_EQ(read.mesh.groups[0].name, "pav\xC3\xA9");
+    text.replace(text.find("</faces>"), 0, "<face>0 1</face>");
+    EXPECT_TRUE(mentions(read_mesh_text("gwa", text).faults, "a face of 2 corners"));
 }
 
 }  // namespace

@@ -103,18 +103,17 @@ TEST(ReadOpf, TapersScaledMeshesAndMovesAll) {
 TEST(ReadOpf, TellsFaultsByTheirLines) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("0 1 2 3", "0 1 2 4")).faults,
-        (Texts{
-            "file:11: a face names point 4 (its mesh has 4, counted from 0, before its faces)"}));
+        (Texts{"file:11: a face names point 4 (its mesh has 4, counted from 0)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("0 0 3 8<", "0 0 3<")).faults,
         (Texts{"file:31: <mat> holds 11 numbers (it has three rows of four)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("<shapeIndex>7", "<shapeIndex>6")).faults,
-        (Texts{"file:31: there is no shape 6 with a mesh (<shapeBDD> and <meshBDD> come before "
+        (Texts{"file:30: there is no shape 6 with a mesh (<shapeBDD> and <meshBDD> come before "
                "<topology>)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("<dUp>1<", "<dUp>one<")).faults,
-        (Texts{"file:28: <dDwn> or <dUp> is not a finite number (the shape's mesh is scaled by "
+        (Texts{"file:27: <dDwn> or <dUp> is not a finite number (the shape's mesh is scaled by "
                "them (enableScale))"}));
     EXPECT_EQ(read_mesh_text("opf", opf_with("<dUp>9<", "<dUp>NaN<")).faults, Texts{});
     EXPECT_EQ(
@@ -122,47 +121,56 @@ TEST(ReadOpf, TellsFaultsByTheirLines) {
         (Texts{"file:29: <'branch'> without a number as its id"}));
 }
 
-/// Its faces would name points that are no longer there.
-TEST(ReadOpf, RefusesPointsOfAMeshThatHasFacesAlready) {
-    const std::string why =
-        "points of a mesh that has faces already (its Id is that of another one, or its points "
-        "stand behind its faces)";
+TEST(ReadOpf, RefusesTwoMeshesOfOneId) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("Id=\"1\" enableScale", "Id=\"0\" enableScale")).faults,
         (Texts{
-            "file:10: " + why,
-            "file:11: a face names point 3 (its mesh has 3, counted from 0, before its faces)",
-            "file:31: there is no shape 7 with a mesh (<shapeBDD> and <meshBDD> come before "
+            "file:9: its Id 0 is that of another mesh",
+            "file:30: there is no shape 7 with a mesh (<shapeBDD> and <meshBDD> come before "
             "<topology>)"}));
-    EXPECT_EQ(
-        read_mesh_text(
-            "opf", opf_with(
-                       "<normals> 0 0 1 0 0 1 0 0 1 </normals>",
-                       "<faces><face>0 1 2</face></faces><points>0 0 0 1 0 0 0 1 0</points>"))
-            .faults,
-        (Texts{"file:6: " + why}));
 }
 
 TEST(ReadOpf, TellsWhatIsNoXml) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("</branch>", "</follow>")).faults,
-        (Texts{"file:33: </'follow'> closes nothing (it is no XML)"}));
+        (Texts{"file:33: Start-end tags mismatch (it is no XML)"}));
     const std::string text = opf_text();
     EXPECT_EQ(
         read_mesh_text("opf", text.substr(0, text.find("</topology>"))).faults,
-        (Texts{"file:22: <'topology'> is not closed (the file ends before)"}));
+        (Texts{"file:35: Start-end tags mismatch (it is no XML)"}));
+    EXPECT_EQ(
+        read_mesh_text("opf", text + "<opf></opf>").faults,
+        (Texts{"file:37: a second element outside the first one (it is no XML)"}));
+    EXPECT_EQ(
+        read_mesh_text("opf", text + std::string(1, '\0')).faults,
+        (Texts{"file:37: a byte is 0 (it is no XML); save the file as UTF-8"}));
     EXPECT_EQ(
         read_mesh_text("opf", "<opf></opf>").faults,
         (Texts{"file: has no <topology> (it is no OPF file)"}));
 }
 
+TEST(ReadOpf, ReplacesTheEntitiesOfXmlAndNoOthers) {
+    const std::string declared = "<!DOCTYPE opf [<!ENTITY big \"&gt;&gt;\">]>";
+    std::string text = opf_with("A &amp; B", "&lt;&#228;&big;<!-- of no meaning -->&gt;");
+    text.insert(text.find("<opf"), declared);
+    const ReadMesh read = read_mesh_text("opf", text);
+    EXPECT_EQ(read.faults, Texts{});
+    ASSERT_EQ(read.mesh.groups.size(), 2U);
+    EXPECT_EQ(read.mesh.groups[0].name, "<\xC3\xA4&big;>");
+}
+
 /// Depth is data, not stack.
 TEST(ReadOpf, TakesNodesWithinNodesWithoutEnd) {
     std::string text = "<topology id=\"0\">";
-    for (int i = 0; i < 100000; ++i) {
+    constexpr int kDepth = 100000;
+    for (int i = 0; i < kDepth; ++i) {
         text += "<branch id=\"1\">";
     }
     EXPECT_EQ(read_mesh_text("opf", text).faults.size(), 1U);
+    for (int i = 0; i < kDepth; ++i) {
+        text += "</branch>";
+    }
+    EXPECT_EQ(read_mesh_text("opf", text + "</topology>").faults, Texts{});
 }
 
 }  // namespace

@@ -524,7 +524,7 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
          "file 'none.tri' can't be read (No such file or directory)"},
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
          "the format of 'a.dat' can't be told from its name (the formats that are read are tri, "
-         "obj, ply, stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, dae, geom, vgx)"},
+         "obj, ply, stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, vgx)"},
         {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format is 'xyz'"},
         {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},

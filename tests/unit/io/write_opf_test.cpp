@@ -51,7 +51,7 @@ std::string without(std::string text, const std::string& part) {
     return at == std::string::npos ? text : text.erase(at, part.size());
 }
 
-TEST(WriteOpf, AddsNumbersToNodesAndKeepsTheRestByteForByte) {
+TEST(WriteOpf, AddsNumbersToNodesAndKeepsTheRest) {
     const std::string opf = kOpfHead + kOpfNodes;
     const Scene scene = opf_scene(opf);
     ASSERT_EQ(scene.organs().size(), 2U);
