@@ -89,19 +89,11 @@ class RunSweep::State {
             return std::move(*first_);
         }
         RunFile run = point == 0 ? *first_ : read(point);
-        if (common_ && run.scene.triangles().common() != common_) {
-            run.scene = in_common_memory(std::move(run.scene), common_);
-        }
         run.point = point;
         run.sweep = points_;
         run.document = first_->document;
         run.inputs = first_->inputs;
         return run;
-    }
-
-    void keep_in(std::shared_ptr<CommonMemory> common) {
-        common_ = std::move(common);
-        first_->scene = in_common_memory(std::move(first_->scene), common_);
     }
 
   private:
@@ -271,7 +263,6 @@ class RunSweep::State {
     FileCache cache_;
     KnownOverlaps overlaps_;  // of the point that was read last
     MeshCache meshes_;
-    std::shared_ptr<CommonMemory> common_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> told_;
@@ -306,10 +297,6 @@ RunFile RunSweep::only_run() && {
 
 const std::vector<Warning>& RunSweep::warnings() const {
     return state_->warnings();
-}
-
-void RunSweep::keep_in(std::shared_ptr<CommonMemory> common) {
-    state_->keep_in(std::move(common));
 }
 
 RunSweep read_sweep_document(
