@@ -67,7 +67,9 @@ TEST_P(RanksOfMethods, GiveTheSameBitsInAnyNumber) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    EveryMethod, RanksOfMethods, ::testing::Values("light_tracing", "first_hits", "from_organs"));
+    EveryMethod,
+    RanksOfMethods,
+    ::testing::Values("light_tracing", "first_hits", "from_organs", "ray_bundles"));
 
 TEST_F(RanksTest, GiveTheBitsOfTimesSweepsAndTargets) {
     write_day();
