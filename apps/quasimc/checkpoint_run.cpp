@@ -29,10 +29,6 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
     hooks_.finish = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
         attempt([&] { file_->finish(moments_before_ + moment, state); });
     };
-    hooks_.keep = [this](std::size_t moment, std::string state) {
-        attempt([&] { file_->keep_state(moments_before_ + moment, std::move(state)); });
-    };
-    hooks_.flush = [this] { flush(); };
 }
 
 template <typename Save>

@@ -1,12 +1,40 @@
 #include "help_run.h"
 
+#include <cstddef>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "part_run.h"
 #include "quasimc/quasimc.h"
-#include "sweep_jobs.h"
+#include "run/dealt_runs.h"
 #include "team_files.h"
+
+namespace {
+
+/// @param run, taken  the last run that was taken, and its point
+void help_with_dealt(
+    const quasimc::RunTeam& team,
+    quasimc::RunSweep& sweep,
+    const quasimc::TeamOrder& order,
+    std::unique_ptr<quasimc::RunFile> run,
+    std::size_t taken) {
+    quasimc::HelpedRuns runs(team);
+    try {
+        std::size_t first = order.moment;
+        for (std::size_t point = order.point; point < sweep.size(); ++point, first = 0) {
+            if (point != taken) {
+                run = std::make_unique<quasimc::RunFile>(sweep.take(point));
+            }
+            runs.trace(run->scene, quasimc::moments_of(*run), run->spec, first);
+        }
+    } catch (const quasimc::Stopped&) {  // by the first process, which wants no more
+    }
+    runs.end();
+}
+
+}  // namespace
 
 Exit help_run(const RunArguments& arguments, const quasimc::RunTeam& team) {
     std::optional<quasimc::StoredSweep> stored;
@@ -17,21 +45,18 @@ Exit help_run(const RunArguments& arguments, const quasimc::RunTeam& team) {
         failure = std::current_exception();  // the first rank most likely has it as well
     }
     quasimc::TeamHelper helper;
-    quasimc::Simulator simulator;  // of points that are traced here alone
     quasimc::TeamOrder order = team.order({});
-    while (order.is_end == 0) {
+    while (order.kind != quasimc::TeamOrder::kEnd) {
         if (failure) {
             std::rethrow_exception(failure);
         }
-        const quasimc::RunFile run = stored->runs.take(order.point);
-        if (order.is_runs == quasimc::TeamOrder::kPoints) {
-            quasimc::help_with_runs(
-                team, jobs_of_points(run, stored->runs.size(), order.point, team.size),
-                point_tracer(simulator, stored->runs));
+        const std::size_t point = order.point;
+        auto run = std::make_unique<quasimc::RunFile>(stored->runs.take(point));
+        order = helper.help(run->scene, quasimc::moments_of(*run), run->spec, team, order);
+        if (order.kind == quasimc::TeamOrder::kDealt) {
+            help_with_dealt(team, stored->runs, order, std::move(run), point);
             order = team.order({});
-            continue;
         }
-        order = helper.help(run.scene, quasimc::moments_of(run), run.spec, team, order);
     }
     return Exit::done;
 }

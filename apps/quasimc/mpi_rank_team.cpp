@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,6 @@
 
 #include <fmt/format.h>
 
-#include "io/node_memory.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 #include "ranks.h"
@@ -49,13 +49,6 @@ bool are_several() {
           "start the program without mpirun, or install its module for MPI"}});
 }
 
-using Counter = std::atomic<std::uint64_t>;
-static_assert(Counter::is_always_lock_free && sizeof(Counter) == sizeof(std::uint64_t));
-
-/// What ranks of a node share: the counter of tasks, and after it the list of common arrays.
-constexpr std::uint64_t kListPlace = 64;
-const std::uint64_t kNodeBytes = kListPlace + quasimc::NodeMemory::bytes_of_list();
-
 /// The module lies beside the program, or where it was installed.
 const QuasimcRanks& load_ranks() {
     std::error_code error;
@@ -68,38 +61,43 @@ const QuasimcRanks& load_ranks() {
     if (module == nullptr) {
         refuse_mpi(::dlerror());  // NOLINT(concurrency-mt-unsafe): one thread so far
     }
-    using Start = const QuasimcRanks* (*)(std::uint64_t);
+    using Start = const QuasimcRanks* (*)();
     const auto start = reinterpret_cast<Start>(::dlsym(module, "quasimc_ranks"));
-    const QuasimcRanks* ranks = start == nullptr ? nullptr : start(kNodeBytes);
+    const QuasimcRanks* ranks = start == nullptr ? nullptr : start();
     if (ranks == nullptr || ranks->version != kQuasimcRanksVersion) {
         refuse_mpi("its module is of another version, or MPI does not start");
     }
     return *ranks;
 }
 
+void sleep_a_little() {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
+
 class MpiRankTeam final : public RankTeam {
   public:
     explicit MpiRankTeam(const QuasimcRanks& ranks) : ranks_(ranks) {
-        size_ = ranks.ranks;
-        team_.is_first = ranks.rank == 0;
+        team_.rank = ranks.rank;
         team_.size = ranks.ranks;
-        team_.machine = ranks.node;
-        team_.machines = ranks.nodes;
-        share_memory();
-        set_mail();
-        team_.tasks.begin = [this](std::uint64_t begin, std::uint64_t end) {
-            return begin_tasks(begin, end);
-        };
-        team_.tasks.meet = [this](std::uint64_t own) {
-            ranks_.barrier();
-            ranks_.broadcast(&own, 1);
-            return own;
-        };
+        team_.tasks.share = quasimc::share_of(ranks.rank + 1, ranks.ranks);
+        team_.tasks.meet = [this](bool is_done) { return meet(is_done); };
         team_.order = [this](const quasimc::TeamOrder& order) { return pass_order(order); };
-        team_.share = [this](std::string& bytes) { share_bytes(bytes); };
         team_.add_up = [this](std::vector<std::int64_t>& numbers) {
             ranks_.add_up(numbers.data(), numbers.size());
         };
+        team_.share = [this](std::string& bytes) { share_bytes(bytes); };
+        team_.send = [this](std::string_view bytes) {
+            const std::uint64_t count = bytes.size();
+            ranks_.send(&count, 1);
+            const Words words = words_of(bytes);
+            ranks_.send(words.data(), words.size());
+        };
+        team_.receive = [this](std::uint64_t rank, const std::stop_token& stop) {
+            return receive(rank, stop);
+        };
+        team_.stop = [this] { ranks_.stop(); };
+        team_.is_stopped = [this] { return is_stopped(); };
+        team_.await_stop = [this] { await_stop(); };
     }
 
     [[nodiscard]] Exit run(const std::function<Exit()>& work) override {
@@ -111,7 +109,7 @@ class MpiRankTeam final : public RankTeam {
             leave();
             throw;
         } catch (const std::exception& error) {
-            if (team_.is_first && !has_ordered_) {
+            if (team_.is_first() && !has_ordered_) {
                 leave();
                 throw;
             }
@@ -122,89 +120,89 @@ class MpiRankTeam final : public RankTeam {
     }
 
   private:
-    /// The ranks of a node have large arrays of the scene once.
-    void share_memory() {
-        void* const list = static_cast<std::byte*>(ranks_.node_memory) + kListPlace;
-        if (ranks_.is_first_of_node != 0) {
-            quasimc::NodeMemory::make_list(list);
-        }
-        ranks_.barrier();
-        memory_ = std::make_shared<quasimc::NodeMemory>(list);
-        team_.memory = memory_;
+    using Words = std::vector<std::uint64_t>;
+    static constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+    static Words words_of(std::string_view bytes) {
+        Words words(bytes.size() / kWord + 1);
+        std::memcpy(words.data(), bytes.data(), bytes.size());
+        return words;
+    }
+    static std::string bytes_of(const Words& words, std::uint64_t count) {
+        return {reinterpret_cast<const char*>(words.data()), count};
     }
 
-    void set_mail() {
-        team_.mail.send = [this](std::uint64_t number, std::string_view bytes) {
-            ranks_.send(number, bytes.data(), bytes.size());
-        };
-        team_.mail.has_arrived = [this] { return ranks_.has_arrived() != 0; };
-        team_.mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
-            const std::uint64_t count = ranks_.find(number);
-            if (count == kNoMail) {
-                return std::nullopt;
+    [[nodiscard]] std::string receive(std::uint64_t rank, const std::stop_token& stop) const {
+        while (ranks_.has_sent(rank) == 0) {
+            if (stop.stop_requested()) {
+                throw quasimc::Stopped(
+                    quasimc::StopReason::interrupted, "stopped while other ranks were at work");
             }
-            std::string bytes(count, '\0');
-            ranks_.receive(bytes.data(), bytes.size());
-            return bytes;
-        };
-        team_.mail.close = [this] { ranks_.close(); };
-        team_.mail.is_closed = [this] { return ranks_.is_closed() != 0; };
-        team_.mail.end = [this] { ranks_.end_mail(); };
+            sleep_a_little();
+        }
+        std::uint64_t count = 0;
+        ranks_.receive(rank, &count, 1);
+        Words words(count / kWord + 1);
+        ranks_.receive(rank, words.data(), words.size());
+        return bytes_of(words, count);
     }
 
-    /// Each node has a share of the tasks, which its ranks take one by one.
-    [[nodiscard]] quasimc::TaskRange begin_tasks(std::uint64_t begin, std::uint64_t end) const {
-        const auto [first, last] =
-            quasimc::share_of(ranks_.node + 1, ranks_.nodes).range(end - begin);
-        auto* counter = static_cast<Counter*>(ranks_.node_memory);
-        if (ranks_.is_first_of_node != 0) {
-            *counter = begin + first;
+    [[nodiscard]] bool is_stopped() {
+        is_stopped_ = is_stopped_ || (!team_.is_first() && ranks_.is_stopped() != 0);
+        return is_stopped_;
+    }
+    void await_stop() {
+        while (!is_stopped()) {
+            sleep_a_little();
+        }
+        is_stopped_ = false;
+    }
+
+    [[nodiscard]] bool meet(bool is_done) {
+        if (team_.is_first() && !is_done) {
+            ranks_.stop();
         }
         ranks_.barrier();
-        return {counter, begin + last, ranks_.nodes == 1};
+        std::uint64_t is_first_done = is_done ? 1 : 0;
+        ranks_.broadcast(&is_first_done, 1);
+        if (!team_.is_first() && is_first_done == 0) {
+            await_stop();
+        }
+        return is_first_done != 0;
     }
 
     [[nodiscard]] quasimc::TeamOrder pass_order(const quasimc::TeamOrder& order) {
         has_ordered_ = true;
-        std::array<std::uint64_t, 10> numbers{
-            order.is_end,      order.is_prepare,  order.is_runs,     order.point,
-            order.moment,      order.first_paths, order.round.first, order.round.count,
-            order.tasks.calls, order.tasks.task};
+        std::array<std::uint64_t, 9> numbers{
+            order.kind,        order.is_prepare,  order.point,
+            order.moment,      order.first_paths, order.round.first,
+            order.round.count, order.tasks.calls, order.tasks.task};
         ranks_.broadcast(numbers.data(), numbers.size());
-        return {
-            numbers[0],
-            numbers[1],
-            numbers[2],
-            numbers[3],
-            numbers[4],
-            numbers[5],
-            {numbers[6], numbers[7]},
-            {numbers[8], numbers[9]}};
+        const auto& [kind, is_prepare, point, moment, first_paths, first, count, calls, task] =
+            numbers;
+        return {kind, is_prepare, point, moment, first_paths, {first, count}, {calls, task}};
     }
 
-    /// As words of 8 bytes, behind their number and that of the bytes.
+    /// As words of 8 bytes, behind the number of bytes.
     void share_bytes(std::string& bytes) const {
         std::uint64_t count = bytes.size();
         ranks_.broadcast(&count, 1);
-        std::vector<std::uint64_t> words((count + 7) / 8);
-        std::memcpy(words.data(), bytes.data(), team_.is_first ? count : 0);
-        if (count > 0) {
-            ranks_.broadcast(words.data(), words.size());
-        }
-        bytes.assign(reinterpret_cast<const char*>(words.data()), count);
+        Words words = words_of(bytes);
+        words.resize(count / kWord + 1);
+        ranks_.broadcast(words.data(), words.size());
+        bytes = bytes_of(words, count);
     }
 
     void leave() {
-        if (team_.is_first) {
-            static_cast<void>(pass_order({.is_end = 1}));
+        if (team_.is_first()) {
+            static_cast<void>(pass_order({.kind = quasimc::TeamOrder::kEnd}));
         }
-        memory_->close();  // the list is memory of MPI
         ranks_.finalize();
     }
 
     const QuasimcRanks& ranks_;
-    std::shared_ptr<quasimc::NodeMemory> memory_;
     bool has_ordered_ = false;
+    bool is_stopped_ = false;
 };
 
 }  // namespace
@@ -223,7 +221,7 @@ std::unique_ptr<RankTeam> RankTeam::join() {
     sigaddset(&interrupt, SIGINT);
     ::pthread_sigmask(SIG_BLOCK, &interrupt, &before);
     auto ranks = std::make_unique<MpiRankTeam>(load_ranks());
-    if (!ranks->team().is_first) {
+    if (!ranks->team().is_first()) {
         std::signal(SIGINT, SIG_IGN);  // the first rank stops all
     }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);

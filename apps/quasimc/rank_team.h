@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -22,7 +21,6 @@ class RankTeam {
     RankTeam& operator=(const RankTeam&) = delete;
 
     [[nodiscard]] quasimc::RunTeam& team() { return team_; }
-    [[nodiscard]] std::uint64_t size() const { return size_; }
     /// Does the work of this rank, and then leaves the job in order. If it can't go on, prints why
     /// and ends the program on all ranks.
     [[nodiscard]] virtual Exit run(const std::function<Exit()>& work) = 0;
@@ -30,5 +28,4 @@ class RankTeam {
   protected:
     RankTeam() = default;
     quasimc::RunTeam team_;
-    std::uint64_t size_ = 1;
 };

@@ -150,11 +150,8 @@ Exit run_with_others(const RunArguments& arguments) {
         return run(arguments, reading, read_runs(arguments), nullptr);
     }
     quasimc::RunTeam& team = ranks->team();
-    if (!arguments.checkpoint.empty()) {
-        team.keep_every = arguments.every;
-    }
     return ranks->run([&] {
-        return team.is_first
+        return team.is_first()
                    ? run(arguments, reading, read_for_team(arguments, team), nullptr, &team)
                    : help_run(arguments, team);
     });

@@ -7,7 +7,7 @@
 
 #include "part_run.h"
 #include "progress.h"
-#include "sweep_jobs.h"
+#include "run/trace_spec.h"
 
 namespace {
 
@@ -72,6 +72,11 @@ SweepRun::SweepRun(
     if (arguments.view) {
         window_.emplace(*run_, 0);
     }
+    if (team != nullptr) {
+        const std::size_t traces =
+            quasimc::traces_of(run_->scene, quasimc::moments_of(*run_), run_->spec).size();
+        is_dealt_ = traces * sweep.size() >= team->size && team->size > 1;
+    }
 }
 
 void SweepRun::compute() {
@@ -88,7 +93,7 @@ void SweepRun::compute() {
         all_.build_seconds += reading_seconds_;
     }
     checkpoint_.flush();
-    point_runs_.reset();
+    dealt_.reset();
     if (window_) {
         window_->finish(all_.stop);
     }
@@ -130,10 +135,10 @@ bool SweepRun::trace(const std::stop_token& stop) {
     }
     const quasimc::Stopwatch watch;
     try {
-        const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(*run_);
+        moments_ = quasimc::moments_of(*run_);
         checkpoint_.set_moments_before(moments_before_);
-        last_ = quasimc::run_series(simulator_, run_->scene, moments, spec, events(), stop);
-        moments_before_ += moments.size();
+        last_ = quasimc::run_series(simulator_, run_->scene, moments_, spec, events(), stop);
+        moments_before_ += moments_.size();
     } catch (const quasimc::Stopped& stopped) {
         checkpoint_.flush();
         if (point_ == 0) {
@@ -175,36 +180,29 @@ quasimc::SeriesEvents SweepRun::events() {
     }
     events.is_last = point_ + 1 == sweep_.size();
     events.checkpoint = checkpoint_.hooks();
-    events.team = team_;
     if (team_ != nullptr) {
         team_->point = point_;
-        share_points();
-        events.traced_runs = point_runs_ ? &traced_points_ : nullptr;
+        events.team = dealt_ ? nullptr : team_;
+        if (is_dealt_ && quasimc::is_dealt(run_->spec)) {
+            events.sums_of = [this](auto&&... of_run) { return dealt_sums(of_run...); };
+        }
     }
     if (parts_ != nullptr) {
-        events.sums_of = [this](std::size_t moment) {
-            return parts_->next(moments_before_ + moment);
+        events.sums_of = [this](std::size_t moment, const auto&...) {
+            return quasimc::GivenSums{parts_->next(moments_before_ + moment)};
         };
     }
     return events;
 }
 
-void SweepRun::share_points() {
-    bool is_kept = false;
-    for (std::size_t i = point_; checkpoint_.hooks() != nullptr && i < sweep_.size(); ++i) {
-        is_kept = is_kept || checkpoint_.hooks()->has_state(i - point_);
+std::optional<quasimc::GivenSums> SweepRun::dealt_sums(
+    std::size_t moment, const quasimc::RunSpec& spec, const quasimc::RunControl& control) {
+    const quasimc::RunCheckpoint* kept = checkpoint_.hooks();
+    if (!dealt_ && kept != nullptr && kept->has_state(moment)) {
+        return std::nullopt;
     }
-    if (point_runs_ || parts_ != nullptr || is_kept) {
-        return;
+    if (!dealt_) {
+        dealt_ = std::make_unique<quasimc::DealtRuns>(*team_, point_, moment);
     }
-    const auto jobs = jobs_of_points(*run_, sweep_.size(), point_, team_->size);
-    if (jobs.empty()) {
-        return;
-    }
-    point_runs_ = std::make_unique<quasimc::TeamRuns>(
-        *team_, quasimc::TeamOrder{.is_runs = quasimc::TeamOrder::kPoints, .point = point_}, jobs,
-        point_tracer(simulator_, sweep_));
-    traced_points_.take = [this](std::size_t, const quasimc::RunControl& control) {
-        return point_runs_->take(point_, control);
-    };
+    return dealt_->next(simulator_, run_->scene, moments_[moment].sources, spec, control);
 }

@@ -5,14 +5,15 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "base/process_time.h"
 #include "checkpoint_run.h"
 #include "interrupt.h"
 #include "io/results/part_file.h"
 #include "quasimc/quasimc.h"
+#include "run/dealt_runs.h"
 #include "run/run_team.h"
-#include "run/team_runs.h"
 #include "run_window.h"
 #include "run_writers.h"
 
@@ -50,9 +51,10 @@ class SweepRun {
     /// Of all points, which take about equally long.
     [[nodiscard]] std::function<void(const quasimc::Progress&)> progress() const;
     [[nodiscard]] quasimc::SeriesEvents events();
-    /// Lets the ranks trace the points from this one on each by itself, unless a checkpoint knows
-    /// one of them: what it knows is traced together.
-    void share_points();
+    /// The sums of the next run if runs are dealt out to the ranks, which begins with the first
+    /// that no checkpoint knows: what it knows is traced together.
+    [[nodiscard]] std::optional<quasimc::GivenSums> dealt_sums(
+        std::size_t moment, const quasimc::RunSpec& spec, const quasimc::RunControl& control);
 
     const RunArguments& arguments_;
     quasimc::RunSweep& sweep_;
@@ -68,7 +70,8 @@ class SweepRun {
     std::function<void(const quasimc::Progress&)> tell_;
     std::optional<RunWindow> window_;
     quasimc::Simulator simulator_;
-    std::unique_ptr<quasimc::TeamRuns> point_runs_;  // once ranks trace points
-    quasimc::TracedRuns traced_points_;
+    std::vector<quasimc::TimeStep> moments_;  // of the point
+    bool is_dealt_ = false;                   // enough runs for all ranks
+    std::unique_ptr<quasimc::DealtRuns> dealt_;
     quasimc::SeriesSummary last_, all_;
 };

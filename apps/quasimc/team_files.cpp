@@ -25,7 +25,7 @@ class TeamFiles {
 
     template <typename Find>
     std::string answer(const std::string& question, const Find& find) {
-        if (team_.is_first) {
+        if (team_.is_first()) {
             std::string found = find();
             send(question, found);
             return found;
@@ -44,10 +44,10 @@ class TeamFiles {
 
     /// Everything was read. All ranks call it.
     void end() {
-        if (team_.is_first) {
+        if (team_.is_first()) {
             send(kEnd, "");
         }
-        while (!team_.is_first && !has_ended_) {
+        while (!team_.is_first() && !has_ended_) {
             receive();
         }
         answers_.clear();
@@ -99,7 +99,6 @@ quasimc::StoredSweep read_for_team(const RunArguments& arguments, const quasimc:
     try {
         quasimc::StoredSweep stored = read_runs(arguments, access_through(files));
         files->end();
-        stored.runs.keep_in(team.memory);
         return stored;
     } catch (...) {
         files->end();

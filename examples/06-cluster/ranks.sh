@@ -3,9 +3,9 @@
 #   sbatch ranks.sh canopy.toml
 # Ninety seconds before the limit of time SLURM tells the batch shell, which puts the job back into
 # the queue; the checkpoint has what was done.
-#SBATCH --ntasks-per-node=2
+#SBATCH --ntasks-per-node=1
 #SBATCH --nodes=4
-#SBATCH --cpus-per-task=16
+#SBATCH --cpus-per-task=32
 #SBATCH --time=04:00:00
 #SBATCH --signal=B:USR1@90
 #SBATCH --requeue

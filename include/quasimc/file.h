@@ -22,7 +22,6 @@
 
 namespace quasimc {
 
-class CommonMemory;
 struct Node;  // a value of a run file; private
 
 /// What a moment of a series was made from, for headers.
@@ -145,9 +144,6 @@ class RunSweep {
     [[nodiscard]] RunFile only_run() &&;
     /// Of all points, each once.
     [[nodiscard]] const std::vector<Warning>& warnings() const;
-    /// Keeps large arrays of the scenes that are taken in memory that processes share. For the
-    /// engine.
-    void keep_in(std::shared_ptr<CommonMemory> common);
 
   private:
     std::unique_ptr<State> state_;

@@ -32,15 +32,12 @@ using MaterialId = Id<struct MaterialTag>;
 using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an organ's id is the user's
 using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
 
-class CommonMemory;
 class Material;
 class KnownOverlaps;
 class OrganAreas;
 class SceneGeometry;
 struct Coincidences;
 struct SceneDraft;
-template <typename T>
-class FrozenArray;
 template <typename T>
 class Lazy;
 
@@ -163,7 +160,6 @@ class Scene {
   private:
     friend class SceneBuilder;
     friend Scene with_repeated_bands(const Scene& scene, std::size_t times);
-    friend Scene in_common_memory(Scene scene, const std::shared_ptr<CommonMemory>& common);
     Scene();
 
     std::vector<Band> bands_;
@@ -173,7 +169,7 @@ class Scene {
     std::shared_ptr<const SceneGeometry> geometry_;
     std::shared_ptr<const Lazy<OrganAreas>> areas_;
     std::shared_ptr<const Coincidences> coincidences_;
-    std::shared_ptr<const FrozenArray<RegionIndex>> triangle_regions_;
+    std::shared_ptr<const std::vector<RegionIndex>> triangle_regions_;
     std::vector<RegionIndex> instance_regions_;
     std::vector<DetectorSpec> detectors_;
     Cell cell_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -39,7 +40,11 @@ struct SeriesSum {
     }
 };
 
-struct TracedRuns;  // src/run/team_runs.h
+/// Sums of a time's paths, traced elsewhere.
+struct GivenSums {
+    Sums sums;
+    double seconds = 0, cpu_seconds = 0;  ///< that tracing them has taken; 0: nobody knows
+};
 
 /// What a series tells while it is computed; each may be left out.
 struct SeriesEvents {
@@ -48,15 +53,16 @@ struct SeriesEvents {
         on_time_step;
     std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
     std::function<void(const Progress&)> on_progress;
-    /// Where the sums of a traced moment come from if shares of them were traced elsewhere
-    /// (trace_share); asked in the order of moments. Empty: everything is traced here.
-    std::function<Sums(std::size_t time_step)> sums_of = {};
+    /// Where the sums of a traced moment come from if they, or shares of them (trace_share), were
+    /// traced elsewhere; asked in the order of moments. Empty, or nothing: it is traced here.
+    /// @param spec, control  of its run
+    std::function<std::optional<GivenSums>(
+        std::size_t time_step, const RunSpec& spec, const RunControl& control)>
+        sums_of = {};
     /// As RunControl::checkpoint; moments have their numbers in the series.
     const RunCheckpoint* checkpoint = nullptr;
     const RunTeam* team = nullptr;  ///< as RunControl::team
-    /// Whoever has traced the moments' runs instead; null: nobody.
-    const TracedRuns* traced_runs = nullptr;
-    bool wants_total = true;  ///< whether SeriesSummary::total is computed
+    bool wants_total = true;        ///< whether SeriesSummary::total is computed
     /// As RunControl::preview; of moments whose light is another's times a factor nothing is told.
     const RunPreview* preview = nullptr;
     bool is_last = false;  ///< as RunControl::is_last, of the last moment

@@ -14,9 +14,13 @@ void Executor::run(
     const auto [begin, end] = share_.range(tasks);
     std::uint64_t next = first_task(begin, end);
     done_ += next - begin;
-    done_elsewhere_ += next - begin;
+    done_elsewhere_ += first_task(0, tasks);
+    if (team_ != nullptr) {
+        run_with_team(next, end, work);
+        next = end;
+    }
     while (next < end) {
-        next = run_together(next, end, work);
+        next = run_until_pause(next, end, work);
         if (next < end) {
             gather();
             pauses_.on_pause(pause_at(next, begin, end));
@@ -36,40 +40,29 @@ Pause Executor::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t 
     return pause;
 }
 
-/// The tasks [begin, end), with other processes if there are any. @returns the first not done
-std::uint64_t Executor::run_together(std::uint64_t begin, std::uint64_t end, const Work& work) {
-    if (team_ == nullptr) {
-        std::atomic<std::uint64_t> next{begin};
-        return run_until_pause({&next, end, true}, begin, end, work);
-    }
-    std::uint64_t next = end;
+/// Runs the tasks [begin, end), as other processes do theirs.
+void Executor::run_with_team(std::uint64_t begin, std::uint64_t end, const Work& work) {
     try {
-        next = run_until_pause(team_->begin(begin, end), begin, end, work);
+        static_cast<void>(run_until_pause(begin, end, work));
     } catch (...) {
-        static_cast<void>(team_->meet(TaskTeam::kGivenUp));
+        static_cast<void>(team_->meet(false));
         throw;
     }
-    next = team_->meet(next);
-    if (next == TaskTeam::kGivenUp) {
+    if (!team_->meet(true)) {
         throw StopRequested();
     }
-    return next;
 }
 
-/// The tasks of a range of [begin, end). @returns the first not done, at most `end`
-std::uint64_t Executor::run_until_pause(
-    const TaskRange& range, std::uint64_t begin, std::uint64_t end, const Work& work) {
-    std::atomic<std::uint64_t> paused_at{end};
-    const std::uint64_t before = done_;
-    parallel_blocks(*range.next, range.end, workers_, [&](std::uint64_t task, unsigned worker) {
+/// Runs the tasks [begin, end). @returns the first not done
+std::uint64_t Executor::run_until_pause(std::uint64_t begin, std::uint64_t end, const Work& work) {
+    std::atomic<std::uint64_t> next{begin}, paused_at{end};
+    parallel_blocks(next, end, workers_, [&](std::uint64_t task, unsigned worker) {
         throw_if_stopped(stop_);
         work(task, worker);
-        if (team_ != nullptr) {  // others have done some
-            done_ = before + std::min(range.next->load(), end) - begin - 1;
-        }
         finish_task(worker);
-        if (worker == 0 && range.is_all && pauses_.is_due && pauses_.is_due()) {
-            paused_at = std::min(paused_at.load(), range.next->exchange(range.end));
+        const bool may_pause = worker == 0 && team_ == nullptr && pauses_.is_due;
+        if (may_pause && pauses_.is_due()) {
+            paused_at = std::min(paused_at.load(), next.exchange(end));
         }
     });
     return paused_at;

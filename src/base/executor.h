@@ -32,21 +32,12 @@ struct TaskPauses {
     std::function<void(const Pause& pause)> on_pause;
 };
 
-/// Where the tasks of a call of Executor::run() are handed out.
-struct TaskRange {
-    std::atomic<std::uint64_t>* next = nullptr;  ///< the next task; others may take from it as well
-    std::uint64_t end = 0;
-    bool is_all = true;  ///< all tasks that are left: it can be paused
-};
-
-/// Processes that run the same tasks together, each some of them. All call the same functions, in
-/// the same order.
+/// Processes that call the same functions in the same order, and run each its share of the tasks.
 struct TaskTeam {
-    static constexpr std::uint64_t kGivenUp = ~std::uint64_t{0};
-    /// Where this process takes its tasks of [begin, end) from. Returns once all have called it.
-    std::function<TaskRange(std::uint64_t begin, std::uint64_t end)> begin;
-    /// Returns what the first process has said, once all have said something.
-    std::function<std::uint64_t(std::uint64_t own)> meet;
+    Share share;  ///< of this process
+    /// Says whether this process has done its tasks, or gives them up; returns whether the first
+    /// process has done its own, once all have said something.
+    std::function<bool(bool is_done)> meet;
 };
 
 /// Runs tasks on the threads of this process, and tells how far they are.
@@ -72,8 +63,12 @@ class Executor {
 
     /// Makes pauses from now on. Only of a whole share.
     void set_pauses(TaskPauses pauses) { pauses_ = std::move(pauses); }
-    /// Shares tasks with other processes; it must outlive the executor. Only of a whole share.
-    void set_team(const TaskTeam* team) { team_ = team; }
+    /// Shares tasks with other processes; it must outlive the executor. Only of a whole share,
+    /// which has no pauses then.
+    void set_team(const TaskTeam* team) {
+        team_ = team;
+        share_ = team != nullptr ? team->share : Share();
+    }
     /// The next calls of run() begin with the tasks after those that are done already.
     void start_at(const TaskPosition& done) {
         done_before_ = done;
@@ -84,13 +79,14 @@ class Executor {
     void announce(std::uint64_t tasks) {
         const auto [begin, end] = share_.range(tasks);
         announced_ = end - begin;
+        announced_to_all_ = tasks;
         done_ = before_ = done_elsewhere_ = 0;
     }
     /// Of the tasks announced last, the part that was done already (start_at()).
     [[nodiscard]] double part_done_before() const {
-        return announced_ == 0
+        return announced_to_all_ == 0
                    ? 0
-                   : static_cast<double>(done_elsewhere_) / static_cast<double>(announced_);
+                   : static_cast<double>(done_elsewhere_) / static_cast<double>(announced_to_all_);
     }
 
     /// Runs `work(task, worker)` once for every task in [0, tasks) that belongs to the share,
@@ -108,10 +104,9 @@ class Executor {
     using Work = std::function<void(std::uint64_t task, unsigned worker)>;
     [[nodiscard]] Pause pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const;
     [[nodiscard]] std::uint64_t first_task(std::uint64_t begin, std::uint64_t end) const;
-    [[nodiscard]] std::uint64_t run_together(
-        std::uint64_t begin, std::uint64_t end, const Work& work);
+    void run_with_team(std::uint64_t begin, std::uint64_t end, const Work& work);
     [[nodiscard]] std::uint64_t run_until_pause(
-        const TaskRange& range, std::uint64_t begin, std::uint64_t end, const Work& work);
+        std::uint64_t begin, std::uint64_t end, const Work& work);
     void finish_task(unsigned worker);
 
     unsigned workers_;
@@ -121,8 +116,9 @@ class Executor {
     TaskPauses pauses_;
     const TaskTeam* team_ = nullptr;
     TaskPosition done_before_;
-    std::uint64_t calls_ = 0;  // of run(), that are complete
-    std::uint64_t announced_ = 0;
+    std::uint64_t calls_ = 0;      // of run(), that are complete
+    std::uint64_t announced_ = 0;  // of the share
+    std::uint64_t announced_to_all_ = 0;
     std::uint64_t before_ = 0;          // tasks of complete calls since the announcement
     std::uint64_t done_elsewhere_ = 0;  // of them, before start_at()
     std::atomic<std::uint64_t> done_{0};

@@ -9,9 +9,8 @@
 
 namespace quasimc {
 
-SceneGeometry::SceneGeometry(
-    FrozenMesh mesh, std::vector<Instance> instances, std::shared_ptr<CommonMemory> common)
-    : mesh_(std::move(mesh)), instances_(std::move(instances)), common_(std::move(common)) {
+SceneGeometry::SceneGeometry(Mesh mesh, std::vector<Instance> instances)
+    : mesh_(std::move(mesh)), instances_(std::move(instances)) {
     std::size_t next = mesh_.size();
     std::vector<std::uint32_t> first;
     first.reserve(instances_.size());
@@ -30,31 +29,13 @@ Triangle SceneGeometry::instance_triangle(std::size_t i) const {
     return instances_[instance].triangle(i - ranges_.first(instance));
 }
 
-std::shared_ptr<const SceneGeometry> in_common_memory(
-    const SceneGeometry& geometry, const std::shared_ptr<CommonMemory>& common) {
-    const auto moved = [&](const FrozenMesh& mesh) {
-        return FrozenMesh(mesh.vertices.in(common.get()), mesh.faces.in(common.get()));
-    };
-    std::unordered_map<const FrozenMesh*, std::shared_ptr<const FrozenMesh>> prototypes;
-    std::vector<Instance> instances = geometry.instances();
-    for (Instance& instance : instances) {
-        auto& prototype = prototypes[instance.mesh.get()];
-        if (!prototype) {
-            prototype = std::make_shared<const FrozenMesh>(moved(*instance.mesh));
-        }
-        instance.mesh = prototype;
-    }
-    return std::make_shared<const SceneGeometry>(
-        moved(geometry.mesh()), std::move(instances), common);
-}
-
 bool operator==(const SceneGeometry& a, const SceneGeometry& b) {
     const auto is_same = [](const Instance& one, const Instance& other) {
         return (one.mesh == other.mesh || *one.mesh == *other.mesh) &&
                one.transform.rows == other.transform.rows &&
                one.transform.shift == other.transform.shift;
     };
-    const auto has_same_triangles = [](const FrozenMesh& one, const FrozenMesh& other) {
+    const auto has_same_triangles = [](const Mesh& one, const Mesh& other) {
         bool same = one.size() == other.size();
         for (std::size_t i = 0; same && i < one.size(); ++i) {
             same = one[i] == other[i];
@@ -84,7 +65,7 @@ Bounds bounds_of(const SceneGeometry& geometry) {
 }
 
 std::vector<Bounds> instance_bounds(const std::vector<Instance>& instances) {
-    std::unordered_map<const FrozenMesh*, std::vector<Vec3>> outlines;
+    std::unordered_map<const Mesh*, std::vector<Vec3>> outlines;
     std::vector<Bounds> all;
     all.reserve(instances.size());
     for (const Instance& instance : instances) {

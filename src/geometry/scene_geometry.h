@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/common_memory.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/range_index.h"
 #include "quasimc/mesh.h"
@@ -17,7 +16,7 @@ namespace quasimc {
 
 /// A copy of a mesh: its points p stand at transform.point(p).
 struct Instance {
-    std::shared_ptr<const FrozenMesh> mesh;
+    std::shared_ptr<const Mesh> mesh;
     Affine transform;
 
     [[nodiscard]] Triangle triangle(std::size_t i) const {
@@ -34,13 +33,7 @@ class SceneGeometry {
     /// @param mesh       vertices in the order in which faces name them first (order_vertices)
     /// @param instances  of meshes that are so too, none empty. All triangles together: less than
     ///                   2^32 - 1
-    explicit SceneGeometry(Mesh mesh, std::vector<Instance> instances = {})
-        : SceneGeometry(FrozenMesh(std::move(mesh)), std::move(instances)) {}
-    /// @param common  where large arrays are that are made of these triangles; null: nowhere
-    SceneGeometry(
-        FrozenMesh mesh,
-        std::vector<Instance> instances,
-        std::shared_ptr<CommonMemory> common = nullptr);
+    explicit SceneGeometry(Mesh mesh, std::vector<Instance> instances = {});
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -50,11 +43,10 @@ class SceneGeometry {
     [[nodiscard]] Triangle back() const { return (*this)[size_ - 1]; }
 
     /// The triangles that belong to no instance.
-    [[nodiscard]] const FrozenMesh& mesh() const { return mesh_; }
+    [[nodiscard]] const Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<Instance>& instances() const { return instances_; }
     /// The triangles of each instance, as ranges of numbers from mesh().size() on.
     [[nodiscard]] const RangeIndex& ranges() const { return ranges_; }
-    [[nodiscard]] const std::shared_ptr<CommonMemory>& common() const { return common_; }
 
     class Iterator {
       public:
@@ -91,16 +83,11 @@ class SceneGeometry {
   private:
     [[nodiscard]] Triangle instance_triangle(std::size_t i) const;
 
-    FrozenMesh mesh_;
+    Mesh mesh_;
     std::vector<Instance> instances_;
     RangeIndex ranges_;
     std::size_t size_ = 0;
-    std::shared_ptr<CommonMemory> common_;
 };
-
-/// The same triangles, with what there is of large arrays in common memory.
-[[nodiscard]] std::shared_ptr<const SceneGeometry> in_common_memory(
-    const SceneGeometry& geometry, const std::shared_ptr<CommonMemory>& common);
 
 /// The bounds of all triangles.
 [[nodiscard]] Bounds bounds_of(const SceneGeometry& geometry);

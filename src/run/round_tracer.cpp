@@ -55,9 +55,6 @@ bool RoundTracer::ask_watchers() {
 }
 
 void RoundTracer::tell_watchers(const Pause& pause) {
-    if (team_ != nullptr) {
-        add_up(*team_, *partial_);
-    }
     for (Watcher& watcher : watchers_) {
         if (std::exchange(watcher.was_due, false)) {
             watcher.on_pause(pause, *partial_);
@@ -87,9 +84,9 @@ void RoundTracer::order(
 void RoundTracer::add_cpu_seconds(double own) {
     constexpr double kNano = 1e-9;
     std::vector<std::int64_t> numbers{
-        team_->is_first ? 0 : static_cast<std::int64_t>(std::round(own / kNano))};
+        team_->is_first() ? 0 : static_cast<std::int64_t>(std::round(own / kNano))};
     team_->add_up(numbers);
-    if (team_->is_first) {
+    if (team_->is_first()) {
         cpu_seconds_of_others_ += kNano * static_cast<double>(numbers.front());
     }
 }
@@ -133,8 +130,6 @@ void RoundTracer::help(const TeamOrder& order) {
     if (order.first_paths != first_paths_ || !solver_) {
         first_paths_ = order.first_paths;
         make_solver_for(first_paths_);
-        watchers_.clear();
-        add_watcher({});
     }
     if (order.is_prepare != 0) {
         return;

@@ -359,6 +359,7 @@ Result Simulator::State::trace(
     const double build_seconds = seconds_since(start);
     if (control.sums != nullptr) {
         check_given(*control.sums, *prepared, spec);
+        StateKeeper(control, *prepared, spec).finish_given(*control.sums);
         return make_result(*control.sums, scene, evaluation_of(scene, sources, spec));
     }
 
@@ -370,8 +371,7 @@ Result Simulator::State::trace(
         caster_.forget();
         give_back_free_memory(scene.organs().size());
     }
-    const bool is_asked = control.checkpoint == nullptr || !control.checkpoint->is_state_enough;
-    Result result = is_asked ? make_result(std::move(traced.sums), scene, asked) : Result();
+    Result result = make_result(std::move(traced.sums), scene, asked);
     result.stop = traced.stop;
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;

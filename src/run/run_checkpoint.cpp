@@ -161,4 +161,13 @@ void StateKeeper::finish(const RoundTracer& tracer) {
     checkpoint_->finish(moment_, {position_, &tracer.sums(), nullptr});
 }
 
+void StateKeeper::finish_given(const Sums& sums) {
+    if (checkpoint_ == nullptr) {
+        return;
+    }
+    position_.rounds.done = position_.first_paths = sums.paths;
+    position_.rounds.pace.add(sums.paths, 0);
+    checkpoint_->finish(moment_, {position_, &sums, nullptr});
+}
+
 }  // namespace quasimc

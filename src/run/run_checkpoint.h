@@ -27,6 +27,8 @@ class StateKeeper {
     void finish_round(const Rounds& rounds, const RoundTracer& tracer);
     /// The run has ended, with the sums of all rounds that are complete.
     void finish(const RoundTracer& tracer);
+    /// The run had one round, which was traced elsewhere.
+    void finish_given(const Sums& sums);
 
   private:
     const RunCheckpoint* checkpoint_;

@@ -50,12 +50,6 @@ struct RunCheckpoint {
     std::function<void(std::size_t moment, const RunSnapshot& state)> save;
     /// The state at the end of a run: no paths are missing.
     std::function<void(std::size_t moment, const RunSnapshot& state)> finish;
-    /// The state, as bytes, of a run that another process traces: it is saved with the next one, or
-    /// by flush(). Both are asked of the first process of a team only.
-    std::function<void(std::size_t moment, std::string state)> keep;
-    std::function<void()> flush;
-    /// Whether nobody wants the result of the run: what finish() is told is enough.
-    bool is_state_enough = false;
 };
 
 /// A state as bytes, of one byte order. The sums in it have checksums of their own.

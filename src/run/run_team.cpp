@@ -9,7 +9,6 @@
 #include "quasimc/run.h"
 #include "run/plan_run.h"
 #include "run/round_tracer.h"
-#include "run/team_runs.h"
 #include "run/trace_spec.h"
 #include "samplers/catalogue.h"
 #include "transport/prepared_scene.h"
@@ -44,6 +43,15 @@ void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, Exa
     }
 }
 
+/// Progress that looks whether the first process asks to give up.
+std::function<void(double)> stop_with(const RunTeam& team, std::stop_source& stop) {
+    return [&team, &stop](double) {
+        if (team.is_stopped()) {
+            stop.request_stop();
+        }
+    };
+}
+
 }  // namespace
 
 void add_up(const RunTeam& team, Sums& sums) {
@@ -53,7 +61,7 @@ void add_up(const RunTeam& team, Sums& sums) {
             std::vector<std::int64_t> numbers(3 * std::min(kBinsAtOnce, bins.size() - first));
             put_steps(bins, first, numbers);
             team.add_up(numbers);
-            if (team.is_first) {
+            if (team.is_first()) {
                 take_steps(numbers, first, total);
             }
         }
@@ -67,24 +75,13 @@ TeamOrder TeamHelper::help(
     const RunSpec& spec,
     const RunTeam& team,
     TeamOrder order) {
-    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
+    const std::vector<Trace> traces = traces_of(scene, time_steps, spec);
     const std::uint64_t point = order.point;
-    while (order.is_end == 0 && order.point == point && order.is_runs != TeamOrder::kPoints) {
-        const std::size_t moment = order.moment;
-        if (order.is_runs == TeamOrder::kTimes) {
-            help_with_runs(
-                team, jobs_of_series(plans, spec, moment, team.size),
-                series_tracer(simulator_, scene, time_steps, plans, spec));
-            order = team.order({});
-            continue;
-        }
-        std::uint64_t traces = 0;  // before it
-        for (std::size_t i = 0; i < moment; ++i) {
-            traces += plans[i].factor > 0 && plans[i].traced == i ? 1 : 0;
-        }
-        order = help_moment(
-            scene, time_steps[moment].sources, trace_spec(spec, plans[moment], traces), team,
-            order);
+    while (order.kind == TeamOrder::kTrace && order.point == point) {
+        const auto trace = std::find_if(traces.begin(), traces.end(), [&](const Trace& each) {
+            return each.time_step == order.moment;
+        });
+        order = help_moment(scene, time_steps[order.moment].sources, trace->spec, team, order);
     }
     return order;
 }
@@ -100,15 +97,16 @@ TeamOrder TeamHelper::help_moment(
     const PreparedScene prepared(
         scene, sources, planned.window, caster_.caster_for(scene, planned.engine, {}), {});
     const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
-    Executor executor(thread_count(planned.threads));
+    const TeamOrder first = order;
+    std::stop_source stop;  // by the first process
+    Executor executor(thread_count(planned.threads), stop_with(team, stop), stop.get_token());
     RoundTracer tracer(prepared, *sampler, planned, executor, false);
     tracer.set_team(&team);
-    const TeamOrder first = order;
-    while (order.is_end == 0 && order.is_runs == 0 && order.point == first.point &&
+    while (order.kind == TeamOrder::kTrace && order.point == first.point &&
            order.moment == first.moment) {
         try {
             tracer.help(order);
-        } catch (const StopRequested&) {  // by the first process, which goes on or ends
+        } catch (const StopRequested&) {  // the first process ends the run
         }
         order = team.order({});
     }

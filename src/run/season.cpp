@@ -301,7 +301,7 @@ SeriesSummary run_season(const SeriesInput& input) {
     };
     const SeriesEvents& events = input.events;
     refuse(events.checkpoint != nullptr, "a checkpoint");
-    refuse(events.team != nullptr || events.traced_runs != nullptr, "several processes");
+    refuse(events.team != nullptr, "several processes");
     refuse(static_cast<bool>(events.sums_of), "parts of a run");
     faults.throw_if_any();
     return Season(input).run();

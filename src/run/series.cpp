@@ -22,7 +22,6 @@
 #include "results/groups.h"
 #include "run/season.h"
 #include "run/series_sum.h"
-#include "run/shared_series.h"
 #include "run/simulator.h"
 #include "run/trace_spec.h"
 
@@ -50,9 +49,7 @@ void check_order(const std::vector<TimeStep>& time_steps) {
 class SeriesRun {
   public:
     explicit SeriesRun(const SeriesInput& input)
-        : in_(input),
-          plans_(plan_traces(in_.scene, in_.time_steps, in_.spec)),
-          shared_(in_.simulator, in_.scene, in_.time_steps, plans_, in_.spec, in_.events) {
+        : in_(input), plans_(plan_traces(in_.scene, in_.time_steps, in_.spec)) {
         groups_.groups = make_groups(in_.scene, group_spec(in_.spec));
         groups_.bands = in_.scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
@@ -152,11 +149,6 @@ class SeriesRun {
             .preview = in_.events.preview,
             .is_last = in_.events.is_last && i == last_traced_};
         share_time(plans_[i].effort, spec, control);
-        std::optional<Sums> given;
-        if (in_.events.sums_of) {
-            given = in_.events.sums_of(i);
-            control.sums = &*given;
-        }
         Result result = run_one(i, spec, control);
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
@@ -180,39 +172,28 @@ class SeriesRun {
     }
 
     /// The run of a moment. One that is stopped before it has a result has taken time as well.
-    Result run_one(std::size_t i, const RunSpec& spec, const RunControl& control) {
+    Result run_one(std::size_t i, const RunSpec& spec, RunControl control) {
         const Stopwatch watch;
         try {
-            return shared_.has(i)
-                       ? run_shared(i, spec, control)
-                       : in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+            std::optional<GivenSums> given;
+            if (in_.events.sums_of) {
+                given = in_.events.sums_of(i, spec, control);
+            }
+            if (given) {
+                control.sums = &given->sums;
+                control.team = nullptr;
+            }
+            Result result = in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+            if (given) {
+                result.trace_seconds += given->seconds;
+                result.trace_cpu_seconds += given->cpu_seconds;
+            }
+            return result;
         } catch (const Stopped&) {
             summary_.trace_seconds += watch.seconds();
             summary_.trace_cpu_seconds += watch.cpu_seconds();
             throw;
         }
-    }
-
-    /// The run of a moment that the processes of the team have traced, each some.
-    Result run_shared(std::size_t i, const RunSpec& spec, RunControl control) {
-        const Stopwatch watch;
-        control.team = nullptr;
-        std::optional<TracedRun> traced = shared_.take(i, control);
-        if (!traced) {
-            return in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
-        }
-        const double waited = watch.seconds();
-        const RunCheckpoint checkpoint =
-            checkpoint_of(std::move(traced->state), in_.events.checkpoint);
-        control.checkpoint = &checkpoint;
-        Result result = in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
-        result.paths_before = 0;
-        result.trace_seconds += waited;
-        result.trace_cpu_seconds += traced->cpu_seconds;
-        if (control.on_progress) {
-            control.on_progress({.fraction = 1, .fraction_at_target = result.fraction_at_target});
-        }
-        return result;
     }
 
     /// Gives a trace its share of the time that is left. Its first paths may take all of it.
@@ -277,7 +258,6 @@ class SeriesRun {
     const SeriesInput& in_;
     Clock::time_point start_ = Clock::now();
     std::vector<TimeStepPlan> plans_;
-    SharedSeries shared_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
     std::map<std::size_t, Kept> kept_;

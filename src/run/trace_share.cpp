@@ -36,27 +36,20 @@ void trace_share(
     Faults faults;
     check_share(spec, faults);
     faults.throw_if_any();
-    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
-    std::vector<std::size_t> traced;
-    for (std::size_t i = 0; i < time_steps.size(); ++i) {
-        if (plans[i].factor > 0 && plans[i].traced == i) {
-            traced.push_back(i);
-        }
-    }
+    const std::vector<Trace> traces = traces_of(scene, time_steps, spec);
     Simulator simulator;
-    for (std::size_t n = 0; n < traced.size(); ++n) {
-        const std::size_t i = traced[n];
+    for (std::size_t n = 0; n < traces.size(); ++n) {
+        const auto& [i, own_spec] = traces[n];
         RunControl own{.stop = control.stop};
         if (control.on_progress) {
             own.on_progress = [&](const Progress& progress) {
                 Progress of_all = progress;
                 of_all.fraction = (static_cast<double>(n) + progress.fraction) /
-                                  static_cast<double>(traced.size());
+                                  static_cast<double>(traces.size());
                 control.on_progress(of_all);
             };
         }
-        const RunSpec traced_spec = trace_spec(spec, plans[i], n);
-        on_sums(i, simulator.sums(scene, time_steps[i].sources, traced_spec, 0, share, own));
+        on_sums(i, simulator.sums(scene, time_steps[i].sources, own_spec, 0, share, own));
     }
 }
 

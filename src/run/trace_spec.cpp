@@ -24,6 +24,18 @@ std::vector<TimeStepPlan> plan_traces(
     return plans;
 }
 
+std::vector<Trace> traces_of(
+    const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
+    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
+    std::vector<Trace> traces;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (plans[i].factor > 0 && plans[i].traced == i) {
+            traces.push_back({i, trace_spec(spec, plans[i], traces.size())});
+        }
+    }
+    return traces;
+}
+
 RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_t trace) {
     constexpr std::uint64_t kFewestPaths = 64;
     RunSpec spec = series;

@@ -42,7 +42,7 @@ class InstanceAreas {
     }
 
   private:
-    std::unordered_map<const FrozenMesh*, double> areas_;
+    std::unordered_map<const Mesh*, double> areas_;
 };
 
 /// Whether rays can be turned back through a transform without losing digits to it.
@@ -55,7 +55,7 @@ bool is_well_conditioned(const Affine& a) {
 
 /// Which copies are kept as instances: for each copy of the draft.
 std::vector<bool> choose_instances(const SceneDraft& draft) {
-    std::unordered_map<const FrozenMesh*, std::size_t> uses;
+    std::unordered_map<const Mesh*, std::size_t> uses;
     for (const Instance& copy : draft.copies) {
         ++uses[copy.mesh.get()];
     }
@@ -192,7 +192,7 @@ class Assembler {
                 const auto& [a, b, c] = draft_.mesh.faces[part.first_face + i];
                 triangles.push_back({mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]});
             }
-            instance.mesh = std::make_shared<const FrozenMesh>(Mesh(triangles));
+            instance.mesh = std::make_shared<const Mesh>(triangles);
         }
         instance_triangles_ += static_cast<std::uint32_t>(instance.mesh->size());
         result_.regions[region].area += areas_.of(instance);

@@ -185,7 +185,7 @@ class DegenerateCount {
     }
 
   private:
-    std::size_t count_in(const FrozenMesh& mesh) {
+    std::size_t count_in(const Mesh& mesh) {
         const auto [known, is_new] = known_.try_emplace(&mesh, 0);
         for (std::size_t i = 0; is_new && i < mesh.size(); ++i) {
             known->second += is_degenerate(mesh[i]) ? 1 : 0;
@@ -194,7 +194,7 @@ class DegenerateCount {
     }
 
     const SceneGeometry& triangles_;
-    std::unordered_map<const FrozenMesh*, std::size_t> known_;
+    std::unordered_map<const Mesh*, std::size_t> known_;
 };
 
 }  // namespace

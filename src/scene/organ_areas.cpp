@@ -73,7 +73,7 @@ OrganAreas::OrganAreas(
         until_.push_back(area(geometry_->mesh()[i]));
     }
     // Shares of triangles are the same in all copies of a mesh that were not stretched.
-    std::map<std::pair<const FrozenMesh*, Stretch>, std::uint32_t> known;
+    std::map<std::pair<const Mesh*, Stretch>, std::uint32_t> known;
     for (const Instance& instance : geometry_->instances()) {
         const auto [shape, is_new] = known.try_emplace(
             {instance.mesh.get(), stretch_of(instance.transform)},

@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
-#include "base/frozen_array.h"
 #include "base/lazy.h"
 #include "scene/organ_areas.h"
 
 namespace quasimc {
-
-Scene in_common_memory(Scene scene, const std::shared_ptr<CommonMemory>& common) {
-    scene.geometry_ = in_common_memory(*scene.geometry_, common);
-    scene.triangle_regions_ =
-        std::make_shared<const FrozenArray<RegionIndex>>(scene.triangle_regions_->in(common.get()));
-    return scene;
-}
 
 const Labels& SharedLabels::none() {
     static const Labels kNone;

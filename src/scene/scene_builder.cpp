@@ -4,7 +4,6 @@
 
 #include "base/checks.h"
 #include "base/free_memory.h"
-#include "base/frozen_array.h"
 #include "base/lazy.h"
 #include "detectors/catalogue.h"
 #include "scene/assembly.h"
@@ -156,7 +155,7 @@ Scene SceneBuilder::build_after(KnownOverlaps* known) && {
     scene.organs_ = std::move(assembly.organs);
     scene.regions_ = std::move(assembly.regions);
     scene.triangle_regions_ =
-        std::make_shared<const FrozenArray<RegionIndex>>(std::move(assembly.triangle_regions));
+        std::make_shared<const std::vector<RegionIndex>>(std::move(assembly.triangle_regions));
     scene.instance_regions_ = std::move(assembly.instance_regions);
     scene.areas_ = std::make_shared<const Lazy<OrganAreas>>();
     scene.organs_.back().is_ground = ground_.has_value();

@@ -162,7 +162,7 @@ bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
             copy.mesh->vertices.begin(), copy.mesh->vertices.end(),
             [](const Vec3& p) { return is_usable(p); });
     };
-    std::unordered_set<const FrozenMesh*> known;
+    std::unordered_set<const Mesh*> known;
     for (const Instance& copy : draft.copies) {
         if (known.insert(copy.mesh.get()).second && !has_usable_mesh(copy)) {
             return false;

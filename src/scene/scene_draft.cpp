@@ -9,11 +9,10 @@ namespace quasimc {
 namespace {
 
 /// The mesh with its vertices in order, as a scene wants them.
-std::shared_ptr<const FrozenMesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
+std::shared_ptr<const Mesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
     Mesh copy = *mesh;
     order_vertices(copy);
-    return copy == *mesh ? std::make_shared<const FrozenMesh>(mesh)
-                         : std::make_shared<const FrozenMesh>(std::move(copy));
+    return copy == *mesh ? mesh : std::make_shared<const Mesh>(std::move(copy));
 }
 
 }  // namespace

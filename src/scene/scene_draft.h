@@ -73,7 +73,7 @@ struct SceneDraft {
     /// A mesh that was given, and the same with its vertices in order.
     struct SharedMesh {
         std::shared_ptr<const Mesh> given;
-        std::shared_ptr<const FrozenMesh> ordered;
+        std::shared_ptr<const Mesh> ordered;
     };
     std::unordered_map<const Mesh*, SharedMesh> shared_;
     struct LabelsBefore {

@@ -219,7 +219,7 @@ class EmbreeIntersector final : public Intersector {
         for (const LocalPrototype& prototype : mesh_.prototypes) {
             const EmbreeScene& scene =
                 prototypes_.emplace_back(EmbreeScene(rtcNewScene(device_.get())));
-            attach_triangles(scene.get(), prototype.vertices, prototype.faces);
+            attach_triangles(scene.get(), prototype.vertices, prototype.mesh->faces);
             commit(device_.get(), scene.get(), stop);
         }
         for (const LocalInstance& instance : mesh_.instances) {

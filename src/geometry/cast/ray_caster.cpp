@@ -142,7 +142,7 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
         return (!tile.along_x || std::round(moved.x / size.x) == shift_x) &&
                (!tile.along_y || std::round(moved.y / size.y) == shift_y);
     };
-    const FrozenArray<std::uint32_t>& sources = wrapped.source;
+    const std::vector<std::uint32_t>& sources = wrapped.source;
     if (self >= sources.size()) {
         return kNoTriangle;  // of an instance, which lies in one cell
     }
@@ -209,7 +209,10 @@ RayCaster::RayCaster(
         impl_->wrapped = wrap_into_cell(*geometry, cell);
     }
     impl_->mesh = make_local_mesh(cell.periodic() ? impl_->wrapped.geometry : geometry);
-    impl_->wrapped.geometry.reset();  // the images' corners in double precision
+    if (cell.periodic()) {  // the images' corners in double precision are needed no more
+        impl_->mesh.copy_faces();
+        impl_->wrapped.geometry.reset();
+    }
     impl_->cell = local_cell(impl_->mesh, cell);
     impl_->tile = make_tile(impl_->mesh, impl_->cell);
     impl_->engine = make(impl_->mesh);

@@ -190,21 +190,6 @@ std::optional<Instance> moved_inside(
     return moved;
 }
 
-/// The images' corners are needed for a moment only: they are not put into common memory.
-WrappedGeometry wrapped_with(
-    Mesh images,
-    std::vector<Instance> kept,
-    std::vector<std::uint32_t> sources,
-    const std::shared_ptr<CommonMemory>& common) {
-    WrappedGeometry wrapped;
-    wrapped.source = FrozenArray(std::move(sources)).in(common.get());
-    FrozenMesh mesh(
-        std::move(images.vertices), FrozenArray(std::move(images.faces)).in(common.get()));
-    wrapped.geometry =
-        std::make_shared<const SceneGeometry>(std::move(mesh), std::move(kept), common);
-    return wrapped;
-}
-
 }  // namespace
 
 WrappedTriangles wrap_into_cell(const std::vector<Triangle>& triangles, const Cell& cell) {
@@ -225,7 +210,7 @@ WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) 
         images.faces.reserve(geometry.size());
         sources.reserve(geometry.size());
         add_images(geometry.mesh(), cell, images, sources);
-        return wrapped_with(std::move(images), {}, std::move(sources), geometry.common());
+        return {std::make_shared<const SceneGeometry>(std::move(images)), std::move(sources), {}};
     }
     // The triangles that are no longer of an instance, and their numbers in the input.
     std::vector<Triangle> loose(
@@ -251,10 +236,9 @@ WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) 
     for (std::uint32_t& source : sources) {
         source = numbers[source];
     }
-    WrappedGeometry wrapped =
-        wrapped_with(std::move(images), std::move(kept), std::move(sources), geometry.common());
-    wrapped.instance_source = std::move(instance_sources);
-    return wrapped;
+    return {
+        std::make_shared<const SceneGeometry>(std::move(images), std::move(kept)),
+        std::move(sources), std::move(instance_sources)};
 }
 
 }  // namespace quasimc

@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "base/frozen_array.h"
 #include "geometry/scene_geometry.h"
 #include "quasimc/mesh.h"
 
@@ -28,7 +27,7 @@ struct WrappedTriangles {
 /// borders, remain instances, moved into the cell; the others are cut up into triangles.
 struct WrappedGeometry {
     std::shared_ptr<const SceneGeometry> geometry;
-    FrozenArray<std::uint32_t> source;           ///< of the triangles that belong to no instance
+    std::vector<std::uint32_t> source;           ///< of the triangles that belong to no instance
     std::vector<std::uint32_t> instance_source;  ///< of the first triangle of each instance
 
     /// The input triangle that triangle `i` is an image of.

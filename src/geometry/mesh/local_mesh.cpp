@@ -37,8 +37,7 @@ Bounds bounds_of(std::span<const Vec3> points) {
 }
 
 /// (points - origin) * scale in single precision, and the padding.
-FrozenArray<float> to_floats(
-    std::span<const Vec3> points, const Vec3& origin, double scale, CommonMemory* common) {
+std::vector<float> to_floats(std::span<const Vec3> points, const Vec3& origin, double scale) {
     std::vector<float> floats;
     floats.reserve(3 * points.size() + kVertexPadding);
     for (const Vec3& point : points) {
@@ -48,13 +47,13 @@ FrozenArray<float> to_floats(
         floats.push_back(static_cast<float>(p.z));
     }
     floats.resize(floats.size() + kVertexPadding, 0.0F);
-    return FrozenArray<float>(std::move(floats)).in(common);
+    return floats;
 }
 
 /// Makes prototypes and instances of the local mesh of a scene.
 class InstanceMaker {
   public:
-    InstanceMaker(LocalMesh& mesh, CommonMemory* common) : mesh_(mesh), common_(common) {}
+    explicit InstanceMaker(LocalMesh& mesh) : mesh_(mesh) {}
 
     void add(const Instance& instance) {
         const auto [known, is_new] = known_.try_emplace(instance.mesh.get(), known_.size());
@@ -83,12 +82,12 @@ class InstanceMaker {
         double scale = 1;
     };
 
-    void add_prototype(const std::shared_ptr<const FrozenMesh>& mesh) {
+    void add_prototype(const std::shared_ptr<const Mesh>& mesh) {
         const Bounds bounds = bounds_of(mesh->vertices);
         const Frame& frame = frames_.emplace_back(Frame{bounds.center(), local_scale(bounds)});
         LocalPrototype& prototype = mesh_.prototypes.emplace_back();
-        prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale, common_);
-        prototype.faces = mesh->faces;
+        prototype.vertices = to_floats(mesh->vertices, frame.center, frame.scale);
+        prototype.mesh = mesh;
         std::vector<Vec3> points;
         for (std::size_t i = 0; i < mesh->vertices.size(); ++i) {
             const float* v = &prototype.vertices[3 * i];
@@ -98,14 +97,13 @@ class InstanceMaker {
     }
 
     LocalMesh& mesh_;
-    CommonMemory* common_;
     std::vector<Frame> frames_;
-    std::unordered_map<const FrozenMesh*, std::size_t> known_;
+    std::unordered_map<const Mesh*, std::size_t> known_;
 };
 
 /// Lists the triangles that rounding changes, and sees how much it changes the others and whether
 /// there are slivers.
-void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
+void list_thin(const Mesh& mesh, LocalMesh& local) {
     constexpr double kMostBlur = 1e-3;
     double most = 0;  // squared
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
@@ -129,11 +127,11 @@ void list_thin(const FrozenMesh& mesh, LocalMesh& local) {
 
 /// The part of a local mesh that belongs to no instance.
 /// @param bounds  of the whole scene
-LocalMesh make_own_part(const FrozenMesh& mesh, const Bounds& bounds, CommonMemory* common) {
+LocalMesh make_own_part(const Mesh& mesh, const Bounds& bounds) {
     LocalMesh local;
     local.origin = bounds.center();
     local.scale = local_scale(bounds);
-    local.vertices = to_floats(mesh.vertices, local.origin, local.scale, common);
+    local.vertices = to_floats(mesh.vertices, local.origin, local.scale);
     local.faces = mesh.faces;
     list_thin(mesh, local);
     return local;
@@ -164,7 +162,7 @@ Vec3 LocalMesh::instance_vertex(std::uint32_t triangle, int corner) const {
     const std::uint32_t range = ranges.find(triangle);
     const LocalInstance& instance = instances[range];
     const LocalPrototype& prototype = prototypes[instance.prototype];
-    const Face& face = prototype.faces[triangle - ranges.first(range)];
+    const Face& face = prototype.mesh->faces[triangle - ranges.first(range)];
     const float* v = &prototype.vertices[std::size_t{3} * face[static_cast<std::size_t>(corner)]];
     return instance.point({v[0], v[1], v[2]});
 }
@@ -175,11 +173,7 @@ double local_scale(const Bounds& bounds) {
 }
 
 LocalMesh make_local_mesh(const std::vector<Triangle>& triangles) {
-    EXPECT(!triangles.empty());
-    const FrozenMesh mesh{Mesh(triangles)};
-    LocalMesh local = make_own_part(mesh, bounds_of(mesh.vertices), nullptr);
-    for_each_outer_vertex(local, [&](const Vec3& p) { local.box.add(p); });
-    return local;
+    return make_local_mesh(std::make_shared<const SceneGeometry>(Mesh(triangles)));
 }
 
 LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry) {
@@ -190,8 +184,9 @@ LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry) 
         bounds.add(box.low);
         bounds.add(box.high);
     }
-    LocalMesh local = make_own_part(geometry->mesh(), bounds, geometry->common().get());
-    InstanceMaker maker(local, geometry->common().get());
+    LocalMesh local = make_own_part(geometry->mesh(), bounds);
+    local.owner_of_faces = geometry;
+    InstanceMaker maker(local);
     local.instances.reserve(geometry->instances().size());
     for (const Instance& instance : geometry->instances()) {
         maker.add(instance);

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
-#include "base/frozen_array.h"
 #include "base/vec3.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/mesh.h"
@@ -23,8 +23,8 @@ inline constexpr std::size_t kVertexPadding = 4;
 
 /// A mesh that stands in the scene several times, in single precision about its own centre.
 struct LocalPrototype {
-    FrozenArray<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
-    FrozenArray<Face> faces;
+    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::shared_ptr<const Mesh> mesh;
     std::vector<Vec3> outline;  ///< vertices whose convex hull is the mesh's
 };
 
@@ -53,8 +53,9 @@ struct LocalInstance {
 struct LocalMesh {
     Vec3 origin;
     double scale = 1;             ///< a power of two
-    FrozenArray<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
-    FrozenArray<Face> faces;
+    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::span<const Face> faces;
+    std::shared_ptr<const void> owner_of_faces;
 
     std::vector<LocalPrototype> prototypes;
     std::vector<LocalInstance> instances;
@@ -100,6 +101,12 @@ struct LocalMesh {
     [[nodiscard]] Vec3 own_vertex(std::size_t i) const {
         const float* v = &vertices[3 * i];
         return {v[0], v[1], v[2]};
+    }
+    /// Copies the faces, so that the scene that they are of need not be kept.
+    void copy_faces() {
+        const auto own = std::make_shared<const std::vector<Face>>(faces.begin(), faces.end());
+        faces = *own;
+        owner_of_faces = own;
     }
     /// Bounds of the triangles, local coordinates.
     [[nodiscard]] const Bounds& bounds() const { return box; }

@@ -34,15 +34,6 @@ bool is_in_order(const Mesh& mesh) {
     return next == mesh.vertices.size();
 }
 
-template <typename AnyMesh>
-double sum_of_areas(const AnyMesh& mesh) {
-    double sum = 0;
-    for (std::size_t i = 0; i < mesh.size(); ++i) {
-        sum += area(mesh[i]);
-    }
-    return sum;
-}
-
 }  // namespace
 
 Mesh::Mesh(std::vector<Vec3> all_vertices, std::vector<Face> all_faces)
@@ -91,11 +82,11 @@ void Mesh::append(const Mesh& other) {
 }
 
 double area(const Mesh& mesh) {
-    return sum_of_areas(mesh);
-}
-
-double area(const FrozenMesh& mesh) {
-    return sum_of_areas(mesh);
+    double sum = 0;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+        sum += area(mesh[i]);
+    }
+    return sum;
 }
 
 void order_vertices(Mesh& mesh) {

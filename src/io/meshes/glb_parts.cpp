@@ -122,7 +122,7 @@ Mesh GlbMeshes::mesh(std::uint32_t first, std::uint32_t count) {
     const auto moved = [this](const Vec3& p) {
         return outward_.point(scene_.orientation().outward(p));
     };
-    const FrozenMesh& shared = scene_.triangles().mesh();
+    const Mesh& shared = scene_.triangles().mesh();
     std::vector<Triangle> apart;
     std::vector<std::uint32_t> taken;
     Mesh mesh;

@@ -202,12 +202,6 @@ void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
     }
 }
 
-void CheckpointFile::keep_state(std::size_t moment, std::string state) {
-    if (!places_.contains(moment)) {
-        keep(moment, {std::move(state), false});
-    }
-}
-
 void CheckpointFile::flush() {
     if (!is_saved_) {
         write();

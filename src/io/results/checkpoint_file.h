@@ -70,9 +70,6 @@ class CheckpointFile {
     void save(std::size_t moment, const RunSnapshot& state);
     /// Takes note of the state of a run that is done; saves it when it is time, or in flush().
     void finish(std::size_t moment, const RunSnapshot& state);
-    /// Takes note of the state of a run that is on the way elsewhere; it is saved with the next
-    /// one, or in flush().
-    void keep_state(std::size_t moment, std::string state);
     /// Saves what was not saved yet.
     void flush();
 
@@ -102,7 +99,7 @@ class CheckpointFile {
     std::chrono::duration<double> every_;
     bool was_there_ = false;
     std::map<std::size_t, Place> places_;  // of runs that are done
-    /// Of the run at hand, when a run goes on of two, and of those that other processes trace.
+    /// Of the run at hand, and when a run goes on of two.
     std::map<std::size_t, State> states_;
     std::uint64_t done_bytes_ = 0;
     std::unique_ptr<Descriptor> done_;  // the second file, once there is one

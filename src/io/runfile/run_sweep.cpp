@@ -88,19 +88,11 @@ class RunSweep::State {
             return std::move(*first_);
         }
         RunFile run = point == 0 ? *first_ : read(point);
-        if (common_ && run.scene.triangles().common() != common_) {
-            run.scene = in_common_memory(std::move(run.scene), common_);
-        }
         run.point = point;
         run.sweep = points_;
         run.document = first_->document;
         run.inputs = first_->inputs;
         return run;
-    }
-
-    void keep_in(std::shared_ptr<CommonMemory> common) {
-        common_ = std::move(common);
-        first_->scene = in_common_memory(std::move(first_->scene), common_);
     }
 
   private:
@@ -258,7 +250,6 @@ class RunSweep::State {
     SweepPlan plan_;
     FileCache cache_;
     KnownOverlaps overlaps_;  // of the point that was read last
-    std::shared_ptr<CommonMemory> common_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> told_;
@@ -293,10 +284,6 @@ RunFile RunSweep::only_run() && {
 
 const std::vector<Warning>& RunSweep::warnings() const {
     return state_->warnings();
-}
-
-void RunSweep::keep_in(std::shared_ptr<CommonMemory> common) {
-    state_->keep_in(std::move(common));
 }
 
 RunSweep read_sweep_document(

@@ -28,8 +28,8 @@ Affine random_transform(Random& random) {
 /// A few loose triangles, and copies of two meshes.
 std::shared_ptr<const SceneGeometry> random_scene(std::size_t copies, Random& random) {
     const std::array meshes{
-        std::make_shared<const FrozenMesh>(Mesh(test::random_soup(40, 0.3, random))),
-        std::make_shared<const FrozenMesh>(Mesh(test::random_soup(25, 0.6, random)))};
+        std::make_shared<const Mesh>(test::random_soup(40, 0.3, random)),
+        std::make_shared<const Mesh>(test::random_soup(25, 0.6, random))};
     std::vector<Instance> instances;
     for (std::size_t i = 0; i < copies; ++i) {
         instances.push_back({meshes[i % 2], random_transform(random)});
@@ -279,7 +279,7 @@ TEST(Instances, RaysThatLeaveTheirTrianglesMeetWhatTheOracleMeets) {
 /// Copies of a hundredth of the scene, as plants of a large stand have.
 TEST(Instances, SmallCopiesFarFromTheMiddleKeepTheirLightApart) {
     Random random(10);
-    const auto plant = std::make_shared<const FrozenMesh>(Mesh(test::random_soup(60, 0.1, random)));
+    const auto plant = std::make_shared<const Mesh>(test::random_soup(60, 0.1, random));
     std::vector<Instance> instances;
     for (int i = 0; i < 100; ++i) {
         Affine a = random_transform(random);
@@ -311,7 +311,7 @@ TEST(Instances, SmallCopiesFarFromTheMiddleKeepTheirLightApart) {
 
 TEST(Instances, InAPeriodicSceneMeetWhatTheFlattenedSceneMeets) {
     Random random(11);
-    const auto plant = std::make_shared<const FrozenMesh>(Mesh(test::random_soup(40, 0.2, random)));
+    const auto plant = std::make_shared<const Mesh>(test::random_soup(40, 0.2, random));
     std::vector<Instance> instances;
     for (int i = 0; i < 30; ++i) {
         Affine a = random_transform(random);

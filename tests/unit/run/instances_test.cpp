@@ -31,8 +31,7 @@ Scene make_copied_stand(bool shared, const Cell& cell) {
         } else {
             std::vector<Triangle> triangles;
             for (std::size_t k = 0; k < plant->size(); ++k) {
-                triangles.push_back(
-                    Instance{std::make_shared<const FrozenMesh>(plant), place}.triangle(k));
+                triangles.push_back(Instance{plant, place}.triangle(k));
             }
             organ.parts.push_back({"leaf", triangles});
         }

@@ -3,10 +3,10 @@
 #include "run/run_team.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <barrier>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "base/process_time.h"
+#include "run/dealt_runs.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
 
@@ -29,57 +30,53 @@ namespace {
 /// What the processes of a team share.
 class Meeting {
   public:
-    explicit Meeting(unsigned size) : barrier_(size) {}
+    explicit Meeting(unsigned size) : size_(size), barrier_(size) {}
 
-    /// The team as one of them sees it; each node has a counter.
-    [[nodiscard]] RunTeam seen_by(unsigned rank, unsigned nodes) {
+    /// The team as one of them sees it.
+    [[nodiscard]] RunTeam seen_by(unsigned rank) {
         RunTeam team;
-        team.is_first = rank == 0;
-        team.machine = rank % nodes;
-        team.machines = nodes;
-        set_mail(rank, team.mail);
-        team.tasks.begin = [=, this](std::uint64_t begin, std::uint64_t end) {
-            const unsigned node = rank % nodes;
-            const auto [first, last] = share_of(node + 1, nodes).range(end - begin);
-            if (rank < nodes) {
-                counters_[node] = begin + first;
-            }
-            barrier_.arrive_and_wait();
-            return TaskRange{&counters_[node], begin + last, nodes == 1};
+        team.rank = rank;
+        team.size = size_;
+        team.tasks.share = share_of(rank + 1, size_);
+        team.tasks.meet = [=, this](bool is_done) {
+            is_stopped_ = is_stopped_ || (rank == 0 && !is_done);
+            const bool is_first_done = told(rank, is_done, met_);
+            is_stopped_ = false;
+            return is_first_done;
         };
-        team.tasks.meet = [=, this](std::uint64_t own) { return told(rank, own, met_); };
         team.order = [=, this](const TeamOrder& own) { return told(rank, own, order_); };
         team.add_up = [=, this](std::vector<std::int64_t>& numbers) { add_up(rank, numbers); };
+        team.send = [=, this](std::string_view bytes) {
+            const std::lock_guard lock(mutex_);
+            sent_[rank].emplace_back(bytes);
+        };
+        team.receive = [this](std::uint64_t from, const std::stop_token& stop) {
+            return receive(from, stop);
+        };
+        team.stop = [this] { is_stopped_ = true; };
+        team.is_stopped = [this] { return is_stopped_.load(); };
+        team.await_stop = [this] {
+            while (!is_stopped_) {
+                std::this_thread::yield();
+            }
+        };
         return team;
     }
 
   private:
-    void set_mail(unsigned rank, TeamMail& mail) {
-        mail.send = [this](std::uint64_t number, std::string_view bytes) {
-            const std::lock_guard lock(mutex_);
-            mail_.emplace(number, bytes);  // behind what has the same number
-        };
-        mail.has_arrived = [] { return true; };
-        mail.receive = [this](std::uint64_t number) -> std::optional<std::string> {
-            const std::lock_guard lock(mutex_);
-            const auto first = mail_.lower_bound(number);
-            // What came of a job waits until its states were received.
-            const bool is_held = number % 2 == 0 && mail_.contains(number + 1);
-            if (first == mail_.end() || first->first != number || is_held) {
-                return std::nullopt;
+    [[nodiscard]] std::string receive(std::uint64_t from, const std::stop_token& stop) {
+        while (true) {
+            if (stop.stop_requested()) {
+                throw Stopped(StopReason::interrupted, "");
             }
-            return mail_.extract(first).mapped();
-        };
-        mail.close = [this] { is_closed_ = true; };
-        mail.is_closed = [this] { return is_closed_.load(); };
-        mail.end = [this, rank] {
-            barrier_.arrive_and_wait();
-            if (rank == 0) {
-                mail_.clear();
-                is_closed_ = false;
+            std::this_thread::yield();
+            const std::lock_guard lock(mutex_);
+            if (!sent_[from].empty()) {
+                std::string bytes = std::move(sent_[from].front());
+                sent_[from].pop_front();
+                return bytes;
             }
-            barrier_.arrive_and_wait();
-        };
+        }
     }
 
     /// What the first has to say.
@@ -110,13 +107,13 @@ class Meeting {
         }
     }
 
+    unsigned size_;
     std::barrier<> barrier_;
-    std::array<std::atomic<std::uint64_t>, 8> counters_{};
-    std::uint64_t met_ = 0;
+    bool met_ = true;
     TeamOrder order_;
     std::mutex mutex_;
-    std::multimap<std::uint64_t, std::string> mail_;
-    std::atomic<bool> is_closed_{false};
+    std::map<std::uint64_t, std::deque<std::string>> sent_;  // by whom
+    std::atomic<bool> is_stopped_{false};
     std::vector<std::int64_t> total_;
 };
 
@@ -136,53 +133,71 @@ struct Day {
     }
 };
 
-/// How a team traces a day: every run together, or runs each by itself, also with their states sent
-/// after each task.
-enum class Sharing { tasks, runs, runs_with_states };
+/// How a team traces a day: every run together, or each process some of them.
+enum class Sharing { tasks, runs };
+
+/// What another process does, until the first has no more orders.
+void help(const RunTeam& team, const Day& day, const RunSpec& spec) {
+    TeamHelper helper;
+    TeamOrder order = team.order({});
+    while (order.kind != TeamOrder::kEnd) {
+        order = helper.help(day.scene, day.moments, spec, team, order);
+        if (order.kind == TeamOrder::kDealt) {
+            HelpedRuns runs(team);
+            try {
+                runs.trace(day.scene, day.moments, spec, order.moment);
+            } catch (const Stopped&) {  // by the first
+            }
+            runs.end();
+            order = team.order({});
+        }
+    }
+}
 
 /// The results of a day that a team of so many processes traces.
 std::vector<Result> trace_day(
     const Day& day,
     const RunSpec& spec,
     unsigned ranks,
-    unsigned nodes,
     const RunCheckpoint* checkpoint = nullptr,
     const std::stop_token& stop = {},
     Sharing sharing = Sharing::tasks) {
     Meeting meeting(ranks);
-    const auto seen_by = [&](unsigned rank) {
-        RunTeam team = meeting.seen_by(rank, nodes);
-        // A team of one has nobody to give runs to.
-        team.size = sharing != Sharing::tasks ? ranks : 1;
-        if (sharing == Sharing::runs_with_states) {
-            team.keep_every = 0;
-        }
-        return team;
-    };
     std::vector<std::jthread> helpers;
     for (unsigned rank = 1; rank < ranks; ++rank) {
-        helpers.emplace_back([&, rank] {
-            const RunTeam team = seen_by(rank);
-            TeamHelper helper;
-            TeamOrder order = team.order({});
-            while (order.is_end == 0) {
-                order = helper.help(day.scene, day.moments, spec, team, order);
-            }
-        });
+        helpers.emplace_back([&, rank] { help(meeting.seen_by(rank), day, spec); });
     }
-    const RunTeam team = seen_by(0);
+    const RunTeam team = meeting.seen_by(0);
     std::vector<Result> results;
     SeriesEvents events;
     events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
     events.checkpoint = checkpoint;
     events.team = &team;
+    Simulator simulator;
+    std::optional<DealtRuns> dealt;
+    if (sharing == Sharing::runs) {
+        events.sums_of = [&](std::size_t i, const RunSpec& own,
+                             const RunControl& control) -> std::optional<GivenSums> {
+            if (!dealt && checkpoint != nullptr && checkpoint->has_state(i)) {
+                return std::nullopt;
+            }
+            if (!dealt) {
+                dealt.emplace(team, 0, i);
+            }
+            return dealt->next(simulator, day.scene, day.moments[i].sources, own, control);
+        };
+    }
+    const auto end = [&] {
+        dealt.reset();
+        static_cast<void>(team.order({.kind = TeamOrder::kEnd}));
+    };
     try {
         static_cast<void>(run_series(day.scene, day.moments, spec, events, stop));
     } catch (const Stopped&) {
-        static_cast<void>(team.order({.is_end = 1}));
+        end();
         throw;
     }
-    static_cast<void>(team.order({.is_end = 1}));
+    end();
     return results;
 }
 
@@ -221,13 +236,12 @@ class RunTeams : public ::testing::TestWithParam<Method> {
 TEST_P(RunTeams, GiveTheBitsOfOneProcess) {
     const Day day;
     const std::vector<Result> alone = day_alone(day, spec());
-    for (const auto& [ranks, nodes] :
-         std::vector<std::pair<unsigned, unsigned>>{{1, 1}, {3, 1}, {4, 2}}) {
-        expect_equal_days(trace_day(day, spec(), ranks, nodes), alone);
+    for (const unsigned ranks : {1U, 3U, 4U}) {
+        expect_equal_days(trace_day(day, spec(), ranks), alone);
     }
 }
 
-TEST_P(RunTeams, PauseForCheckpointsThatOthersGoOnFrom) {
+TEST_P(RunTeams, KeepRoundsThatOthersGoOnFrom) {
     const Day day;
     std::vector<std::pair<std::size_t, std::string>> saved;
     RunCheckpoint checkpoint;
@@ -245,33 +259,22 @@ TEST_P(RunTeams, PauseForCheckpointsThatOthersGoOnFrom) {
         saved.emplace_back(moment, save_state(state));
     };
     checkpoint.finish = [](std::size_t, const RunSnapshot&) {};
-    const std::vector<Result> paused = trace_day(day, spec(), 3, 1, &checkpoint);
+    const std::vector<Result> paused = trace_day(day, spec(), 3, &checkpoint);
     const std::vector<Result> alone = day_alone(day, spec());
     expect_equal_days(paused, alone);
     ASSERT_GE(saved.size(), 3U);
     std::reverse(saved.begin(), saved.end());  // the last of each moment
     checkpoint.is_due = [] { return false; };
-    expect_equal_days(trace_day(day, spec(), 2, 1, &checkpoint), alone);
+    expect_equal_days(trace_day(day, spec(), 2, &checkpoint), alone);
 }
 
 TEST_P(RunTeams, TraceRunsEachByItselfToTheSameBits) {
     const Day day;
-    RunSpec one_round = spec();
-    one_round.max_paths = 0;  // so that runs are cut into parts as well
-    RunSpec target = spec();
-    target.target_error = 1e-3;
-    for (const RunSpec& spec : {one_round, spec(), target}) {
-        const std::vector<Result> alone = day_alone(day, spec);
-        for (const auto& [ranks, nodes] :
-             std::vector<std::pair<unsigned, unsigned>>{{2, 1}, {3, 1}, {3, 3}}) {
-            const std::vector<Result> shared =
-                trace_day(day, spec, ranks, nodes, nullptr, {}, Sharing::runs);
-            expect_equal_days(shared, alone);
-            for (std::size_t i = 0; i < shared.size(); ++i) {
-                EXPECT_EQ(shared[i].stop, alone[i].stop);
-                EXPECT_EQ(shared[i].fraction_at_target, alone[i].fraction_at_target);
-            }
-        }
+    RunSpec spec = RunTeams::spec();
+    spec.max_paths = 0;
+    const std::vector<Result> alone = day_alone(day, spec);
+    for (const unsigned ranks : {2U, 3U, 5U}) {
+        expect_equal_days(trace_day(day, spec, ranks, nullptr, {}, Sharing::runs), alone);
     }
 }
 
@@ -293,56 +296,17 @@ TEST_P(RunTeams, KeepRunsThatOthersHaveTracedAndGoOnFromThem) {
         kept[moment] = save_state(state);
     };
     const std::vector<Result> alone = day_alone(day, spec);
-    expect_equal_days(trace_day(day, spec, 3, 1, &checkpoint, {}, Sharing::runs), alone);
+    expect_equal_days(trace_day(day, spec, 3, &checkpoint, {}, Sharing::runs), alone);
     ASSERT_EQ(kept.size(), 3U) << "one of the four is like another";
     EXPECT_EQ(restored, 0U);
     kept.erase(3);
-    expect_equal_days(trace_day(day, spec, 1, 1, &checkpoint, {}, Sharing::runs), alone);
+    expect_equal_days(trace_day(day, spec, 1, &checkpoint, {}, Sharing::runs), alone);
     EXPECT_EQ(restored, 2U);
     EXPECT_EQ(kept.size(), 3U);
     // More paths than before, of those that are there and of one that is not.
     kept.erase(3);
     spec.max_paths = 2 * spec.paths;
-    expect_equal_days(
-        trace_day(day, spec, 2, 1, &checkpoint, {}, Sharing::runs), day_alone(day, spec));
-}
-
-TEST_P(RunTeams, KeepWhatIsDoneOfRunsThatAreTracedElsewhere) {
-    const Day day({20, 30, 40, 50, 60, 70, 80, 85});  // so many that some are not cut into parts
-    for (const std::uint64_t max_paths : {std::uint64_t{0}, spec().max_paths}) {
-        RunSpec spec = RunTeams::spec();
-        spec.max_paths = max_paths;
-        std::map<std::size_t, std::string> kept;  // the first of each moment: little is done
-        RunCheckpoint checkpoint;
-        checkpoint.has_state = [](std::size_t) { return false; };
-        checkpoint.state_of = [](std::size_t) { return std::nullopt; };
-        checkpoint.is_due = [] { return true; };
-        checkpoint.save = [&](std::size_t moment, const RunSnapshot& state) {
-            kept.emplace(moment, save_state(state));
-        };
-        checkpoint.finish = [](std::size_t, const RunSnapshot&) {};
-        checkpoint.keep = [&](std::size_t moment, std::string state) {
-            kept.emplace(moment, std::move(state));
-        };
-        checkpoint.flush = [] {};
-        const std::vector<Result> alone = day_alone(day, spec);
-        expect_equal_days(
-            trace_day(day, spec, 2, 1, &checkpoint, {}, Sharing::runs_with_states), alone);
-        ASSERT_FALSE(kept.empty());
-        double paths_before = 0;
-        checkpoint.is_due = [] { return false; };
-        checkpoint.has_state = [&](std::size_t moment) { return kept.contains(moment); };
-        checkpoint.state_of = [&](std::size_t moment) {
-            return kept.contains(moment) ? std::optional(load_state(kept[moment])) : std::nullopt;
-        };
-        const std::vector<Result> resumed =
-            trace_day(day, spec, 3, 1, &checkpoint, {}, Sharing::runs);
-        expect_equal_days(resumed, alone);
-        for (const Result& result : resumed) {
-            paths_before += result.paths_before;
-        }
-        EXPECT_GT(paths_before, 0);
-    }
+    expect_equal_days(trace_day(day, spec, 2, &checkpoint), day_alone(day, spec));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -356,7 +320,7 @@ TEST(RunTeam, TellsTheProcessorTimeOfAll) {
     spec.threads = 1;
     const Stopwatch watch;
     double told = 0;
-    for (const Result& result : trace_day(day, spec, 3, 1)) {
+    for (const Result& result : trace_day(day, spec, 3)) {
         told += result.trace_cpu_seconds;
     }
     // Here all are threads of one process, and each tells the time of all.
@@ -371,7 +335,7 @@ TEST(RunTeam, StopsWhenTheFirstIsStopped) {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         source.request_stop();
     });
-    const std::vector<Result> results = trace_day(day, spec, 3, 1, nullptr, source.get_token());
+    const std::vector<Result> results = trace_day(day, spec, 3, nullptr, source.get_token());
     ASSERT_EQ(results.size(), 1U);
     EXPECT_EQ(results[0].stop, StopReason::interrupted);
 }
@@ -384,7 +348,7 @@ TEST(RunTeam, StopsRunsThatItTracesEachByItself) {
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         source.request_stop();
     });
-    EXPECT_THROW(trace_day(day, spec, 3, 1, nullptr, source.get_token(), Sharing::runs), Stopped);
+    EXPECT_THROW(trace_day(day, spec, 3, nullptr, source.get_token(), Sharing::runs), Stopped);
 }
 
 TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
@@ -408,12 +372,12 @@ TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
         if (rank > 0) {
             others.emplace_back([&, rank] {
                 Sums own = bins_of(rank);
-                add_up(meeting.seen_by(rank, 1), own);
+                add_up(meeting.seen_by(rank), own);
             });
         }
     }
     Sums first = bins_of(0);
-    add_up(meeting.seen_by(0, 1), first);
+    add_up(meeting.seen_by(0), first);
     EXPECT_EQ(first.replicates[0], expected);
 }
 

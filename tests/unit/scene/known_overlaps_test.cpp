@@ -135,7 +135,7 @@ TEST(KnownOverlaps, OfCopiesAreThoseOfASearchOfAll) {
             plant.push_back(t);
         }
     }
-    const auto mesh = std::make_shared<const FrozenMesh>(Mesh(plant));
+    const auto mesh = std::make_shared<const Mesh>(plant);
     std::vector<Instance> copies;
     for (int i = 0; i < 6; ++i) {
         copies.push_back({mesh, {}});
