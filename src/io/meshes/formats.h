@@ -107,12 +107,12 @@ struct FormatContext {
 
 /// One row of the table of geometry formats, the only place where a format is entered.
 struct FormatEntry {
-    std::string_view name;        ///< as in `format = "..."`
-    std::string_view extensions;  ///< ".tri", lower case, separated by blanks
-    std::string_view summary;     ///< one line for the manual
-    std::string_view organs;  ///< what its organs are unless the run file says: each, groups or one
-    std::string_view keeps;   ///< what is left of a scene that goes through it, beside triangles
-    MeshFile (*read)(std::string_view bytes, FormatContext& context);
+    std::string_view name;               ///< as in `format = "..."`
+    std::string_view extensions;         ///< ".tri", lower case, separated by blanks
+    std::string_view summary;            ///< one line for the manual
+    std::string_view organs = "groups";  ///< unless the run file says: each, groups or one
+    std::string_view keeps = {};  ///< what is left of a scene that goes through it, but triangles
+    MeshFile (*read)(std::string_view bytes, FormatContext& context) = nullptr;
     void (*write)(const Scene& scene, const TextSink& sink) = nullptr;  ///< null: it is read only
     bool has_units = false;  ///< lengths have a unit, and are converted to the scene's
     /// Metres in the unit of its lengths where a scene of plants (OPS) names such a file.
@@ -120,8 +120,6 @@ struct FormatEntry {
     /// What coordinates are rounded to when they are written, relative to the size of their organ;
     /// 0: they keep all digits.
     double precision = 0;
-    /// Whether the file says what its organs are made of, in names or numbers of the scene.
-    [[nodiscard]] bool keeps_materials() const { return keeps.find("material") != keeps.npos; }
 };
 
 /// All formats, in the order of the manual.
