@@ -88,11 +88,7 @@ class Stopped : public std::runtime_error {
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
-    const std::function<void(const Progress&)>& on_progress = {});
-
-/// The same of a run that can be stopped.
-[[nodiscard]] Result run(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
+    const RunControl& control = {});
 
 /// What sums say of each organ, as run() would have reported it: everything but how it was found
 /// (Result::chosen, audit, stop, times).
@@ -124,27 +120,20 @@ class Simulator {
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        const std::function<void(const Progress&)>& on_progress = {});
-    [[nodiscard]] Result run(
-        const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
+        const RunControl& control = {});
 
-    /// The sums of one round of RunSpec::paths, as a value: they can be saved (save_sums), added to
-    /// those of other rounds of the same run, and evaluated (evaluate_run). Their digest is set.
-    /// Targets and budgets of time or paths are left alone.
+    /// The sums of one round of RunSpec::paths, or of a share of it, as a value: they can be saved
+    /// (save_sums), added to those of other rounds of the same run, and evaluated (evaluate_run).
+    /// Their digest is set. Targets and budgets of time or paths are left alone.
     /// @param first  the round's first path: a multiple of the paths; of a point set whose rounds
     ///        are powers of two 0, or as many as the paths
-    /// @throws InputError  as run() does
-    [[nodiscard]] Sums sums(
-        const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first = 0);
-    /// The sums of a share of that round.
-    /// @param control  who hears of it, and may stop it
-    /// @throws Stopped  if it was stopped
+    /// @throws InputError  as run() does. @throws Stopped  if it was stopped
     [[nodiscard]] Sums sums(
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        std::uint64_t first,
-        const Share& share,
+        std::uint64_t first = 0,
+        const Share& share = {},
         const RunControl& control = {});
 
     /// How often an acceleration structure had to be built.

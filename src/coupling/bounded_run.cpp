@@ -13,7 +13,7 @@ Result run_bounded(
     RunSpec spec,
     const std::function<void(const Progress&)>& on_progress) {
     if (spec.method != Method::automatic || spec.target_error > 0) {
-        return simulator.run(scene, sources, spec, on_progress);
+        return simulator.run(scene, sources, spec, {.on_progress = on_progress});
     }
     const auto refuse_bundles = [] { return true; };
     const ChosenMethod chosen = plan_method(scene, sources, spec, refuse_bundles);
@@ -22,7 +22,7 @@ Result run_bounded(
     if (chosen.method == Method::from_organs) {
         spec.paths = std::max<std::uint64_t>(1, spec.paths / 2);
     }
-    Result result = simulator.run(scene, sources, spec, on_progress);
+    Result result = simulator.run(scene, sources, spec, {.on_progress = on_progress});
     if (result.stop != StopReason::no_light) {
         result.chosen = chosen;
     }

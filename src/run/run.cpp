@@ -52,6 +52,12 @@ class Reporter {
         share_ = rounds.share();
         at_target_ = rounds.at_target();
     }
+    /// What an executor tells of a round; empty if nobody hears of it.
+    [[nodiscard]] std::function<void(double)> listener() {
+        return tell_ ? [this](double part) { report(part); } : std::function<void(double)>();
+    }
+
+  private:
     /// @param part  of the round that is done
     void report(double part) {
         const double seconds = seconds_since(start_);
@@ -60,7 +66,6 @@ class Reporter {
         tell_({fraction_, seconds, seconds / fraction_, at_target_});
     }
 
-  private:
     const std::function<void(const Progress&)>& tell_;
     Clock::time_point start_;
     double before_ = 0, share_ = 1, at_target_ = 0, fraction_ = 0;
@@ -179,18 +184,6 @@ Result preview_of(
     return result;
 }
 
-/// Tells how far a single round is.
-std::function<void(double)> round_progress(
-    const std::function<void(const Progress&)>& tell, Clock::time_point start) {
-    if (!tell) {
-        return {};
-    }
-    return [&tell, start](double part) {
-        const double seconds = seconds_since(start);
-        tell({part, seconds, seconds / part, 0});
-    };
-}
-
 /// @throws InputError  if sums from elsewhere are not those of the run
 void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec& spec) {
     const bool is_this_run = sums.digest == digest_of(prepared, spec) && sums.paths == spec.paths &&
@@ -215,14 +208,6 @@ Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
 }
 
 }  // namespace
-
-Result run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    const std::function<void(const Progress&)>& on_progress) {
-    return Simulator().run(scene, sources, spec, {.on_progress = on_progress, .is_last = true});
-}
 
 Result run(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
@@ -312,9 +297,8 @@ Sums Simulator::State::sums(
         sums.paths = sums.samples = planned.paths;
         return sums;
     }
-    Executor executor(
-        thread_count(planned.threads), round_progress(control.on_progress, start), control.stop,
-        share);
+    Reporter reporter(control.on_progress, start);
+    Executor executor(thread_count(planned.threads), reporter.listener(), control.stop, share);
     make_solver({prepared, sampler_for(planned.sampler), planned, control.stop})
         ->solve({first, planned.paths}, executor, sums);
     return sums;
@@ -390,11 +374,7 @@ Simulator::State::Traced Simulator::State::trace_rounds(
     EarlyStop& early,
     const RunStart& start) {
     Reporter reporter(control.on_progress, start.time);
-    Executor executor(
-        thread_count(spec.threads),
-        control.on_progress ? [&](double part) { reporter.report(part); }
-                            : std::function<void(double)>(),
-        early.token());
+    Executor executor(thread_count(spec.threads), reporter.listener(), early.token());
     Rounds rounds(
         spec, fewest_paths(prepared.scene(), spec), start.build_seconds,
         control.stop.stop_possible());

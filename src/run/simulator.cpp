@@ -10,21 +10,8 @@ Simulator::Simulator(Simulator&& other) noexcept = default;
 Simulator& Simulator::operator=(Simulator&& other) noexcept = default;
 
 Result Simulator::run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    const std::function<void(const Progress&)>& on_progress) {
-    return state_->run(scene, sources, spec, {.on_progress = on_progress});
-}
-
-Result Simulator::run(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
     return state_->run(scene, sources, spec, control);
-}
-
-Sums Simulator::sums(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, std::uint64_t first) {
-    return state_->sums(scene, sources, spec, first, {}, {});
 }
 
 Sums Simulator::sums(

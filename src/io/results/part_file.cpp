@@ -19,7 +19,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::string_view kFirstLine = "QuasiMC part, format 2\n";
-constexpr std::string_view kName = "QuasiMC part, ";
 constexpr std::uint64_t kMostParts = 1'000'000;
 /// Stands for the number of a moment behind the last one.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
@@ -84,9 +83,6 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
     }
     std::string line(kFirstLine.size(), '\0');
     file_.read(line.data(), static_cast<std::streamsize>(line.size()));
-    if (file_ && line != kFirstLine && line.starts_with(kName)) {
-        refuse("is of another format", "another version of the program wrote it");
-    }
     if (!file_ || line != kFirstLine) {
         refuse("is no part of a run", "a file that `quasimc run --part` wrote is needed");
     }

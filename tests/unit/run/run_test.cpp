@@ -64,7 +64,8 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
         before = progress.fraction;
         ++calls;
     };
-    (void)run(leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), listen);
+    (void)run(
+        leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), {.on_progress = listen});
     EXPECT_GT(calls, 0);
 }
 
@@ -84,7 +85,9 @@ TEST(Progress, OfASeriesIsThatOfTheTimesThatAreTraced) {
 TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
     const auto listen = [](const Progress&) { throw std::runtime_error("enough"); };
     EXPECT_THROW(
-        (void)run(leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), listen),
+        (void)run(
+            leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(),
+            {.on_progress = listen}),
         std::runtime_error);
 }
 
