@@ -51,7 +51,8 @@ FileIdentity identity_of(const fs::path& path, int standard) {
     if (::stat(path.c_str(), &status) == 0) {
         return identity(status);
     }
-    return {.name = followed(path)};
+    std::error_code error;
+    return {.name = followed(fs::absolute(path, error))};
 }
 
 const InputFile* input_at(const FileIdentity& file, std::span<const InputFile> inputs) {

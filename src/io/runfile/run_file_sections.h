@@ -140,7 +140,7 @@ struct SpectralOptics {
 /// The triangles of a table with `shape = ...`; empty when it has faults (reported).
 [[nodiscard]] std::vector<Triangle> read_shape(TableReader& organ);
 /// The names of the shapes.
-[[nodiscard]] std::span<const std::string_view> shape_names();
+[[nodiscard]] std::vector<std::string_view> shape_names();
 
 // run_file_organs.cpp
 void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builder);

@@ -200,15 +200,8 @@ constexpr std::array kShapes{
 
 }  // namespace
 
-std::span<const std::string_view> shape_names() {
-    static constexpr auto kNames = [] {
-        std::array<std::string_view, kShapes.size()> names;
-        std::transform(kShapes.begin(), kShapes.end(), names.begin(), [](const ShapeEntry& entry) {
-            return entry.name;
-        });
-        return names;
-    }();
-    return kNames;
+std::vector<std::string_view> shape_names() {
+    return names_in(kShapes);
 }
 
 std::vector<Triangle> read_shape(TableReader& organ) {

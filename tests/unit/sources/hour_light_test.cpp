@@ -12,6 +12,10 @@ namespace {
 const Place kWageningen{.latitude_deg = 51.97, .longitude_deg = 5.67};
 const Place kSvalbard{.latitude_deg = 78.2, .longitude_deg = 15.6};
 
+HourSources sources_of(const SunPath& path, const HourLight& light, const DaylightSources& how) {
+    return make_hour_sources(make_hour_parts(path, light, how));
+}
+
 CivilTime june(int hour, int minute = 0) {
     return {2024, 6, 21, hour, minute, 0, 1};
 }
@@ -93,9 +97,7 @@ TEST(MeasuredLight, BringsToTheHorizontalWhatItSays) {
             const DaylightSources how = to_sources();
             const double expected = how.spectra.direct(how.bands[0]) * light.daylight.direct +
                                     how.spectra.diffuse(how.bands[0], light.daylight);
-            EXPECT_NEAR(
-                on_the_horizontal(make_hour_sources(make_hour_parts(path, light, how))), expected,
-                1e-6 * expected);
+            EXPECT_NEAR(on_the_horizontal(sources_of(path, light, how)), expected, 1e-6 * expected);
         }
     }
 }
@@ -245,13 +247,13 @@ TEST(ClearLight, ShinesAllDayAndNotAtAllAtThePoles) {
         const SunPath night = sun_path(kSvalbard, december, 3600, 300);
         const HourLight dark = clear_light(night, {});
         EXPECT_EQ(dark.daylight.global(), 0);
-        EXPECT_TRUE(make_hour_sources(night, dark, to_sources()).sources.empty());
+        EXPECT_TRUE(sources_of(night, dark, to_sources()).sources.empty());
     }
 }
 
 TEST(HourSources, AreSunsAndOneSky) {
     const SunPath path = sun_path(kWageningen, june(10), 3600, 300);
-    const HourSources clear = make_hour_sources(
+    const HourSources clear = sources_of(
         path, light_of_reading(path, {.direct_horizontal = 300, .diffuse = 80}), to_sources());
     ASSERT_EQ(clear.sources.size(), 13U);
     for (std::size_t i = 0; i < 12; ++i) {
@@ -265,7 +267,7 @@ TEST(HourSources, OfOvercastTimesHaveTheSameShape) {
     const SunPath ten = sun_path(kWageningen, june(10), 3600, 300);
     const SunPath two = sun_path(kWageningen, june(14), 3600, 300);
     const auto shapes = [](const SunPath& path, const Reading& reading) {
-        return make_hour_sources(path, light_of_reading(path, reading), to_sources()).shapes;
+        return sources_of(path, light_of_reading(path, reading), to_sources()).shapes;
     };
     EXPECT_EQ(
         shapes(ten, {.direct_horizontal = 0, .diffuse = 80}),
