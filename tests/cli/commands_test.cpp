@@ -6,7 +6,7 @@
 
 #include "program.h"
 #include "quasimc/version.h"
-#include "view/picture.h"
+#include "view/image.h"
 
 namespace quasimc::test {
 namespace {
