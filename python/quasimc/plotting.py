@@ -244,4 +244,5 @@ def _draw_fit(ax, x, y, name, points, place):
         curve_x = np.linspace(np.min(x), np.max(x), 200)
         curve_y = fit[0] * np.exp(-fit[1] * curve_x)
         label = f"{fit[0]:.3g} exp({-fit[1]:.3g} {name})"
-        ax.plot(*place(curve_x, curve_y), color=points.get_color(), linewidth=2.5, zorder=3, label=label)
+        curve = place(curve_x, curve_y)
+        ax.plot(*curve, color=points.get_color(), linewidth=2.5, zorder=3, label=label)
