@@ -43,12 +43,12 @@ void StepWindow::open(int port) {
     quasimc::require_page("view");
     window_ = std::make_shared<quasimc::LiveWindow>();
     window_->tell("waiting for the first step");
-    thread_.emplace(
+    server_.emplace(
         quasimc::WindowSite(
             [window = window_](std::string_view name) { return window->file(name); },
             quasimc::random_token(), quasimc::WindowKind::live),
         port);
-    tell_("view: " + thread_->address());
+    tell_("view: " + server_->address());
 }
 
 void StepWindow::show(const quasimc::SeenStep& step) {

@@ -7,7 +7,7 @@
 
 #include "coupling/environment.h"
 #include "view/live_window.h"
-#include "view/window_thread.h"
+#include "view/window_server.h"
 
 /// Shows the steps of a growing plant on the page in the browser. What a step costs here is to keep
 /// its light, and nothing is made of it before a page asks.
@@ -24,5 +24,5 @@ class StepWindow {
 
     std::function<void(const std::string&)> tell_;
     std::shared_ptr<quasimc::LiveWindow> window_;
-    std::optional<quasimc::WindowThread> thread_;
+    std::optional<quasimc::WindowServer> server_;
 };

@@ -7,8 +7,6 @@
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command convert_command();
-[[nodiscard]] Command export_command();
-[[nodiscard]] Command formats_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command list_command();
 [[nodiscard]] Command report_command();

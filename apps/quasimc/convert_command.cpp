@@ -47,20 +47,20 @@ void write_scene(
     output.throw_if_given_up();
 }
 
-Exit convert_geometry(const ConvertArguments& arguments, const quasimc::FormatEntry& from) {
+/// Writes the triangles of a geometry or run file.
+template <typename Read>
+void write_triangles(const ConvertArguments& arguments, const Read& read) {
     const quasimc::FormatEntry* to = arguments.to.empty()
                                          ? quasimc::format_of_path(arguments.output)
                                          : quasimc::find_format(arguments.to);
     if (to == nullptr) {
         refuse_output(arguments.output, "geometry", quasimc::writable_formats());
     }
-    const quasimc::GeometryScene read = quasimc::read_geometry_scene(arguments.input, from);
     print_warnings(read.warnings);
     print_warnings(quasimc::lost_when_written(*to, read.scene));
     write_scene(arguments, read.inputs, [&](const quasimc::TextSink& sink) {
         quasimc::write_geometry(*to, read.scene, sink);
     });
-    return Exit::done;
 }
 
 /// The one OPF file that a run was made from.
@@ -105,11 +105,7 @@ bool is_netcdf(const std::string& path) {
     return std::filesystem::path(path).extension() == ".nc";
 }
 
-Exit convert_result(const ConvertArguments& arguments) {
-    if (is_netcdf(arguments.output)) {
-        convert_to_netcdf(arguments.input, arguments.output, arguments.choice);
-        return Exit::done;
-    }
+void convert_result(const ConvertArguments& arguments, const ShownRun& shown) {
     const quasimc::FieldFormat* to = quasimc::field_format_of_path(arguments.output);
     const quasimc::FormatEntry* geometry = quasimc::format_of_path(arguments.output);
     const bool is_opf = geometry != nullptr && geometry->name == "opf";
@@ -122,15 +118,9 @@ Exit convert_result(const ConvertArguments& arguments) {
         names.emplace_back(".nc");
         refuse_output(arguments.output, "a result", names);
     }
-    const ShownRun shown = read_shown_run(arguments.input, arguments.choice.point);
-    if (shown.result_text.empty()) {
-        throw quasimc::InputError(
-            {{arguments.input, "is neither geometry nor a JSON result", "",
-              "run it with --json, or write its scene with `quasimc export`"}});
-    }
     if (is_opf) {
         write_result_opf(arguments, shown);
-        return Exit::done;
+        return;
     }
     const std::vector<ShownValues> all =
         read_all_shown_values(shown, arguments.input, arguments.choice);
@@ -138,7 +128,6 @@ Exit convert_result(const ConvertArguments& arguments) {
         field_scene(shown.run.scene, all, &chosen_values(shown.run.scene, all, arguments.choice));
     write_scene(
         arguments, shown.inputs, [&](const quasimc::TextSink& sink) { to->write(fields, sink); });
-    return Exit::done;
 }
 
 Exit convert(const ConvertArguments& arguments) {
@@ -151,7 +140,21 @@ Exit convert(const ConvertArguments& arguments) {
             {{arguments.input, fmt::format("is {}, which is not read", foreign->name), "",
               std::string(foreign->advice)}});
     }
-    return from != nullptr ? convert_geometry(arguments, *from) : convert_result(arguments);
+    if (from != nullptr) {
+        write_triangles(arguments, quasimc::read_geometry_scene(arguments.input, *from));
+        return Exit::done;
+    }
+    if (is_netcdf(arguments.output)) {
+        convert_to_netcdf(arguments.input, arguments.output, arguments.choice);
+        return Exit::done;
+    }
+    const ShownRun shown = read_shown_run(arguments.input, arguments.choice.point);
+    if (shown.result_text.empty()) {
+        write_triangles(arguments, shown.run);
+    } else {
+        convert_result(arguments, shown);
+    }
+    return Exit::done;
 }
 
 }  // namespace
@@ -161,8 +164,10 @@ Command convert_command() {
     ValueChoice& choice = arguments->choice;
     return {
         "convert",
-        "write a geometry file in another format, or a result for programs that show it",
-        {{"INPUT", &arguments->input, "geometry file, or JSON result", true},
+        "write a geometry file in another format, the scene of a run file as geometry, or a result "
+        "for "
+        "programs that show it",
+        {{"INPUT", &arguments->input, "geometry file, run file or JSON result", true},
          {"OUTPUT", &arguments->output, "file to write; - is standard output", true},
          {.name = "--from",
           .target = &arguments->from,

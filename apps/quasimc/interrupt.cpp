@@ -1,6 +1,8 @@
 #include "interrupt.h"
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
 #include <pthread.h>
@@ -47,4 +49,11 @@ void InterruptWatch::wait(const std::stop_token& ends) {
         on_first_();
         asked_.request_stop();
     }
+}
+
+void InterruptWatch::wait_for_first() const {
+    std::mutex mutex;
+    std::condition_variable_any never;
+    std::unique_lock lock(mutex);
+    never.wait(lock, token(), [] { return false; });
 }

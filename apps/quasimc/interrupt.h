@@ -18,6 +18,7 @@ class InterruptWatch {
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return asked_.get_token(); }
+    void wait_for_first() const;
 
   private:
     void wait(const std::stop_token& ends);

@@ -6,7 +6,9 @@
 #include "commands.h"
 #include "detectors/catalogue.h"
 #include "io/meshes/formats.h"
+#include "io/results/field_formats.h"
 #include "io/runfile/options.h"
+#include "netcdf/netcdf_writer.h"
 #include "optics/catalogue.h"
 #include "optics/usual_optics.h"
 #include "quasimc/quasimc.h"
@@ -17,21 +19,17 @@ std::string list_row(std::string_view name, std::string_view summary) {
     return fmt::format("{:<23} {}\n", name, summary);
 }
 
-std::string list_samplers() {
+/// A row for each entry, with what parameters it has.
+template <typename Table>
+std::string list_table(const Table& table) {
     std::string text;
-    for (const quasimc::SamplerModel& sampler : quasimc::sampler_models()) {
-        text += list_row(sampler.name, sampler.summary);
-    }
-    return text;
-}
-
-std::string list_models() {
-    std::string text;
-    for (const quasimc::BsdfEntry& entry : quasimc::bsdf_catalogue()) {
-        const std::string parameters = quasimc::parameter_words(entry);
-        text += list_row(
-            entry.name, parameters.empty() ? std::string(entry.summary)
-                                           : fmt::format("{} ({})", entry.summary, parameters));
+    for (const auto& entry : table) {
+        std::string summary(entry.summary);
+        if constexpr (requires { quasimc::parameter_words(entry); }) {
+            const std::string parameters = quasimc::parameter_words(entry);
+            summary += parameters.empty() ? "" : fmt::format(" ({})", parameters);
+        }
+        text += list_row(entry.name, summary);
     }
     return text;
 }
@@ -57,23 +55,30 @@ std::string list_optics() {
                            quasimc::kSoilColors));
 }
 
-std::string list_detectors() {
-    std::string text;
-    for (const quasimc::DetectorEntry& entry : quasimc::detector_catalogue()) {
-        const std::string parameters = quasimc::parameter_words(entry);
-        text += list_row(
-            entry.name, parameters.empty() ? std::string(entry.summary)
-                                           : fmt::format("{} ({})", entry.summary, parameters));
-    }
-    return text;
-}
-
 std::string list_formats() {
-    std::string text;
-    for (const quasimc::FormatEntry& entry : quasimc::format_table()) {
-        text += list_row(fmt::format("{} ({})", entry.name, entry.extensions), entry.summary);
+    const auto row = [](std::string_view name, std::string_view extensions, std::string_view ways,
+                        std::string_view keeps, std::string_view summary) {
+        return fmt::format(
+            "{:<11} {:<11} {:<12} {:<40} {}\n", name, extensions, ways, keeps, summary);
+    };
+    std::string text = row("geometry", "extension", "", "keeps", "");
+    for (const quasimc::FormatEntry& format : quasimc::format_table()) {
+        text +=
+            row(format.name, format.extensions, format.write == nullptr ? "read" : "read, write",
+                format.keeps.empty() ? "-" : format.keeps, format.summary);
     }
-    return text;
+    text += row("\nresults", "", "", "", "");
+    for (const quasimc::FieldFormat& format : quasimc::field_format_table()) {
+        text +=
+            row(format.name, format.extension, "write", "ids, every quantity and its error",
+                format.summary);
+    }
+    return text +
+           row("opf", ".opf", "write", "the file, every quantity and its error",
+               "into the OPF file that the run was made from, as attributes of its nodes") +
+           row("nc", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
+               "names, labels, all times, points, errors",
+               "NetCDF after the CF conventions for xarray, R and others");
 }
 
 std::string list_options() {
@@ -87,22 +92,6 @@ std::string list_options() {
     return text;
 }
 
-std::string list_quantities() {
-    std::string text;
-    for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
-        text += list_row(entry.name, entry.summary);
-    }
-    return text;
-}
-
-std::string list_skies() {
-    std::string text;
-    for (const quasimc::SkyEntry& entry : quasimc::sky_catalogue()) {
-        text += list_row(entry.name, entry.summary);
-    }
-    return text + list_row("table", "radiance of cells of azimuth and elevation, from a file");
-}
-
 /// One row of the table of lists.
 struct ListEntry {
     std::string name;
@@ -112,13 +101,17 @@ struct ListEntry {
 const std::vector<ListEntry>& lists() {
     static const std::vector<ListEntry> all{
         {"options", list_options},
-        {"samplers", list_samplers},
-        {"models", list_models},
+        {"samplers", [] { return list_table(quasimc::sampler_models()); }},
+        {"models", [] { return list_table(quasimc::bsdf_catalogue()); }},
         {"optics", list_optics},
-        {"detectors", list_detectors},
+        {"detectors", [] { return list_table(quasimc::detector_catalogue()); }},
         {"formats", list_formats},
-        {"skies", list_skies},
-        {"quantities", list_quantities},
+        {"skies",
+         [] {
+             return list_table(quasimc::sky_catalogue()) +
+                    list_row("table", "radiance of cells of azimuth and elevation, from a file");
+         }},
+        {"quantities", [] { return list_table(quasimc::quantity_table()); }},
         {"options-markdown", quasimc::options_markdown}};
     return all;
 }

@@ -39,8 +39,7 @@ Program make_program(bool& dump_default) {
         {{"--dump-default", &dump_default,
           "print a run file with every option, its default and a comment"}},
         {run_command(), merge_command(), check_command(), info_command(), convert_command(),
-         export_command(), formats_command(), list_command(), show_command(), view_command(),
-         report_command(), sky_command()}};
+         list_command(), show_command(), view_command(), report_command(), sky_command()}};
 }
 
 /// Ranks that MPI's launcher has started share the work of `run`. All else the first does alone.

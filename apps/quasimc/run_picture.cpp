@@ -1,11 +1,8 @@
 #include "run_picture.h"
 
-#include <utility>
-
 #include "io/results/series_words.h"
 #include "io/runfile/units.h"
 #include "show_colors.h"
-#include "view/picture.h"
 
 namespace {
 
@@ -22,10 +19,11 @@ std::vector<quasimc::Estimate> absorbed(const Light& light, std::size_t organs) 
 
 }  // namespace
 
-RunPicture::RunPicture(const quasimc::RunFile& run, std::string path, const std::string& place)
-    : run_(&run), path_(std::move(path)) {
+RunPicture::RunPicture(
+    const quasimc::RunFile& run, const std::string& path, const std::string& place)
+    : run_(&run) {
     require_pictures(place);
-    check_picture_name(place, path_);
+    check_picture_name(place, path);
 }
 
 void RunPicture::add_moment(const quasimc::Result& result) {
@@ -49,12 +47,10 @@ std::string RunPicture::draw(const quasimc::SeriesSummary& summary) const {
             values.estimates = absorbed(quasimc::in_summed_units(run, summary.total), organs);
         }
     }
-    values.estimates.resize(organs, kNoEstimate);
+    values.estimates.resize(organs, quasimc::kUnknownEstimate);
     quasimc::ScenePicture picture;
     picture.title = title_of(run);
     color_by_value(run.scene, values, {}, picture);
     picture.to_suns = suns_of(run, &values);
-    const auto canvas = make_canvas(path_, picture.width, picture.height);
-    draw_scene(*canvas, run.scene, picture);
-    return canvas->finish();
+    return draw_scene(run.scene, picture);
 }

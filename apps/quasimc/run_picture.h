@@ -11,9 +11,9 @@
 /// last point.
 class RunPicture {
   public:
-    /// @param path  of the file: .svg gives SVG
-    /// @throws quasimc::InputError  if the program was built without pictures
-    RunPicture(const quasimc::RunFile& run, std::string path, const std::string& place);
+    /// @throws quasimc::InputError  if the program was built without pictures, or the path names
+    ///         another kind of file
+    RunPicture(const quasimc::RunFile& run, const std::string& path, const std::string& place);
 
     void next_run(const quasimc::RunFile& run) { run_ = &run; }
     void add_moment(const quasimc::Result& result);
@@ -22,6 +22,5 @@ class RunPicture {
 
   private:
     const quasimc::RunFile* run_;
-    std::string path_;
     std::vector<quasimc::Estimate> last_;
 };

@@ -1,8 +1,6 @@
 #include "run_window.h"
 
-#include <condition_variable>
 #include <cstdio>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -25,14 +23,14 @@ quasimc::WindowSite site_of(const std::shared_ptr<quasimc::LiveWindow>& window) 
 
 }  // namespace
 
-RunWindow::RunWindow(const quasimc::RunFile& first, int port) : thread_(site_of(window_), port) {
+RunWindow::RunWindow(const quasimc::RunFile& first, int port) : server_(site_of(window_), port) {
     preview_.is_wanted = [this] { return window_->is_watched(); };
     preview_.on_result = [this](std::size_t moment, quasimc::Result result) {
         add(moment, std::move(result));
     };
     next_run(first);
     window_->tell("the scene is being prepared");
-    fmt::print(stderr, "view: {}\n", thread_.address());
+    fmt::print(stderr, "view: {}\n", server_.address());
 }
 
 void RunWindow::next_run(const quasimc::RunFile& run) {
@@ -95,9 +93,5 @@ void RunWindow::finish(quasimc::StopReason stop) {
 
 void RunWindow::stay() {
     fmt::print(stderr, "The page stays until Ctrl-C.\n");
-    const InterruptWatch interrupt([] {});
-    std::mutex mutex;
-    std::condition_variable_any never;
-    std::unique_lock lock(mutex);
-    never.wait(lock, interrupt.token(), [] { return false; });
+    InterruptWatch([] {}).wait_for_first();
 }

@@ -6,7 +6,7 @@
 
 #include "quasimc/quasimc.h"
 #include "view/live_window.h"
-#include "view/window_thread.h"
+#include "view/window_server.h"
 
 /// The page in the browser that follows `quasimc run --view`.
 class RunWindow {
@@ -30,7 +30,7 @@ class RunWindow {
     [[nodiscard]] std::string label_of(std::size_t moment) const;
 
     std::shared_ptr<quasimc::LiveWindow> window_ = std::make_shared<quasimc::LiveWindow>();
-    quasimc::WindowThread thread_;
+    quasimc::WindowServer server_;
     const quasimc::RunFile* run_ = nullptr;
     std::shared_ptr<const quasimc::LiveScene> scene_;
     std::optional<std::size_t> newest_;  // moment of the point, that a frame stands for

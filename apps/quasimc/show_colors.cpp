@@ -1,29 +1,14 @@
 #include "show_colors.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "sources/source.h"
-#include "view/picture.h"
-
-namespace {
-
-/// ".png" of "Figure 1.PNG"; nothing where there is none.
-std::string ending_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
-    return ending;
-}
-
-}  // namespace
 
 void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
     picture.subtitle = fmt::format(
@@ -82,8 +67,8 @@ void color_by_value(
     if (!values.when.empty()) {
         picture.subtitle += ", " + values.when;
     }
-    picture.legend = quasimc::scale_of(
-        numbers, areas, *quasimc::find_color_map(choice.colors), picture.subtitle, choice.range);
+    picture.legend =
+        quasimc::scale_of(numbers, areas, *quasimc::find_color_map(choice.colors), choice.range);
     picture.render.colors = quasimc::colors_of(numbers, picture.legend);
 }
 
@@ -108,22 +93,14 @@ std::vector<quasimc::Vec3> suns_of(const quasimc::RunFile& run, const ShownValue
     return suns;
 }
 
-std::unique_ptr<quasimc::Canvas> make_canvas(
-    const std::string& path, std::size_t width, std::size_t height) {
-    return ending_of(path) == ".svg" ? quasimc::make_svg_canvas(width, height)
-                                     : quasimc::make_png_canvas(width, height);
-}
-
-void check_picture_name(
-    const std::string& place, const std::string& path, const std::vector<std::string>& endings) {
-    const std::string ending = ending_of(path);
-    if (ending.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end()) {
-        return;
+void check_picture_name(const std::string& place, const std::string& path) {
+    const std::string ending =
+        quasimc::lower_case(std::filesystem::path(path).extension().string());
+    if (!ending.empty() && ending != ".png") {
+        throw quasimc::InputError(
+            {{place, fmt::format("'{}' names no kind of picture that is written here", path),
+              fmt::format("it ends in {}", ending), "let it end in .png"}});
     }
-    throw quasimc::InputError(
-        {{place, fmt::format("'{}' names no kind of picture that is written here", path),
-          fmt::format("it ends in {}", ending),
-          fmt::format("let it end in {}", fmt::join(endings, " or "))}});
 }
 
 void require_pictures(const std::string& place) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,18 +33,10 @@ void color_by_value(
 [[nodiscard]] std::vector<quasimc::Vec3> suns_of(
     const quasimc::RunFile& run, const ShownValues* values);
 
-/// Draws SVG if the file is called so, else PNG.
-[[nodiscard]] std::unique_ptr<quasimc::Canvas> make_canvas(
-    const std::string& path, std::size_t width, std::size_t height);
-
 /// A name may do without an ending, as that of a pipe does.
 /// @param place  for the message
-/// @param endings  that a picture may have, in small letters
 /// @throws quasimc::InputError  if the name promises something else
-void check_picture_name(
-    const std::string& place,
-    const std::string& path,
-    const std::vector<std::string>& endings = {".png", ".svg"});
+void check_picture_name(const std::string& place, const std::string& path);
 
 /// @throws quasimc::InputError  if the program was built without pictures
 /// @param place  for the message

@@ -13,7 +13,6 @@
 #include "io/numbers.h"
 #include "io/output_files.h"
 #include "quasimc/quasimc.h"
-#include "show_charts.h"
 #include "show_colors.h"
 #include "show_true_light.h"
 #include "show_values.h"
@@ -26,12 +25,10 @@ using quasimc::Faults;
 struct ShowArguments {
     std::string file, output;
     ValueChoice choice;
-    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts, chart;
+    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
     double opening = 0;
     std::size_t threads = 0;
     bool plain = false, bare = false, as_seen = false;
-    std::string with, note;
-    bool variance = false;
 };
 
 /// Two numbers with a mark between them: "200,20".
@@ -170,23 +167,6 @@ void set_colors(
     picture.to_suns = suns_of(run, values ? &*values : nullptr);
 }
 
-ChartChoice chart_choice(const ShowArguments& arguments) {
-    return {
-        chart_kind(arguments.chart),
-        arguments.variance ? OrganAspect::variance : OrganAspect::value, arguments.with,
-        arguments.note};
-}
-
-/// @throws UsageError
-void check_usage(const ShowArguments& arguments) {
-    if (arguments.chart != "organs" && (arguments.variance || !arguments.with.empty())) {
-        throw UsageError("--variance and --with: are of --chart organs");
-    }
-    if (arguments.chart.empty() && !arguments.note.empty()) {
-        throw UsageError("--note: is of a --chart");
-    }
-}
-
 Exit show(const ShowArguments& arguments) {
     require_pictures("show");
     check_picture_name("-o", arguments.output);
@@ -194,26 +174,12 @@ Exit show(const ShowArguments& arguments) {
     Faults faults;
     quasimc::ScenePicture picture;
     set_size(arguments, picture, faults);
-    if (arguments.chart.empty()) {
-        set_view(arguments, shown.run.scene, picture, faults);
-    }
+    set_view(arguments, shown.run.scene, picture, faults);
     const auto range = range_of(arguments, faults);
     faults.throw_if_any();
-    std::vector<quasimc::InputFile> inputs = shown.inputs;
-    if (!arguments.with.empty()) {
-        inputs.push_back({arguments.with, arguments.with, "", 0, false});
-    }
-    quasimc::OutputFiles output({{arguments.output, "-o"}}, inputs);
-    const auto canvas = make_canvas(arguments.output, picture.width, picture.height);
-    if (arguments.chart.empty()) {
-        set_colors(arguments, shown, range, picture);
-        draw_scene(*canvas, shown.run.scene, picture);
-    } else {
-        draw_chart(
-            *canvas, make_chart(chart_choice(arguments), shown, arguments.file, arguments.choice),
-            static_cast<double>(picture.width), static_cast<double>(picture.height));
-    }
-    output.sink(0)(canvas->finish());
+    quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.inputs);
+    set_colors(arguments, shown, range, picture);
+    output.sink(0)(draw_scene(shown.run.scene, picture));
     output.commit();
     output.throw_if_given_up();
     return Exit::done;
@@ -259,7 +225,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
         {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
         {.name = "-o,--output",
          .target = &arguments.output,
-         .summary = "picture to write, PNG or SVG (.svg); - is standard output",
+         .summary = "PNG picture to write; - is standard output",
          .required = true,
          .type_name = "FILE"},
         {.name = "--quantity",
@@ -275,19 +241,6 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .summary = "of a run with [time]: the sum of this day, 2024-06-21",
          .excludes = "--time"},
         point_flag(choice.point),
-        {.name = "--chart",
-         .target = &arguments.chart,
-         .summary = "draw a chart instead: light against height, how much area has how much, "
-                    "the course of time, organ by organ from the top with a fitted curve, or how "
-                    "errors fell round by round",
-         .choices = {"profile", "histogram", "course", "organs", "convergence"}},
-        {"--variance", &arguments.variance,
-         "of --chart organs: the variance between replicates instead"},
-        {.name = "--with",
-         .target = &arguments.with,
-         .summary = "of --chart organs: another result of the scene beside it",
-         .type_name = "RESULT"},
-        {"--note", &arguments.note, "of --chart: words under the title"},
         {"--label", &arguments.label, "colour organs by this label instead"},
         {"--as-seen", &arguments.as_seen,
          "show it as an eye would see it, in the light of its sources"},
@@ -301,7 +254,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
 
 Command show_command() {
     const auto arguments = std::make_shared<ShowArguments>();
-    return {
-        "show", "draw a picture of a scene and its light", flags_of(*arguments),
-        [arguments] { return show(*arguments); }, [arguments] { check_usage(*arguments); }};
+    return {"show", "draw a picture of a scene and its light", flags_of(*arguments), [arguments] {
+                return show(*arguments);
+            }};
 }

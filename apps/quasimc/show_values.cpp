@@ -8,7 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "io/input_files.h"
+#include "io/results/read_estimates.h"
+#include "io/results/read_result.h"
 #include "io/results/series_words.h"
+#include "io/runfile/run_file.h"
 #include "io/runfile/units.h"
 
 namespace {
@@ -154,7 +157,7 @@ std::vector<ShownValues> find_shown_values(
             continue;
         }
         wanted[i].estimates = std::move(read[i].front().values);
-        wanted[i].estimates.resize(run.scene.organs().size(), kNoEstimate);
+        wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
         wanted[i].when = query.part == "total" ? "sum of all times" : read[i].front().label;
         found.push_back(std::move(wanted[i]));
     }
@@ -185,8 +188,13 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
         throw quasimc::InputError({{path, "is empty", "", "give a result or a run file"}});
     }
     const bool is_result = text[first] == '{';
-    quasimc::RunSweep runs =
-        is_result ? quasimc::read_result_sweep(path).runs : quasimc::read_run_sweep(path);
+    // Standard input and pipes are read once.
+    quasimc::FileAccess access;
+    access.read = [&](const std::filesystem::path& file) {
+        return file == path ? text : quasimc::read_file(file);
+    };
+    quasimc::RunSweep runs = is_result ? quasimc::read_result_sweep(path, {}, access).runs
+                                       : quasimc::read_run_sweep(path, {}, access);
     if (point > runs.size()) {
         throw quasimc::InputError(
             {{"--point", fmt::format("there is no point {}", point),
@@ -229,31 +237,4 @@ ShownValues read_shown_values(
         refuse_choice(shown, path, choice);
     }
     return std::move(found.front());
-}
-
-ShownCourse read_shown_course(
-    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
-    if (!shown.run.series) {
-        throw quasimc::InputError(
-            {{path, "is of one time", "the run has no [time]", "choose another chart"}});
-    }
-    ValueChoice every = choice;
-    every.time = every.day = "";
-    ShownValues values;
-    quasimc::EstimateQuery query = query_of(shown.run, every, values);
-    query.list = "groups";
-    query.part = "moments";
-    query.label = choice.day;
-    if (shown.run.sweep) {
-        query.point = shown.run.point;
-    }
-    ShownCourse course{quasimc::read_estimates(shown.result_text, path, query), values.name, ""};
-    if (const quasimc::QuantityEntry* entry = find_quantity(choice.quantity)) {
-        const quasimc::Band& band = band_of(shown.run, choice.band);
-        course.unit = quasimc::unit_of(*entry, band, shown.run.scene.length_unit());
-    }
-    if (course.times.empty()) {
-        refuse_missing(shown.run, path, choice, values);
-    }
-    return course;
 }

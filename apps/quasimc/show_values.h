@@ -1,18 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "command_line.h"
-#include "io/results/read_estimates.h"
 #include "quasimc/quasimc.h"
-
-/// Of an organ that the result does not know.
-inline constexpr quasimc::Estimate kNoEstimate{
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// What a run is called: its title, or else its file.
 [[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
@@ -54,13 +47,4 @@ struct ShownValues {
 /// at.
 /// @throws quasimc::InputError  if there are none
 [[nodiscard]] std::vector<ShownValues> read_all_shown_values(
-    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
-
-/// The light of all organs together at each time that the result has.
-struct ShownCourse {
-    std::vector<quasimc::TimedEstimates> times;  ///< with one value each; at least one time
-    std::string name, unit;
-};
-/// @throws quasimc::InputError  if there are no times, or none of the kind
-[[nodiscard]] ShownCourse read_shown_course(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);

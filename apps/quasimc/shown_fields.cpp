@@ -28,7 +28,7 @@ quasimc::FieldScene field_scene(
         }
         shown.colors_of = fmt::format(
             "{}: {} from {:.6g} to {:.6g}", picture.subtitle, picture.legend.map->name,
-            picture.legend.axis.low, picture.legend.axis.high);
+            picture.legend.low, picture.legend.high);
     }
     return shown;
 }

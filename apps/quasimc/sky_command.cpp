@@ -169,7 +169,7 @@ std::string sky_text(const quasimc::Source& sky, const quasimc::SkyEntry& entry)
 
 void write_png(const SkyArguments& arguments, const quasimc::Source& sky, const Vec3& to_sun) {
     quasimc::AtomicFile file(arguments.png);
-    file.write(to_png(quasimc::plot_sky(sky, {0, 1, 0}, to_sun, arguments.size)));
+    file.write(to_png(quasimc::plot_sky(sky, to_sun, arguments.size)));
     file.commit();
 }
 
@@ -195,7 +195,7 @@ std::shared_ptr<const quasimc::Source> sky_of(
 Exit show_sky(const SkyArguments& arguments) {
     if (!arguments.png.empty()) {
         require_pictures("--png");
-        check_picture_name("--png", arguments.png, {".png"});
+        check_picture_name("--png", arguments.png);
     }
     quasimc::Faults faults;
     const auto place = place_of(arguments, faults);

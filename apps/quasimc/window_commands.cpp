@@ -62,15 +62,14 @@ Exit report(const WindowArguments& arguments) {
 Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
-    quasimc::WindowServer server(
+    const quasimc::WindowServer server(
         quasimc::WindowSite(
             quasimc::files_of(read_window_run(arguments).data), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());
     std::fflush(stdout);
     fmt::print(stderr, "Open this address in a browser of this machine; Ctrl-C ends.\n");
-    const std::stop_token token = interrupt.token();
-    server.serve([&token] { return token.stop_requested(); });
+    interrupt.wait_for_first();
     return Exit::done;
 }
 

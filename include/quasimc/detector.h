@@ -33,14 +33,4 @@ struct DetectorParameter {
     std::optional<double> usual = {};  ///< its value where none is stated; none: it must be stated
 };
 
-/// A type of detector.
-struct DetectorType {
-    std::string_view name;     ///< as in DetectorSpec::type
-    std::string_view summary;  ///< one line
-    std::span<const DetectorParameter> parameters;
-};
-
-/// All types, in the order of the manual.
-[[nodiscard]] std::vector<DetectorType> detector_types();
-
 }  // namespace quasimc

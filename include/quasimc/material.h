@@ -27,16 +27,6 @@ struct BsdfParameter {
     std::string_view suggestion{};  ///< to whoever states a value outside the domain
 };
 
-/// A way in which a surface spreads the light that it scatters.
-struct ScatteringModel {
-    std::string_view name;     ///< as in SideOptics::reflection_model
-    std::string_view summary;  ///< one line
-    std::span<const BsdfParameter> parameters;
-};
-
-/// All models, in the order of the manual: lambertian, phong, blinn_phong, mirror.
-[[nodiscard]] std::vector<ScatteringModel> scattering_models();
-
 /// What a person says of one side of a surface in one waveband: light that arrives on this side.
 /// Models are those of the catalogue, with their parameters by name; one that a model does not take
 /// is passed over.

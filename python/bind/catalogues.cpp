@@ -9,7 +9,6 @@
 #include "io/runfile/options.h"
 #include "io/runfile/run_file_sections.h"
 #include "io/runfile/units.h"
-#include "quasimc/material.h"
 #include "quasimc/result.h"
 #include "sources/catalogue.h"
 
@@ -71,9 +70,6 @@ void bind_catalogues(py::module_& module) {
     module.def("quantities", &quantity_rows);
     module.def("sources", [] { return summaries(source_catalogue()); });
     module.def("skies", [] { return summaries(sky_catalogue()); });
-    module.def("samplers", [] { return summaries(sampler_models()); });
-    module.def("scattering_models", [] { return summaries(scattering_models()); });
-    module.def("detectors", [] { return summaries(detector_types()); });
     module.def("shapes", [] {
         py::list names;
         for (const std::string_view name : shape_names()) {

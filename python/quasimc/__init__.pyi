@@ -236,6 +236,18 @@ class Result(_Light):
         band: str | None = None,
         **options: Any,
     ) -> Any: ...
+    def plot_profile(
+        self,
+        quantity: str = "absorbed_flux_density",
+        band: str | None = None,
+        **options: Any,
+    ) -> Any: ...
+    def plot_organs(
+        self,
+        quantity: str = "absorbed_flux_density",
+        band: str | None = None,
+        **options: Any,
+    ) -> Any: ...
 
 class Series:
     organs: Organs

@@ -300,6 +300,28 @@ class Result(_Light):
 
         return plot(self, quantity, band, **options)
 
+    def plot_profile(self, quantity="absorbed_flux_density", band=None, **options):
+        """Light against height, with a fitted curve; see `quasimc.plotting.plot_profile`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from .plotting import plot_profile
+
+        return plot_profile(self, quantity, band, **options)
+
+    def plot_organs(self, quantity="absorbed_flux_density", band=None, **options):
+        """Light organ by organ, with a fitted curve; see `quasimc.plotting.plot_organs`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from .plotting import plot_organs
+
+        return plot_organs(self, quantity, band, **options)
+
     def __repr__(self):
         return (
             f"<Result: {len(self.organs)} organs, bands {', '.join(self.bands)}; {self.method}, "

@@ -113,6 +113,12 @@ std::string shortest(double value) {
     return fmt::format("{}", value);
 }
 
+std::string lower_case(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), lower);
+    return out;
+}
+
 std::string_view trimmed(std::string_view text) {
     const auto is_blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
     while (!text.empty() && is_blank(text.front())) {

@@ -19,6 +19,9 @@ namespace quasimc {
 /// The shortest text that reads back as the same double ("0.1", "1e-05").
 [[nodiscard]] std::string shortest(double value);
 
+/// A text with its ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// Whether the bytes are UTF-8.

@@ -73,14 +73,6 @@ bool need_escaped_light(std::span<const DetectorSpec> specs) {
     });
 }
 
-std::vector<DetectorType> detector_types() {
-    std::vector<DetectorType> types;
-    for (const DetectorEntry& entry : detector_catalogue()) {
-        types.push_back({entry.name, entry.summary, entry.parameters});
-    }
-    return types;
-}
-
 std::string parameter_words(const DetectorEntry& type) {
     std::string words;
     for (const DetectorParameter& parameter : type.parameters) {

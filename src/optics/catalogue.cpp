@@ -85,14 +85,6 @@ std::span<const BsdfEntry> bsdf_catalogue() {
     return kModels;
 }
 
-std::vector<ScatteringModel> scattering_models() {
-    std::vector<ScatteringModel> models;
-    for (const BsdfEntry& entry : bsdf_catalogue()) {
-        models.push_back({entry.name, entry.summary, entry.parameters});
-    }
-    return models;
-}
-
 const BsdfEntry* find_bsdf(std::string_view name) {
     for (const BsdfEntry& entry : kModels) {
         if (entry.name == name) {

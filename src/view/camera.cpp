@@ -15,12 +15,12 @@ constexpr double kMargin = 1.06;  // of the picture over what is shown
 
 const std::array<NamedView, 6>& view_table() {
     static constexpr std::array<NamedView, 6> kTable{{
-        {"front", "from the south", 180, 0},
-        {"back", "from the north", 0, 0},
-        {"right", "from the east", 90, 0},
-        {"left", "from the west", 270, 0},
-        {"top", "from above, north up", 180, 90},
-        {"bottom", "from below", 180, -90},
+        {"front", 180, 0},
+        {"back", 0, 0},
+        {"right", 90, 0},
+        {"left", 270, 0},
+        {"top", 180, 90},
+        {"bottom", 180, -90},
     }};
     return kTable;
 }

@@ -18,7 +18,7 @@ struct ViewSpec {
 
 /// A view that has a name.
 struct NamedView {
-    std::string_view name, summary;
+    std::string_view name;
     double azimuth_deg, elevation_deg;
 };
 [[nodiscard]] const std::array<NamedView, 6>& view_table();

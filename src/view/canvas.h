@@ -1,10 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "view/camera.h"
 #include "view/image.h"
@@ -12,42 +9,35 @@
 namespace quasimc {
 
 /// Where a text stands beside its place.
-enum class TextAnchor { start, middle, end };
+enum class TextAnchor { start, middle };
 
 /// How a text looks.
 struct TextStyle {
     double size = 12;  ///< height of a line, pixels
     TextAnchor anchor = TextAnchor::start;
     Rgb color{30, 30, 30};
-    bool upwards = false;  ///< turned to run from below to above
 };
 
-/// Something to draw on. Places are pixels from the top left corner, also between them.
+/// An image that is drawn on. Places are pixels from the top left corner, also between them.
 class Canvas {
   public:
-    virtual ~Canvas() = default;
-    Canvas() = default;
-    Canvas(const Canvas&) = delete;
-    Canvas& operator=(const Canvas&) = delete;
+    Canvas(std::size_t width, std::size_t height) : image_(width, height, {255, 255, 255}) {}
 
-    /// Its top left corner on a place of whole pixels.
-    virtual void image(const PixelPlace& corner, const Image& picture) = 0;
-    virtual void polygon(std::span<const PixelPlace> corners, const Rgb& fill) = 0;
-    virtual void polyline(std::span<const PixelPlace> places, const Rgb& color, double width) = 0;
-    /// @param place  on the line that letters stand on
-    virtual void text(const PixelPlace& place, std::string_view utf8, const TextStyle& style) = 0;
-    /// The bytes of the file.
-    [[nodiscard]] virtual std::string finish() = 0;
+    [[nodiscard]] const Image& image() const { return image_; }
 
-    // Made of these.
+    /// Puts a picture on a place of whole pixels, which its top left corner has.
+    void put(const PixelPlace& corner, const Image& picture);
+    void polygon(std::span<const PixelPlace> corners, const Rgb& fill);
     void line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, double width);
     void rectangle(const PixelPlace& corner, double width, double height, const Rgb& fill);
     void disk(const PixelPlace& center, double radius, const Rgb& fill);
-};
+    /// Needs has_png(). @param place  on the line that letters stand on
+    void text(const PixelPlace& place, std::string_view utf8, const TextStyle& style);
 
-/// Draws a PNG file. Needs has_png() (view/picture.h).
-[[nodiscard]] std::unique_ptr<Canvas> make_png_canvas(std::size_t width, std::size_t height);
-/// Writes an SVG file: letters stay letters, lines lines. Images in it need has_png().
-[[nodiscard]] std::unique_ptr<Canvas> make_svg_canvas(std::size_t width, std::size_t height);
+  private:
+    void blend(std::size_t x, std::size_t y, const Rgb& color, double part);
+
+    Image image_;
+};
 
 }  // namespace quasimc

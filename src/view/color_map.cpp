@@ -44,9 +44,9 @@ Rgb unpack(std::uint32_t rgb) {
 
 const std::array<ColorMap, 3>& color_map_table() {
     static const std::array<ColorMap, 3> table{{
-        {"viridis", "dark blue, green, yellow", kViridis},
-        {"cividis", "dark blue to yellow, the same to people who see no red or no green", kCividis},
-        {"magma", "black, purple, orange, pale yellow", kMagma},
+        {"viridis", kViridis},
+        {"cividis", kCividis},
+        {"magma", kMagma},
     }};
     return table;
 }
@@ -62,8 +62,8 @@ Rgb color_at(const ColorMap& map, double part) {
     if (std::isnan(part)) {
         return kNoValue;
     }
-    const double place = std::clamp(part, 0.0, 1.0) * (kMapStops - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(place), kMapStops - 2);
+    const double place = std::clamp(part, 0.0, 1.0) * static_cast<double>(map.stops.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(place), map.stops.size() - 2);
     return mixed(
         unpack(map.stops[below]), unpack(map.stops[below + 1]), place - static_cast<double>(below));
 }

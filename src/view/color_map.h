@@ -13,7 +13,7 @@ namespace quasimc {
 /// Colours for values in order: of equal steps to the eye, lighter for more, to be told apart
 /// whatever colours one sees.
 struct ColorMap {
-    std::string_view name, summary;
+    std::string_view name;
     std::span<const std::uint32_t> stops;  ///< 0xRRGGBB, equal steps apart
 };
 

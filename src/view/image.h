@@ -36,7 +36,10 @@ struct Image {
     }
 };
 
-/// The bytes of a PNG file. Needs has_png() (view/picture.h).
+/// Whether to_png() can be called: the library was built with libpng, stb_truetype and a font.
+[[nodiscard]] bool has_png();
+
+/// The bytes of a PNG file. Needs has_png().
 /// @throws std::runtime_error  if libpng can't make one
 [[nodiscard]] std::string to_png(const Image& image);
 

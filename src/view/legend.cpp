@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -59,10 +58,10 @@ void draw_bar(
                  {0.5 * (corner.x + bar), corner.y - 12 * s}}},
             last);
     }
-    const std::vector<double> ticks = ticks_of(legend.axis, 6);
+    const std::vector<double> ticks = ticks_between(legend.low, legend.high, 6);
     const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
     for (const double tick : ticks) {
-        const double y = corner.y + height * (1 - legend.axis.part(tick));
+        const double y = corner.y + height * (1 - legend.part(tick));
         canvas.line({bar, y}, {bar + 5 * s, y}, {30, 30, 30}, s);
         canvas.text({bar + 8 * s, y + 4.5 * s}, tick_text(tick, step), {.size = kTextSize * s});
     }
@@ -76,11 +75,36 @@ void draw_category(
 
 }  // namespace
 
+double round_number_below(double most) {
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    return (5 * power <= most ? 5 : 2 * power <= most ? 2 : 1) * power;
+}
+
+std::vector<double> ticks_between(double low, double high, int about) {
+    const double step = round_number_below((high - low) / about * 1.5);
+    std::vector<double> ticks;
+    const double first = std::ceil(low / step - 1e-9), last = high / step + 1e-9;
+    for (int i = 0; first + i <= last; ++i) {
+        ticks.push_back((first + i) * step);
+    }
+    return ticks;
+}
+
+std::string tick_text(double tick, double step) {
+    const double large = std::max(std::abs(tick), step);
+    if (large >= 1e6 || step < 1e-4) {
+        const int digits =
+            static_cast<int>(std::floor(std::log10(large)) - std::floor(std::log10(step)));
+        return tick == 0 ? "0" : fmt::format("{:.{}e}", tick, std::max(0, digits));
+    }
+    const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+    return fmt::format("{:.{}f}", tick == 0 ? 0.0 : tick, digits);
+}
+
 Legend scale_of(
     const std::vector<double>& values,
     const std::vector<double>& areas,
     const ColorMap& map,
-    std::string title,
     std::pair<double, double> range) {
     Legend legend;
     legend.map = &map;
@@ -93,15 +117,14 @@ Legend scale_of(
         }
     }
     if (range.first < range.second) {
-        legend.axis = {range.first, range.second, std::move(title)};
+        legend.low = range.first;
+        legend.high = range.second;
     } else {
         const double usual = usual_most(values, areas);
-        legend.axis = {least, usual, std::move(title)};
-        if (!(usual > least)) {
-            legend.axis.high = most > least ? most : least + 1;
-        }
+        legend.low = least;
+        legend.high = usual > least ? usual : most > least ? most : least + 1;
     }
-    legend.is_exceeded = most > legend.axis.high;
+    legend.is_exceeded = most > legend.high;
     return legend;
 }
 
@@ -109,7 +132,7 @@ std::vector<Rgb> colors_of(const std::vector<double>& values, const Legend& lege
     std::vector<Rgb> colors;
     colors.reserve(values.size());
     for (const double value : values) {
-        colors.push_back(color_at(*legend.map, legend.axis.part(value)));
+        colors.push_back(color_at(*legend.map, legend.part(value)));
     }
     return colors;
 }

@@ -14,8 +14,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
-constexpr std::size_t kTile = 4;  // pixels along a side of what is looked at together
-static_assert(kTile * kTile == kPacket);
 
 /// What a line of sight meets.
 struct Sight {
@@ -38,21 +36,16 @@ class Renderer {
 
     Image image() {
         const unsigned threads = thread_count(spec_.threads);
-        parallel_blocks((spec_.height + kTile - 1) / kTile, threads, [this](auto row, unsigned) {
-            for (std::size_t x = 0; x < spec_.width; x += kTile) {
-                look_at_tile(x, kTile * row);
+        parallel_blocks(spec_.height, threads, [this](std::uint64_t y, unsigned) {
+            for (std::size_t x = 0; x < spec_.width; ++x) {
+                sight(x, y) = look(center(x, y));
             }
         });
         Image image(spec_.width, spec_.height, spec_.background);
         parallel_blocks(spec_.height, threads, [&](std::uint64_t y, unsigned) {
-            std::vector<std::size_t> edges;
             for (std::size_t x = 0; x < spec_.width; ++x) {
-                image.at(x, y) = color(sight(x, y));
-                if (is_edge(x, y)) {
-                    edges.push_back(x);
-                }
+                image.at(x, y) = is_edge(x, y) ? smooth_color(x, y) : color(sight(x, y));
             }
-            smooth(edges, y, image);
         });
         return image;
     }
@@ -63,30 +56,14 @@ class Renderer {
     }
     Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
 
-    [[nodiscard]] Sight sight_of(const std::optional<SeenHit>& seen) const {
+    [[nodiscard]] Sight look(const PixelPlace& place) const {
+        const std::optional<SeenHit> seen = sight_caster_.look(place);
         if (!seen) {
             return {};
         }
         const Vec3 normal{seen->hit.normal[0], seen->hit.normal[1], seen->hit.normal[2]};
         const double facing = std::abs(dot(normalized(normal), seen->direction));
         return {scene_.regions()[seen->region].organ.value, static_cast<float>(facing)};
-    }
-
-    /// Looks at a square of pixels, or what of it lies in the picture.
-    void look_at_tile(std::size_t left, std::size_t top) {
-        std::array<PixelPlace, kPacket> places;
-        std::array<Sight*, kPacket> sights{};
-        std::size_t count = 0;
-        for (std::size_t y = top; y < std::min(top + kTile, spec_.height); ++y) {
-            for (std::size_t x = left; x < std::min(left + kTile, spec_.width); ++x) {
-                places[count] = center(x, y);
-                sights[count++] = &sight(x, y);
-            }
-        }
-        const auto seen = sight_caster_.look(std::span(places).first(count));
-        for (std::size_t i = 0; i < count; ++i) {
-            *sights[i] = sight_of(seen[i]);
-        }
     }
 
     bool is_edge(std::size_t x, std::size_t y) {
@@ -104,28 +81,16 @@ class Renderer {
         return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
     }
 
-    /// Gives pixels of a row the mean of their middle and four places about it, a rotated grid.
-    void smooth(std::span<const std::size_t> row, std::size_t y, Image& image) {
+    /// The mean of the middle of a pixel and four places about it, a rotated grid.
+    Rgb smooth_color(std::size_t x, std::size_t y) {
         constexpr std::array<PixelPlace, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
-        constexpr std::size_t kPixels = kPacket / kAbout.size();
-        for (std::size_t first = 0; first < row.size(); first += kPixels) {
-            const auto pixels = row.subspan(first, std::min(kPixels, row.size() - first));
-            std::vector<PixelPlace> places;
-            for (const std::size_t x : pixels) {
-                for (const PixelPlace& step : kAbout) {
-                    places.push_back({center(x, y).x + step.x, center(x, y).y + step.y});
-                }
-            }
-            const auto seen = sight_caster_.look(places);
-            for (std::size_t i = 0; i < pixels.size(); ++i) {
-                std::array<Rgb, 1 + kAbout.size()> colors{color(sight(pixels[i], y))};
-                for (std::size_t k = 0; k < kAbout.size(); ++k) {
-                    colors[k + 1] = color(sight_of(seen[kAbout.size() * i + k]));
-                }
-                image.at(pixels[i], y) = mean(colors);
-            }
+        std::array<Rgb, 1 + kAbout.size()> colors{color(sight(x, y))};
+        for (std::size_t k = 0; k < kAbout.size(); ++k) {
+            const PixelPlace at = center(x, y);
+            colors[k + 1] = color(look({at.x + kAbout[k].x, at.y + kAbout[k].y}));
         }
+        return mean(colors);
     }
 
     /// As light mixes: the square of a channel is nearly its light.

@@ -151,7 +151,7 @@ Image image_of(
 
 }  // namespace
 
-void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture) {
+std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
     const Bounds shown = shown_bounds(scene, picture.render.cuts);
     if (shown.empty()) {
         throw InputError(
@@ -160,13 +160,14 @@ void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture)
     const Layout layout(picture);
     const Camera camera(
         picture.view, scene.orientation(), shown, layout.view_width, layout.view_height);
-    canvas.image(
+    Canvas canvas(picture.width, picture.height);
+    canvas.put(
         {0, layout.view_top},
         image_of(
             scene, camera, picture, static_cast<std::size_t>(layout.view_width),
             static_cast<std::size_t>(layout.view_height)));
     if (!picture.with_words) {
-        return;
+        return to_png(canvas.image());
     }
     const double s = layout.scale;
     canvas.text({18 * s, 28 * s}, picture.title, {.size = 20 * s});
@@ -176,6 +177,7 @@ void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture)
         std::max(20.0, layout.view_height - 260 * s), s);
     draw_scale_bar(canvas, scene, camera, layout);
     draw_directions(canvas, scene, camera, picture, layout);
+    return to_png(canvas.image());
 }
 
 }  // namespace quasimc

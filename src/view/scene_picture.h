@@ -23,8 +23,8 @@ struct ScenePicture {
     std::size_t width = 1200, height = 900;
 };
 
-/// @param canvas  of the picture's size
+/// The bytes of a PNG file. Needs has_png().
 /// @throws InputError  if cuts leave nothing of the scene
-void draw_scene(Canvas& canvas, const Scene& scene, const ScenePicture& picture);
+[[nodiscard]] std::string draw_scene(const Scene& scene, const ScenePicture& picture);
 
 }  // namespace quasimc

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/checks.h"
-
 namespace quasimc {
 namespace {
 
@@ -42,13 +40,6 @@ Reach reach_of(
 
 }  // namespace
 
-/// The part of a line of sight that lies in the box: where it starts and how long it is, local
-/// units.
-struct SightCaster::Sight {
-    Vec3 start, direction;
-    double length = 0;
-};
-
 SightCaster::SightCaster(
     const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts)
     : scene_(scene),
@@ -62,56 +53,20 @@ SightCaster::SightCaster(
     box_.add(box_.high + more);
 }
 
-std::optional<SightCaster::Sight> SightCaster::sight(const PixelPlace& place) const {
+std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
     const Camera::SightLine line = camera_.through(place);
     const Reach reach = reach_of(line, box_, cuts_);
     if (!(reach.near < reach.far)) {
         return std::nullopt;
     }
     const LocalMesh& mesh = caster_.mesh();
-    return Sight{
-        mesh.to_local(line.origin + reach.near * line.direction), line.direction,
-        (reach.far - reach.near) * mesh.scale};
-}
-
-std::optional<SeenHit> SightCaster::seen(const Sight& sight, RayEnd end, const Hit& hit) const {
-    if (end != RayEnd::hit || double{hit.t} > sight.length) {
+    const CastHit cast = caster_.cast(
+        mesh.to_local(line.origin + reach.near * line.direction), line.direction, kNoTriangle);
+    if (cast.end != RayEnd::hit || double{cast.hit.t} > (reach.far - reach.near) * mesh.scale) {
         return std::nullopt;
     }
-    return SeenHit{hit, scene_.region_of(caster_.source(hit.triangle)).value, sight.direction};
-}
-
-std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
-    const std::optional<Sight> line = sight(place);
-    if (!line) {
-        return std::nullopt;
-    }
-    const CastHit cast = caster_.cast(line->start, line->direction, kNoTriangle);
-    return seen(*line, cast.end, cast.hit);
-}
-
-std::array<std::optional<SeenHit>, kPacket> SightCaster::look(
-    std::span<const PixelPlace> places) const {
-    EXPECT(places.size() <= kPacket);
-    Packet packet{};
-    std::array<Sight, kPacket> sights;
-    std::array<std::size_t, kPacket> place_of{};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (const std::optional<Sight> line = sight(places[i])) {
-            packet.set_origin(count, line->start);
-            packet.set_direction(count, line->direction);
-            sights[count] = *line;
-            place_of[count++] = i;
-        }
-    }
-    std::array<RayEnd, kPacket> ends{};
-    caster_.cast(packet, count, ends);
-    std::array<std::optional<SeenHit>, kPacket> found;
-    for (std::size_t k = 0; k < count; ++k) {
-        found[place_of[k]] = seen(sights[k], ends[k], packet.hit(k));
-    }
-    return found;
+    return SeenHit{
+        cast.hit, scene_.region_of(caster_.source(cast.hit.triangle)).value, line.direction};
 }
 
 }  // namespace quasimc

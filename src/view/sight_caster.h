@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "geometry/cast/ray_caster.h"
@@ -32,19 +30,9 @@ class SightCaster {
 
     /// @param place  in the picture. @returns nothing where nothing is seen
     [[nodiscard]] std::optional<SeenHit> look(const PixelPlace& place) const;
-    /// The same of up to kPacket places, which take less time the nearer they are to each other.
-    /// @returns what is seen at each, and nothing at those that there are not
-    [[nodiscard]] std::array<std::optional<SeenHit>, kPacket> look(
-        std::span<const PixelPlace> places) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 
   private:
-    struct Sight;
-    /// Nothing if the line misses the box.
-    [[nodiscard]] std::optional<Sight> sight(const PixelPlace& place) const;
-    /// What it sees if its ray ended so.
-    [[nodiscard]] std::optional<SeenHit> seen(const Sight& sight, RayEnd end, const Hit& hit) const;
-
     const Scene& scene_;
     const Camera& camera_;
     const std::vector<CutPlane>& cuts_;

@@ -1,185 +1,92 @@
 #include "view/sky_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <string_view>
+#include <vector>
 
 #include "base/checks.h"
+#include "view/canvas.h"
+#include "view/color_map.h"
 
 namespace quasimc {
 namespace {
 
-using std::numbers::pi;
+constexpr std::array<std::uint32_t, 5> kSkyStops{0x080A28, 0x143C8C, 0x50A0DC, 0xF0E1A0, 0xFFFFFF};
+constexpr ColorMap kSkyColors{"sky", kSkyStops};
+constexpr Rgb kInk{40, 40, 40};
+constexpr Rgb kSun{220, 30, 20};
+constexpr double kSkyMargin = 15;  // around a sky of 256 pixels
 
-// The palette: shades of the sky, then the rest.
-constexpr std::size_t kShades = 250;
-constexpr std::uint8_t kPaper = 250;
-constexpr std::uint8_t kInk = 251;
-constexpr std::uint8_t kSun = 252;
-
-/// Dark blue, blue, light blue, pale yellow, white.
-std::vector<Color> make_palette() {
-    constexpr std::array<std::array<double, 3>, 5> kStops{
-        {{8, 10, 40}, {20, 60, 140}, {80, 160, 220}, {240, 225, 160}, {255, 255, 255}}};
-    std::vector<Color> palette;
-    for (std::size_t i = 0; i < kShades; ++i) {
-        const double place = static_cast<double>(i) / (kShades - 1) * (kStops.size() - 1);
-        const auto stop = std::min(kStops.size() - 2, static_cast<std::size_t>(place));
-        const double part = place - static_cast<double>(stop);
-        Color color{};
-        for (std::size_t c = 0; c < color.size(); ++c) {
-            color[c] = static_cast<std::uint8_t>(
-                std::lround(kStops[stop][c] + part * (kStops[stop + 1][c] - kStops[stop][c])));
+/// The square root of the radiance in the middle of each pixel; NaN beyond the horizon.
+std::vector<double> shades_of(const Source& sky, std::size_t size, double radius) {
+    const double middle = 0.5 * static_cast<double>(size);
+    std::vector<double> shades(size * size, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        const double east = middle - (static_cast<double>(i % size) + 0.5);
+        const double north = middle - (static_cast<double>(i / size) + 0.5);
+        const double off = std::hypot(east, north);
+        if (off < radius) {
+            const double zenith = 0.5 * std::numbers::pi * off / radius;
+            const double flat = off > 0 ? std::sin(zenith) / off : 0;
+            shades[i] = std::sqrt(sky.radiance({flat * east, flat * north, std::cos(zenith)}));
         }
-        palette.push_back(color);
     }
-    palette.push_back({255, 255, 255});
-    palette.push_back({40, 40, 40});
-    palette.push_back({220, 30, 20});
-    return palette;
+    return shades;
 }
 
-/// Five columns of seven dots, rows from the top; "#" is ink.
-struct Letter {
-    double azimuth;  // where it stands, from north over east
-    std::array<std::string_view, 7> dots;
-};
-constexpr std::array<Letter, 4> kLetters{
-    {{0, {"#...#", "##..#", "#.#.#", "#..##", "#...#", "#...#", "#...#"}},
-     {pi / 2, {"#####", "#....", "#....", "####.", "#....", "#....", "#####"}},
-     {pi, {".####", "#....", "#....", ".###.", "....#", "....#", "####."}},
-     {3 * pi / 2, {"#...#", "#...#", "#...#", "#.#.#", "#.#.#", "##.##", "#...#"}}}};
-
-/// The plot in the making.
-class SkyPlot {
-  public:
-    SkyPlot(const Vec3& north, std::size_t size)
-        : north_(normalized(north)),
-          east_{north_.y, -north_.x, 0},
-          middle_(0.5 * static_cast<double>(size)) {
-        picture_.width = picture_.height = size;
-        picture_.pixels.assign(size * size, kPaper);
-        picture_.palette = make_palette();
-        radius_ = middle_ - 1.5 * kMargin * dot_size();
+void draw_ring(
+    Canvas& canvas, const PixelPlace& middle, double radius, const Rgb& color, double width) {
+    constexpr int kSides = 120;
+    const auto place = [&](int i) {
+        const double angle = 2 * std::numbers::pi * i / kSides;
+        return PixelPlace{middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
+    };
+    for (int i = 0; i < kSides; ++i) {
+        canvas.line(place(i), place(i + 1), color, width);
     }
-
-    void paint(const Source& sky) {
-        std::vector<double> radiances;
-        double brightest = 0;
-        for_each_direction([&](std::size_t, std::size_t, const Vec3& d) {
-            radiances.push_back(sky.radiance(d));
-            brightest = std::max(brightest, radiances.back());
-        });
-        std::size_t i = 0;
-        for_each_direction([&](std::size_t x, std::size_t y, const Vec3&) {
-            const double shade = std::sqrt(radiances[i++] / brightest) * (kShades - 1);
-            picture_.at(x, y) = static_cast<std::uint8_t>(std::lround(shade));
-        });
-    }
-
-    void draw_rings() {
-        for (const double elevation_deg : {0.0, 30.0, 60.0}) {
-            draw_circle(middle_, middle_, radius_ * (1 - elevation_deg / 90), kInk);
-        }
-    }
-
-    void draw_letters() {
-        const double out = radius_ + 0.75 * kMargin * dot_size();
-        for (const Letter& letter : kLetters) {
-            draw_letter(
-                letter, middle_ - out * std::sin(letter.azimuth),
-                middle_ - out * std::cos(letter.azimuth));
-        }
-    }
-
-    void draw_sun(const Vec3& to_sun) {
-        const double off = radius_ * std::acos(std::clamp(to_sun.z, -1.0, 1.0)) / (pi / 2);
-        const double azimuth = std::atan2(dot(to_sun, east_), dot(to_sun, north_));
-        const double x = middle_ - off * std::sin(azimuth);
-        const double y = middle_ - off * std::cos(azimuth);
-        for (const double radius : {0.4, 0.8, 4.0, 4.5}) {
-            draw_circle(x, y, radius * dot_size(), kSun);
-        }
-    }
-
-    [[nodiscard]] Picture take() && { return std::move(picture_); }
-
-  private:
-    static constexpr double kMargin = 10;  // around the sky, dots of a letter
-
-    [[nodiscard]] double dot_size() const { return std::max(1.0, std::floor(middle_ / 128)); }
-
-    /// Calls f(x, y, direction) for the pixels of the sky.
-    template <typename Function>
-    void for_each_direction(const Function& f) const {
-        for (std::size_t y = 0; y < picture_.height; ++y) {
-            for (std::size_t x = 0; x < picture_.width; ++x) {
-                const double left = middle_ - (static_cast<double>(x) + 0.5);
-                const double up = middle_ - (static_cast<double>(y) + 0.5);
-                const double off = std::hypot(left, up) / radius_;
-                if (off < 1) {
-                    const double zenith = off * pi / 2;
-                    const double azimuth = std::atan2(left, up);
-                    const Vec3 flat = std::cos(azimuth) * north_ + std::sin(azimuth) * east_;
-                    f(x, y, std::sin(zenith) * flat + Vec3{0, 0, std::cos(zenith)});
-                }
-            }
-        }
-    }
-
-    void put(double x, double y, std::uint8_t color) {
-        if (x >= 0 && y >= 0 && x < static_cast<double>(picture_.width) &&
-            y < static_cast<double>(picture_.height)) {
-            picture_.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y)) = color;
-        }
-    }
-    /// About a middle.
-    void draw_letter(const Letter& letter, double x, double y) {
-        const double dot = dot_size();
-        for (std::size_t row = 0; row < letter.dots.size(); ++row) {
-            for (std::size_t column = 0; column < letter.dots[row].size(); ++column) {
-                if (letter.dots[row][column] == '#') {
-                    fill(
-                        x + dot * (static_cast<double>(column) - 2.5),
-                        y + dot * (static_cast<double>(row) - 3.5), static_cast<int>(dot));
-                }
-            }
-        }
-    }
-    void fill(double left, double top, int size) {
-        for (int y = 0; y < size; ++y) {
-            for (int x = 0; x < size; ++x) {
-                put(left + x, top + y, kInk);
-            }
-        }
-    }
-    void draw_circle(double x, double y, double radius, std::uint8_t color) {
-        const int steps = static_cast<int>(8 * radius) + 8;
-        for (int i = 0; i < steps; ++i) {
-            const double angle = 2 * pi * i / steps;
-            put(x + radius * std::cos(angle), y + radius * std::sin(angle), color);
-        }
-    }
-
-    Vec3 north_, east_;
-    double middle_, radius_ = 0;
-    Picture picture_;
-};
+}
 
 }  // namespace
 
-Picture plot_sky(
-    const Source& sky, const Vec3& north, const std::optional<Vec3>& to_sun, std::size_t size) {
+Image plot_sky(const Source& sky, const Vec3& to_sun, std::size_t size) {
     EXPECT(size >= 64 && size <= 4096);
-    SkyPlot plot(north, size);
-    plot.paint(sky);
-    plot.draw_rings();
-    plot.draw_letters();
-    if (to_sun && to_sun->z > 0) {
-        plot.draw_sun(*to_sun);
+    const double s = static_cast<double>(size) / 256;
+    const double center = 128 * s, radius = center - kSkyMargin * s;
+    const PixelPlace middle{center, center};
+    Image colors(size, size, {255, 255, 255});
+    const std::vector<double> shades = shades_of(sky, size, radius);
+    double brightest = 0;
+    for (const double shade : shades) {
+        brightest = std::max(brightest, std::isnan(shade) ? 0 : shade);
     }
-    return std::move(plot).take();
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        if (!std::isnan(shades[i])) {
+            colors.pixels[i] = color_at(kSkyColors, shades[i] / brightest);
+        }
+    }
+    Canvas canvas(size, size);
+    canvas.put({0, 0}, colors);
+    for (const double elevation_deg : {0.0, 30.0, 60.0}) {
+        draw_ring(canvas, middle, radius * (1 - elevation_deg / 90), kInk, s);
+    }
+    const double out = radius + 0.5 * kSkyMargin * s, down = 4 * s;
+    const TextStyle style{.size = 13 * s, .anchor = TextAnchor::middle, .color = kInk};
+    canvas.text({center, center - out + down}, "N", style);
+    canvas.text({center - out, center + down}, "E", style);
+    canvas.text({center, center + out + down}, "S", style);
+    canvas.text({center + out, center + down}, "W", style);
+    if (to_sun.z > 0) {
+        const double flat = std::hypot(to_sun.x, to_sun.y);
+        const double off =
+            flat > 0 ? radius * std::acos(to_sun.z) / (0.5 * std::numbers::pi) / flat : 0;
+        const PixelPlace sun{center - off * to_sun.x, center - off * to_sun.y};
+        draw_ring(canvas, sun, 4.5 * s, kSun, s);
+        canvas.disk(sun, 1.5 * s, kSun);
+    }
+    return canvas.image();
 }
 
 }  // namespace quasimc

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -13,14 +14,16 @@
 #include <vector>
 
 #include <poll.h>
-#include <unistd.h>
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
 #include <sys/eventfd.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
+#include "base/start_thread.h"
+#include "io/descriptor.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
@@ -33,28 +36,6 @@ Clock::time_point after(double seconds) {
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// A file descriptor that is closed at the end.
-class Socket {
-  public:
-    explicit Socket(int descriptor) : descriptor_(descriptor) {}
-    Socket(Socket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-    Socket(const Socket&) = delete;
-    Socket& operator=(const Socket&) = delete;
-    Socket& operator=(Socket&& other) noexcept {
-        std::swap(descriptor_, other.descriptor_);
-        return *this;
-    }
-    ~Socket() {
-        if (descriptor_ >= 0) {
-            close(descriptor_);
-        }
-    }
-    [[nodiscard]] int get() const { return descriptor_; }
-
-  private:
-    int descriptor_;
-};
-
 bool can_be_tried_again() {
     return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
 }
@@ -64,14 +45,14 @@ constexpr double kTimeToBegin = 0.1;  // seconds: who connects has something to 
 /// One request and its answer.
 class Connection {
   public:
-    Connection(Socket socket, const ServerLimits& limits)
+    Connection(Descriptor socket, const ServerLimits& limits)
         : socket_(std::move(socket)),
           limits_(&limits),
           deadline_(after(limits.request_seconds)),
           silent_from_(after(kTimeToBegin)) {}
 
     [[nodiscard]] pollfd waits_for() const {
-        return {socket_.get(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
+        return {socket_.number(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
     }
     /// Whether it has had time to ask for something, and has not.
     [[nodiscard]] bool is_silent() const { return head_.empty() && Clock::now() > silent_from_; }
@@ -92,7 +73,7 @@ class Connection {
 
     bool read_more(const WindowSite& site) {
         std::array<char, 2048> bytes{};
-        const ssize_t got = recv(socket_.get(), bytes.data(), bytes.size(), 0);
+        const ssize_t got = recv(socket_.number(), bytes.data(), bytes.size(), 0);
         if (got <= 0) {
             return got < 0 && can_be_tried_again();
         }
@@ -116,7 +97,7 @@ class Connection {
     bool send_more() {
         const std::string_view rest = sent_ < head_.size() ? std::string_view(head_).substr(sent_)
                                                            : body_.substr(sent_ - head_.size());
-        const ssize_t sent = send(socket_.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
+        const ssize_t sent = send(socket_.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
         if (sent < 0) {
             return can_be_tried_again();
         }
@@ -125,7 +106,7 @@ class Connection {
         if (sent_ == head_.size() + body_.size()) {
             // What still comes is read and dropped: a socket closed on unread bytes would take
             // the answer away from who has not read it yet (RFC 9112, section 9.6).
-            shutdown(socket_.get(), SHUT_WR);
+            shutdown(socket_.number(), SHUT_WR);
             is_leaving_ = true;
             deadline_ = after(1);
         }
@@ -134,11 +115,11 @@ class Connection {
 
     bool drain() {
         std::array<char, 2048> bytes{};
-        const ssize_t got = recv(socket_.get(), bytes.data(), bytes.size(), 0);
+        const ssize_t got = recv(socket_.number(), bytes.data(), bytes.size(), 0);
         return got > 0 || (got < 0 && can_be_tried_again());
     }
 
-    Socket socket_;
+    Descriptor socket_;
     const ServerLimits* limits_;
     Clock::time_point deadline_, silent_from_;
     std::string request_, head_;
@@ -154,33 +135,32 @@ class Connection {
           "leave it out: any that is free will do"}});
 }
 
-Socket listen_at(int port) {
-    Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+Descriptor listen_at(int port) {
+    Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     const int on = 1;
-    setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     constexpr int kWaiting = 128;
-    if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
-        listen(socket.get(), kWaiting) != 0) {
+    if (bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        listen(socket.number(), kWaiting) != 0) {
         refuse_port(port);
     }
     return socket;
 }
 
-int port_of(const Socket& socket) {
+int port_of(const Descriptor& socket) {
     sockaddr_in address{};
     socklen_t size = sizeof address;
-    getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size);
+    getsockname(socket.number(), reinterpret_cast<sockaddr*>(&address), &size);
     return ntohs(address.sin_port);
 }
 
 }  // namespace window_server
 
 using window_server::Connection;
-using window_server::Socket;
 
 class WindowServer::State {
   public:
@@ -199,8 +179,8 @@ class WindowServer::State {
             waits.push_back(each.waits_for());
         }
         const bool is_open = has_room() || find_idle() != connections_.end();
-        waits.push_back({wake_.get(), POLLIN, 0});
-        waits.push_back({listener_.get(), static_cast<short>(is_open ? POLLIN : 0), 0});
+        waits.push_back({wake_.number(), POLLIN, 0});
+        waits.push_back({listener_.number(), static_cast<short>(is_open ? POLLIN : 0), 0});
         const int milliseconds = is_open ? 200 : 20;
         if (poll(waits.data(), waits.size(), milliseconds) < 0) {
             return;
@@ -223,7 +203,7 @@ class WindowServer::State {
 
     void wake() const {
         const std::uint64_t one = 1;
-        static_cast<void>(::write(wake_.get(), &one, sizeof one) < 0);
+        static_cast<void>(::write(wake_.number(), &one, sizeof one) < 0);
     }
 
   private:
@@ -247,8 +227,9 @@ class WindowServer::State {
             if (!has_room() && idle == connections_.end()) {
                 return;
             }
-            Socket socket(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
-            if (socket.get() < 0) {
+            Descriptor socket(
+                accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+            if (!socket.is_open()) {
                 return;
             }
             if (!has_room()) {
@@ -263,28 +244,34 @@ class WindowServer::State {
 
     WindowSite site_;
     ServerLimits limits_;
-    Socket listener_;
-    Socket wake_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+    Descriptor listener_;
+    Descriptor wake_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
     std::vector<Connection> connections_;
 };
 
 WindowServer::WindowServer(WindowSite site, int port, const ServerLimits& limits)
-    : state_(std::make_unique<State>(std::move(site), port, limits)) {}
-
-WindowServer::~WindowServer() = default;
-
-std::string WindowServer::address() const {
-    return state_->address();
+    : state_(std::make_unique<State>(std::move(site), port, limits)) {
+    sigset_t all{}, before{};
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);
+    thread_ = start_thread([this](const std::stop_token& ends) {
+        // Of this thread alone: what is computed comes first.
+        constexpr int kLowest = 19;
+        static_cast<void>(::setpriority(PRIO_PROCESS, 0, kLowest));
+        while (!ends.stop_requested()) {
+            state_->step();
+        }
+    });
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-void WindowServer::wake() const {
+WindowServer::~WindowServer() {
+    thread_.request_stop();
     state_->wake();
 }
 
-void WindowServer::serve(const std::function<bool()>& is_stopped) {
-    while (!is_stopped()) {
-        state_->step();
-    }
+std::string WindowServer::address() const {
+    return state_->address();
 }
 
 }  // namespace quasimc

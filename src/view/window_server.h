@@ -1,7 +1,9 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <thread>
 
 #include "view/window_site.h"
 
@@ -15,8 +17,10 @@ struct ServerLimits {
     double idle_seconds = 30;          ///< without taking a byte of the answer
 };
 
-/// Serves a site on 127.0.0.1, one request a connection, in one thread that never waits for a
-/// single connection: who is slow, or many, holds up nobody else.
+/// Serves a site on 127.0.0.1, one request a connection, beside the work of a program: on one
+/// thread that gives way to all others, takes no signals and never waits for a single connection,
+/// so that slow or many clients hold up nobody else. It ends at once with this object, whoever is
+/// connected.
 class WindowServer {
   public:
     /// Opens the port. @param port  0: any that is free
@@ -27,14 +31,11 @@ class WindowServer {
     WindowServer& operator=(const WindowServer&) = delete;
 
     [[nodiscard]] std::string address() const;
-    /// Serves until asked to stop, which is looked at some times a second.
-    void serve(const std::function<bool()>& is_stopped);
-    /// Lets serve() look at once whether it is to stop, for good. From any thread.
-    void wake() const;
 
   private:
     class State;
     std::unique_ptr<State> state_;
+    std::jthread thread_;
 };
 
 }  // namespace quasimc

@@ -6,7 +6,7 @@
 
 #include "program.h"
 #include "quasimc/version.h"
-#include "view/picture.h"
+#include "view/image.h"
 
 namespace quasimc::test {
 namespace {
@@ -91,7 +91,7 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         {"check"},
         {"list", "apples"},
         {"--dump"},
-        {"export", "run.toml"}};
+        {"convert", "run.toml"}};
     for (const Arguments& arguments : table) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments) << outcome.err;
@@ -311,13 +311,15 @@ TEST_F(ProgramTest, ListsNameWhatThereIs) {
     EXPECT_NE(run({"list", "quantities"}).out.find("absorbed_flux"), std::string::npos);
 }
 
-TEST_F(ProgramTest, ExportWritesWhatCanBeReadAgain) {
-    ASSERT_EQ(run({"export", "run.toml", "all.tri"}).status, 0);
+TEST_F(ProgramTest, ConvertWritesAScenesTrianglesToBeReadAgain) {
+    ASSERT_EQ(run({"convert", "run.toml", "all.tri"}).status, 0);
     folder_.write("run.toml", replaced(good_run_file(), "leaves.tri", "all.tri"));
     const Outcome outcome = run({"check", "run.toml"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("4 organs"), std::string::npos) << outcome.out;
-    EXPECT_EQ(run({"export", "run.toml", "all.xyz"}).status, 1);
+    EXPECT_EQ(run({"convert", "run.toml", "all.xyz"}).status, 1);
+    ASSERT_EQ(run({"convert", "-", "piped.tri"}, good_run_file()).status, 0);
+    EXPECT_EQ(folder_.read("piped.tri"), folder_.read("all.tri"));
 }
 
 TEST_F(ProgramTest, TheFirstExampleRuns) {

@@ -76,7 +76,7 @@ TEST_F(ConvertCommand, WritesResultsForOtherPrograms) {
 TEST_F(ConvertCommand, WritesNetcdfOrNamesTheLibraryThatItLacks) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     const Outcome outcome = run({"convert", "out.json", "out.nc"});
-    if (run({"formats"}).out.find("not built in") != std::string::npos) {
+    if (run({"list", "formats"}).out.find("not built in") != std::string::npos) {
         EXPECT_EQ(outcome.status, 1);
         expect_in(
             outcome.err,
@@ -103,13 +103,13 @@ TEST_F(ConvertCommand, RefusesWhatItCannotDo) {
     expect_fault(
         {"convert", "leaves.tri", "a.xyz"}, "is no format that geometry can be written in");
     expect_fault({"convert", "leaves.tri", "a.mtl"}, "use tri, obj, ply, stl, can, glb\n");
-    expect_fault({"convert", "run.toml", "a.vtp"}, "is neither geometry nor a JSON result");
+    expect_fault({"convert", "run.toml", "a.vtp"}, "is no format that geometry can be written in");
     expect_fault({"convert", "leaves.tri", "leaves.tri"}, "leaves.tri");
     expect_fault({"info", "none.can"}, "none.can");
 }
 
 TEST_F(ConvertCommand, PrintsTheTableOfFormats) {
-    const Outcome outcome = run({"formats"});
+    const Outcome outcome = run({"list", "formats"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     for (const char* name :
          {"tri ", "obj ", "ply ", "stl ", "can ", "opf ", "vgx ", "vtp ", "nc "}) {

@@ -54,13 +54,13 @@ TEST_F(OutputsTest, OfRunFilesAreNeverInputs) {
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
 }
 
-TEST_F(OutputsTest, OfExportAreNeverInputs) {
+TEST_F(OutputsTest, OfConvertAreNeverInputs) {
     for (const char* output : {"leaves.tri", "./leaves.tri"}) {
-        const Outcome outcome = run({"export", "run.toml", output});
+        const Outcome outcome = run({"convert", "run.toml", output});
         EXPECT_EQ(outcome.status, 1);
         EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos) << outcome.err;
     }
-    EXPECT_EQ(run({"export", "run.toml", "run.toml", "--format", "obj"}).status, 1);
+    EXPECT_EQ(run({"convert", "run.toml", "run.toml", "--to", "obj"}).status, 1);
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
     EXPECT_EQ(folder_.read("run.toml"), good_run_file());
 }
@@ -153,9 +153,9 @@ TEST_F(OutputsTest, AReaderOfStandardOutputThatEndsIsNoFault) {
                         "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = "
                         "\"2024-06-20\"\nutc_offset_hours = 1\nsky = \"uniform\"\n");
     for (const char* command :
-         {"run day.toml --paths 64 --csv - -q", "list options", "list formats", "formats", "--help",
+         {"run day.toml --paths 64 --csv - -q", "list options", "list formats", "--help",
           "run --help", "--dump-default", "check run.toml", "info run.toml",
-          "export run.toml - --format obj", "run run.toml --csv - -q",
+          "convert run.toml - --to obj", "run run.toml --csv - -q",
           "sky --place 50,8 --time 2024-06-21T09:00Z"}) {
         const Outcome gone = shell(
             "{ sleep 0.2; \"$quasimc\" " + std::string(command) +
@@ -201,7 +201,7 @@ TEST_F(OutputsTest, ThatCanNotBeOpenedAreToldAtOnce) {
 /// The library of NetCDF is loaded when a file is asked for. A file that is none lies before it
 /// here.
 TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
-    if (run({"formats"}).out.find("not built in") != std::string::npos) {
+    if (run({"list", "formats"}).out.find("not built in") != std::string::npos) {
         GTEST_SKIP() << "built without NetCDF";
     }
     const Outcome good = run({"run", "run.toml", "-q", "--nc", "out.nc"});

@@ -114,7 +114,7 @@ TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     EXPECT_EQ(count(folder_.read("out.json"), "\"points_asked\": 3"), 1U);
 }
 
-TEST_F(SweepCommand, IsCheckedWholeAndNotExported) {
+TEST_F(SweepCommand, IsCheckedWholeAndConvertedPointByPoint) {
     write_sweep("seed = [1, 2]\npaths = [-63, 0]\nsampler = [\"sobol\"]\n");
     const Outcome bad = run({"check", "sweep.toml"});
     EXPECT_EQ(bad.status, 1);
@@ -122,9 +122,8 @@ TEST_F(SweepCommand, IsCheckedWholeAndNotExported) {
     EXPECT_NE(bad.err.find("paths is 0"), std::string::npos) << bad.err;
     write_sweep("seed = [1, 2]\n");
     EXPECT_NE(run({"check", "sweep.toml"}).out.find("a sweep of 2 points"), std::string::npos);
-    const Outcome exported = run({"export", "sweep.toml", "scene.obj"});
-    EXPECT_EQ(exported.status, 1);
-    EXPECT_NE(exported.err.find("it has a [sweep] of 2 points"), std::string::npos);
+    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--point", "2"}).status, 0);
+    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--point", "3"}).status, 1);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ def main():
             return run(program, "info", path)
 
         (folder / "run.toml").write_text(RUN)
-        run(program, "export", "run.toml", "scene.glb")
+        run(program, "convert", "run.toml", "scene.glb")
         told = run("assimp", "info", "scene.glb")
         assert re.search(r"Meshes:\s+2\b", told), told
         assert "blade" in told and "stalk" in told, told

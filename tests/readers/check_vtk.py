@@ -112,7 +112,7 @@ def main():
             ("obj", vtkOBJReader()),
             ("stl", vtkSTLReader()),
         ):
-            run_in(folder, sys.argv[1], "export", "run.toml", f"scene.{ending}")
+            run_in(folder, sys.argv[1], "convert", "run.toml", f"scene.{ending}")
             seen = read(reader, folder / f"scene.{ending}")
             assert seen.GetNumberOfCells() == mesh.GetNumberOfCells(), ending
             assert math.isclose(sum(areas_of(seen)), whole, rel_tol=1e-5), ending

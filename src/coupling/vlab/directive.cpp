@@ -38,14 +38,6 @@ std::string range_text(Range range) {
 
 }  // namespace
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
-}
-
 std::vector<DirectiveLine> split_directives(
     std::string_view text, const std::string& place, Notices& notices) {
     std::vector<DirectiveLine> directives;

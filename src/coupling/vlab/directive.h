@@ -73,7 +73,4 @@ class Values {
     bool failed_ = false;
 };
 
-/// A text in lower case.
-[[nodiscard]] std::string lower_case(std::string_view text);
-
 }  // namespace quasimc

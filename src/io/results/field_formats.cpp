@@ -1,13 +1,13 @@
 #include "io/results/field_formats.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "base/text.h"
 
 namespace quasimc {
 
 // To add a format of scenes with numbers, write write_NAME.cpp and its test, and enter it here:
-// `quasimc convert` and `quasimc formats` follow from the row.
+// `quasimc convert` and `quasimc list formats` follow from the row.
 std::span<const FieldFormat> field_format_table() {
     static constexpr std::array kTable{
         FieldFormat{
@@ -40,10 +40,8 @@ const FieldFormat* find_field_format(std::string_view name) {
 
 const FieldFormat* field_format_of_path(std::string_view path) {
     const std::size_t dot = path.rfind('.');
-    std::string extension(dot == std::string_view::npos ? std::string_view() : path.substr(dot));
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    const std::string extension =
+        lower_case(dot == std::string_view::npos ? std::string_view() : path.substr(dot));
     for (const FieldFormat& format : field_format_table()) {
         if (format.extension == extension) {
             return &format;

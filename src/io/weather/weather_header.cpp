@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -109,7 +108,7 @@ class ColumnFinder {
             const auto is_read = std::any_of(
                 header_.light.begin(), header_.light.end(),
                 [&](const auto& column) { return column.second == i; });
-            const std::string name = in_lower_case(header_.names[i]);
+            const std::string name = lower_case(header_.names[i]);
             if (!is_read &&
                 std::find(kLightNames.begin(), kLightNames.end(), name) != kLightNames.end()) {
                 reporter_.warnings.push_back(
@@ -142,7 +141,7 @@ class ColumnFinder {
     std::optional<std::size_t> usual(std::initializer_list<std::string_view> usual_names) {
         for (const std::string_view wanted : usual_names) {
             const auto is_wanted = [&](const std::string& name) {
-                return in_lower_case(name) == wanted;
+                return lower_case(name) == wanted;
             };
             if (const auto found = only(
                     wanted, is_wanted, "it can't be told which is meant, whatever their case")) {
@@ -167,13 +166,6 @@ class ColumnFinder {
                 "rename one of them");
         }
         return static_cast<std::size_t>(found - names.begin());
-    }
-
-    static std::string in_lower_case(std::string text) {
-        std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-            return static_cast<char>(std::tolower(c));
-        });
-        return text;
     }
 
     /// The column that is stated to be there; nothing after a fault.

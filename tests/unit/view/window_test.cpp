@@ -218,11 +218,7 @@ class WindowServerTest : public testing::Test {
         : server_(
               WindowSite(files_of(data()), kToken),
               0,
-              {.connections = 16, .request_bytes = 2048, .request_seconds = 1, .idle_seconds = 1}),
-          thread_([this] { server_.serve([this] { return is_over_.load(); }); }) {}
-    ~WindowServerTest() override {
-        is_over_ = true;
-        thread_.join();
+              {.connections = 16, .request_bytes = 2048, .request_seconds = 1, .idle_seconds = 1}) {
     }
     static WindowData data() {
         WindowData made = small_data();
@@ -244,9 +240,7 @@ class WindowServerTest : public testing::Test {
     }
 
   private:
-    std::atomic<bool> is_over_{false};
     WindowServer server_;
-    std::thread thread_;
 };
 
 TEST_F(WindowServerTest, AnswersAndEnds) {

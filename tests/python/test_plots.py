@@ -1,0 +1,110 @@
+"""Plots of numbers by matplotlib."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from canopies import FEW, canopy
+from quasimc.plotting import fit_exponential
+
+pyplot = pytest.importorskip("matplotlib.pyplot")
+SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
+
+
+@pytest.fixture(scope="module")
+def result():
+    return canopy().run(**FEW)
+
+
+@pytest.fixture(autouse=True)
+def close_plots():
+    yield
+    pyplot.close("all")
+
+
+@pytest.mark.parametrize("amount, rate", [(0.8, 1.5), (3e-4, 0.004), (2, -0.01), (5, 0)])
+def test_a_fit_finds_the_curve_that_points_lie_on(amount, rate):
+    x = np.arange(1, 501) / (500 if rate > 1 else 1)
+    assert fit_exponential(x, amount * np.exp(-rate * x)) == pytest.approx((amount, rate), 1e-7)
+
+
+def test_a_fit_leaves_the_least_squares():
+    x, y = np.arange(4), np.array([4.2, 1.9, 1.1, 0.4])
+    amount, rate = fit_exponential(x, y)
+
+    def deviations(amount, rate):
+        return np.sum((y - amount * np.exp(-rate * x)) ** 2)
+
+    for by in (-1e-3, 1e-3):
+        assert deviations(amount + by, rate) > deviations(amount, rate)
+        assert deviations(amount, rate + by) > deviations(amount, rate)
+
+
+def test_a_fit_refuses_what_has_no_curve():
+    for x, y in (([1, 2], [1, 2]), ([1, 1, 1], [1, 2, 3]), ([1, 2, 3], [1, np.nan, 3]), ([], [])):
+        assert fit_exponential(x, y) is None
+
+
+def organs_of(axes):
+    """Where the points stand, and the ends of their error bars."""
+    container = axes.containers[-1]
+    return container[0].get_xydata(), np.array(container[2][0].get_segments())
+
+
+def test_a_profile_shows_each_organ_at_its_height_with_its_interval(result):
+    axes = result.plot_profile("incident_upper", "NIR", layers=5)
+    light = result["incident_upper"]["NIR"]
+    places, bars = organs_of(axes)
+    leaves = len(result.organs) - 1  # without the ground
+    top = max(range(leaves), key=lambda i: result.organs.triangles(i)[..., 2].mean())
+    assert len(places) == leaves and np.all(np.diff(places[:, 1]) <= 0)
+    assert places[0] == pytest.approx(
+        (light.mean[top], result.organs.triangles(top)[..., 2].mean()), 1e-9
+    )
+    assert bars[0, :, 0] == pytest.approx((light.low[top], light.high[top]), 1e-9)
+    assert axes.get_xlabel() == "incident_upper [W m-2]" and axes.get_ylabel() == "height [m]"
+    assert [text.get_text() for text in axes.get_legend().texts][0] == "means of layers"
+
+
+def test_organs_are_counted_from_the_top_and_results_share_axes(result):
+    axes = result.plot_organs(label="one")
+    other = canopy().run(**{**FEW, "seed": 5})
+    assert other.plot_organs(ax=axes, label="two") is axes
+    labels = [text.get_text() for text in axes.get_legend().texts]
+    assert sum(label.startswith("one: mean ") for label in labels) == 1
+    assert sum(label.startswith("two: mean ") for label in labels) == 1
+    places, _ = organs_of(axes)
+    assert np.array_equal(places[:, 0], np.arange(1, len(result.organs)))
+    assert sorted(places[:, 1]) == sorted(other["absorbed_flux_density"]["PAR"].mean[:-1])
+
+
+def test_a_variance_is_that_between_replicates(result):
+    axes = result.plot_organs("absorbed_flux", "PAR", variance=True)
+    errors = result["absorbed_flux"]["PAR"].standard_error[:-1]
+    heights = sorted(axes.containers[0][0].get_ydata())
+    assert heights == pytest.approx(sorted(result.replicates * errors**2), 1e-9)
+    assert axes.get_ylabel() == "variance of absorbed_flux [(W)\u00b2]"
+
+
+def test_the_figures_of_the_paper_are_drawn(tmp_path):
+    script = str(SOURCE / "examples" / "02-paper" / "paper.py")
+    options = ["--out", ".", "--replicates", "2", "--paths", "2048", "--target", "0.1"]
+    said = subprocess.run(
+        [sys.executable, script, *options],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=300,
+    )
+    assert said.returncode == 0, said.stderr
+    assert "Korobov, 2,048 paths" in said.stdout and "ray bundles" in said.stdout
+    for name in ("figure3-irradiance", "figure3-variance"):
+        assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+        assert "<svg" in (tmp_path / f"{name}.svg").read_text()
+    rows = (tmp_path / "variance.csv").read_text().splitlines()
+    assert rows[2] == "leaf,depth,monte_carlo,korobov,monte_carlo_fitted,korobov_fitted"
+    assert len(rows) == 503
