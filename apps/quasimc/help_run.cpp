@@ -9,6 +9,7 @@
 #include "part_run.h"
 #include "quasimc/quasimc.h"
 #include "run/dealt_runs.h"
+#include "run/team_helper.h"
 #include "team_files.h"
 
 namespace {

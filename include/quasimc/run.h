@@ -78,6 +78,9 @@ class Stopped : public std::runtime_error {
     StopReason why_;
 };
 
+/// The result of darkness: nothing anywhere, without an error.
+[[nodiscard]] Result dark_result(const Scene& scene, const RunSpec& spec);
+
 /// Computes the light on every organ.
 ///
 /// The same binary, scene, sources and specification give the same bits on any number of threads

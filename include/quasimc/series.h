@@ -113,8 +113,6 @@ void spread_effort(
 
 /// The same light times a factor.
 [[nodiscard]] Result scaled(const Result& result, double factor);
-/// The result of darkness: nothing anywhere, without an error.
-[[nodiscard]] Result dark_result(const Scene& scene, const RunSpec& spec);
 
 /// Computes the light of every moment, in their order, and its sums over days. Each trace has a
 /// seed of its own, made from that of the specification; the first has that seed itself.

@@ -17,7 +17,6 @@
 #include "base/stop.h"
 #include "base/text.h"
 #include "planner/planner.h"
-#include "quasimc/series.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/early_stop.h"

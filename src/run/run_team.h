@@ -11,10 +11,7 @@
 #include <vector>
 
 #include "base/executor.h"
-#include "quasimc/run.h"
-#include "quasimc/series.h"
 #include "quasimc/sums.h"
-#include "run/kept_caster.h"
 #include "solvers/solver.h"
 
 namespace quasimc {
@@ -62,28 +59,5 @@ struct RunTeam {
 /// Adds up the bins of all processes, which are of one layout: they are those of the first process
 /// then, and nothing in the others. All call it.
 void add_up(const RunTeam& team, Sums& sums);
-
-/// A process that helps the first one. Keeps the acceleration structure from run to run.
-class TeamHelper {
-  public:
-    /// Helps with the runs of a series, until an order is for something else: returns it.
-    /// @param order  the first one
-    [[nodiscard]] TeamOrder help(
-        const Scene& scene,
-        const std::vector<TimeStep>& time_steps,
-        const RunSpec& spec,
-        const RunTeam& team,
-        TeamOrder order);
-
-  private:
-    [[nodiscard]] TeamOrder help_moment(
-        const Scene& scene,
-        const Sources& sources,
-        const RunSpec& spec,
-        const RunTeam& team,
-        TeamOrder order);
-
-    KeptCaster caster_;
-};
 
 }  // namespace quasimc

@@ -1,6 +1,4 @@
-// Results of times of a series that were not traced.
-
-#include <limits>
+// The result of a time of a series whose light is another's times a factor.
 
 #include "quasimc/series.h"
 #include "results/evaluate.h"
@@ -40,22 +38,6 @@ Result scaled(const Result& result, double factor) {
         }
     }
     return copy;
-}
-
-Result dark_result(const Scene& scene, const RunSpec& spec) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    Result dark;
-    dark.bands = scene.bands().size();
-    dark.ratios = spec.ratios.size();
-    dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
-    dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
-    dark.groups = dark_groups(scene, group_spec(spec), dark.ratios);
-    dark.budget.resize(dark.bands);
-    dark.canopy = dark_canopy(scene);
-    dark.detectors = dark_detectors(scene);
-    dark.replicates = spec.replicates;
-    dark.chosen.reason = "it is dark, nothing was traced";
-    return dark;
 }
 
 }  // namespace quasimc

@@ -21,6 +21,7 @@
 
 #include "base/process_time.h"
 #include "run/dealt_runs.h"
+#include "run/team_helper.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "quasimc/run_spec.h"
+#include "quasimc/series.h"
+#include "run/kept_caster.h"
+#include "run/run_team.h"
+
+namespace quasimc {
+
+/// A process that helps the first one. Keeps the acceleration structure from run to run.
+class TeamHelper {
+  public:
+    /// Helps with the runs of a series, until an order is for something else: returns it.
+    /// @param order  the first one
+    [[nodiscard]] TeamOrder help(
+        const Scene& scene,
+        const std::vector<TimeStep>& time_steps,
+        const RunSpec& spec,
+        const RunTeam& team,
+        TeamOrder order);
+
+  private:
+    [[nodiscard]] TeamOrder help_moment(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const RunTeam& team,
+        TeamOrder order);
+
+    KeptCaster caster_;
+};
+
+}  // namespace quasimc
