@@ -19,6 +19,12 @@ constexpr std::size_t kFewestFields = 16;
 /// From here on a value of light is missing.
 constexpr double kMissing = 9999;
 
+/// A year of two digits as POSIX has it, 1969 to 2068; others as they are.
+int year_of_two_digits(int year) {
+    constexpr int kFirst = 69;
+    return year < 0 || year > 99 ? year : year + (year < kFirst ? 2000 : 1900);
+}
+
 /// Reads an EPW file line by line.
 class EpwReader {
   public:
@@ -47,7 +53,10 @@ class EpwReader {
         check_order();
         if (short_years_ > 0) {
             reporter_.warnings.push_back(
-                {reporter_.place(first_short_year_), warning_of_two_digits(short_years_)});
+                {reporter_.place(first_short_year_),
+                 fmt::format(
+                     "{} times have years of two digits, which are taken to be of 1969 to 2068",
+                     short_years_)});
         }
         return std::move(file_);
     }

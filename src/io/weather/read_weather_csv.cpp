@@ -43,10 +43,6 @@ class TableOfWeather {
         if (file_.records.empty()) {
             reporter_.fault(scanner_.number(), "holds no rows that can be read", "");
         }
-        if (short_years_ > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.place(first_short_year_), warning_of_two_digits(short_years_)});
-        }
         if (reporter_.faults.empty()) {
             set_times();
         }
@@ -146,10 +142,6 @@ class TableOfWeather {
             return;
         }
         record.start = *time;
-        record.start.year = year_of_two_digits(time->year);
-        if (record.start.year != time->year) {
-            first_short_year_ = short_years_++ == 0 ? record.line : first_short_year_;
-        }
         std::optional<double> fraction;
         for (const auto& [part, i] : header_.light) {
             const std::string field(trimmed(fields[i]));
@@ -284,21 +276,9 @@ class TableOfWeather {
     WeatherHeader header_;
     WeatherFile file_;
     bool are_dates_ = true;  // all times so far
-    std::size_t short_years_ = 0;
-    std::uint32_t first_short_year_ = 0;
 };
 
 }  // namespace
-
-int year_of_two_digits(int year) {
-    constexpr int kFirst = 69;
-    return year < 0 || year > 99 ? year : year + (year < kFirst ? 2000 : 1900);
-}
-
-std::string warning_of_two_digits(std::size_t count) {
-    return fmt::format(
-        "{} times have years of two digits, which are taken to be of 1969 to 2068", count);
-}
 
 std::vector<std::string> split_fields(std::string_view line, char separator) {
     std::vector<std::string> fields(1);

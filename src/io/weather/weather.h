@@ -61,12 +61,6 @@ struct WeatherColumns {
 [[nodiscard]] WeatherFile read_weather_csv(
     std::string_view text, const WeatherColumns& columns, Reporter& reporter);
 
-/// A year of two digits as POSIX has it, 1969 to 2068; others as they are. No weather was measured
-/// before.
-[[nodiscard]] int year_of_two_digits(int year);
-/// The warning of times whose years have two digits.
-[[nodiscard]] std::string warning_of_two_digits(std::size_t count);
-
 /// The fields of a line of a table; quotes as in RFC 4180.
 [[nodiscard]] std::vector<std::string> split_fields(std::string_view line, char separator);
 
