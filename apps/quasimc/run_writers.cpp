@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,17 +90,15 @@ RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& fi
       asked_(asked_outputs(arguments, first)),
       outputs_(asked_.paths, inputs_of(arguments, first)),
       summary_(first) {
-    if (wants(kCsv)) {
-        csv_.emplace(first, sink_of(kCsv));
-    }
-    if (wants(kDays)) {
-        days_.emplace(first, sink_of(kDays));
-    }
-    if (wants(kGroups)) {
-        groups_.emplace(first, sink_of(kGroups));
-    }
-    if (wants(kGroupDays)) {
-        group_days_.emplace(first, sink_of(kGroupDays));
+    using quasimc::CsvRows, quasimc::CsvTimes;
+    for (const auto& [output, rows, times] :
+         {std::tuple(kCsv, CsvRows::organs, CsvTimes::moments),
+          std::tuple(kDays, CsvRows::organs, CsvTimes::days),
+          std::tuple(kGroups, CsvRows::groups, CsvTimes::moments),
+          std::tuple(kGroupDays, CsvRows::groups, CsvTimes::days)}) {
+        if (wants(output)) {
+            tables_.emplace_back(first, sink_of(output), rows, times);
+        }
     }
     if (wants(kPicture)) {
         const quasimc::OutputPath& file = asked_.paths[*asked_.numbers[kPicture]];
@@ -142,7 +141,8 @@ quasimc::SeriesEvents RunWriters::events(
         add_moment(time_step, result, traced);
     };
     events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
-    if (days_ || group_days_ || (netcdf_ && run_->series) || events.wants_total) {
+    const bool has_days = wants(kDays) || wants(kGroupDays) || (netcdf_ && run_->series);
+    if (has_days || events.wants_total) {
         events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
     }
     return events;
@@ -169,10 +169,9 @@ void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSumm
             writer->next_run(run);
         }
     };
-    tell(csv_);
-    tell(days_);
-    tell(groups_);
-    tell(group_days_);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.next_run(run);
+    }
     tell(picture_);
     tell(fields_);
     write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.next_run(run); });
@@ -243,11 +242,8 @@ void RunWriters::add_moment(
     std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
     end_progress_line();
     summary_.add_moment(result);
-    if (csv_) {
-        csv_->add_moment(time_step, result);
-    }
-    if (groups_) {
-        groups_->add_moment(time_step, result);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.add_moment(time_step, result);
     }
     if (picture_) {
         picture_->add_moment(result);
@@ -260,11 +256,8 @@ void RunWriters::add_moment(
 }
 
 void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
-    if (days_) {
-        days_->add_day(day, sum);
-    }
-    if (group_days_) {
-        group_days_->add_day(day, sum);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.add_day(day, sum);
     }
     write_netcdf([&](quasimc::NetcdfWriter& netcdf) {
         netcdf.add_day(day, quasimc::in_summed_units(*run_, sum));

@@ -98,10 +98,7 @@ class RunWriters {
     Asked asked_;
     quasimc::OutputFiles outputs_;
     quasimc::Summary summary_;
-    std::optional<quasimc::CsvWriter> csv_;
-    std::optional<quasimc::DaysWriter> days_;
-    std::optional<quasimc::GroupsWriter> groups_;
-    std::optional<quasimc::GroupDaysWriter> group_days_;
+    std::vector<quasimc::CsvWriter> tables_;
     std::optional<RunPicture> picture_;
     std::optional<RunFields> fields_;
     std::optional<quasimc::NetcdfWriter> netcdf_;
