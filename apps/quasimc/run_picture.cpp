@@ -49,7 +49,7 @@ std::string RunPicture::draw(const quasimc::SeriesSummary& summary) const {
             values.estimates = absorbed(quasimc::in_summed_units(run, summary.total), organs);
         }
     }
-    values.estimates.resize(organs, kNoEstimate);
+    values.estimates.resize(organs, quasimc::kUnknownEstimate);
     quasimc::ScenePicture picture;
     picture.title = title_of(run);
     color_by_value(run.scene, values, {}, picture);

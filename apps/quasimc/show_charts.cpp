@@ -141,13 +141,13 @@ double hours_of(const std::string& time, const std::string& first_day) {
 
 Chart course(const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     const ShownCourse read = read_shown_course(shown, path, choice);
-    const std::string day = read.times.front().label.substr(0, 10);
+    const std::string day = read.times.front().place.label.substr(0, 10);
     ChartSeries line{ChartMarks::line, kBlue, {}};
     Span hours, light;
     light.add(0);
-    for (const quasimc::TimedEstimates& time : read.times) {
-        const Estimate& e = time.values.front();
-        const double hour = hours_of(time.label, day);
+    for (const quasimc::PlacedRows& time : read.times) {
+        const Estimate& e = time.columns.front().front();
+        const double hour = hours_of(time.place.label, day);
         line.points.push_back({hour, e.mean, kNone, kNone, e.low, e.high});
         hours.add(hour);
         light.add(e.mean);

@@ -6,13 +6,8 @@
 #include <vector>
 
 #include "command_line.h"
-#include "io/results/read_estimates.h"
+#include "io/results/read_rows.h"
 #include "quasimc/quasimc.h"
-
-/// Of an organ that the result does not know.
-inline constexpr quasimc::Estimate kNoEstimate{
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// What a run is called: its title, or else its file.
 [[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
@@ -58,7 +53,8 @@ struct ShownValues {
 
 /// The light of all organs together at each time that the result has.
 struct ShownCourse {
-    std::vector<quasimc::TimedEstimates> times;  ///< with one value each; at least one time
+    /// Of one column, whose first value is that of all organs; at least one time.
+    std::vector<quasimc::PlacedRows> times;
     std::string name, unit;
 };
 /// @throws quasimc::InputError  if there are no times, or none of the kind

@@ -172,16 +172,12 @@ class RunSweep {
 struct StoredRun {
     RunFile run;  ///< its [output] is left out: a result is not overwritten by accident
     std::string organs_sha256;  ///< as write_json returned it
-    /// Whether this version of the program gives the same digits: not those of format_version 1,
-    /// whose intervals differ in their last ones.
-    bool is_comparable = true;
 };
 
 /// The same of a result that may be that of a sweep.
 struct StoredSweep {
     RunSweep runs;
     std::string organs_sha256;
-    bool is_comparable = true;
     std::string program_version = {};  ///< that wrote it
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };

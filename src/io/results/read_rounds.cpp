@@ -2,30 +2,34 @@
 
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
-#include "io/results/read_columns.h"
+#include "io/results/read_rows.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
 namespace {
 
-using RoundsJson = nlohmann::json;
+/// A list in a table; empty if there is none of the name.
+const Node::List& list_in(const Node& table, std::string_view key) {
+    static const Node::List kNone;
+    const Node* found = table.find(key);
+    const auto* list = found == nullptr ? nullptr : found->as<Node::List>();
+    return list == nullptr ? kNone : *list;
+}
 
-double number_in(const RoundsJson& round, const char* key) {
-    const auto found = round.find(key);
-    return found != round.end() && found->is_number() ? found->get<double>()
-                                                      : std::numeric_limits<double>::quiet_NaN();
+double number_in(const Node& round, std::string_view key) {
+    const Node* found = round.find(key);
+    if (const auto* count = found == nullptr ? nullptr : found->as<std::int64_t>()) {
+        return static_cast<double>(*count);
+    }
+    const auto* number = found == nullptr ? nullptr : found->as<double>();
+    return number == nullptr ? std::numeric_limits<double>::quiet_NaN() : *number;
 }
 
 /// The moment of which the time begins so.
-const RoundsJson& moment_of(
-    const RoundsJson& head, const std::string& path, const std::string& time) {
-    if (const auto moments = head.find("moments"); moments != head.end()) {
-        for (const RoundsJson& moment : *moments) {
-            if (!time.empty() && moment.value("time", "").starts_with(time)) {
-                return moment;
-            }
+const Node& moment_of(const Node& head, const std::string& path, const std::string& time) {
+    for (const Node& moment : list_in(head, "moments")) {
+        if (!time.empty() && text_in(moment, "time").starts_with(time)) {
+            return moment;
         }
     }
     throw InputError(
@@ -40,11 +44,11 @@ std::vector<RoundErrors> read_rounds(
     const std::string& path,
     std::optional<std::size_t> point,
     const std::string& time) {
-    const RoundsJson head = RoundsJson::parse(read_columns(text, path, {}, 0, point).head);
-    const RoundsJson& one = head.contains("moments") ? moment_of(head, path, time) : head;
+    const Node all = read_rows(text, path, {.rest = RowsQuery::Rest::all}, {});
+    const Node head = only_point(all, point, path);
     std::vector<RoundErrors> rounds;
-    const auto found = one.find("rounds");
-    for (const RoundsJson& round : found != one.end() ? *found : RoundsJson::array()) {
+    const Node& one = head.find("moments") == nullptr ? head : moment_of(head, path, time);
+    for (const Node& round : list_in(one, "rounds")) {
         rounds.push_back(
             {static_cast<std::uint64_t>(number_in(round, "paths")), number_in(round, "seconds"),
              number_in(round, "median_error"), number_in(round, "worst_error"),

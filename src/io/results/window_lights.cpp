@@ -5,8 +5,10 @@
 #include <numbers>
 #include <numeric>
 
+#include <nlohmann/json.hpp>
+
 #include "base/vec3.h"
-#include "io/results/window_scene.h"
+#include "io/results/json_parts.h"
 
 namespace quasimc {
 namespace {
@@ -70,28 +72,15 @@ WindowLights window_lights(const Sources& sources) {
     return lights;
 }
 
-void json_lights(JsonStream& json, const WindowLights& lights, const Vec3& middle) {
-    json.key("suns");
-    json_vectors(json, lights.suns);
-    std::vector<Vec3> lamps;
+Json json_lights(const WindowLights& lights, const Vec3& middle) {
+    Json suns = Json::array(), lamps = Json::array();
+    for (const Vec3& sun : lights.suns) {
+        suns.push_back(json_vector(sun));
+    }
     for (const Vec3& lamp : lights.lamps) {
-        lamps.push_back(lamp - middle);
+        lamps.push_back(json_vector(lamp - middle));
     }
-    json.key("lamps");
-    json_vectors(json, lamps);
-    json.text("sky", lights.sky);
-}
-
-void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors) {
-    json.begin_list(kWindowLayout);
-    for (const Vec3& vector : vectors) {
-        json.begin_list(kWindowLayout);
-        for (const double x : {vector.x, vector.y, vector.z}) {
-            json.number(x);
-        }
-        json.end_list();
-    }
-    json.end_list();
+    return {{"suns", suns}, {"lamps", lamps}, {"sky", lights.sky}};
 }
 
 }  // namespace quasimc

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/json_stream.h"
+#include "io/results/json.h"
 #include "sources/source.h"
 
 namespace quasimc {
@@ -21,9 +21,6 @@ struct WindowLights {
 [[nodiscard]] WindowLights window_lights(const Sources& sources);
 
 /// Members "suns", "lamps" and "sky" of an object. @param middle  about which places are told
-void json_lights(JsonStream& json, const WindowLights& lights, const Vec3& middle);
-
-/// A list of vectors.
-void json_vectors(JsonStream& json, const std::vector<Vec3>& vectors);
+[[nodiscard]] Json json_lights(const WindowLights& lights, const Vec3& middle);
 
 }  // namespace quasimc

@@ -1,12 +1,13 @@
 #include "io/results/window_scene.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
+#include "io/results/json_parts.h"
 #include "io/results/series_words.h"
 #include "io/results/window_shape.h"
 #include "io/runfile/units.h"
@@ -19,26 +20,6 @@ std::string in_words(std::string_view name) {
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
-}
-
-/// "key": [...], an item for each element.
-template <typename List, typename Write>
-void json_list(JsonStream& json, std::string_view key, const List& list, const Write& write) {
-    json.key(key);
-    json.begin_list(kWindowLayout);
-    for (const auto& item : list) {
-        write(item);
-    }
-    json.end_list();
-}
-
-void json_vector(JsonStream& json, std::string_view key, const Vec3& v) {
-    json.key(key);
-    json.begin_list(kWindowLayout);
-    for (const double x : {v.x, v.y, v.z}) {
-        json.number(x);
-    }
-    json.end_list();
 }
 
 /// A key of labels: its values, and which of them each organ has, -1 for none.
@@ -65,46 +46,43 @@ std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
     return keys;
 }
 
-void json_labels(JsonStream& json, const std::vector<Organ>& organs) {
-    json.key("labels");
-    json.begin_object(kWindowLayout);
+Json labels_of(const std::vector<Organ>& organs) {
+    Json labels = Json::object();
     for (const auto& [name, key] : label_keys(organs)) {
-        json.key(name);
-        json.begin_object(kWindowLayout);
-        json_list(json, "values", key.values, [&](const std::string& value) { json.text(value); });
-        json_list(json, "of", key.of, [&](int number) { json.integer(number); });
-        json.end_object();
+        labels[name] = {{"values", key.values}, {"of", key.of}};
     }
-    json.end_object();
+    return labels;
 }
 
 /// Ids and names stand there only if they tell more than the place in the list does; "organ 7" is
 /// what the page calls organ 7 that has no name.
-void json_organs(JsonStream& json, const std::vector<Organ>& organs) {
-    json.key("organs");
-    json.begin_object(kWindowLayout);
-    json.count("count", organs.size());
+Json organs_of(const std::vector<Organ>& organs) {
     const auto is_counted = [&organs](const Organ& o) { return o.id == &o - organs.data() + 1; };
-    if (!std::all_of(organs.begin(), organs.end(), is_counted)) {
-        // A number may be more than one of the page holds.
-        json_list(json, "id", organs, [&](const Organ& o) { json.text(std::to_string(o.id)); });
-    }
     const auto is_named = [](const Organ& o) {
         return !o.name.empty() && o.name != "organ " + std::to_string(o.id);
     };
-    if (std::any_of(organs.begin(), organs.end(), is_named)) {
-        json_list(json, "name", organs, [&](const Organ& o) { json.text(o.name); });
-    }
-    json.key("ground");
-    json.begin_list(kWindowLayout);
+    const bool has_ids = !std::all_of(organs.begin(), organs.end(), is_counted);
+    const bool has_names = std::any_of(organs.begin(), organs.end(), is_named);
+    Json ids = Json::array(), names = Json::array(), ground = Json::array();
     for (std::size_t i = 0; i < organs.size(); ++i) {
+        if (has_ids) {
+            ids.push_back(std::to_string(organs[i].id));  // it may be more than a number holds
+        }
+        if (has_names) {
+            names.push_back(organs[i].name);
+        }
         if (organs[i].is_ground) {
-            json.integer(static_cast<std::int64_t>(i));
+            ground.push_back(i);
         }
     }
-    json.end_list();
-    json_labels(json, organs);
-    json.end_object();
+    Json all = {{"count", organs.size()}, {"ground", ground}, {"labels", labels_of(organs)}};
+    if (has_ids) {
+        all["id"] = std::move(ids);
+    }
+    if (has_names) {
+        all["name"] = std::move(names);
+    }
+    return all;
 }
 
 }  // namespace
@@ -133,32 +111,31 @@ std::vector<WindowColumn> window_columns(
     return columns;
 }
 
-void json_window_scene(
-    JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns) {
+Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns) {
     const Orientation& axes = scene.orientation();
     const Vec3 middle = window_middle(scene);
-    json.text("program", std::string("quasimc ") + std::string(version()));
-    json.text("unit", scene.length_unit());
-    json.key("axes");
-    json.begin_object(kWindowLayout);
-    json_vector(json, "x", axes.inward({1, 0, 0}));
-    json_vector(json, "y", axes.inward({0, 1, 0}));
-    json_vector(json, "z", axes.inward({0, 0, 1}));
-    json.end_object();
-    json_vector(json, "north", axes.towards(0, 0));
-    json_vector(json, "middle", middle);
-    json_vector(json, "low", scene.bounds().low - middle);
-    json_vector(json, "high", scene.bounds().high - middle);
-    json_organs(json, scene.organs());
-    json_list(json, "columns", columns, [&](const WindowColumn& column) {
-        json.begin_object(kWindowLayout);
-        json.text("quantity", column.quantity);
-        json.text("name", column.name);
-        json.text("band", column.band);
-        json.text("unit", column.unit);
-        json.text("sum_unit", column.sum_unit);
-        json.end_object();
-    });
+    Json list = Json::array();
+    for (const WindowColumn& column : columns) {
+        list.push_back(
+            {{"quantity", column.quantity},
+             {"name", column.name},
+             {"band", column.band},
+             {"unit", column.unit},
+             {"sum_unit", column.sum_unit}});
+    }
+    return {
+        {"program", "quasimc " + std::string(version())},
+        {"unit", scene.length_unit()},
+        {"axes",
+         {{"x", json_vector(axes.inward({1, 0, 0}))},
+          {"y", json_vector(axes.inward({0, 1, 0}))},
+          {"z", json_vector(axes.inward({0, 0, 1}))}}},
+        {"north", json_vector(axes.towards(0, 0))},
+        {"middle", json_vector(middle)},
+        {"low", json_vector(scene.bounds().low - middle)},
+        {"high", json_vector(scene.bounds().high - middle)},
+        {"organs", organs_of(scene.organs())},
+        {"columns", list}};
 }
 
 }  // namespace quasimc

@@ -3,14 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "io/results/json_stream.h"
+#include "io/results/json.h"
 #include "quasimc/result.h"
 #include "scene/scene.h"
 
 namespace quasimc {
-
-/// How the page's JSON stands.
-inline constexpr JsonLayout kWindowLayout = JsonLayout::compact;
 
 /// A kind of number that the page in the browser shows of every organ.
 struct WindowColumn {
@@ -27,7 +24,6 @@ struct WindowColumn {
 
 /// Members of the outermost object: program, unit, axes, place, organs and columns
 /// (docs/develop/decisions/window-server.md).
-void json_window_scene(
-    JsonStream& json, const Scene& scene, const std::vector<WindowColumn>& columns);
+[[nodiscard]] Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns);
 
 }  // namespace quasimc
