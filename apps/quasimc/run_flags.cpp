@@ -2,79 +2,40 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace {
 
-/// The flags that name files to be written, and those files.
-std::array<std::pair<std::string_view, const std::string*>, 10> outputs_of(
-    const RunArguments& arguments) {
-    return {{
-        {"--csv", &arguments.csv},
-        {"--json", &arguments.json},
-        {"--days", &arguments.days},
-        {"--groups-csv", &arguments.groups_csv},
-        {"--groups-days", &arguments.groups_days},
-        {"--picture", &arguments.picture},
-        {"--vtp", &arguments.vtp},
-        {"--ply", &arguments.ply},
-        {"--glb", &arguments.glb},
-        {"--nc", &arguments.nc},
-    }};
-}
+/// What the files are, in the order of quasimc::kOutputFiles.
+constexpr std::array<const char*, kOutputs> kSummaries{
+    "write the table of organs here; - is standard output",
+    "of a run with [time]: write the table of sums over days here; - is standard output",
+    "write the table of groups of organs here; - is standard output",
+    "of a run with [time]: write the table of sums of groups over days here; - is standard output",
+    "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
+    "write the scene with its numbers here, for ParaView and pyvista",
+    "the same as PLY, for MeshLab and CloudCompare",
+    "the same as binary glTF, coloured, for Blender",
+    "write the light by organ, band and time here, for xarray and others",
+    "write everything here; - is standard output"};
 
 /// Of what is written and told.
 std::vector<Flag> output_flags(RunArguments& arguments) {
-    std::vector<Flag> flags{
-        {.name = "--csv",
-         .target = &arguments.csv,
-         .summary = "write the table of organs here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--json",
-         .target = &arguments.json,
-         .summary = "write everything here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--days",
-         .target = &arguments.days,
-         .summary =
-             "of a run with [time]: write the table of sums over days here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--groups-csv",
-         .target = &arguments.groups_csv,
-         .summary = "write the table of groups of organs here; - is standard output",
-         .type_name = "FILE"},
-        {.name = "--groups-days",
-         .target = &arguments.groups_days,
-         .summary = "of a run with [time]: write the table of sums of groups over days here; - is "
-                    "standard output",
-         .type_name = "FILE"},
-        {.name = "--picture",
-         .target = &arguments.picture,
-         .summary = "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more",
-         .type_name = "FILE"},
-        {.name = "--vtp",
-         .target = &arguments.vtp,
-         .summary = "write the scene with its numbers here, for ParaView and pyvista",
-         .type_name = "FILE"},
-        {.name = "--ply",
-         .target = &arguments.ply,
-         .summary = "the same as PLY, for MeshLab and CloudCompare",
-         .type_name = "FILE"},
-        {.name = "--glb",
-         .target = &arguments.glb,
-         .summary = "the same as binary glTF, coloured, for Blender",
-         .type_name = "FILE"},
-        {.name = "--nc",
-         .target = &arguments.nc,
-         .summary = "write the light by organ, band and time here, for xarray and others",
-         .type_name = "FILE"},
-        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"},
-        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"}};
+    std::vector<Flag> flags;
+    for (Output output = 0; output < kOutputs; ++output) {
+        flags.push_back(
+            {.name = flag_of(output),
+             .target = &arguments.outputs[output],
+             .summary = kSummaries[output],
+             .type_name = "FILE"});
+    }
+    flags.push_back(
+        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"});
+    flags.push_back(
+        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"});
     add_choice_flags(arguments.choice, flags);
     return flags;
 }
@@ -82,12 +43,12 @@ std::vector<Flag> output_flags(RunArguments& arguments) {
 }  // namespace
 
 void check_outputs(const RunArguments& arguments) {
-    const auto files = outputs_of(arguments);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!files[i].second->empty() && *files[i].second == *files[j].second) {
+    for (Output i = 0; i < kOutputs; ++i) {
+        for (Output j = 0; j < i; ++j) {
+            const std::string& path = arguments.outputs[i];
+            if (!path.empty() && path == arguments.outputs[j]) {
                 throw UsageError(
-                    fmt::format("{} and {}: name the same file", files[j].first, files[i].first));
+                    fmt::format("{} and {}: name the same file", flag_of(j), flag_of(i)));
             }
         }
     }
@@ -113,10 +74,10 @@ void check_usage(const RunArguments& arguments) {
     if (std::isnan(arguments.every)) {
         throw UsageError("--every: nan is no time");
     }
-    for (const auto& [flag, path] : outputs_of(arguments)) {
-        if (!arguments.part.empty() && !path->empty()) {
-            throw UsageError(
-                fmt::format("{}: a --part has no results; `quasimc merge` writes them", flag));
+    for (Output output = 0; output < kOutputs; ++output) {
+        if (!arguments.part.empty() && !arguments.outputs[output].empty()) {
+            throw UsageError(fmt::format(
+                "{}: a --part has no results; `quasimc merge` writes them", flag_of(output)));
         }
     }
     check_outputs(arguments);

@@ -12,7 +12,14 @@
 #include "io/file_identity.h"
 #include "io/results/field_formats.h"
 #include "io/results/series_words.h"
+#include "io/runfile/output_files.h"
 #include "progress.h"
+
+std::string flag_of(Output output) {
+    std::string name = fmt::format("--{}", quasimc::kOutputFiles[output].key);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
 
 std::vector<quasimc::InputFile> inputs_of(
     const RunArguments& arguments, const quasimc::RunFile& run) {
@@ -59,28 +66,19 @@ void refuse_checkpoint(
 RunWriters::Asked RunWriters::asked_outputs(
     const RunArguments& arguments, const quasimc::RunFile& run) {
     Asked asked;
-    const auto ask = [&](Output output, std::string_view key, const std::string& flag,
-                         const std::optional<std::string>& stated) {
-        if (!flag.empty()) {
+    for (Output output = 0; output < kOutputs; ++output) {
+        const quasimc::OutputFile& file = quasimc::kOutputFiles[output];
+        const std::string& flag = arguments.outputs[output];
+        const std::optional<std::string>& stated = run.output.*file.path;
+        if (!flag.empty() || stated) {
             asked.numbers[output] = asked.paths.size();
-            std::string name = fmt::format("--{}", key);
-            std::replace(name.begin(), name.end(), '_', '-');
-            asked.paths.push_back({flag, std::move(name)});
-        } else if (stated) {
-            asked.numbers[output] = asked.paths.size();
-            asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});
+            asked.paths.push_back(
+                flag.empty()
+                    ? quasimc::
+                          OutputPath{*stated, fmt::format("{}: [output]: {}", run.path, file.key)}
+                    : quasimc::OutputPath{flag, flag_of(output)});
         }
-    };
-    ask(kCsv, "csv", arguments.csv, run.output.csv);
-    ask(kDays, "days", arguments.days, run.output.days);
-    ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
-    ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
-    ask(kPicture, "picture", arguments.picture, run.output.picture);
-    ask(kVtp, "vtp", arguments.vtp, run.output.vtp);
-    ask(kPly, "ply", arguments.ply, run.output.ply);
-    ask(kGlb, "glb", arguments.glb, run.output.glb);
-    ask(kNetcdf, "nc", arguments.nc, run.output.nc);
-    ask(kJson, "json", arguments.json, run.output.json);
+    }
     refuse_checkpoint(arguments.checkpoint, asked.paths);
     return asked;
 }

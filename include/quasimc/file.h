@@ -168,26 +168,17 @@ class RunSweep {
 /// A run file with every option and its default, with comments, that can be run as it stands.
 [[nodiscard]] std::string default_run_file();
 
-/// A run that was done before, read back from its JSON result.
-struct StoredRun {
-    RunFile run;  ///< its [output] is left out: a result is not overwritten by accident
-    std::string organs_sha256;  ///< as write_json returned it
-};
-
-/// The same of a result that may be that of a sweep.
+/// Runs that were done before, read back from their JSON result.
 struct StoredSweep {
-    RunSweep runs;
-    std::string organs_sha256;
+    RunSweep runs;  ///< their [output] is left out: a result is not overwritten by accident
+    std::string organs_sha256;         ///< as write_json returned it
     std::string program_version = {};  ///< that wrote it
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
-[[nodiscard]] StoredSweep read_result_sweep(
-    const std::string& path, const std::vector<Override>& overrides = {});
-
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
 /// those at the places where they were.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
-[[nodiscard]] StoredRun read_result_file(
+[[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
 
 // What a run writes, while it goes on: each writer is told of every time that is computed, of every

@@ -93,8 +93,9 @@ void forget_outputs(Node::Table& members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);
         if (member.key == "output" && output != nullptr) {
             std::erase_if(*output, [](const Member& key) {
-                return std::find(kOutputFiles.begin(), kOutputFiles.end(), key.key) !=
-                       kOutputFiles.end();
+                return std::any_of(
+                    kOutputFiles.begin(), kOutputFiles.end(),
+                    [&](const OutputFile& file) { return file.key == key.key; });
             });
         }
     }
@@ -138,11 +139,6 @@ StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides, const FileAccess& access) {
     const fs::path folder = access.absolute(path).parent_path();
     return read_result_text(access.read(path), path, folder, access, overrides);
-}
-
-StoredRun read_result_file(const std::string& path, const std::vector<Override>& overrides) {
-    StoredSweep stored = read_result_sweep(path, overrides);
-    return {std::move(stored.runs).only_run(), std::move(stored.organs_sha256)};
 }
 
 }  // namespace quasimc

@@ -1,12 +1,32 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "quasimc/file.h"
 
 namespace quasimc {
 
-/// The keys of [output] that name files.
-inline constexpr std::array<std::string_view, 10> kOutputFiles{
-    "csv", "json", "days", "groups_csv", "groups_days", "picture", "vtp", "ply", "glb", "nc"};
+/// A file that a run may write.
+struct OutputFile {
+    std::string_view key;  ///< of [output]; its flag is called so too, with hyphens
+    std::optional<std::string> OutputSpec::*path;
+};
+
+/// The files in the order in which they get their names: the result that has everything is the
+/// last.
+inline constexpr std::array<OutputFile, 10> kOutputFiles{
+    {{"csv", &OutputSpec::csv},
+     {"days", &OutputSpec::days},
+     {"groups_csv", &OutputSpec::groups_csv},
+     {"groups_days", &OutputSpec::groups_days},
+     {"picture", &OutputSpec::picture},
+     {"vtp", &OutputSpec::vtp},
+     {"ply", &OutputSpec::ply},
+     {"glb", &OutputSpec::glb},
+     {"nc", &OutputSpec::nc},
+     {"json", &OutputSpec::json}}};
 
 }  // namespace quasimc

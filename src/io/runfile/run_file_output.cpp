@@ -1,7 +1,6 @@
 // [output]: the files that results go to, and what of them is written.
 
 #include <array>
-#include <map>
 #include <utility>
 
 #include <unistd.h>
@@ -15,8 +14,6 @@
 
 namespace quasimc {
 namespace {
-
-using Paths = std::map<std::string_view, std::optional<std::string>>;
 
 std::optional<std::string> read_path(
     TableReader& table, std::string_view key, const InputFiles& files) {
@@ -39,13 +36,13 @@ std::optional<std::string> read_path(
 }
 
 /// No two files may be one.
-void check_apart(TableReader& table, const Paths& paths) {
+void check_apart(TableReader& table, const OutputSpec& output) {
     for (std::size_t i = 0; i < kOutputFiles.size(); ++i) {
         for (std::size_t j = i + 1; j < kOutputFiles.size(); ++j) {
-            const auto& first = paths.at(kOutputFiles[i]);
-            if (first && first == paths.at(kOutputFiles[j])) {
-                table.fault(
-                    fmt::format("{} and {} name the same file", kOutputFiles[i], kOutputFiles[j]));
+            const auto& first = output.*kOutputFiles[i].path;
+            if (first && first == output.*kOutputFiles[j].path) {
+                table.fault(fmt::format(
+                    "{} and {} name the same file", kOutputFiles[i].key, kOutputFiles[j].key));
             }
         }
     }
@@ -131,21 +128,10 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
         return output;
     }
     TableReader table(*node, "[output]", top.reporter());
-    Paths paths;
-    for (const std::string_view key : kOutputFiles) {
-        paths[key] = read_path(table, key, files);
+    for (const OutputFile& file : kOutputFiles) {
+        output.*file.path = read_path(table, file.key, files);
     }
-    output.csv = paths["csv"];
-    output.json = paths["json"];
-    output.days = paths["days"];
-    output.groups_csv = paths["groups_csv"];
-    output.groups_days = paths["groups_days"];
-    output.picture = paths["picture"];
-    output.vtp = paths["vtp"];
-    output.ply = paths["ply"];
-    output.glb = paths["glb"];
-    output.nc = paths["nc"];
-    check_apart(table, paths);
+    check_apart(table, output);
     read_choice(table, bands, output);
     refuse_groups(table);
     check_times(table, output, top.any("time") != nullptr);
