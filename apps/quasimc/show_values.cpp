@@ -13,11 +13,6 @@ namespace {
 
 using quasimc::RunFile;
 
-std::string with_spaces(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 /// Quantities that a result may have of an organ.
 std::vector<std::string> quantity_names(const RunFile& run) {
     std::vector<std::string> names;
@@ -69,12 +64,7 @@ quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, Shown
     if (entry != nullptr) {
         const quasimc::Band& band = band_of(run, choice.band);
         query.columns = {{std::string(entry->name), band.name}};
-        values.key = fmt::format("{}_{}", entry->name, band.name);
-        values.name = fmt::format("{}, {}", with_spaces(std::string(entry->name)), band.name);
-        values.unit = quasimc::unit_of(*entry, band, run.scene.length_unit());
-        if (query.part == "days" || query.part == "total") {
-            values.unit = quasimc::summed_unit(values.unit).name;
-        }
+        values = named_values(run, *entry, band, query.part == "days" || query.part == "total");
     } else if (choice.quantity == "sunlit_fraction") {
         query.columns = {{"sunlit_fraction"}};
         values.key = "sunlit_fraction";
@@ -169,6 +159,20 @@ std::vector<ShownValues> find_shown_values(
 }
 
 }  // namespace
+
+ShownValues named_values(
+    const RunFile& run,
+    const quasimc::QuantityEntry& entry,
+    const quasimc::Band& band,
+    bool is_sum) {
+    const std::string unit = quasimc::unit_of(entry, band, run.scene.length_unit());
+    return {
+        .estimates = {},
+        .name = fmt::format("{}, {}", quasimc::in_words(entry.name), band.name),
+        .unit = is_sum ? quasimc::summed_unit(unit).name : unit,
+        .key = fmt::format("{}_{}", entry.name, band.name),
+        .when = ""};
+}
 
 Flag point_flag(std::size_t& point) {
     return {

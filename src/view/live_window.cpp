@@ -7,9 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/results/json.h"
-#include "io/results/window_lights.h"
-#include "io/results/window_scene.h"
+#include "io/results/window_parts.h"
 #include "io/results/window_shape.h"
 #include "view/window_names.h"
 
@@ -58,15 +56,11 @@ class ColumnValues {
     /// Means, standard errors, low and high ends of all organs, single precision.
     [[nodiscard]] std::string bytes() const {
         const std::size_t organs = frame_.scene->scene->organs().size();
-        std::vector<float> numbers(4 * organs);
+        std::vector<Estimate> column(organs);
         for (std::size_t i = 0; i < organs; ++i) {
-            const Estimate e = reported(at(i));
-            numbers[i] = static_cast<float>(e.mean);
-            numbers[organs + i] = static_cast<float>(e.standard_error);
-            numbers[2 * organs + i] = static_cast<float>(e.low);
-            numbers[3 * organs + i] = static_cast<float>(e.high);
+            column[i] = reported(at(i));
         }
-        return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
+        return window_values(column);
     }
 
   private:
@@ -109,7 +103,7 @@ std::string scene_json(const LiveScene& scene) {
 
 /// Columns that have values carry their own number, others -1.
 std::string light_json(const LiveFrame& frame) {
-    Json json = json_lights(window_lights(frame.sources), window_middle(*frame.scene->scene));
+    Json json = json_lights(frame.sources, window_middle(*frame.scene->scene));
     json["label"] = frame.label;
     Json& values = json["values"] = Json::array();
     const std::size_t count = columns_of(*frame.scene).size();

@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
-#include "io/results/audit_words.h"
+#include "io/results/result_words.h"
 #include "io/results/series_words.h"
-#include "io/results/stop_words.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/version.h"

@@ -6,8 +6,7 @@
 
 #include "io/results/json_parts.h"
 #include "io/results/read_rows.h"
-#include "io/results/window_lights.h"
-#include "io/results/window_scene.h"
+#include "io/results/window_parts.h"
 #include "io/results/window_shape.h"
 #include "quasimc/error.h"
 
@@ -15,29 +14,17 @@ namespace quasimc {
 namespace {
 
 /// Of a time; a sum over times has none of its own.
-WindowLights lights_at(const RunFile& run, const RowsPlace& place) {
+const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
     if (!run.series) {
-        return window_lights(run.sources);
+        return run.sources;
     }
     for (std::size_t i = 0; place.part == "moments" && i < run.series->notes.size(); ++i) {
         if (run.series->notes[i].time == place.label) {
-            return window_lights(run.series->time_steps[i].sources);
+            return run.series->time_steps[i].sources;
         }
     }
-    return {};
-}
-
-/// Means, standard errors, low and high ends of all organs, single precision.
-std::string bytes_of(std::vector<Estimate> column, std::size_t organs) {
-    column.resize(organs, kUnknownEstimate);
-    std::vector<float> numbers(4 * organs);
-    for (std::size_t i = 0; i < organs; ++i) {
-        numbers[i] = static_cast<float>(column[i].mean);
-        numbers[organs + i] = static_cast<float>(column[i].standard_error);
-        numbers[2 * organs + i] = static_cast<float>(column[i].low);
-        numbers[3 * organs + i] = static_cast<float>(column[i].high);
-    }
-    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
+    static const Sources kNone;
+    return kNone;
 }
 
 /// A time, with the number of the values of every column, -1 where there are none.
@@ -51,7 +38,8 @@ Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
             values.push_back(-1);
         } else {
             values.push_back(data.values.size());
-            data.values.push_back(bytes_of(std::move(column), run.scene.organs().size()));
+            column.resize(run.scene.organs().size(), kUnknownEstimate);
+            data.values.push_back(window_values(column));
         }
     }
     return time;

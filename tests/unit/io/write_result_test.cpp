@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/line_scanner.h"
-#include "io/results/audit_words.h"
+#include "io/results/result_words.h"
 #include "io/runfile/units.h"
 #include "io_testing.h"
 #include "quasimc/file.h"

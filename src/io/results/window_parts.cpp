@@ -1,12 +1,16 @@
-#include "io/results/window_scene.h"
+#include "io/results/window_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "base/vec3.h"
 #include "io/results/json_parts.h"
 #include "io/results/series_words.h"
 #include "io/results/window_shape.h"
@@ -16,10 +20,47 @@
 namespace quasimc {
 namespace {
 
-std::string in_words(std::string_view name) {
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
+constexpr int kRings = 9, kSectors = 36;
+
+bool is_sky(const Source& source) {
+    return source.traits().at_infinity && source.traits().extended;
+}
+
+/// Radiances of all skies together, of all bands, by cells.
+std::vector<double> sky_cells(const Sources& sources) {
+    std::vector<double> cells(std::size_t{kRings} * kSectors);
+    for (const auto& source : sources) {
+        if (!is_sky(*source)) {
+            continue;
+        }
+        const auto spectrum = source->spectrum();
+        const double all = std::accumulate(spectrum.begin(), spectrum.end(), 0.0);
+        for (int i = 0; i < kRings * kSectors; ++i) {
+            const int ring = i / kSectors, sector = i % kSectors;
+            const double elevation = (ring + 0.5) * std::numbers::pi / 2 / kRings;
+            const double azimuth = (sector + 0.5) * 2 * std::numbers::pi / kSectors;
+            cells[static_cast<std::size_t>(i)] +=
+                all * source->radiance(
+                          {std::cos(elevation) * std::cos(azimuth),
+                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
+        }
+    }
+    return cells;
+}
+
+std::string sky_digits(const std::vector<double>& cells) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const double most = *std::max_element(cells.begin(), cells.end());
+    if (!(most > 0)) {
+        return {};
+    }
+    std::string digits;
+    for (const double cell : cells) {
+        const double part = std::sqrt(std::clamp(cell / most, 0.0, 1.0));
+        digits += kDigits[static_cast<std::size_t>(std::lround(part * 63))];
+    }
+    return digits;
 }
 
 /// A key of labels: its values, and which of them each organ has, -1 for none.
@@ -87,6 +128,19 @@ Json organs_of(const std::vector<Organ>& organs) {
 
 }  // namespace
 
+Json json_lights(const Sources& sources, const Vec3& middle) {
+    Json suns = Json::array(), lamps = Json::array();
+    for (const auto& source : sources) {
+        if (source->is_sun()) {
+            suns.push_back(json_vector(source->illuminate({}, 0.5, 0.5).to_light));
+        } else if (source->is_lamp()) {
+            const Illumination seen = source->illuminate({}, 0.5, 0.5);
+            lamps.push_back(json_vector(seen.distance * seen.to_light - middle));
+        }
+    }
+    return {{"suns", suns}, {"lamps", lamps}, {"sky", sky_digits(sky_cells(sources))}};
+}
+
 std::vector<WindowColumn> window_columns(
     const std::vector<Band>& bands,
     const std::string& length_unit,
@@ -136,6 +190,38 @@ Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& colu
         {"high", json_vector(scene.bounds().high - middle)},
         {"organs", organs_of(scene.organs())},
         {"columns", list}};
+}
+
+std::string window_values(const std::vector<Estimate>& organs) {
+    const std::size_t count = organs.size();
+    std::vector<float> numbers(4 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        numbers[i] = static_cast<float>(organs[i].mean);
+        numbers[count + i] = static_cast<float>(organs[i].standard_error);
+        numbers[2 * count + i] = static_cast<float>(organs[i].low);
+        numbers[3 * count + i] = static_cast<float>(organs[i].high);
+    }
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
+}
+
+std::string window_run_head(const RunFile& run) {
+    Json head = json_head(run);
+    head.update(json_warnings(run));
+    return json_text(head);
+}
+
+std::string window_light_head(const RunFile& run, const Result& result) {
+    const JsonNames names = json_names(run, written_columns(run));
+    std::string groups;
+    for (std::size_t i = 0; i < result.groups.groups.size(); ++i) {
+        groups += (groups.empty() ? "" : ",") + json_group(result.groups, i, names);
+    }
+    return json_text_with(json_light(run, result), "groups", "[" + groups + "]");
+}
+
+std::string window_light_head(
+    std::span<const Band> bands, const std::string& length_unit, const Result& result) {
+    return json_text(json_light(bands, length_unit, result));
 }
 
 }  // namespace quasimc
