@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "io/results/window_head.h"
+#include "io/results/window_parts.h"
 #include "view/page.h"
 
 namespace {

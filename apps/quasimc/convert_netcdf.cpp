@@ -1,8 +1,5 @@
 #include "convert_netcdf.h"
 
-#include <span>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "io/input_files.h"
@@ -28,22 +25,6 @@ void refuse_choices(const ValueChoice& choice) {
     faults.throw_if_any();
 }
 
-/// @param text  of the run in the result
-void add_run(
-    std::string_view text,
-    const std::string& path,
-    const quasimc::RunFile& run,
-    quasimc::NetcdfWriter& writer) {
-    quasimc::LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const quasimc::Result& result) {
-        writer.add_moment(time_step, result);
-    };
-    events.on_day = [&](std::size_t day, const quasimc::SeriesSum& sum) {
-        writer.add_day(day, sum);
-    };
-    quasimc::read_light(text, path, run, events);
-}
-
 }  // namespace
 
 void convert_to_netcdf(
@@ -57,19 +38,24 @@ void convert_to_netcdf(
     inputs.push_back({input, input, "", 0, false});
     quasimc::OutputFiles outputs({{output, "OUTPUT"}}, inputs);
     quasimc::NetcdfWriter writer(run, outputs.sink(0), stored.program_version);
-    if (!run.sweep) {
-        add_run(text, input, run, writer);
-    } else {
-        // Those of a sweep that was stopped are the first ones.
-        const std::vector<std::string_view> points = quasimc::point_texts(text, input);
-        for (std::size_t i = 0; i < points.size() && i < stored.runs.size(); ++i) {
-            if (i > 0) {
-                run = stored.runs.take(i);
-                writer.next_run(run);
-            }
-            add_run(points[i], input, run, writer);
+    std::size_t at = 0;
+    // Points of a sweep that was stopped are the first ones.
+    const auto go_to = [&](std::size_t point) {
+        while (at < point && at + 1 < stored.runs.size()) {
+            run = stored.runs.take(++at);
+            writer.next_run(run);
         }
-    }
+    };
+    quasimc::LightEvents events;
+    events.on_time_step = [&](std::size_t point, std::size_t time_step, const auto& result) {
+        go_to(point);
+        writer.add_moment(time_step, result);
+    };
+    events.on_day = [&](std::size_t point, std::size_t day, const auto& sum) {
+        go_to(point);
+        writer.add_day(day, sum);
+    };
+    quasimc::read_light(text, input, run, events);
     writer.finish();
     outputs.commit();
     outputs.throw_if_given_up();

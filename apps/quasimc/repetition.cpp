@@ -62,13 +62,6 @@ Repetition judge_repetition(
     if (is_same && (difference.empty() || !asks_for_same)) {
         return {fmt::format("the same numbers as in {}", path), false};
     }
-    if (!stored.is_comparable || stored.organs_sha256.empty()) {
-        return {
-            fmt::format(
-                "whether the numbers are the same can't be told (another version wrote it): {}",
-                path),
-            false};
-    }
     const std::string reason = excuse(arguments, stored, stop);
     if (!reason.empty()) {
         return {fmt::format("OTHER numbers than in {}, {}", path, reason), false};

@@ -4,42 +4,21 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "io/results/series_words.h"
 #include "io/results/written.h"
-#include "io/runfile/units.h"
 #include "shown_fields.h"
 
 namespace {
 
-std::string with_blanks(std::string_view name) {
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
-}
-
 /// The light of each organ in each quantity and band that is written.
 /// @param light  a Result or a SeriesSum
 template <typename Light>
-std::vector<ShownValues> values_of(const quasimc::RunFile& run, const Light& light, bool is_sum) {
+std::vector<ShownValues> values_of(const quasimc::RunFile& run, const Light& light) {
     const quasimc::WrittenColumns columns = quasimc::written_columns(run);
     std::vector<ShownValues> all;
     for (const quasimc::QuantityEntry& entry : columns.quantities) {
         for (const std::size_t b : columns.bands) {
-            const quasimc::Band& band = run.scene.bands()[b];
-            ShownValues values;
-            values.key = fmt::format("{}_{}", entry.name, band.name);
-            values.name = fmt::format("{}, {}", with_blanks(entry.name), band.name);
-            values.unit = quasimc::unit_of(entry, band, run.scene.length_unit());
-            if (is_sum) {
-                values.unit = quasimc::summed_unit(values.unit).name;
-                values.when = "sum of all times";
-            }
-            for (std::size_t organ = 0; organ < run.scene.organs().size(); ++organ) {
-                values.estimates.push_back(light.at(organ, entry.quantity, b));
-            }
-            all.push_back(std::move(values));
+            all.push_back(light_values(run, light, entry, b));
         }
     }
     return all;
@@ -51,7 +30,7 @@ void RunFields::add_moment(const quasimc::Result& result) {
     if (run_->series) {
         return;
     }
-    last_ = values_of(*run_, result, false);
+    last_ = values_of(*run_, result);
     if (quasimc::written_columns(*run_).has_sunlit && !result.sunlit_fraction.empty()) {
         last_.push_back({result.sunlit_fraction, "sunlit fraction", "", "sunlit_fraction", ""});
     }
@@ -69,7 +48,7 @@ quasimc::FieldScene RunFields::shown(const quasimc::SeriesSummary& summary) cons
     const quasimc::RunFile& run = *run_;
     std::vector<ShownValues> values = last_;
     if (run.series && !summary.total.values.empty()) {
-        values = values_of(run, quasimc::in_summed_units(run, summary.total), true);
+        values = values_of(run, quasimc::in_summed_units(run, summary.total));
     }
     const auto colored = std::find_if(values.begin(), values.end(), [](const ShownValues& one) {
         return one.key.starts_with("absorbed_flux_density");

@@ -1,10 +1,28 @@
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "io/results/field_formats.h"
 #include "quasimc/quasimc.h"
 #include "show_values.h"
+
+/// The light of each organ in a quantity and a band. @param light  a Result or a SeriesSum
+template <typename Light>
+ShownValues light_values(
+    const quasimc::RunFile& run,
+    const Light& light,
+    const quasimc::QuantityEntry& entry,
+    std::size_t band) {
+    constexpr bool kIsSum = std::is_same_v<Light, quasimc::SeriesSum>;
+    ShownValues values = named_values(run, entry, run.scene.bands()[band], kIsSum);
+    values.when = kIsSum ? "sum of all times" : "";
+    for (std::size_t organ = 0; organ < run.scene.organs().size(); ++organ) {
+        values.estimates.push_back(quasimc::reported(light.at(organ, entry.quantity, band)));
+    }
+    return values;
+}
 
 /// The scene with the numbers that `quasimc run` writes for other programs: all that [output]
 /// chooses, each with its standard error. Of a run with [time] the sum, of a sweep the last point.

@@ -9,39 +9,27 @@
 
 namespace {
 
-/// A flag that names a file to be written.
-struct OutputFlag {
-    const char* flag;
-    std::string RunArguments::*file;
-    const char* summary;
-};
-constexpr std::array<OutputFlag, 10> kOutputFlags{{
-    {"--csv", &RunArguments::csv, "write the table of organs here; - is standard output"},
-    {"--json", &RunArguments::json, "write everything here; - is standard output"},
-    {"--days", &RunArguments::days,
-     "of a run with [time]: write the table of sums over days here; - is standard output"},
-    {"--groups-csv", &RunArguments::groups_csv,
-     "write the table of groups of organs here; - is standard output"},
-    {"--groups-days", &RunArguments::groups_days,
-     "of a run with [time]: write the table of sums of groups over days here; - is standard "
-     "output"},
-    {"--picture", &RunArguments::picture,
-     "draw the light that organs absorb here, PNG or SVG; `quasimc show` draws more"},
-    {"--vtp", &RunArguments::vtp,
-     "write the scene with its numbers here, for ParaView and pyvista"},
-    {"--ply", &RunArguments::ply, "the same as PLY, for MeshLab and CloudCompare"},
-    {"--glb", &RunArguments::glb, "the same as binary glTF, coloured, for Blender"},
-    {"--nc", &RunArguments::nc,
-     "write the light by organ, band and time here, for xarray and others"},
-}};
+/// What the files are, in the order of quasimc::kOutputFiles.
+constexpr std::array<const char*, kOutputs> kSummaries{
+    "write the table of organs here; - is standard output",
+    "of a run with [time]: write the table of sums over days here; - is standard output",
+    "write the table of groups of organs here; - is standard output",
+    "of a run with [time]: write the table of sums of groups over days here; - is standard output",
+    "draw the light that organs absorb here, PNG; `quasimc show` draws more",
+    "write the scene with its numbers here, for ParaView and pyvista",
+    "the same as PLY, for MeshLab and CloudCompare",
+    "the same as binary glTF, coloured, for Blender",
+    "write the light by organ, band and time here, for xarray and others",
+    "write everything here; - is standard output"};
 
-/// Adds those of what is written and told.
-void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
-    for (const OutputFlag& output : kOutputFlags) {
+/// Of what is written and told.
+std::vector<Flag> output_flags(RunArguments& arguments) {
+    std::vector<Flag> flags;
+    for (Output output = 0; output < kOutputs; ++output) {
         flags.push_back(
-            {.name = output.flag,
-             .target = &(arguments.*output.file),
-             .summary = output.summary,
+            {.name = flag_of(output),
+             .target = &arguments.outputs[output],
+             .summary = kSummaries[output],
              .type_name = "FILE"});
     }
     flags.push_back(
@@ -73,10 +61,10 @@ void check_usage(const RunArguments& arguments) {
     if (std::isnan(arguments.every)) {
         throw UsageError("--every: nan is no time");
     }
-    for (const OutputFlag& output : kOutputFlags) {
-        if (!arguments.part.empty() && !(arguments.*output.file).empty()) {
+    for (Output output = 0; output < kOutputs; ++output) {
+        if (!arguments.part.empty() && !arguments.outputs[output].empty()) {
             throw UsageError(fmt::format(
-                "{}: a --part has no results; `quasimc merge` writes them", output.flag));
+                "{}: a --part has no results; `quasimc merge` writes them", flag_of(output)));
         }
     }
 }

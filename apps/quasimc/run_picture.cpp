@@ -1,53 +1,32 @@
 #include "run_picture.h"
 
 #include "io/results/series_words.h"
-#include "io/runfile/units.h"
+#include "run_fields.h"
 #include "show_colors.h"
-
-namespace {
-
-/// The light of each organ that is drawn.
-template <typename Light>
-std::vector<quasimc::Estimate> absorbed(const Light& light, std::size_t organs) {
-    std::vector<quasimc::Estimate> values;
-    for (std::size_t i = 0; i < organs; ++i) {
-        values.push_back(
-            quasimc::reported(light.at(i, quasimc::Quantity::absorbed_flux_density, 0)));
-    }
-    return values;
-}
-
-}  // namespace
 
 RunPicture::RunPicture(
     const quasimc::RunFile& run, const std::string& path, const std::string& place)
-    : run_(&run) {
+    : run_(&run),
+      last_(named_values(
+          run, quasimc::quantity_table()[1], run.scene.bands().front(), run.series.has_value())) {
     require_pictures(place);
     check_picture_name(place, path);
 }
 
 void RunPicture::add_moment(const quasimc::Result& result) {
     if (!run_->series) {
-        last_ = absorbed(result, run_->scene.organs().size());
+        last_ = light_values(*run_, result, quasimc::quantity_table()[1], 0);
     }
 }
 
 std::string RunPicture::draw(const quasimc::SeriesSummary& summary) const {
     const quasimc::RunFile& run = *run_;
-    const std::size_t organs = run.scene.organs().size();
-    ShownValues values;
-    values.name = "absorbed flux density, " + run.scene.bands().front().name;
-    values.unit = quasimc::unit_of(
-        quasimc::quantity_table()[1], run.scene.bands().front(), run.scene.length_unit());
-    values.estimates = last_;
-    if (run.series) {
-        values.unit = quasimc::summed_unit(values.unit).name;
-        values.when = "sum of all times";
-        if (!summary.total.values.empty()) {
-            values.estimates = absorbed(quasimc::in_summed_units(run, summary.total), organs);
-        }
+    ShownValues values = last_;
+    if (run.series && !summary.total.values.empty()) {
+        values = light_values(
+            run, quasimc::in_summed_units(run, summary.total), quasimc::quantity_table()[1], 0);
     }
-    values.estimates.resize(organs, quasimc::kUnknownEstimate);
+    values.estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
     quasimc::ScenePicture picture;
     picture.title = title_of(run);
     color_by_value(run.scene, values, {}, picture);

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "quasimc/quasimc.h"
+#include "show_values.h"
 
 /// The picture that `quasimc run` draws: the light that organs absorb, in the first band, by the
 /// view that `quasimc show` has if nothing is said. Of a run with [time] the sum, of a sweep the
@@ -22,5 +22,5 @@ class RunPicture {
 
   private:
     const quasimc::RunFile* run_;
-    std::vector<quasimc::Estimate> last_;
+    ShownValues last_;
 };

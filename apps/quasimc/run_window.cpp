@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "interrupt.h"
-#include "io/results/window_head.h"
+#include "io/results/window_parts.h"
 #include "progress.h"
 #include "show_values.h"
 #include "view/page.h"

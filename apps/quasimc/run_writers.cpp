@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +12,14 @@
 #include "io/file_identity.h"
 #include "io/results/field_formats.h"
 #include "io/results/series_words.h"
+#include "io/runfile/output_files.h"
 #include "progress.h"
+
+std::string flag_of(Output output) {
+    std::string name = fmt::format("--{}", quasimc::kOutputFiles[output].key);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
 
 std::vector<quasimc::InputFile> inputs_of(
     const RunArguments& arguments, const quasimc::RunFile& run) {
@@ -58,28 +66,19 @@ void refuse_checkpoint(
 RunWriters::Asked RunWriters::asked_outputs(
     const RunArguments& arguments, const quasimc::RunFile& run) {
     Asked asked;
-    const auto ask = [&](Output output, std::string_view key, const std::string& flag,
-                         const std::optional<std::string>& stated) {
-        if (!flag.empty()) {
+    for (Output output = 0; output < kOutputs; ++output) {
+        const quasimc::OutputFile& file = quasimc::kOutputFiles[output];
+        const std::string& flag = arguments.outputs[output];
+        const std::optional<std::string>& stated = run.output.*file.path;
+        if (!flag.empty() || stated) {
             asked.numbers[output] = asked.paths.size();
-            std::string name = fmt::format("--{}", key);
-            std::replace(name.begin(), name.end(), '_', '-');
-            asked.paths.push_back({flag, std::move(name)});
-        } else if (stated) {
-            asked.numbers[output] = asked.paths.size();
-            asked.paths.push_back({*stated, fmt::format("{}: [output]: {}", run.path, key)});
+            asked.paths.push_back(
+                flag.empty()
+                    ? quasimc::
+                          OutputPath{*stated, fmt::format("{}: [output]: {}", run.path, file.key)}
+                    : quasimc::OutputPath{flag, flag_of(output)});
         }
-    };
-    ask(kCsv, "csv", arguments.csv, run.output.csv);
-    ask(kDays, "days", arguments.days, run.output.days);
-    ask(kGroups, "groups_csv", arguments.groups_csv, run.output.groups_csv);
-    ask(kGroupDays, "groups_days", arguments.groups_days, run.output.groups_days);
-    ask(kPicture, "picture", arguments.picture, run.output.picture);
-    ask(kVtp, "vtp", arguments.vtp, run.output.vtp);
-    ask(kPly, "ply", arguments.ply, run.output.ply);
-    ask(kGlb, "glb", arguments.glb, run.output.glb);
-    ask(kNetcdf, "nc", arguments.nc, run.output.nc);
-    ask(kJson, "json", arguments.json, run.output.json);
+    }
     refuse_checkpoint(arguments.checkpoint, asked.paths);
     return asked;
 }
@@ -89,17 +88,15 @@ RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& fi
       asked_(asked_outputs(arguments, first)),
       outputs_(asked_.paths, inputs_of(arguments, first)),
       summary_(first) {
-    if (wants(kCsv)) {
-        csv_.emplace(first, sink_of(kCsv));
-    }
-    if (wants(kDays)) {
-        days_.emplace(first, sink_of(kDays));
-    }
-    if (wants(kGroups)) {
-        groups_.emplace(first, sink_of(kGroups));
-    }
-    if (wants(kGroupDays)) {
-        group_days_.emplace(first, sink_of(kGroupDays));
+    using quasimc::CsvRows, quasimc::CsvTimes;
+    for (const auto& [output, rows, times] :
+         {std::tuple(kCsv, CsvRows::organs, CsvTimes::moments),
+          std::tuple(kDays, CsvRows::organs, CsvTimes::days),
+          std::tuple(kGroups, CsvRows::groups, CsvTimes::moments),
+          std::tuple(kGroupDays, CsvRows::groups, CsvTimes::days)}) {
+        if (wants(output)) {
+            tables_.emplace_back(first, sink_of(output), rows, times);
+        }
     }
     if (wants(kPicture)) {
         const quasimc::OutputPath& file = asked_.paths[*asked_.numbers[kPicture]];
@@ -142,7 +139,8 @@ quasimc::SeriesEvents RunWriters::events(
         add_moment(time_step, result, traced);
     };
     events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
-    if (days_ || group_days_ || (netcdf_ && run_->series) || events.wants_total) {
+    const bool has_days = wants(kDays) || wants(kGroupDays) || (netcdf_ && run_->series);
+    if (has_days || events.wants_total) {
         events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
     }
     return events;
@@ -169,10 +167,9 @@ void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSumm
             writer->next_run(run);
         }
     };
-    tell(csv_);
-    tell(days_);
-    tell(groups_);
-    tell(group_days_);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.next_run(run);
+    }
     tell(picture_);
     tell(fields_);
     write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.next_run(run); });
@@ -243,11 +240,8 @@ void RunWriters::add_moment(
     std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
     end_progress_line();
     summary_.add_moment(result);
-    if (csv_) {
-        csv_->add_moment(time_step, result);
-    }
-    if (groups_) {
-        groups_->add_moment(time_step, result);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.add_moment(time_step, result);
     }
     if (picture_) {
         picture_->add_moment(result);
@@ -260,11 +254,8 @@ void RunWriters::add_moment(
 }
 
 void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
-    if (days_) {
-        days_->add_day(day, sum);
-    }
-    if (group_days_) {
-        group_days_->add_day(day, sum);
+    for (quasimc::CsvWriter& table : tables_) {
+        table.add_day(day, sum);
     }
     write_netcdf([&](quasimc::NetcdfWriter& netcdf) {
         netcdf.add_day(day, quasimc::in_summed_units(*run_, sum));

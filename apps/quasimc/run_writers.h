@@ -16,9 +16,17 @@
 #include "run_fields.h"
 #include "run_picture.h"
 
+/// The files that a run may write: their numbers in quasimc::kOutputFiles.
+using Output = std::size_t;
+constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kPicture = 4, kVtp = 5, kPly = 6,
+                 kGlb = 7, kNetcdf = 8, kJson = 9, kOutputs = 10;
+/// "--groups-csv".
+[[nodiscard]] std::string flag_of(Output output);
+
 /// What the command line of `quasimc run` says.
 struct RunArguments {
-    std::string file, from, csv, json, days, groups_csv, groups_days, picture, vtp, ply, glb, nc;
+    std::string file, from;
+    std::array<std::string, kOutputs> outputs;
     OutputChoice choice;
     bool quiet = false, progress = false;
     OptionFlags flags;
@@ -34,12 +42,6 @@ struct RunArguments {
 /// What was read: beside the files of the run, the result that is repeated, and parts.
 [[nodiscard]] std::vector<quasimc::InputFile> inputs_of(
     const RunArguments& arguments, const quasimc::RunFile& run);
-
-/// The files that a run may write, in the order in which they get their names: the result that has
-/// everything is the last.
-using Output = std::size_t;
-constexpr Output kCsv = 0, kDays = 1, kGroups = 2, kGroupDays = 3, kPicture = 4, kVtp = 5, kPly = 6,
-                 kGlb = 7, kNetcdf = 8, kJson = 9, kOutputs = 10;
 
 /// What the runs of a sweep write while they are computed, one after the other.
 class RunWriters {
@@ -98,10 +100,7 @@ class RunWriters {
     Asked asked_;
     quasimc::OutputFiles outputs_;
     quasimc::Summary summary_;
-    std::optional<quasimc::CsvWriter> csv_;
-    std::optional<quasimc::DaysWriter> days_;
-    std::optional<quasimc::GroupsWriter> groups_;
-    std::optional<quasimc::GroupDaysWriter> group_days_;
+    std::vector<quasimc::CsvWriter> tables_;
     std::optional<RunPicture> picture_;
     std::optional<RunFields> fields_;
     std::optional<quasimc::NetcdfWriter> netcdf_;

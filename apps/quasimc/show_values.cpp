@@ -1,8 +1,6 @@
 #include "show_values.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,11 +15,6 @@
 namespace {
 
 using quasimc::RunFile;
-
-std::string with_spaces(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
 
 /// Quantities that a result may have of an organ.
 std::vector<std::string> quantity_names(const RunFile& run) {
@@ -62,9 +55,8 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
 }
 
 /// Where the numbers stand in the file, and what they are called.
-quasimc::EstimateQuery query_of(
-    const RunFile& run, const ValueChoice& choice, ShownValues& values) {
-    quasimc::EstimateQuery query;
+quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, ShownValues& values) {
+    quasimc::RowsQuery query;
     query.part = !run.series            ? ""
                  : !choice.time.empty() ? "moments"
                  : !choice.day.empty()  ? "days"
@@ -74,25 +66,23 @@ quasimc::EstimateQuery query_of(
     const auto& ratios = run.spec.ratios;
     if (entry != nullptr) {
         const quasimc::Band& band = band_of(run, choice.band);
-        query.names = {std::string(entry->name), band.name};
-        values.key = fmt::format("{}_{}", entry->name, band.name);
-        values.name = fmt::format("{}, {}", with_spaces(std::string(entry->name)), band.name);
-        values.unit = quasimc::unit_of(*entry, band, run.scene.length_unit());
-        if (query.part == "days" || query.part == "total") {
-            values.unit = quasimc::summed_unit(values.unit).name;
-        }
+        query.columns = {{std::string(entry->name), band.name}};
+        values = named_values(run, *entry, band, query.part == "days" || query.part == "total");
     } else if (choice.quantity == "sunlit_fraction") {
-        query.names = {"sunlit_fraction"};
+        query.columns = {{"sunlit_fraction"}};
         values.key = "sunlit_fraction";
         values.name = "sunlit fraction";
     } else if (std::find(ratios.begin(), ratios.end(), choice.quantity) != ratios.end()) {
-        query.names = {"ratios", choice.quantity};
+        query.columns = {{"ratios", choice.quantity}};
         values.key = choice.quantity;
         values.name = choice.quantity;
     } else {
         throw quasimc::InputError(
             {{"--quantity", fmt::format("'{}' is none that the result has", choice.quantity), "",
               fmt::format("it may have {}", fmt::join(quantity_names(run), ", "))}});
+    }
+    if (run.sweep) {
+        query.point = run.point;
     }
     return query;
 }
@@ -141,24 +131,24 @@ std::vector<ShownValues> find_shown_values(
     const ShownRun& shown, const std::string& path, const std::vector<ValueChoice>& choices) {
     const RunFile& run = shown.run;
     std::vector<ShownValues> wanted(choices.size());
-    std::vector<quasimc::EstimateNames> columns;
-    quasimc::EstimateQuery query;
+    std::vector<std::vector<std::string>> columns;
+    quasimc::RowsQuery query;
     for (std::size_t i = 0; i < choices.size(); ++i) {
         query = query_of(run, choices[i], wanted[i]);
-        columns.push_back(query.names);
+        columns.push_back(query.columns.front());
     }
-    if (run.sweep) {
-        query.point = run.point;
-    }
-    auto read = quasimc::read_estimate_columns(shown.result_text, path, query, columns);
+    query.columns = columns;
+    auto times = quasimc::read_rows(shown.result_text, path, query);
     std::vector<ShownValues> found;
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (read[i].empty()) {
+        const auto first = std::find_if(
+            times.begin(), times.end(), [&](const auto& time) { return !time.columns[i].empty(); });
+        if (first == times.end()) {
             continue;
         }
-        wanted[i].estimates = std::move(read[i].front().values);
+        wanted[i].estimates = std::move(first->columns[i]);
         wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
-        wanted[i].when = query.part == "total" ? "sum of all times" : read[i].front().label;
+        wanted[i].when = query.part == "total" ? "sum of all times" : first->place.label;
         found.push_back(std::move(wanted[i]));
     }
     return found;
@@ -172,6 +162,20 @@ std::vector<ShownValues> find_shown_values(
 }
 
 }  // namespace
+
+ShownValues named_values(
+    const RunFile& run,
+    const quasimc::QuantityEntry& entry,
+    const quasimc::Band& band,
+    bool is_sum) {
+    const std::string unit = quasimc::unit_of(entry, band, run.scene.length_unit());
+    return {
+        .estimates = {},
+        .name = fmt::format("{}, {}", quasimc::in_words(entry.name), band.name),
+        .unit = is_sum ? quasimc::summed_unit(unit).name : unit,
+        .key = fmt::format("{}_{}", entry.name, band.name),
+        .when = ""};
+}
 
 Flag point_flag(std::size_t& point) {
     return {

@@ -38,6 +38,12 @@ struct ShownValues {
     std::string key;                           ///< "absorbed_flux_density_PAR"
     std::string when;                          ///< time, day or period; empty without [time]
 };
+/// Those of a quantity and a band, without the estimates.
+[[nodiscard]] ShownValues named_values(
+    const quasimc::RunFile& run,
+    const quasimc::QuantityEntry& entry,
+    const quasimc::Band& band,
+    bool is_sum);
 /// @throws quasimc::InputError  if there are none of the kind
 [[nodiscard]] ShownValues read_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);

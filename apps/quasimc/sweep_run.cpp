@@ -14,11 +14,9 @@ namespace {
 /// @throws quasimc::InputError
 void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
     quasimc::Faults faults;
-    for (const auto& [flag, path] :
-         {std::pair("--days", &arguments.days),
-          std::pair("--groups-days", &arguments.groups_days)}) {
-        if (!path->empty() && !run.series) {
-            faults.add({flag, "the run has no [time]", "sums over days need times", ""});
+    for (const Output output : {kDays, kGroupDays}) {
+        if (!arguments.outputs[output].empty() && !run.series) {
+            faults.add({flag_of(output), "the run has no [time]", "sums over days need times", ""});
         }
     }
     faults.throw_if_any();

@@ -164,30 +164,17 @@ class RunSweep {
 /// A run file with every option and its default, with comments, that can be run as it stands.
 [[nodiscard]] std::string default_run_file();
 
-/// A run that was done before, read back from its JSON result.
-struct StoredRun {
-    RunFile run;  ///< its [output] is left out: a result is not overwritten by accident
-    std::string organs_sha256;  ///< as write_json returned it
-    /// Whether this version of the program gives the same digits: not those of format_version 1,
-    /// whose intervals differ in their last ones.
-    bool is_comparable = true;
-};
-
-/// The same of a result that may be that of a sweep.
+/// Runs that were done before, read back from their JSON result.
 struct StoredSweep {
-    RunSweep runs;
-    std::string organs_sha256;
-    bool is_comparable = true;
+    RunSweep runs;  ///< their [output] is left out: a result is not overwritten by accident
+    std::string organs_sha256;         ///< as write_json returned it
     std::string program_version = {};  ///< that wrote it
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
-[[nodiscard]] StoredSweep read_result_sweep(
-    const std::string& path, const std::vector<Override>& overrides = {});
-
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
 /// those at the places where they were.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
-[[nodiscard]] StoredRun read_result_file(
+[[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
 
 // What a run writes, while it goes on: each writer is told of every time that is computed, of every
@@ -196,67 +183,41 @@ struct StoredSweep {
 /// Takes text in pieces.
 using TextSink = std::function<void(std::string_view)>;
 
-/// The table of organs, or of organs and times (docs/formats/csv.md): comment lines that begin with
-/// '#', one header line, one row per organ and time. The run must outlive it.
+/// What the rows of a table are of, and what each of them is told for.
+enum class CsvRows { organs, groups };
+enum class CsvTimes { moments, days };
+
+/// A table of organs or groups, and of times or, of a run with [time], of sums over days
+/// (docs/formats/csv.md, groups.md): comment lines that begin with '#', one header line, one row
+/// per organ or group and time or day. The run must outlive it.
 class CsvWriter {
   public:
-    CsvWriter(const RunFile& run, TextSink sink);
+    CsvWriter(
+        const RunFile& run,
+        TextSink sink,
+        CsvRows rows = CsvRows::organs,
+        CsvTimes times = CsvTimes::moments);
 
+    // A table takes from these what it is of.
     /// @param moment  which of moments_of(run) the result is of
     void add_moment(std::size_t time_step, const Result& result);
+    void add_day(std::size_t day, const SeriesSum& sum);
     /// What follows is of this run, of the same sweep. It must outlive the writer.
     void next_run(const RunFile& run) { run_ = &run; }
 
   private:
-    void write_head(const Result& result);
+    void write_head(const Result* result);
+    void write_rows(
+        const std::string& first,
+        const std::vector<OrganGroup>& groups,
+        const std::function<void(std::string&, std::size_t)>& append) const;
 
     const RunFile* run_;
     TextSink sink_;
+    CsvRows rows_;
+    CsvTimes times_;
     std::vector<std::string> labels_;
     bool has_head_ = false;
-};
-
-/// The table of sums over days, of a run with [time]. The run must outlive it.
-class DaysWriter {
-  public:
-    /// Writes what precedes the rows.
-    DaysWriter(const RunFile& run, TextSink sink);
-
-    void add_day(std::size_t day, const SeriesSum& sum);
-    void next_run(const RunFile& run) { run_ = &run; }
-
-  private:
-    const RunFile* run_;
-    TextSink sink_;
-    std::vector<std::string> labels_;
-};
-
-/// The table of groups, or of groups and times (docs/formats/groups.md). The run must outlive it.
-class GroupsWriter {
-  public:
-    GroupsWriter(const RunFile& run, TextSink sink);
-
-    void add_moment(std::size_t time_step, const Result& result);
-    void next_run(const RunFile& run) { run_ = &run; }
-
-  private:
-    const RunFile* run_;
-    TextSink sink_;
-    bool has_head_ = false;
-};
-
-/// The table of sums of groups over days, of a run with [time]. The run must outlive it.
-class GroupDaysWriter {
-  public:
-    /// Writes what precedes the rows.
-    GroupDaysWriter(const RunFile& run, TextSink sink);
-
-    void add_day(std::size_t day, const SeriesSum& sum);
-    void next_run(const RunFile& run) { run_ = &run; }
-
-  private:
-    const RunFile* run_;
-    TextSink sink_;
 };
 
 /// Everything that is known of a run and its results (docs/formats/json.md). Days are kept in a

@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "io/results/json_stream.h"
-#include "io/results/window_lights.h"
-#include "io/results/window_scene.h"
+#include <nlohmann/json.hpp>
+
+#include "io/results/window_parts.h"
 #include "io/results/window_shape.h"
 #include "view/window_names.h"
 
@@ -56,15 +56,11 @@ class ColumnValues {
     /// Means, standard errors, low and high ends of all organs, single precision.
     [[nodiscard]] std::string bytes() const {
         const std::size_t organs = frame_.scene->scene->organs().size();
-        std::vector<float> numbers(4 * organs);
+        std::vector<Estimate> column(organs);
         for (std::size_t i = 0; i < organs; ++i) {
-            const Estimate e = reported(at(i));
-            numbers[i] = static_cast<float>(e.mean);
-            numbers[organs + i] = static_cast<float>(e.standard_error);
-            numbers[2 * organs + i] = static_cast<float>(e.low);
-            numbers[3 * organs + i] = static_cast<float>(e.high);
+            column[i] = reported(at(i));
         }
-        return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
+        return window_values(column);
     }
 
   private:
@@ -99,34 +95,22 @@ std::vector<WindowColumn> columns_of(const LiveScene& scene) {
 }
 
 std::string scene_json(const LiveScene& scene) {
-    JsonStream json;
-    json.begin_object(kWindowLayout);
-    json.key("head");
-    json.raw(scene.head);
-    json.text("title", scene.title);
-    json.boolean("grows", scene.grows);
-    json_window_scene(json, *scene.scene, columns_of(scene));
-    json.end_object();
-    return json.take();
+    Json json = json_window_scene(*scene.scene, columns_of(scene));
+    json["title"] = scene.title;
+    json["grows"] = scene.grows;
+    return json_text_with(json, "head", scene.head);
 }
 
 /// Columns that have values carry their own number, others -1.
 std::string light_json(const LiveFrame& frame) {
-    JsonStream json;
-    json.begin_object(kWindowLayout);
-    json.text("label", frame.label);
-    json_lights(json, window_lights(frame.sources), window_middle(*frame.scene->scene));
-    json.key("head");
-    json.raw(frame.head);
-    json.key("values");
-    json.begin_list(kWindowLayout);
+    Json json = json_lights(frame.sources, window_middle(*frame.scene->scene));
+    json["label"] = frame.label;
+    Json& values = json["values"] = Json::array();
     const std::size_t count = columns_of(*frame.scene).size();
     for (std::size_t i = 0; i < count; ++i) {
-        json.integer(ColumnValues(frame, i).is_known() ? static_cast<std::int64_t>(i) : -1);
+        values.push_back(ColumnValues(frame, i).is_known() ? static_cast<std::int64_t>(i) : -1);
     }
-    json.end_list();
-    json.end_object();
-    return json.take();
+    return json_text_with(json, "head", frame.head);
 }
 
 WindowFile made(std::string_view type, std::string text) {
@@ -226,24 +210,16 @@ std::optional<WindowFile> LiveWindow::file(std::string_view name) {
 
 std::string LiveWindow::news() const {
     const std::lock_guard lock(mutex_);
-    JsonStream json;
-    json.begin_object(kWindowLayout);
-    json.text("words", words_);
-    json.number("fraction", fraction_);
-    json.text("ended", ending_);
-    json.key("frames");
-    json.begin_list(kWindowLayout);
+    Json frames = Json::array();
     for (const Kept& kept : frames_) {
-        json.begin_object(kWindowLayout);
-        json.count("number", kept.number);
-        json.count("version", kept.version);
-        json.count("scene", kept.scene);
-        json.text("label", kept.frame->label);
-        json.end_object();
+        frames.push_back(
+            {{"number", kept.number},
+             {"version", kept.version},
+             {"scene", kept.scene},
+             {"label", kept.frame->label}});
     }
-    json.end_list();
-    json.end_object();
-    return json.take();
+    return json_text(
+        {{"words", words_}, {"fraction", fraction_}, {"ended", ending_}, {"frames", frames}});
 }
 
 std::shared_ptr<const LiveFrame> LiveWindow::frame(std::uint64_t number) const {

@@ -206,10 +206,7 @@ TEST_F(ProgramTest, FromTellsOtherNumbers) {
     folder_.write("changed.json", changed);
     const Outcome other = run({"run", "--from", "changed.json", "-q"});
     EXPECT_EQ(other.status, 1);
-    EXPECT_NE(
-        other.err.find(" rows of numbers differ; organ 1 'third': absorbed_flux"),
-        std::string::npos)
-        << other.err;
+    EXPECT_NE(other.err.find("(1 of 4 rows of numbers differ)"), std::string::npos) << other.err;
     folder_.write("old.json", replaced(stored, "\"organs_sha256\": \"", "\"organs_sha256\": \"x"));
     EXPECT_EQ(run({"run", "--from", "old.json"}).status, 1);
 }

@@ -73,7 +73,9 @@ TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
         EXPECT_EQ(count(csv, point), 1U) << point;
     }
     EXPECT_EQ(count(folder_.read("groups.csv"), ",all,,"), 4U);
-    EXPECT_EQ(count(folder_.read("out.json"), "\n\"point\": {\"paths\": 128, \"seed\": 2},"), 1U);
+    EXPECT_EQ(
+        count(folder_.read("out.json"), "\n\"point\": {\n  \"paths\": 128,\n  \"seed\": 2\n},"),
+        1U);
     EXPECT_NE(outcome.out.find("4 of 4 points are done"), std::string::npos) << outcome.out;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/length_units.h"
 #include "geometry/mesh/mesh.h"
@@ -25,10 +26,6 @@ std::uint64_t padded(std::uint64_t bytes) {
 
 }  // namespace
 
-GlbParts::GlbParts() {
-    accessors_.begin_list(JsonLayout::compact);
-}
-
 std::size_t GlbParts::add_view(const GlbNumbers& kind) {
     views_.push_back({kind, 0, std::make_unique<Spool>()});
     return views_.size() - 1;
@@ -36,21 +33,21 @@ std::size_t GlbParts::add_view(const GlbNumbers& kind) {
 
 std::size_t GlbParts::add_list(std::size_t view, std::string_view bytes, const Bounds* bounds) {
     View& place = views_[view];
-    accessors_.begin_object(JsonLayout::compact);
-    accessors_.count("bufferView", view);
-    accessors_.count("byteOffset", place.size);
-    accessors_.count("componentType", place.kind.component_type);
-    accessors_.count("count", bytes.size() / place.kind.bytes);
-    accessors_.text("type", place.kind.type);
+    Json accessor = {
+        {"bufferView", view},
+        {"byteOffset", place.size},
+        {"componentType", place.kind.component_type},
+        {"count", bytes.size() / place.kind.bytes},
+        {"type", place.kind.type}};
     if (place.kind.is_normalized) {
-        accessors_.boolean("normalized", true);
+        accessor["normalized"] = true;
     }
     if (bounds != nullptr && !bounds->empty()) {
         const auto& [low, high] = *bounds;
-        add_json_numbers(accessors_, "min", {low.x, low.y, low.z});
-        add_json_numbers(accessors_, "max", {high.x, high.y, high.z});
+        accessor["min"] = {low.x, low.y, low.z};
+        accessor["max"] = {high.x, high.y, high.z};
     }
-    accessors_.end_object();
+    append_json(accessors_, accessor);
     place.bytes->add(bytes);
     place.size += bytes.size();
     return lists_++;
@@ -72,29 +69,31 @@ std::size_t GlbParts::add_points(
     return add_list(view, bytes, &bounds);
 }
 
-void GlbParts::write(const std::string& members, const TextSink& sink) {
+void GlbParts::write(
+    const std::vector<std::pair<std::string_view, std::string>>& members, const TextSink& sink) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
     constexpr std::uint64_t kArrayBuffer = 34962, kIndexBuffer = 34963;
-    JsonStream views;
+    Json views = Json::array();
     std::uint64_t bytes = 0;
-    views.begin_list(JsonLayout::compact);
     for (const View& view : views_) {
-        views.begin_object(JsonLayout::compact);
-        views.count("buffer", 0);
-        views.count("byteOffset", bytes);
-        views.count("byteLength", view.size);
+        Json& one = views.emplace_back(
+            Json{{"buffer", 0}, {"byteOffset", bytes}, {"byteLength", view.size}});
         if (!view.kind.is_index) {
-            views.count("byteStride", view.kind.bytes);
+            one["byteStride"] = view.kind.bytes;
         }
-        views.count("target", view.kind.is_index ? kIndexBuffer : kArrayBuffer);
-        views.end_object();
+        one["target"] = view.kind.is_index ? kIndexBuffer : kArrayBuffer;
         bytes += view.size;
     }
-    views.end_list();
-    accessors_.end_list();
-    std::string json = fmt::format(
-        "{{{},\"accessors\":{},\"bufferViews\":{},\"buffers\":[{{\"byteLength\":{}}}]}}", members,
-        accessors_.take(), views.take(), bytes);
+    std::string json = json_text(
+        {{"asset", {{"version", "2.0"}, {"generator", "QuasiMC " + std::string(version())}}},
+         {"scene", 0},
+         {"bufferViews", views},
+         {"buffers", Json::array({Json{{"byteLength", bytes}}})}});
+    json.pop_back();
+    for (const auto& [key, text] : members) {
+        json += fmt::format(",\"{}\":{}", key, text);
+    }
+    json += ",\"accessors\":[" + accessors_ + "]}";
     json.resize(padded(json.size()), ' ');
     if (kGlbHeaders + json.size() + bytes > kMost) {
         throw InputError({{"GLB", "the file would have 4 GiB or more", "no GLB file can", ""}});
@@ -157,27 +156,12 @@ Vec3 middle_of(const std::vector<Vec3>& points) {
     return bounds.empty() ? Vec3{} : bounds.center();
 }
 
-void add_json_numbers(
-    JsonStream& json, std::string_view key, std::initializer_list<double> numbers) {
-    json.key(key);
-    json.begin_list(JsonLayout::compact);
-    for (const double number : numbers) {
-        json.number(number);
-    }
-    json.end_list();
-}
-
-std::string glb_scene_members(std::size_t roots) {
-    JsonStream json;
-    json.begin_list(JsonLayout::compact);
+std::string glb_scene(std::size_t roots) {
+    Json nodes = Json::array();
     for (std::size_t i = 0; i < roots; ++i) {
-        json.count(i);
+        nodes.push_back(i);
     }
-    json.end_list();
-    return fmt::format(
-        "\"asset\":{{\"version\":\"2.0\",\"generator\":\"QuasiMC {}\"}},\"scene\":0,\"scenes\":[{{"
-        "\"nodes\":{}}}]",
-        version(), json.take());
+    return json_text(Json::array({Json{{"nodes", nodes}}}));
 }
 
 }  // namespace quasimc

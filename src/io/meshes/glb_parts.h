@@ -6,9 +6,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "io/results/json_stream.h"
+#include "io/results/json.h"
 #include "io/results/spool.h"
 #include "quasimc/file.h"
 #include "quasimc/mesh.h"
@@ -34,8 +35,6 @@ inline constexpr GlbNumbers kGlbIndices{5125, "SCALAR", 4, true};
 /// until they are written.
 class GlbParts {
   public:
-    GlbParts();
-
     /// A place for lists of one kind. @returns its number
     std::size_t add_view(const GlbNumbers& kind);
     /// A list in a view. @returns the number of its accessor
@@ -44,10 +43,11 @@ class GlbParts {
     /// The same of points, in single precision about an origin.
     std::size_t add_points(std::size_t view, const std::vector<Vec3>& points, const Vec3& origin);
 
-    /// Writes the file. @param members  of the JSON, all but buffers, views and accessors:
-    /// "\"nodes\":[...],..."
+    /// Writes the file. @param members  of the JSON and their texts, all but asset, scene, buffers,
+    /// views and accessors
     /// @throws InputError  if it takes 4 GiB or more
-    void write(const std::string& members, const TextSink& sink);
+    void write(
+        const std::vector<std::pair<std::string_view, std::string>>& members, const TextSink& sink);
 
   private:
     struct View {
@@ -57,7 +57,7 @@ class GlbParts {
     };
 
     std::vector<View> views_;
-    JsonStream accessors_;
+    std::string accessors_;  // texts of a list
     std::size_t lists_ = 0;
 };
 
@@ -81,12 +81,7 @@ class GlbMeshes {
 /// The middle of the box about points; the origin if there are none.
 [[nodiscard]] Vec3 middle_of(const std::vector<Vec3>& points);
 
-/// Adds a list of numbers to an object.
-void add_json_numbers(
-    JsonStream& json, std::string_view key, std::initializer_list<double> numbers);
-
-/// The members of every file: asset and scene. @param roots  how many nodes the scene has, the
-/// first ones
-[[nodiscard]] std::string glb_scene_members(std::size_t roots);
+/// The list of scenes, which is one. @param roots  how many nodes it has, the first ones
+[[nodiscard]] std::string glb_scene(std::size_t roots);
 
 }  // namespace quasimc

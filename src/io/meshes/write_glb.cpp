@@ -1,6 +1,6 @@
 #include <utility>
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "io/line_scanner.h"
 #include "io/little_endian.h"
@@ -20,18 +20,21 @@ class GlbWriter {
           indices_(parts_.add_view(kGlbIndices)) {}
 
     void write(const TextSink& sink) {
-        nodes_.begin_list(JsonLayout::compact);
-        mesh_list_.begin_list(JsonLayout::compact);
         for (const Organ& organ : scene_.organs()) {
             add_organ(organ);
         }
-        nodes_.end_list();
-        mesh_list_.end_list();
-        const std::string meshes = mesh_list_.take();
-        parts_.write(
-            glb_scene_members(scene_.organs().size()) + ",\"nodes\":" + nodes_.take() +
-                (mesh_count_ > 0 ? ",\"meshes\":" + meshes : "") + ",\"materials\":" + materials(),
-            sink);
+        std::string materials;
+        for (const std::string& name : scene_.material_names()) {
+            append_json(materials, {{"name", name}, {"doubleSided", true}});
+        }
+        std::vector<std::pair<std::string_view, std::string>> members{
+            {"scenes", glb_scene(scene_.organs().size())},
+            {"nodes", "[" + nodes_ + "]"},
+            {"materials", "[" + materials + "]"}};
+        if (mesh_count_ > 0) {
+            members.emplace_back("meshes", "[" + mesh_list_ + "]");
+        }
+        parts_.write(members, sink);
     }
 
   private:
@@ -46,15 +49,11 @@ class GlbWriter {
         if (regions.empty()) {
             return;
         }
-        mesh_list_.begin_object(JsonLayout::compact);
-        mesh_list_.text("name", organ.name);
-        mesh_list_.key("primitives");
-        mesh_list_.begin_list(JsonLayout::compact);
+        Json primitives = Json::array();
         for (const auto& [region, mesh] : regions) {
-            add_primitive(scene_.regions()[region.value], mesh, origin);
+            primitives.push_back(primitive_of(scene_.regions()[region.value], mesh, origin));
         }
-        mesh_list_.end_list();
-        mesh_list_.end_object();
+        append_json(mesh_list_, {{"name", organ.name}, {"primitives", primitives}});
         ++mesh_count_;
     }
 
@@ -75,58 +74,38 @@ class GlbWriter {
     }
 
     void add_node(const Organ& organ, const Vec3& origin, bool has_mesh) {
-        nodes_.begin_object(JsonLayout::compact);
-        nodes_.text("name", organ.name);
+        Json node = {{"name", organ.name}};
         if (has_mesh) {
-            nodes_.count("mesh", mesh_count_);
-            add_json_numbers(nodes_, "translation", {origin.x, origin.y, origin.z});
+            node["mesh"] = mesh_count_;
+            node["translation"] = {origin.x, origin.y, origin.z};
         }
-        nodes_.key("extras");
-        nodes_.begin_object(JsonLayout::compact);
-        nodes_.key("id");
-        nodes_.integer(organ.id);
+        Json& extras = node["extras"];
+        extras["id"] = organ.id;
         for (const auto& [key, value] : organ.labels) {
-            nodes_.text(key == "id" ? "label_id" : key, value);
+            extras[key == "id" ? "label_id" : key] = value;
         }
-        nodes_.end_object();
-        nodes_.end_object();
+        append_json(nodes_, node);
     }
 
-    void add_primitive(const Region& region, const Mesh& mesh, const Vec3& origin) {
+    [[nodiscard]] Json primitive_of(const Region& region, const Mesh& mesh, const Vec3& origin) {
         std::string indices;
         for (const Face& face : mesh.faces) {
             for (const std::uint32_t vertex : face) {
                 append_little_endian(indices, vertex);
             }
         }
-        mesh_list_.begin_object(JsonLayout::compact);
-        mesh_list_.key("attributes");
-        mesh_list_.begin_object(JsonLayout::compact);
-        mesh_list_.count("POSITION", parts_.add_points(points_, mesh.vertices, origin));
-        mesh_list_.end_object();
-        mesh_list_.count("indices", parts_.add_list(indices_, indices));
-        mesh_list_.count("material", region.material.value);
-        mesh_list_.end_object();
-    }
-
-    [[nodiscard]] std::string materials() const {
-        JsonStream json;
-        json.begin_list(JsonLayout::compact);
-        for (const std::string& name : scene_.material_names()) {
-            json.begin_object(JsonLayout::compact);
-            json.text("name", name);
-            json.boolean("doubleSided", true);
-            json.end_object();
-        }
-        json.end_list();
-        return json.take();
+        const std::size_t points = parts_.add_points(points_, mesh.vertices, origin);
+        return {
+            {"attributes", {{"POSITION", points}}},
+            {"indices", parts_.add_list(indices_, indices)},
+            {"material", region.material.value}};
     }
 
     const Scene& scene_;
     GlbMeshes meshes_;
     GlbParts parts_;
-    std::size_t points_, indices_;  // views
-    JsonStream nodes_, mesh_list_;
+    std::size_t points_, indices_;   // views
+    std::string nodes_, mesh_list_;  // texts of lists
     std::size_t mesh_count_ = 0;
 };
 

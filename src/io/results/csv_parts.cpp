@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "io/line_scanner.h"
-#include "io/results/audit_words.h"
+#include "io/results/result_words.h"
 #include "io/results/series_words.h"
-#include "io/results/stop_words.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
 #include "quasimc/version.h"
@@ -46,6 +45,22 @@ std::string source_comments(const RunFile& run) {
     return out;
 }
 
+/// @param columns  of estimates, each with its error and upper end
+std::string header_line(
+    const std::vector<std::string>& names, const std::vector<std::string>& columns) {
+    std::string line;
+    const auto add = [&](const std::string& name) {
+        line += (line.empty() ? "" : ",") + csv_field(name);
+    };
+    std::for_each(names.begin(), names.end(), add);
+    for (const std::string& column : columns) {
+        add(column);
+        add(column + "_se");
+        add(column + "_high");
+    }
+    return line + "\n";
+}
+
 }  // namespace
 
 std::string csv_field(std::string_view text) {
@@ -78,7 +93,7 @@ std::vector<std::string> label_columns(const Scene& scene) {
     return {keys.begin(), keys.end()};
 }
 
-std::string csv_header(
+std::string csv_organ_header(
     const std::vector<std::string>& first,
     const std::vector<std::string>& labels,
     const std::vector<std::string>& columns) {
@@ -87,21 +102,23 @@ std::string csv_header(
     for (const std::string& column : columns) {
         taken.insert(taken.end(), {column, column + "_se", column + "_high"});
     }
-    std::string line;
-    for (const std::string& name : first) {
-        line += name + ",";
-    }
-    line += "id,name";
+    std::vector<std::string> names = first;
+    names.insert(names.end(), {"id", "name"});
     for (const std::string& label : labels) {
         const bool clashes = std::find(taken.begin(), taken.end(), label) != taken.end();
-        line += "," + csv_field(clashes ? "label_" + label : label);
+        names.push_back(clashes ? "label_" + label : label);
     }
-    line += ",area";
-    for (const std::string& column : columns) {
-        line += fmt::format(
-            ",{},{},{}", csv_field(column), csv_field(column + "_se"), csv_field(column + "_high"));
-    }
-    return line + "\n";
+    names.emplace_back("area");
+    return header_line(names, columns);
+}
+
+std::string csv_group_header(
+    const std::vector<std::string>& first, const std::vector<std::string>& columns) {
+    std::vector<std::string> names = first;
+    names.insert(
+        names.end(), {"by", "value", "organs", "area", "low", "high", "plant_area_index",
+                      "cumulative_plant_area_index"});
+    return header_line(names, columns);
 }
 
 void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels) {
@@ -114,6 +131,17 @@ void append_organ(std::string& out, const Organ& organ, const std::vector<std::s
         out += found == organ.labels.end() ? "" : csv_field(found->second);
     }
     append_csv(out, organ.area);
+}
+
+void append_group(std::string& out, const OrganGroup& group) {
+    fmt::format_to(
+        std::back_inserter(out), "{},{},{}", csv_field(group.by), csv_field(group.value),
+        group.organs.size());
+    for (const double x :
+         {group.area, group.low, group.high, group.plant_area_index,
+          group.cumulative_plant_area_index}) {
+        append_csv(out, x);
+    }
 }
 
 std::string csv_origin(const RunFile& run, std::string_view what) {
@@ -148,14 +176,6 @@ std::string csv_point_columns(const RunFile& run) {
     return out;
 }
 
-std::string csv_point_header(const RunFile& run) {
-    std::string out;
-    for (const std::string& name : csv_point_names(run)) {
-        out += csv_field(name) + ",";
-    }
-    return out;
-}
-
 std::string csv_point_fields(const RunFile& run) {
     std::string out;
     for (std::size_t i = 0; run.sweep && i < run.sweep->front().values.size(); ++i) {
@@ -181,8 +201,8 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
     return out;
 }
 
-std::string csv_light_columns(
-    const RunFile& run, const WrittenColumns& columns, LightAmount amount) {
+std::string csv_light_columns(const RunFile& run, LightAmount amount) {
+    const WrittenColumns columns = written_columns(run);
     const bool is_period = run.series && run.series->collapse == Collapse::period;
     std::string out;
     for (const std::size_t b : columns.bands) {
@@ -204,6 +224,19 @@ std::string csv_organ_columns(const RunFile& run) {
     return fmt::format(
         "# column id, name, labels: of the organ, as given\n"
         "# column area [{}2]: of one side\n",
+        one_line(run.scene.length_unit()));
+}
+
+std::string csv_group_columns(const RunFile& run) {
+    return fmt::format(
+        "# column by: what the organs of a row have in common: all, a key of labels, layer\n"
+        "# column value: of the label; of a layer its number from below\n"
+        "# column organs: how many; those that are measured, without the ground\n"
+        "# column area [{0}2]: of one side of all of them\n"
+        "# column low, high [{0}]: of a layer, whose organs have the centroids of their areas in "
+        "it\n"
+        "# column plant_area_index, cumulative_plant_area_index [1]: of a layer, of this one and "
+        "those above: area / horizontal area of cell or ground\n",
         one_line(run.scene.length_unit()));
 }
 

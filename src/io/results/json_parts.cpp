@@ -1,40 +1,202 @@
 #include "io/results/json_parts.h"
 
+#include <nlohmann/json.hpp>
+
+#include "io/results/fraction_table.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
+#include "quasimc/version.h"
 
 namespace quasimc {
 namespace {
 
-void write_band_audit(
-    JsonStream& json, const std::string& unit, const BandAudit& audit, JsonLayout layout) {
-    json.begin_object(layout);
-    json.text("unit", unit);
-    json.real("reduced_chi_square", audit.reduced_chi_square);
-    json.real("degrees_of_freedom", audit.freedom);
-    json.real("chi_square_chance", audit.chi_chance);
-    json.real("difference", audit.difference);
-    json.real("standard_error", audit.standard_error);
-    json.real("difference_chance", audit.difference_chance);
-    json.end_object();
+Json estimate_of(const Estimate& estimate) {
+    const Estimate e = reported(estimate);
+    return {
+        {"mean", e.mean}, {"standard_error", e.standard_error}, {"low", e.low}, {"high", e.high}};
 }
 
-void write_budget(
-    JsonStream& json, const std::string& unit, const BandBudget& budget, JsonLayout layout) {
-    json.begin_object(layout);
-    json.text("unit", unit);
-    json.real("emitted", budget.emitted.mean);
-    json.real("emitted_standard_error", budget.emitted.standard_error);
-    json_estimate(json, "absorbed_by_organs", budget.absorbed_by_organs, layout);
-    json_estimate(json, "absorbed_by_ground", budget.absorbed_by_ground, layout);
-    json_estimate(json, "escaped", budget.escaped, layout);
-    json_estimate(json, "cut_off", budget.cut_off, layout);
-    json_estimate(json, "roulette", budget.roulette, layout);
-    json.real("closure_error", budget.closure_error);
-    json.end_object();
+Json inputs_of(const std::vector<InputFile>& inputs) {
+    Json list = Json::array();
+    for (const InputFile& input : inputs) {
+        list.push_back(
+            {{"path", input.path},
+             {"resolved", input.resolved},
+             {"sha256", input.sha256},
+             {"bytes", input.bytes},
+             {"is_run_file", input.is_run_file}});
+    }
+    return list;
+}
+
+Json scene_of(const Scene& scene) {
+    const Orientation& axes = scene.orientation();
+    return {
+        {"organs", scene.organs().size()},
+        {"triangles", scene.triangles().size()},
+        {"length_unit", scene.length_unit()},
+        {"axes",
+         {{"up", axes.up() == UpAxis::z ? "z" : "y"}, {"north", json_vector(axes.north())}}}};
+}
+
+Json quantities_of(const RunFile& run) {
+    const WrittenColumns columns = written_columns(run);
+    Json list = Json::array();
+    for (const QuantityEntry& entry : columns.quantities) {
+        Json units = Json::object();
+        for (const std::size_t b : columns.bands) {
+            const Band& band = run.scene.bands()[b];
+            units[band.name] = unit_of(entry, band, run.scene.length_unit());
+        }
+        list.push_back({{"name", entry.name}, {"meaning", entry.summary}, {"unit", units}});
+    }
+    return list;
+}
+
+Json rounds_of(const Result& result) {
+    Json list = Json::array();
+    for (const RoundErrors& round : result.rounds) {
+        list.push_back(
+            {{"paths", round.paths},
+             {"seconds", round.seconds},
+             {"median_error", round.median},
+             {"worst_error", round.worst},
+             {"fraction_at_target", round.fraction_at_target}});
+    }
+    return list;
+}
+
+Json energy_of(std::span<const Band> bands, const std::string& length_unit, const Result& result) {
+    Json object = Json::object();
+    for (std::size_t b = 0; b < result.budget.size(); ++b) {
+        const BandBudget& budget = result.budget[b];
+        object[bands[b].name] = {
+            {"unit", flux_unit(bands[b].unit, length_unit)},
+            {"emitted", budget.emitted.mean},
+            {"emitted_standard_error", budget.emitted.standard_error},
+            {"absorbed_by_organs", estimate_of(budget.absorbed_by_organs)},
+            {"absorbed_by_ground", estimate_of(budget.absorbed_by_ground)},
+            {"escaped", estimate_of(budget.escaped)},
+            {"cut_off", estimate_of(budget.cut_off)},
+            {"roulette", estimate_of(budget.roulette)},
+            {"closure_error", budget.closure_error}};
+    }
+    return object;
+}
+
+Json audit_of(const Scene& scene, const std::optional<Audit>& audit) {
+    if (!audit) {
+        return nullptr;
+    }
+    Json bands = Json::object();
+    for (std::size_t b = 0; b < audit->bands.size(); ++b) {
+        const Band& band = scene.bands()[b];
+        const BandAudit& found = audit->bands[b];
+        bands[band.name] = {
+            {"unit", flux_unit(band.unit, scene.length_unit())},
+            {"reduced_chi_square", found.reduced_chi_square},
+            {"degrees_of_freedom", found.freedom},
+            {"chi_square_chance", found.chi_chance},
+            {"difference", found.difference},
+            {"standard_error", found.standard_error},
+            {"difference_chance", found.difference_chance}};
+    }
+    return {{"paths", audit->paths}, {"replicates", audit->replicates}, {"chance", audit->chance},
+            {"level", kAuditLevel},  {"agrees", audit->agrees()},       {"bands", bands}};
+}
+
+Json canopy_of(const Scene& scene, const Result& result) {
+    Json object = Json::object();
+    for (std::size_t b = 0; b < result.canopy.size(); ++b) {
+        const Band& band = scene.bands()[b];
+        Json& one = object[band.name];
+        one["unit"] = flux_unit(band.unit, scene.length_unit());
+        one["incident"] = result.canopy[b].incident;
+        for (const FractionEntry& entry : fraction_table()) {
+            one[std::string(entry.name)] = estimate_of(result.canopy[b].*entry.part);
+        }
+    }
+    return object;
+}
+
+Json detectors_of(const Scene& scene, const Result& result) {
+    Json list = Json::array();
+    for (const DetectorResult& detector : result.detectors) {
+        Json units = Json::object(), bins = Json::array();
+        for (const Band& band : scene.bands()) {
+            units[band.name] = flux_unit(band.unit, scene.length_unit());
+        }
+        for (std::size_t i = 0; i < detector.bins.size(); ++i) {
+            Json flux = Json::object();
+            for (std::size_t b = 0; b < scene.bands().size(); ++b) {
+                flux[scene.bands()[b].name] = estimate_of(detector.at(i, b));
+            }
+            bins.push_back({{"bin", detector.bins[i]}, {"flux", flux}});
+        }
+        list.push_back(
+            {{"name", detector.name},
+             {"type", detector.type},
+             {"quantity", detector.quantity},
+             {"unit", units},
+             {"bins", bins}});
+    }
+    return list;
 }
 
 }  // namespace
+
+Json json_head(const RunFile& run) {
+    return {
+        {"format", "quasimc-result"},
+        {"format_version", kResultVersion},
+        {"program_version", version()},
+        {"title", run.title},
+        {"run_file", run.path},
+        {"folder", run.folder},
+        {"inputs", inputs_of(run.inputs)},
+        {"run", json_value(*run.document)},
+        {"scene", scene_of(run.scene)},
+        {"sources", run.source_notes},
+        {"quantities", quantities_of(run)}};
+}
+
+Json json_value(const Node& node) {
+    if (const auto* table = node.as<Node::Table>()) {
+        Json object = Json::object();
+        for (const Member& member : *table) {
+            object.emplace(member.key, json_value(member.node));
+        }
+        return object;
+    }
+    if (const auto* list = node.as<Node::List>()) {
+        Json array = Json::array();
+        for (const Node& item : *list) {
+            array.push_back(json_value(item));
+        }
+        return array;
+    }
+    if (const auto* other = node.as<Node::Other>()) {
+        return other->text.empty() ? Json() : Json(other->text);
+    }
+    if (const auto* text = node.as<std::string>()) {
+        return *text;
+    }
+    if (const auto* integer = node.as<std::int64_t>()) {
+        return *integer;
+    }
+    if (const auto* boolean = node.as<bool>()) {
+        return *boolean;
+    }
+    return *node.as<double>();
+}
+
+Json json_warnings(const RunFile& run) {
+    Json list = Json::array();
+    for (const Warning& warning : run.warnings) {
+        list.push_back({{"place", warning.place}, {"text", warning.text}});
+    }
+    return {{"warnings", list}};
+}
 
 std::string_view stop_name(StopReason stop) {
     switch (stop) {
@@ -53,94 +215,38 @@ std::string_view stop_name(StopReason stop) {
     }
 }
 
-void json_estimate(
-    JsonStream& json, std::string_view key, const Estimate& estimate, JsonLayout layout) {
-    const Estimate e = reported(estimate);
-    json.key(key);
-    json.begin_object(layout);
-    json.real("mean", e.mean);
-    json.real("standard_error", e.standard_error);
-    json.real("low", e.low);
-    json.real("high", e.high);
-    json.end_object();
+Json json_light(std::span<const Band> bands, const std::string& length_unit, const Result& result) {
+    Json light = {
+        {"method", {{"used", method_name(result.chosen.method)}, {"reason", result.chosen.reason}}},
+        {"done",
+         {{"paths", result.paths},
+          {"replicates", result.replicates},
+          {"rays", result.rays},
+          {"stop", stop_name(result.stop)},
+          {"fraction_at_target", result.fraction_at_target}}},
+        {"energy", energy_of(bands, length_unit, result)},
+        {"escaped_is_remainder", result.escaped_is_remainder}};
+    if (!result.rounds.empty()) {
+        light["rounds"] = rounds_of(result);
+    }
+    return light;
 }
 
-void json_method(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
-    json.key("method");
-    json.begin_object(layout);
-    json.text("used", method_name(result.chosen.method));
-    json.text("asked", method_name(run.spec.method));
-    json.text("reason", result.chosen.reason);
-    json.end_object();
+Json json_light(const RunFile& run, const Result& result) {
+    Json light = json_light(run.scene.bands(), run.scene.length_unit(), result);
+    light["method"]["asked"] = method_name(run.spec.method);
+    light["audit"] = audit_of(run.scene, result.audit);
+    if (!result.canopy.empty()) {
+        light["canopy"] = canopy_of(run.scene, result);
+    }
+    if (!result.detectors.empty()) {
+        light["detectors"] = detectors_of(run.scene, result);
+    }
+    return light;
 }
 
-void json_done(JsonStream& json, const Result& result, JsonLayout layout) {
-    json.key("done");
-    json.begin_object(layout);
-    json.count("paths", result.paths);
-    json.count("replicates", result.replicates);
-    json.count("rays", result.rays);
-    json.text("stop", stop_name(result.stop));
-    json.real("fraction_at_target", result.fraction_at_target);
-    json.end_object();
-}
-
-void json_rounds(JsonStream& json, const Result& result, JsonLayout layout) {
-    if (result.rounds.empty()) {
-        return;
-    }
-    json.key("rounds");
-    json.begin_list(layout);
-    for (const RoundErrors& round : result.rounds) {
-        json.begin_object(layout);
-        json.count("paths", round.paths);
-        json.real("seconds", round.seconds);
-        json.real("median_error", round.median);
-        json.real("worst_error", round.worst);
-        json.real("fraction_at_target", round.fraction_at_target);
-        json.end_object();
-    }
-    json.end_list();
-}
-
-void json_audit(JsonStream& json, const RunFile& run, const Result& result, JsonLayout layout) {
-    json.key("audit");
-    if (!result.audit) {
-        json.null();
-        return;
-    }
-    const Audit& audit = *result.audit;
-    const Scene& scene = run.scene;
-    json.begin_object(layout);
-    json.count("paths", audit.paths);
-    json.count("replicates", audit.replicates);
-    json.real("chance", audit.chance);
-    json.real("level", kAuditLevel);
-    json.boolean("agrees", audit.agrees());
-    json.key("bands");
-    json.begin_object(layout);
-    for (std::size_t b = 0; b < audit.bands.size(); ++b) {
-        const Band& band = scene.bands()[b];
-        json.key(band.name);
-        write_band_audit(json, flux_unit(band.unit, scene.length_unit()), audit.bands[b], layout);
-    }
-    json.end_object();
-    json.end_object();
-}
-
-void json_energy(
-    JsonStream& json,
-    std::span<const Band> bands,
-    const std::string& length_unit,
-    const Result& result,
-    JsonLayout layout) {
-    json.key("energy");
-    json.begin_object(layout);
-    for (std::size_t b = 0; b < result.budget.size(); ++b) {
-        json.key(bands[b].name);
-        write_budget(json, flux_unit(bands[b].unit, length_unit), result.budget[b], layout);
-    }
-    json.end_object();
+Json json_vector(const Vec3& vector) {
+    return {vector.x, vector.y, vector.z};
 }
 
 }  // namespace quasimc

@@ -1,15 +1,13 @@
 #include "io/results/run_head.h"
 
+#include <nlohmann/json.hpp>
+
 #include "io/results/json_parts.h"
 
 namespace quasimc {
 
 std::string head_of_run(const RunFile& run) {
-    JsonStream json;
-    json.begin_object(JsonLayout::rows);
-    json_head(json, run);
-    json.end_object();
-    return json.take();
+    return json_text(json_head(run));
 }
 
 std::string number_bytes(std::uint64_t number) {

@@ -1,6 +1,6 @@
 #include "io/results/series_words.h"
 
-#include <string_view>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -46,6 +46,12 @@ std::string series_comments(const RunFile& run) {
         out += "# moment: " + moment_words(notes) + "\n";
     }
     return out;
+}
+
+std::string in_words(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
 }
 
 SummedUnit summed_unit(const std::string& unit) {

@@ -1,8 +1,9 @@
 #pragma once
 
-// Words and units of series. Included by the writers of series only.
+// Words and units of results.
 
 #include <string>
+#include <string_view>
 
 #include "io/runfile/run_file.h"
 #include "quasimc/series.h"
@@ -11,6 +12,9 @@ namespace quasimc {
 
 /// The comments of a table on place, models, and each moment with its sun and light.
 [[nodiscard]] std::string series_comments(const RunFile& run);
+
+/// "absorbed flux" for "absorbed_flux".
+[[nodiscard]] std::string in_words(std::string_view name);
 
 /// A unit summed over time: "J m-2" for "W m-2", "mol m-2" for "umol m-2 s-1", "lx s" for "lx".
 struct SummedUnit {

@@ -5,10 +5,9 @@
 #include "base/number_text.h"
 #include "base/parallel.h"
 #include "io/line_scanner.h"
-#include "io/results/audit_words.h"
 #include "io/results/fraction_table.h"
+#include "io/results/result_words.h"
 #include "io/results/series_words.h"
-#include "io/results/stop_words.h"
 #include "io/results/summary_parts.h"
 #include "io/results/written.h"
 #include "io/runfile/options.h"
@@ -40,12 +39,17 @@ std::string scene_line(const Scene& scene) {
                      scene.bands().size() == 1 ? "band" : "bands", bands));
 }
 
+/// The program, the file and the scene.
+std::string title_lines(const RunFile& run) {
+    return fmt::format(
+               "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+               one_line(run.title)) +
+           scene_line(run.scene);
+}
+
 /// What is computed: program, file, scene, lights.
 std::string subject_lines(const RunFile& run) {
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
+    std::string text = title_lines(run);
     for (const std::string& note : run.source_notes) {
         text += line("light", one_line(note));
     }
@@ -285,10 +289,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
 
 /// How the points of a sweep were computed.
 std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::size_t points) {
-    std::string text = fmt::format(
-        "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
-        one_line(run.title));
-    text += scene_line(run.scene);
+    std::string text = title_lines(run);
     text += line(
         "sweep", fmt::format(
                      "{} of {} {} done{}; {} by {}, {}", points,

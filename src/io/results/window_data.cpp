@@ -1,12 +1,12 @@
 #include "io/results/window_data.h"
 
-#include <optional>
 #include <utility>
 
-#include "io/results/json_stream.h"
-#include "io/results/read_columns.h"
-#include "io/results/window_lights.h"
-#include "io/results/window_scene.h"
+#include <nlohmann/json.hpp>
+
+#include "io/results/json_parts.h"
+#include "io/results/read_rows.h"
+#include "io/results/window_parts.h"
 #include "io/results/window_shape.h"
 #include "quasimc/error.h"
 
@@ -14,50 +14,35 @@ namespace quasimc {
 namespace {
 
 /// Of a time; a sum over times has none of its own.
-WindowLights lights_at(const RunFile& run, const ResultTime& time) {
+const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
     if (!run.series) {
-        return window_lights(run.sources);
+        return run.sources;
     }
-    for (std::size_t i = 0; time.part == "moments" && i < run.series->notes.size(); ++i) {
-        if (run.series->notes[i].time == time.label) {
-            return window_lights(run.series->time_steps[i].sources);
+    for (std::size_t i = 0; place.part == "moments" && i < run.series->notes.size(); ++i) {
+        if (run.series->notes[i].time == place.label) {
+            return run.series->time_steps[i].sources;
         }
     }
-    return {};
+    static const Sources kNone;
+    return kNone;
 }
 
-void append_floats(std::string& bytes, const std::vector<float>& numbers) {
-    bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
-}
-
-/// The times, each with the number of the values of every column, -1 where there are none.
-void json_times(
-    JsonStream& json, const RunFile& run, const ResultColumns& result, WindowData& data) {
-    json.key("times");
-    json.begin_list(kWindowLayout);
-    for (const ResultTime& time : result.times) {
-        json.begin_object(kWindowLayout);
-        json.text("part", time.part);
-        json.count("index", time.index);
-        json.text("label", time.label);
-        json_lights(json, lights_at(run, time), window_middle(run.scene));
-        json.key("values");
-        json.begin_list(kWindowLayout);
-        for (const OrganColumn& column : time.columns) {
-            json.integer(column.mean.empty() ? -1 : static_cast<std::int64_t>(data.values.size()));
-            if (column.mean.empty()) {
-                continue;
-            }
-            std::string& bytes = data.values.emplace_back();
-            append_floats(bytes, column.mean);
-            append_floats(bytes, column.standard_error);
-            append_floats(bytes, column.low);
-            append_floats(bytes, column.high);
+/// A time, with the number of the values of every column, -1 where there are none.
+Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
+    Json time = {
+        {"part", rows.place.part}, {"index", rows.place.index}, {"label", rows.place.label}};
+    time.update(json_lights(lights_at(run, rows.place), window_middle(run.scene)));
+    Json& values = time["values"] = Json::array();
+    for (std::vector<Estimate>& column : rows.columns) {
+        if (column.empty()) {
+            values.push_back(-1);
+        } else {
+            values.push_back(data.values.size());
+            column.resize(run.scene.organs().size(), kUnknownEstimate);
+            data.values.push_back(window_values(column));
         }
-        json.end_list();
-        json.end_object();
     }
-    json.end_list();
+    return time;
 }
 
 }  // namespace
@@ -75,30 +60,30 @@ WindowData make_window_data(
     const Scene& scene = run.scene;
     const std::vector<WindowColumn> columns =
         window_columns(scene.bands(), scene.length_unit(), run.spec.ratios);
-    std::vector<std::vector<std::string>> names;
-    names.reserve(columns.size());
+    RowsQuery query{.rest = RowsQuery::Rest::all};
     for (const WindowColumn& column : columns) {
-        names.push_back(column.path);
+        query.columns.push_back(column.path);
     }
-    const ResultColumns result = read_columns(
-        result_text, path, names, scene.organs().size(),
-        run.sweep ? std::optional(run.point) : std::nullopt);
+    if (run.sweep) {
+        query.point = run.point;
+    }
     WindowData data;
     data.shape = window_shape(scene);
-    JsonStream json;
-    json.begin_object(kWindowLayout);
-    json.key("head");
-    json.raw(result.head);
-    json.text("title", run.title.empty() ? run.path : run.title);
-    json_window_scene(json, scene, columns);
-    json_times(json, run, result, data);
-    json.end_object();
+    Json times = Json::array();
+    Node head = read_rows(result_text, path, query, [&](PlacedRows rows) {
+        times.push_back(add_time(data, run, std::move(rows)));
+    });
+    head = only_point(std::move(head), query.point, path);
     if (data.values.empty()) {
         throw InputError(
             {{path, "holds no light of organs", "the run did not write it, or was never finished",
               "look at [output] in the run file"}});
     }
-    data.json = json.take();
+    Json all = json_window_scene(scene, columns);
+    all["title"] = run.title.empty() ? run.path : run.title;
+    all["head"] = json_value(head);
+    all["times"] = std::move(times);
+    data.json = json_text(all);
     return data;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "io/little_endian.h"
 #include "io/meshes/glb_parts.h"
@@ -50,13 +51,19 @@ class FieldGlbWriter {
                   "write VTP"}});
         }
         gather();
-        const std::string primitive = add_lists();
+        const Json node = {
+            {"name", "light"}, {"mesh", 0}, {"translation", {origin_.x, origin_.y, origin_.z}}};
+        const Json mesh = {{"name", "light"}, {"primitives", Json::array({primitive()})}};
+        const Json material = {
+            {"name", "light"},
+            {"doubleSided", true},
+            {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
         parts_.write(
-            glb_scene_members(1) + ",\"extensionsUsed\":[\"KHR_materials_unlit\"],\"nodes\":[" +
-                node() + "],\"meshes\":[{\"name\":\"light\",\"extras\":" + extras() +
-                ",\"primitives\":[" + primitive +
-                "]}],\"materials\":[{\"name\":\"light\",\"doubleSided\":true,\"extensions\":{\"KHR_"
-                "materials_unlit\":{}}}]",
+            {{"extensionsUsed", R"(["KHR_materials_unlit"])"},
+             {"scenes", glb_scene(1)},
+             {"nodes", "[" + json_text(node) + "]"},
+             {"meshes", "[" + json_text_with(mesh, "extras", extras()) + "]"},
+             {"materials", "[" + json_text(material) + "]"}},
             sink);
     }
 
@@ -78,28 +85,20 @@ class FieldGlbWriter {
         origin_ = middle_of(points_);
     }
 
-    /// @returns the primitive
-    std::string add_lists() {
-        JsonStream json;
-        json.begin_object(JsonLayout::compact);
-        json.key("attributes");
-        json.begin_object(JsonLayout::compact);
-        json.count("POSITION", parts_.add_points(parts_.add_view(kGlbPoints), points_, origin_));
+    Json primitive() {
+        Json attributes;
+        attributes["POSITION"] = parts_.add_points(parts_.add_view(kGlbPoints), points_, origin_);
         if (!shown_.colors.empty()) {
-            json.count("COLOR_0", add_colors());
+            attributes["COLOR_0"] = add_colors();
         }
-        json.count(
-            "_ORGAN", add_numbers([](std::size_t organ) { return static_cast<double>(organ); }));
+        attributes["_ORGAN"] =
+            add_numbers([](std::size_t organ) { return static_cast<double>(organ); });
         for (const auto& [name, field] : named_fields()) {
-            json.count(name, add_numbers([&field = *field](std::size_t organ) {
-                           return field.values[organ];
-                       }));
+            attributes[name] =
+                add_numbers([&field = *field](std::size_t organ) { return field.values[organ]; });
         }
-        json.end_object();
-        json.count("indices", parts_.add_list(parts_.add_view(kGlbIndices), corners_));
-        json.count("material", 0);
-        json.end_object();
-        return json.take();
+        const std::size_t corners = parts_.add_list(parts_.add_view(kGlbIndices), corners_);
+        return {{"attributes", attributes}, {"indices", corners}, {"material", 0}};
     }
 
     [[nodiscard]] std::vector<std::pair<std::string, const OrganField*>> named_fields() const {
@@ -141,39 +140,18 @@ class FieldGlbWriter {
         return parts_.add_list(parts_.add_view(kGlbColors), bytes);
     }
 
-    [[nodiscard]] std::string node() const {
-        JsonStream json;
-        json.begin_object(JsonLayout::compact);
-        json.text("name", "light");
-        json.count("mesh", 0);
-        add_json_numbers(json, "translation", {origin_.x, origin_.y, origin_.z});
-        json.end_object();
-        return json.take();
-    }
-
     /// What the numbers mean, of the mesh: some programs take none that are nested from nodes.
     [[nodiscard]] std::string extras() const {
-        JsonStream json;
-        json.begin_object(JsonLayout::compact);
-        json.text("colors", shown_.colors_of);
-        json.key("units");
-        json.begin_object(JsonLayout::compact);
+        Json units = Json::object();
         for (const auto& [name, field] : named_fields()) {
-            json.text(name, field->unit.empty() ? "1" : field->unit);
+            units[name] = field->unit.empty() ? "1" : field->unit;
         }
-        json.end_object();
-        json.key("organs");
-        json.begin_list(JsonLayout::rows);
+        std::string organs;
         for (const Organ& organ : shown_.scene.organs()) {
-            json.begin_object(JsonLayout::compact);
-            json.key("id");
-            json.integer(organ.id);
-            json.text("name", organ.name);
-            json.end_object();
+            append_json(organs, {{"id", organ.id}, {"name", organ.name}});
         }
-        json.end_list();
-        json.end_object();
-        return json.take();
+        return json_text_with(
+            {{"colors", shown_.colors_of}, {"units", units}}, "organs", "[" + organs + "]");
     }
 
     const FieldScene& shown_;

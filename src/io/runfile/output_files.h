@@ -9,14 +9,16 @@
 
 namespace quasimc {
 
-/// The keys of [output] that name files.
-struct OutputFileKey {
-    std::string_view key;
-    std::optional<std::string> OutputSpec::*file;
+/// A file that a run may write.
+struct OutputFile {
+    std::string_view key;  ///< of [output]; its flag is called so too, with hyphens
+    std::optional<std::string> OutputSpec::*path;
 };
-inline constexpr std::array<OutputFileKey, 10> kOutputFiles{
+
+/// The files in the order in which they get their names: the result that has everything is the
+/// last.
+inline constexpr std::array<OutputFile, 10> kOutputFiles{
     {{"csv", &OutputSpec::csv},
-     {"json", &OutputSpec::json},
      {"days", &OutputSpec::days},
      {"groups_csv", &OutputSpec::groups_csv},
      {"groups_days", &OutputSpec::groups_days},
@@ -24,6 +26,7 @@ inline constexpr std::array<OutputFileKey, 10> kOutputFiles{
      {"vtp", &OutputSpec::vtp},
      {"ply", &OutputSpec::ply},
      {"glb", &OutputSpec::glb},
-     {"nc", &OutputSpec::nc}}};
+     {"nc", &OutputSpec::nc},
+     {"json", &OutputSpec::json}}};
 
 }  // namespace quasimc

@@ -37,10 +37,12 @@ std::optional<std::string> read_path(
 
 /// No two files may be one.
 void check_apart(TableReader& table, const OutputSpec& output) {
-    for (const OutputFileKey& one : kOutputFiles) {
-        for (const OutputFileKey* other = kOutputFiles.data(); other != &one; ++other) {
-            if (output.*one.file && output.*one.file == output.*other->file) {
-                table.fault(fmt::format("{} and {} name the same file", other->key, one.key));
+    for (std::size_t i = 0; i < kOutputFiles.size(); ++i) {
+        for (std::size_t j = i + 1; j < kOutputFiles.size(); ++j) {
+            const auto& first = output.*kOutputFiles[i].path;
+            if (first && first == output.*kOutputFiles[j].path) {
+                table.fault(fmt::format(
+                    "{} and {} name the same file", kOutputFiles[i].key, kOutputFiles[j].key));
             }
         }
     }
@@ -110,8 +112,8 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
         return output;
     }
     TableReader table(*node, "[output]", top.reporter());
-    for (const OutputFileKey& each : kOutputFiles) {
-        output.*each.file = read_path(table, each.key, files);
+    for (const OutputFile& file : kOutputFiles) {
+        output.*file.path = read_path(table, file.key, files);
     }
     check_apart(table, output);
     read_choice(table, bands, output);

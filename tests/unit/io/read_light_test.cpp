@@ -10,8 +10,6 @@
 namespace quasimc::test {
 namespace {
 
-using Views = std::vector<std::string_view>;
-
 const std::string kTwoOrgans =
     "[[organ]]\nmaterial = 'leaf'\nshape = 'triangle'\ncorners = [[0, 0, 1], [1, 0, 1], [0, 1, "
     "1]]\n"
@@ -31,23 +29,13 @@ std::string light_organs(int first) {
            R"(},"sunlit_fraction":null}])";
 }
 
-TEST(PointTexts, AreTheObjectsOfTheListAtTheTop) {
-    EXPECT_EQ(point_texts(R"({"organs":[{"points":[{}]}]})", ""), Views{});
-    EXPECT_EQ(
-        point_texts(
-            R"({"title":"points", "x":[{"a":1}], "points": [{"a":"\"}]{","b":[{}]}, {}], "y":[{}]})",
-            ""),
-        (Views{R"({"a":"\"}]{","b":[{}]})", "{}"}));
-    EXPECT_EQ(point_texts(R"({"points":[]})", ""), Views{});
-}
-
 TEST(ReadLight, FillsInWhatTheResultHas) {
     RunText text;
     text.organs = kTwoOrgans;
     const RunFile run = read_text(text.text());
     std::size_t told = 0;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
+    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
         ++told;
         EXPECT_EQ(time_step, 0U);
         ASSERT_EQ(result.organs(), 2U);
@@ -75,11 +63,11 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
     const std::string noon = run.series->notes[12].time, last = run.series->notes[30].time;
     std::vector<std::size_t> times, days;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
+    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
         times.push_back(time_step);
         EXPECT_EQ(result.at(0, Quantity::absorbed_flux, 0).mean, time_step == 12 ? 3 : 5);
     };
-    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
+    events.on_day = [&](std::size_t /*point*/, std::size_t day, const SeriesSum& sum) {
         days.push_back(day);
         EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
     };
@@ -90,6 +78,21 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
         "a.json", run, events);
     EXPECT_EQ(times, (std::vector<std::size_t>{12, 30}));
     EXPECT_EQ(days, std::vector<std::size_t>{1});
+}
+
+TEST(ReadLight, TellsThePointsOfASweep) {
+    RunText text;
+    text.organs = kTwoOrgans;
+    const RunFile run = read_text(text.text());
+    std::vector<std::pair<std::size_t, double>> told;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t point, std::size_t /*time_step*/, const Result& result) {
+        told.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
+    };
+    read_light(
+        R"({"points":[{"organs":)" + light_organs(3) + R"(},{"organs":)" + light_organs(5) + "}]}",
+        "a.json", run, events);
+    EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
 }
 
 TEST(ReadLight, RefusesAResultWithoutAny) {

@@ -34,7 +34,7 @@ class StoredRunTest : public FolderTest {
 
     [[nodiscard]] std::string faults(const fs::path& path) const {
         try {
-            static_cast<void>(read_result_file(path.string()));
+            static_cast<void>(read_result_sweep(path.string()));
         } catch (const InputError& error) {
             return error.what();
         }
@@ -46,24 +46,26 @@ class StoredRunTest : public FolderTest {
 };
 
 TEST_F(StoredRunTest, GivesTheSameNumbersAgain) {
-    const StoredRun stored = read_result_file(result_.string());
+    StoredSweep stored = read_result_sweep(result_.string());
     EXPECT_EQ(stored.organs_sha256, digest_);
-    const Result again = quasimc::run(stored.run.scene, stored.run.sources, stored.run.spec);
-    EXPECT_EQ(digest_of_organs(stored.run, again), digest_);
+    const RunFile run = std::move(stored.runs).only_run();
+    EXPECT_EQ(digest_of_organs(run, quasimc::run(run.scene, run.sources, run.spec)), digest_);
 }
 
 TEST_F(StoredRunTest, KeepsOptionsAndForgetsOutputs) {
-    const StoredRun stored = read_result_file(result_.string());
-    EXPECT_EQ(stored.run.spec.paths, 256U);
-    EXPECT_EQ(stored.run.spec.seed, 11U);
-    EXPECT_EQ(stored.run.spec.layer_heights, (std::vector<double>{0, .5, 2}));
-    EXPECT_FALSE(stored.run.output.csv);
-    EXPECT_EQ(stored.run.output.quantities, std::vector<std::string>{"incident_upper"});
-    EXPECT_EQ(stored.run.inputs.size(), 2U);
+    const RunFile run = read_result_sweep(result_.string()).runs.take(0);
+    EXPECT_EQ(run.spec.paths, 256U);
+    EXPECT_EQ(run.spec.seed, 11U);
+    EXPECT_EQ(run.spec.layer_heights, (std::vector<double>{0, .5, 2}));
+    EXPECT_FALSE(run.output.csv);
+    EXPECT_EQ(run.output.quantities, std::vector<std::string>{"incident_upper"});
+    EXPECT_EQ(run.inputs.size(), 2U);
 }
 
 TEST_F(StoredRunTest, OptionsFromOutsideGoBeforeIt) {
-    EXPECT_EQ(read_result_file(result_.string(), {{"seed", "12", "--seed"}}).run.spec.seed, 12U);
+    EXPECT_EQ(
+        read_result_sweep(result_.string(), {{"seed", "12", "--seed"}}).runs.take(0).spec.seed,
+        12U);
 }
 
 TEST_F(StoredRunTest, FindsItsInputsBesideItOrWhereTheyWere) {
@@ -96,10 +98,10 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
             .find("format_version"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 1})").find("holds no run"),
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})").find("holds no run"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 1, "run": {"a": null}})")
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 2, "run": {"a": null}})")
             .find("unknown key 'a'"),
         std::string::npos);
     EXPECT_NE(faults_of_text(R"({"format": 1e999})").find("too large"), std::string::npos);
@@ -108,7 +110,7 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
 }
 
 TEST_F(StoredRunTest, RefusesDeepNesting) {
-    std::string text = R"({"format": "quasimc-result", "format_version": 1, "run": {"a": )";
+    std::string text = R"({"format": "quasimc-result", "format_version": 2, "run": {"a": )";
     text += std::string(100000, '[') + std::string(100000, ']') + "}}";
     EXPECT_NE(faults(folder_.write("b.json", text)).find("nested too deeply"), std::string::npos);
 }

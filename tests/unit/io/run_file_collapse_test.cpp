@@ -100,7 +100,8 @@ TEST(RunFileCollapse, NeedsTimesWithALength) {
 
 std::string days_head(const RunFile& run) {
     std::string text;
-    const DaysWriter days(run, [&](std::string_view part) { text += part; });
+    const CsvWriter days(
+        run, [&](std::string_view part) { text += part; }, CsvRows::organs, CsvTimes::days);
     return text;
 }
 
@@ -122,7 +123,7 @@ TEST(RunFileCollapse, IsToldInTheResults) {
     EXPECT_NE(csv.find("incident_upper_PAR [mol m-2]:"), std::string::npos);
     const std::string json = series_json(run);
     EXPECT_NE(
-        json.find("\"until\": \"2024-06-23T00:00+01:00\", \"collapsed\": {\"times\": 72"),
+        json.find("\"until\": \"2024-06-23T00:00+01:00\",\n\"collapsed\": {\n  \"times\": 72"),
         std::string::npos);
     EXPECT_EQ(json.find("azimuth_deg\": "), std::string::npos);
     const RunFile days = read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n"));

@@ -46,8 +46,8 @@ TEST(WriteGlb, IsInMetresWithYUp) {
     const Node json = glb_json(written_glb(read_text(text.text()).scene));
     const Node& node = json.find("nodes")->as<Node::List>()->front();
     const Node::List& origin = *node.find("translation")->as<Node::List>();
-    EXPECT_DOUBLE_EQ(static_cast<double>(*origin[0].as<std::int64_t>()), 1);
-    EXPECT_DOUBLE_EQ(static_cast<double>(*origin[1].as<std::int64_t>()), 1);
+    EXPECT_DOUBLE_EQ(*origin[0].as<double>(), 1);
+    EXPECT_DOUBLE_EQ(*origin[1].as<double>(), 1);
     EXPECT_DOUBLE_EQ(*origin[2].as<double>(), -1.5);
 }
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/line_scanner.h"
-#include "io/results/audit_words.h"
+#include "io/results/result_words.h"
 #include "io/runfile/units.h"
 #include "io_testing.h"
 #include "quasimc/file.h"
@@ -212,9 +212,9 @@ Result grouped_result() {
 
 std::string groups_text(const RunFile& run) {
     std::string text;
-    GroupsWriter(run, [&](std::string_view piece) {
-        text += piece;
-    }).add_moment(0, grouped_result());
+    CsvWriter groups(
+        run, [&](std::string_view piece) { text += piece; }, CsvRows::groups);
+    groups.add_moment(0, grouped_result());
     return text;
 }
 

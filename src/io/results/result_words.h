@@ -1,5 +1,7 @@
 #pragma once
 
+// What is said of audits, and of runs that ended before all was done.
+
 #include <string>
 #include <vector>
 
@@ -18,5 +20,10 @@ namespace quasimc {
 /// A warning to print if audits find a difference beyond chance; otherwise empty.
 /// @param chance  Audit::chance, SeriesSummary::audit_chance
 [[nodiscard]] std::string audit_warning(double chance);
+
+/// Why a result is of fewer paths than were asked for; empty if it isn't.
+[[nodiscard]] std::string stop_words(const RunSpec& spec, const Result& result);
+/// The same of times.
+[[nodiscard]] std::string stop_words(const RunFile& run, const SeriesSummary& summary);
 
 }  // namespace quasimc
