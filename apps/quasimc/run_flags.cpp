@@ -22,9 +22,8 @@ constexpr std::array<const char*, kOutputs> kSummaries{
     "write the light by organ, band and time here, for xarray and others",
     "write everything here; - is standard output"};
 
-/// Of what is written and told.
-std::vector<Flag> output_flags(RunArguments& arguments) {
-    std::vector<Flag> flags;
+/// Adds the flags of what is written and told.
+void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
     for (Output output = 0; output < kOutputs; ++output) {
         flags.push_back(
             {.name = flag_of(output),

@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "io/input_files.h"
-#include "io/results/read_estimates.h"
 #include "io/results/read_result.h"
+#include "io/results/read_rows.h"
 #include "io/results/series_words.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/units.h"
