@@ -116,7 +116,8 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .place = read_place(top),
         .sun = {},
         .length_unit = top.text("length_unit").value_or("m"),
-        .has_time = top.any("time") != nullptr};
+        .has_time = top.any("time") != nullptr,
+        .meshes = nullptr};
 }
 
 UnitOrigin unit_origin(TableReader& top) {
@@ -135,6 +136,7 @@ Sections read_sections(
     sections.title = top.text("title").value_or("");
     RunFileContext context = read_context(top, files);
     sections.unit_origin = unit_origin(top);
+    context.meshes = known.meshes;
     SceneBuilder builder = begin_scene(context);
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());

@@ -27,6 +27,8 @@ namespace quasimc {
 /// What is to be said of a run without any light: its numbers are zeros.
 enum class Darkness { refused, allowed };
 
+class MeshCache;
+
 /// What is known of the scene of a document before it is read.
 struct KnownScene {
     /// One with its organs, ground and cell: where lights, materials and settings alone differ,
@@ -34,6 +36,8 @@ struct KnownScene {
     const Scene* same = nullptr;
     /// Of a scene that differs little; or null.
     KnownOverlaps* overlaps = nullptr;
+    /// Geometry files that are parsed already, to which those that are not are added; or null.
+    MeshCache* meshes = nullptr;
 };
 
 /// Called as the points of a sweep are read, with the number of those that are.

@@ -258,6 +258,9 @@ std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
 }  // namespace
 
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    if (context.meshes != nullptr) {
+        context.meshes->start_point();
+    }
     std::vector<Geometry> all;
     for (const Node* node : top.tables("geometry")) {
         if (std::optional<Geometry> geometry = read_one(*node, context)) {

@@ -8,7 +8,10 @@ namespace quasimc {
 namespace {
 
 const FormatEntry* read_format(TableReader& table, const std::string& file) {
-    const std::vector<std::string_view> names = names_in(format_table());
+    std::vector<std::string_view> names;
+    for (const FormatEntry& entry : format_table()) {
+        names.push_back(entry.name);
+    }
     if (table.any("format") != nullptr) {
         const auto name = table.choice("format", names);
         return name ? find_format(*name) : nullptr;
@@ -45,6 +48,14 @@ std::optional<MeshFile> read_bytes(
     std::optional<double> plant_metres,
     const RunFileContext& context) {
     Reporter reporter{file, {}, {}};
+    const MeshCache::Key key{
+        file, std::string(format.name), context.orientation.up(), context.length_unit,
+        plant_metres};
+    if (const auto known = context.meshes != nullptr ? context.meshes->find(key) : nullptr) {
+        reporter.warnings = known->warnings;
+        table.reporter().add(reporter);
+        return known->mesh;
+    }
     MeshFile mesh;
     try {
         const std::string bytes = context.files->read(file);
@@ -66,7 +77,15 @@ std::optional<MeshFile> read_bytes(
         table.fault_at("file", fmt::format("file '{}' holds no triangle", file));
     }
     table.reporter().add(reporter);
-    return table.failed() ? std::nullopt : std::optional(std::move(mesh));
+    if (table.failed()) {
+        return std::nullopt;
+    }
+    if (context.meshes != nullptr) {
+        context.meshes->add(
+            key,
+            std::make_shared<const MeshCache::Parsed>(MeshCache::Parsed{mesh, reporter.warnings}));
+    }
+    return mesh;
 }
 
 /// `plant_unit`: metres in the unit of the plants of a scene of plants. Nothing if it is absent.

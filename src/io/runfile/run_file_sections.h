@@ -14,6 +14,7 @@
 
 #include "io/input_files.h"
 #include "io/meshes/formats.h"
+#include "io/runfile/mesh_cache.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/table_reader.h"
@@ -45,7 +46,8 @@ struct RunFileContext {
     std::optional<Place> place;       ///< [place]
     std::optional<StatedSun> sun;     ///< of the first source of type "sun"
     std::string length_unit = "m";
-    bool has_time = false;  ///< whether there is a [time]
+    bool has_time = false;        ///< whether there is a [time]
+    MeshCache* meshes = nullptr;  ///< files that are parsed already; or null
 };
 
 // run_file_place.cpp

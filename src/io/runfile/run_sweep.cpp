@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "io/results/written.h"
+#include "io/runfile/mesh_cache.h"
 #include "io/runfile/options.h"
 #include "io/runfile/run_file.h"
 #include "io/runfile/sweep.h"
@@ -128,7 +129,8 @@ class RunSweep::State {
         files.read_through([this](auto reader) { return cache_.around(std::move(reader)); });
         const KnownScene known{
             .same = first_ && plan_.keeps_geometry() ? &first_->scene : nullptr,
-            .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_};
+            .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_,
+            .meshes = plan_.keeps_geometry() ? nullptr : &meshes_};
         return read_run_document(
             std::move(document), reporter_.file, files, overrides_, known, Darkness::allowed);
     }
@@ -250,6 +252,7 @@ class RunSweep::State {
     SweepPlan plan_;
     FileCache cache_;
     KnownOverlaps overlaps_;  // of the point that was read last
+    MeshCache meshes_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> told_;

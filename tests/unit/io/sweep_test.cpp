@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/runfile/mesh_cache.h"
 #include "io/runfile/run_file.h"
 #include "io_testing.h"
 #include "quasimc/error.h"
@@ -209,6 +210,20 @@ TEST(Sweep, ReadsGeometryOnceWhereItStaysTheSame) {
         EXPECT_EQ(other.inputs.size(), first.inputs.size());
     }
     EXPECT_EQ(counted.reads["leaves.tri"], 1);
+}
+
+TEST(Sweep, KeepsTheParsedFilesOfThePointBefore) {
+    const MeshCache::Key key{"a.tri", "tri", UpAxis::z, "m", {}};
+    MeshCache meshes;
+    meshes.start_point();
+    meshes.add(key, std::make_shared<const MeshCache::Parsed>());
+    for (int point = 0; point < 3; ++point) {
+        meshes.start_point();
+        EXPECT_NE(meshes.find(key), nullptr);
+    }
+    meshes.start_point();  // which does not name it
+    meshes.start_point();
+    EXPECT_EQ(meshes.find(key), nullptr);
 }
 
 TEST(Sweep, MayVaryGeometryToo) {
