@@ -55,7 +55,9 @@ PUBLIC_HEADERS = {
     "run.h": "run",
     "series.h": "run",
     "growth_session.h": "run",
-    "file.h": "io",
+    "file.h": "base",
+    "run_file.h": "io",
+    "result_file.h": "io",
     "capi.h": "capi",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"

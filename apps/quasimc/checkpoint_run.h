@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "io/results/checkpoint_file.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 #include "run/run_state.h"
 #include "run_writers.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "command_line.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 
 /// What flags say of what is written.
 struct OutputChoice {

@@ -13,8 +13,8 @@
 #include "crops.h"
 #include "methods.h"
 #include "parts.h"
-#include "quasimc/file.h"
 #include "quasimc/run.h"
+#include "quasimc/run_file.h"
 #include "run/plan_run.h"
 #include "scenes.h"
 

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 #include "quasimc/version.h"
 
 namespace quasimc {

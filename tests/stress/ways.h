@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 #include "stress/nodes.h"
 #include "stress/reference.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quasimc/file.h"
+#include "quasimc/result_file.h"
 #include "scene/scene.h"
 
 namespace quasimc {

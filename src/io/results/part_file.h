@@ -12,6 +12,8 @@
 #include "io/runfile/run_file.h"
 #include "io/sha256.h"
 #include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 #include "quasimc/sums.h"
 
 namespace quasimc {

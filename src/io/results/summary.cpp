@@ -12,7 +12,8 @@
 #include "io/results/written.h"
 #include "io/runfile/options.h"
 #include "io/runfile/units.h"
-#include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 #include "quasimc/version.h"
 
 namespace quasimc {

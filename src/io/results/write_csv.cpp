@@ -11,6 +11,8 @@
 #include "io/results/series_words.h"
 #include "io/results/written.h"
 #include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc {
 namespace {

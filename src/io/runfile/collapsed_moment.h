@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 #include "sources/hour_light.h"
 #include "sources/period_light.h"
 

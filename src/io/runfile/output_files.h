@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc {
 

@@ -8,7 +8,7 @@
 
 #include "io/input_files.h"
 #include "io/runfile/document.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc {
 

@@ -19,7 +19,7 @@
 #include "io/runfile/run_file.h"
 #include "io/runfile/table_reader.h"
 #include "io/weather/daily_hours.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 #include "quasimc/sun.h"
 #include "quasimc/vec3.h"
 #include "scene/scene.h"

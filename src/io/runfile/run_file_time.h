@@ -9,7 +9,7 @@
 
 #include "io/runfile/run_file_sections.h"
 #include "io/weather/weather.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc {
 

@@ -10,7 +10,7 @@
 
 #include "io/runfile/document.h"
 #include "io/runfile/table_reader.h"
-#include "quasimc/file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc {
 

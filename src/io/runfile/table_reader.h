@@ -12,7 +12,6 @@
 #include "base/vec3.h"
 #include "io/runfile/document.h"
 #include "quasimc/error.h"
-#include "scene/scene.h"
 
 namespace quasimc {
 

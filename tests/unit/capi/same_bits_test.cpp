@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/file.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
+#include "quasimc/run_file.h"
 #include "support/temporary_folder.h"
 #include "unit/capi/canopy.h"
 

@@ -5,8 +5,9 @@
 #include "io/runfile/options.h"
 #include "io_testing.h"
 #include "quasimc/error.h"
-#include "quasimc/file.h"
+#include "quasimc/result_file.h"
 #include "quasimc/run.h"
+#include "quasimc/run_file.h"
 #include "support/temporary_folder.h"
 
 namespace quasimc::test {

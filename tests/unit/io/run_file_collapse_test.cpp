@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 #include "quasimc/series.h"
 #include "unit/io/io_testing.h"
 

@@ -5,8 +5,9 @@
 #include "base/text.h"
 #include "detectors/catalogue.h"
 #include "io_testing.h"
-#include "quasimc/file.h"
+#include "quasimc/result_file.h"
 #include "quasimc/run.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc::test {
 namespace {

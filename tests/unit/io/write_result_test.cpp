@@ -9,7 +9,8 @@
 #include "io/results/result_words.h"
 #include "io/runfile/units.h"
 #include "io_testing.h"
-#include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
 
 namespace quasimc::test {
 namespace {
