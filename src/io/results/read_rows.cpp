@@ -1,106 +1,15 @@
+#include "io/results/read_rows.h"
+
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include "io/results/read_rows.h"
-#include "io/runfile/document.h"
-#include "quasimc/error.h"
+#include "io/results/json_builder.h"
 
 namespace quasimc {
 namespace {
 
-[[noreturn]] void refuse_json(
-    const std::string& file, const std::string& problem, const std::string& why = {}) {
-    throw InputError({{file, problem, why, ""}});
-}
-
-void check_depth(std::size_t depth, const std::string& file) {
-    if (depth >= static_cast<std::size_t>(kDeepestNesting)) {
-        refuse_json(file, "nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
-    }
-}
-
-/// Takes what the parser tells of, value by value.
-class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
-  public:
-    explicit JsonNodeBuilder(const std::string& file) : file_(file) {}
-
-    bool null() override { return add({Node::Other{"null"}}); }
-    bool boolean(bool value) override { return add({value}); }
-    bool number_integer(std::int64_t value) override { return add({value}); }
-    bool number_unsigned(std::uint64_t value) override {
-        constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
-        return value <= kMost ? add({static_cast<std::int64_t>(value)})
-                              : add({static_cast<double>(value)});
-    }
-    bool number_float(double value, const std::string& /*text*/) override { return add({value}); }
-    bool string(std::string& value) override { return add({std::move(value)}); }
-    bool binary(nlohmann::ordered_json::binary_t& /*value*/) override { return false; }
-    bool start_object(std::size_t /*size*/) override { return open({Node::Table()}); }
-    bool start_array(std::size_t /*size*/) override { return open({Node::List()}); }
-    bool key(std::string& value) override {
-        key_ = std::move(value);
-        return true;
-    }
-    bool end_object() override { return close(); }
-    bool end_array() override { return close(); }
-    bool parse_error(
-        std::size_t position,
-        const std::string& /*token*/,
-        const nlohmann::detail::exception& error) override {
-        constexpr int kOutOfRange = 406;
-        refuse_json(
-            file_, error.id == kOutOfRange ? "it has a number too large to hold"
-                                           : fmt::format("byte {} is not JSON", position));
-    }
-
-    Node result;
-
-  protected:
-    [[nodiscard]] const std::string& file() const { return file_; }
-    /// The tables and lists that the next value stands in, and its key in a table.
-    [[nodiscard]] const std::vector<Node*>& open() const { return open_; }
-    [[nodiscard]] const std::string& key() const { return key_; }
-
-  private:
-    bool add(Node node) {
-        place(std::move(node));
-        return true;
-    }
-
-    Node& place(Node node) {
-        if (open_.empty()) {
-            result = std::move(node);
-            return result;
-        }
-        if (auto* list = std::get_if<Node::List>(&open_.back()->value)) {
-            return list->emplace_back(std::move(node));
-        }
-        auto& table = std::get<Node::Table>(open_.back()->value);
-        return table.emplace_back(Member{std::move(key_), 0, std::move(node)}).node;
-    }
-
-    bool open(Node node) {
-        check_depth(open_.size(), file_);
-        open_.push_back(&place(std::move(node)));
-        return true;
-    }
-
-    bool close() {
-        open_.pop_back();
-        return true;
-    }
-
-    const std::string& file_;
-    std::vector<Node*> open_;  // a list or table grows only while it is the innermost
-    std::string key_;
-};
-
-/// The same, but takes rows of organs and groups out of a result, of which there may be millions.
+/// A builder that takes rows of organs and groups out of a result, of which there may be millions.
 class RowsBuilder : public JsonNodeBuilder {
   public:
     RowsBuilder(
@@ -288,12 +197,6 @@ class RowsBuilder : public JsonNodeBuilder {
 };
 
 }  // namespace
-
-Node read_json(std::string_view text, const std::string& file) {
-    JsonNodeBuilder builder(file);
-    static_cast<void>(nlohmann::ordered_json::sax_parse(text, &builder));
-    return std::move(builder.result);
-}
 
 Node read_rows(
     std::string_view text,
