@@ -1,4 +1,4 @@
-# quasimc_module(NAME <module> SOURCES a.cpp ... [COLD b.cpp ...] PUBLIC <lib>... PRIVATE <lib>...)
+# quasimc_module(NAME <module> [COLD] SOURCES a.cpp ... PUBLIC <lib>... PRIVATE <lib>...)
 #
 # Makes the static library quasimc_<module> (alias quasimc::<module>) of the current folder and
 # adds it to the installed package, without its headers: those of users are in include/quasimc/
@@ -6,7 +6,7 @@
 # module or of a third party in the list below.  PUBLIC if a header includes it, PRIVATE if only
 # sources do.  A module without SOURCES is made of headers alone.
 #
-# COLD are sources that nobody waits for, as readers of small files: in a release build they are
+# COLD are modules that nobody waits for, as readers of small files: in a release build they are
 # optimized lightly, which takes half the time of the compiler.
 
 set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
@@ -64,11 +64,13 @@ endfunction()
 
 # Modules that read what comes from outside: fuzzers follow which way their code goes. The others,
 # which compute, would be slowed down for nothing.
-set(QUASIMC_FUZZED_MODULES base coupling growth io scene sources view)
+set(QUASIMC_FUZZED_MODULES base coupling files growth light meshio parallel resultio runfile scene text
+                           weather window)
 
 # Modules that read, write and talk: under sanitizers the optimizer takes longer for them than the
 # tests of what they do gain by it.
-set(QUASIMC_LIGHT_MODULES capi io netcdf view)
+set(QUASIMC_LIGHT_MODULES capi files meshio netcdf options parallel picture resultio runfile text weather
+                          window)
 
 # quasimc_vector_sources(<source>...): sources that use Highway, compiled once for each kind of vector unit by
 # including itself.  Highway chooses among them at run time and does not compile under -march=native, so
@@ -80,22 +82,8 @@ function(quasimc_vector_sources)
     endif()
 endfunction()
 
-# Compiles sources as those of the module, but with light optimization, and adds them to it.
-function(quasimc_cold_sources target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBS")
-    add_library(${target}_cold OBJECT ${arg_SOURCES})
-    set_target_properties(${target}_cold PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
-    quasimc_unity(${target}_cold modules)
-    foreach(property INCLUDE_DIRECTORIES COMPILE_DEFINITIONS COMPILE_FEATURES COMPILE_OPTIONS)
-        set_target_properties(${target}_cold PROPERTIES ${property} "$<TARGET_PROPERTY:${target},${property}>")
-    endforeach()
-    target_link_libraries(${target}_cold PRIVATE ${arg_LIBS} quasimc_settings)
-    target_compile_options(${target}_cold PRIVATE ${QUASIMC_COLD_OPTIMIZATION})
-    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_cold>)
-endfunction()
-
 function(quasimc_module)
-    cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME" "SOURCES;COLD;PUBLIC;PRIVATE;DEFINITIONS")
+    cmake_parse_arguments(PARSE_ARGV 0 arg "COLD" "NAME" "SOURCES;PUBLIC;PRIVATE;DEFINITIONS")
     if(NOT DEFINED QUASIMC_LAYER_${arg_NAME})
         message(FATAL_ERROR "Module ${arg_NAME} has no row in src/layers.txt.")
     endif()
@@ -117,7 +105,7 @@ function(quasimc_module)
         target_link_libraries(${target} PUBLIC ${public} PRIVATE ${private}
                                                                  $<BUILD_INTERFACE:quasimc_settings>)
         if(arg_COLD)
-            quasimc_cold_sources(${target} SOURCES ${arg_COLD} LIBS ${public} ${private})
+            target_compile_options(${target} PRIVATE ${QUASIMC_COLD_OPTIMIZATION})
         endif()
     else()
         add_library(${target} INTERFACE)

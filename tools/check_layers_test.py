@@ -7,11 +7,11 @@ from pathlib import Path
 import check_layers
 
 TREE = {
-    "src/layers.txt": "# the layers\n0 base\n1 geometry optics\n4 io\n6 apps python\n",
+    "src/layers.txt": "# the layers\n0 base\n1 geometry optics text\n3 series\n6 apps python\n",
     "src/geometry/CMakeLists.txt": "quasimc_module(NAME geometry SOURCES a.cpp PUBLIC base)\n",
     "src/base/vec3.h": "#pragma once\n",
     "src/geometry/a.cpp": '#include "base/vec3.h"\n#include <vector>\n',
-    "src/io/runfile/read_toml.cpp": "#include <fstream>\n#include <toml++/toml.h>\n",
+    "src/text/read_toml.cpp": "#include <fstream>\n#include <toml++/toml.h>\n",
     "tests/support/agrees.h": "#pragma once\n",
     "tests/unit/base/vec3_test.cpp": '#include "base/vec3.h"\n#include "support/agrees.h"\n',
 }
@@ -53,11 +53,11 @@ class CheckLayers(unittest.TestCase):
 
     def test_a_library_outside_its_fence_is_refused(self):
         text = "#include <nlohmann/json.hpp>\n"
-        self.assert_one_fault("src/geometry/a.cpp", text, "only by src/io/")
+        self.assert_one_fault("src/geometry/a.cpp", text, "only by src/text/")
 
     def test_a_slow_header_in_a_header_is_refused(self):
         text = "#pragma once\n#include <toml++/toml.h>\n"
-        self.assert_one_fault("src/io/toml.h", text, "slow to compile")
+        self.assert_one_fault("src/text/toml.h", text, "slow to compile")
 
     def test_a_knot_of_more_than_three_units_is_refused(self):
         names = ["a", "b", "c", "d"]

@@ -76,10 +76,10 @@ FAMILIES = {
         ),
     ),
     "format": Family(
-        folder="src/io/meshes",
+        folder="src/meshio",
         tests="tests/unit/io",
         pages="docs/formats",
-        catalogue="src/io/meshes/formats.cpp",
+        catalogue="src/meshio/formats.cpp",
         prefix="read_",
         page="@name@.md",
         entries=(

@@ -16,7 +16,7 @@
 
 #include "base/memory_need.h"
 #include "coupling/environment.h"
-#include "io/standard_streams.h"
+#include "files/standard_streams.h"
 #include "quasimc/run.h"
 #include "quasimc/version.h"
 #include "step_window.h"

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "io/results/window_parts.h"
-#include "view/page.h"
+#include "window/page.h"
+#include "window/window_parts.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "coupling/environment.h"
-#include "view/live_window.h"
-#include "view/window_server.h"
+#include "window/live_window.h"
+#include "window/window_server.h"
 
 /// Shows the steps of a growing plant on the page in the browser. What a step costs here is to keep
 /// its light, and nothing is made of it before a page asks.

@@ -7,10 +7,10 @@
 
 #include "base/number_text.h"
 #include "commands.h"
-#include "io/runfile/run_file.h"
 #include "option_flags.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
+#include "runfile/run_file.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "io/results/checkpoint_file.h"
+#include "parallel/checkpoint_file.h"
 #include "quasimc/run_file.h"
 #include "run/run_state.h"
 #include "run_writers.h"

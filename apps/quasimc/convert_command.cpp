@@ -6,12 +6,12 @@
 
 #include "commands.h"
 #include "convert_netcdf.h"
-#include "io/meshes/geometry_scene.h"
-#include "io/output_files.h"
-#include "io/results/field_formats.h"
-#include "io/results/write_opf.h"
+#include "files/output_files.h"
+#include "meshio/geometry_scene.h"
 #include "option_flags.h"
 #include "quasimc/quasimc.h"
+#include "resultio/field_formats.h"
+#include "resultio/write_opf.h"
 #include "shown_fields.h"
 
 namespace {

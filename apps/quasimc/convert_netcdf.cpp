@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "io/input_files.h"
-#include "io/output_files.h"
-#include "io/results/read_light.h"
-#include "io/results/read_result.h"
+#include "files/input_files.h"
+#include "files/output_files.h"
 #include "netcdf/netcdf_writer.h"
+#include "resultio/read_light.h"
+#include "resultio/read_result.h"
 
 namespace {
 

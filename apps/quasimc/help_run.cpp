@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "parallel/dealt_runs.h"
+#include "parallel/team_helper.h"
 #include "part_run.h"
 #include "quasimc/quasimc.h"
-#include "run/dealt_runs.h"
-#include "run/team_helper.h"
 #include "team_files.h"
 
 namespace {

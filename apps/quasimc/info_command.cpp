@@ -10,7 +10,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "commands.h"
-#include "io/meshes/geometry_scene.h"
+#include "meshio/geometry_scene.h"
 #include "option_flags.h"
 #include "quasimc/quasimc.h"
 

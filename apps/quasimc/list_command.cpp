@@ -5,13 +5,13 @@
 
 #include "commands.h"
 #include "detectors/catalogue.h"
-#include "io/meshes/formats.h"
-#include "io/results/field_formats.h"
-#include "io/runfile/options.h"
+#include "meshio/formats.h"
 #include "netcdf/netcdf_writer.h"
 #include "optics/catalogue.h"
 #include "optics/usual_optics.h"
+#include "options/options.h"
 #include "quasimc/quasimc.h"
+#include "resultio/field_formats.h"
 
 namespace {
 

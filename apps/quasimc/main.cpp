@@ -7,7 +7,7 @@
 
 #include "base/memory_need.h"
 #include "commands.h"
-#include "io/standard_streams.h"
+#include "files/standard_streams.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "io/runfile/options.h"
+#include "options/options.h"
 
 OptionFlags::OptionFlags() {
     for (const quasimc::Option& option : quasimc::option_table()) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "command_line.h"
-#include "io/runfile/options.h"
-#include "io/runfile/run_file.h"
+#include "options/options.h"
+#include "runfile/run_file.h"
 
 /// The flags of the run options (--paths, --sampler, ...), one for each row of the table of
 /// options. Flags point into it.

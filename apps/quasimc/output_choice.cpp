@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/results/written.h"
+#include "runfile/written.h"
 
 namespace {
 

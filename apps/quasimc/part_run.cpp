@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "io/output_files.h"
-#include "io/results/part_file.h"
+#include "files/output_files.h"
 #include "option_flags.h"
+#include "parallel/part_file.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "command_line.h"
+#include "files/input_files.h"
 #include "interrupt.h"
-#include "io/input_files.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 #include "run_writers.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "io/results/series_words.h"
-#include "io/results/written.h"
+#include "resultio/series_words.h"
+#include "runfile/written.h"
 #include "shown_fields.h"
 
 namespace {

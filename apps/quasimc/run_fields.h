@@ -4,8 +4,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/results/field_formats.h"
 #include "quasimc/quasimc.h"
+#include "resultio/field_formats.h"
 #include "show_values.h"
 
 /// The light of each organ in a quantity and a band. @param light  a Result or a SeriesSum

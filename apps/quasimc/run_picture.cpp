@@ -1,6 +1,6 @@
 #include "run_picture.h"
 
-#include "io/results/series_words.h"
+#include "resultio/series_words.h"
 #include "run_fields.h"
 #include "show_colors.h"
 

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "interrupt.h"
-#include "io/results/window_parts.h"
 #include "progress.h"
 #include "show_values.h"
-#include "view/page.h"
+#include "window/page.h"
+#include "window/window_parts.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "quasimc/quasimc.h"
-#include "view/live_window.h"
-#include "view/window_server.h"
+#include "window/live_window.h"
+#include "window/window_server.h"
 
 /// The page in the browser that follows `quasimc run --view`.
 class RunWindow {

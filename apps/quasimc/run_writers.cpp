@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "io/file_identity.h"
-#include "io/results/field_formats.h"
-#include "io/results/series_words.h"
-#include "io/runfile/output_files.h"
+#include "files/file_identity.h"
 #include "progress.h"
+#include "resultio/field_formats.h"
+#include "resultio/series_words.h"
+#include "runfile/output_files.h"
 
 std::string flag_of(Output output) {
     std::string name = fmt::format("--{}", quasimc::kOutputFiles[output].key);

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "io/output_files.h"
-#include "io/results/row_comparison.h"
+#include "files/output_files.h"
 #include "netcdf/netcdf_writer.h"
 #include "option_flags.h"
 #include "output_choice.h"
 #include "quasimc/quasimc.h"
+#include "resultio/row_comparison.h"
 #include "run_fields.h"
 #include "run_picture.h"
 

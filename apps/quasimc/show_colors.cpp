@@ -8,7 +8,7 @@
 
 #include "base/number_text.h"
 #include "base/text.h"
-#include "sources/source.h"
+#include "light/models/source.h"
 
 void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
     picture.subtitle = fmt::format(

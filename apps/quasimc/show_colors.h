@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "picture/scene_picture.h"
 #include "show_values.h"
-#include "view/scene_picture.h"
 
 /// How values become colours.
 struct ScaleChoice {

@@ -10,13 +10,13 @@
 
 #include "base/text.h"
 #include "commands.h"
-#include "io/numbers.h"
-#include "io/output_files.h"
+#include "files/output_files.h"
+#include "picture/scene_picture.h"
 #include "quasimc/quasimc.h"
 #include "show_colors.h"
 #include "show_true_light.h"
 #include "show_values.h"
-#include "view/scene_picture.h"
+#include "text/numbers.h"
 
 namespace {
 

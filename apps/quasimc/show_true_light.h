@@ -1,7 +1,7 @@
 #pragma once
 
+#include "picture/true_light.h"
 #include "show_values.h"
-#include "view/true_light.h"
 
 /// The light in which a result was computed, and what surfaces scatter of it by that result.
 /// @throws quasimc::InputError  if the result has no scattered light of one moment, or no band is

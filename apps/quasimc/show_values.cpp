@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "io/input_files.h"
-#include "io/results/read_result.h"
-#include "io/results/read_rows.h"
-#include "io/results/series_words.h"
-#include "io/runfile/run_file.h"
-#include "io/runfile/units.h"
+#include "files/input_files.h"
+#include "resultio/read_result.h"
+#include "resultio/read_rows.h"
+#include "resultio/series_words.h"
+#include "results/units.h"
+#include "runfile/run_file.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/results/field_formats.h"
+#include "resultio/field_formats.h"
 #include "show_values.h"
 
 /// A scene with numbers and their standard errors, under names of their own.

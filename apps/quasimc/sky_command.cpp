@@ -9,16 +9,16 @@
 #include "base/angles.h"
 #include "base/text.h"
 #include "commands.h"
-#include "io/atomic_file.h"
-#include "io/numbers.h"
-#include "io/runfile/civil_time_text.h"
+#include "files/atomic_file.h"
+#include "light/daylight/clear_sky.h"
+#include "light/daylight/daylight.h"
+#include "light/models/source.h"
+#include "picture/sky_plot.h"
 #include "quasimc/quasimc.h"
 #include "quasimc/sun.h"
 #include "show_colors.h"
-#include "sources/clear_sky.h"
-#include "sources/daylight.h"
-#include "sources/source.h"
-#include "view/sky_plot.h"
+#include "text/numbers.h"
+#include "weather/civil_time_text.h"
 
 namespace {
 

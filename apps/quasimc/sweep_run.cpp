@@ -7,7 +7,7 @@
 
 #include "part_run.h"
 #include "progress.h"
-#include "run/trace_spec.h"
+#include "series/trace_spec.h"
 
 namespace {
 

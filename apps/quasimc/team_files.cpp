@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/input_files.h"
+#include "files/input_files.h"
 #include "part_run.h"
 
 namespace {

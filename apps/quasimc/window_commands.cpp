@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "files/output_files.h"
 #include "interrupt.h"
-#include "io/output_files.h"
-#include "io/results/window_data.h"
 #include "quasimc/quasimc.h"
 #include "show_values.h"
-#include "view/page.h"
-#include "view/window_server.h"
+#include "window/page.h"
+#include "window/window_data.h"
+#include "window/window_server.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <utility>
 
-#include "io/input_files.h"
-#include "io/runfile/run_file.h"
+#include "files/input_files.h"
+#include "runfile/run_file.h"
 #include "scene/scene.h"
 
 namespace quasimc::bench {

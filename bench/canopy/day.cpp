@@ -3,11 +3,11 @@
 #include <utility>
 #include <vector>
 
+#include "light/daylight/hour_light.h"
+#include "light/daylight/period_light.h"
 #include "parts.h"
 #include "quasimc/series.h"
 #include "scenes.h"
-#include "sources/hour_light.h"
-#include "sources/period_light.h"
 
 namespace quasimc::bench {
 namespace {

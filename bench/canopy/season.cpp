@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/process_time.h"
+#include "light/daylight/hour_light.h"
 #include "parts.h"
 #include "quasimc/series.h"
 #include "scenes.h"
-#include "sources/hour_light.h"
 
 namespace quasimc::bench {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "io/input_files.h"
-#include "io/meshes/formats.h"
-#include "io/runfile/run_file.h"
+#include "files/input_files.h"
+#include "meshio/formats.h"
+#include "runfile/run_file.h"
 
 namespace quasimc::bench {
 namespace {

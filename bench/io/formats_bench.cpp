@@ -1,7 +1,7 @@
 // How long a million triangles take to be read and written, in OPF and in the formats that are
 // written.
 
-#include "io/meshes/formats.h"
+#include "meshio/formats.h"
 
 #include <string>
 

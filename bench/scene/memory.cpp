@@ -15,11 +15,11 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-#include "io/runfile/run_file.h"
+#include "light/models/source.h"
 #include "memory_scenes.h"
 #include "quasimc/run.h"
+#include "runfile/run_file.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 #include "support/process_memory.h"
 
 namespace quasimc::bench {

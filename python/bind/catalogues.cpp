@@ -3,14 +3,14 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "io/meshes/formats.h"
-#include "io/results/series_words.h"
-#include "io/runfile/document.h"
-#include "io/runfile/options.h"
-#include "io/runfile/run_file_sections.h"
-#include "io/runfile/units.h"
+#include "light/models/catalogue.h"
+#include "meshio/formats.h"
+#include "options/options.h"
 #include "quasimc/result.h"
-#include "sources/catalogue.h"
+#include "resultio/series_words.h"
+#include "results/units.h"
+#include "runfile/run_file_sections.h"
+#include "text/document.h"
 
 namespace quasimc::python {
 namespace {

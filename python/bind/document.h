@@ -4,7 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "io/runfile/document.h"
+#include "text/document.h"
 
 namespace quasimc::python {
 

@@ -6,11 +6,11 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "io/input_files.h"
-#include "io/runfile/run_file.h"
+#include "files/input_files.h"
 #include "quasimc/growth_session.h"
 #include "result.h"
 #include "run.h"
+#include "runfile/run_file.h"
 #include "scene.h"
 #include "watch.h"
 

@@ -9,8 +9,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "io/results/json_parts.h"
-#include "io/runfile/options.h"
+#include "options/options.h"
+#include "resultio/json_parts.h"
 
 namespace quasimc::python {
 namespace {

@@ -6,7 +6,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "io/input_files.h"
+#include "files/input_files.h"
 #include "quasimc/run.h"
 #include "result.h"
 #include "scene.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/runfile/run_file.h"
+#include "runfile/run_file.h"
 
 namespace quasimc::python {
 

@@ -13,8 +13,8 @@
 #include "base/text.h"
 #include "bind.h"
 #include "document.h"
-#include "io/input_files.h"
-#include "io/runfile/run_file.h"
+#include "files/input_files.h"
+#include "runfile/run_file.h"
 #include "scene/mesh_arrays.h"
 
 namespace quasimc::python {

@@ -6,9 +6,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include "io/runfile/document.h"
 #include "quasimc/scene.h"
 #include "scene/mesh_arrays.h"
+#include "text/document.h"
 
 namespace quasimc::python {
 

@@ -8,9 +8,9 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "io/results/json_parts.h"
-#include "io/runfile/options.h"
+#include "options/options.h"
 #include "result.h"
+#include "resultio/json_parts.h"
 #include "run.h"
 #include "scene.h"
 #include "watch.h"

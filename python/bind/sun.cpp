@@ -6,8 +6,8 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
-#include "io/runfile/civil_time_text.h"
 #include "quasimc/error.h"
+#include "weather/civil_time_text.h"
 
 namespace quasimc::python {
 namespace {

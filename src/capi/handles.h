@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "capi/statement.h"
-#include "io/runfile/run_file.h"
 #include "quasimc/capi.h"
 #include "quasimc/growth_session.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"
+#include "runfile/run_file.h"
 
 // What the handles of quasimc/capi.h are.
 

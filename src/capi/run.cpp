@@ -2,9 +2,9 @@
 
 #include "capi/guard.h"
 #include "capi/handles.h"
-#include "io/results/json_parts.h"
-#include "io/runfile/options.h"
+#include "options/options.h"
 #include "quasimc/error.h"
+#include "resultio/json_parts.h"
 
 namespace quasimc::capi {
 namespace {

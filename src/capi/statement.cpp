@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "io/runfile/options.h"
+#include "options/options.h"
 #include "quasimc/error.h"
 
 namespace quasimc::capi {

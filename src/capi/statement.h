@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/input_files.h"
-#include "io/runfile/document.h"
+#include "files/input_files.h"
 #include "quasimc/scene.h"
+#include "text/document.h"
 
 namespace quasimc::capi {
 

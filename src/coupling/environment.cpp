@@ -16,9 +16,9 @@
 #include "coupling/protocol/notices.h"
 #include "coupling/protocol/session.h"
 #include "coupling/protocol/stop_signals.h"
-#include "io/file_identity.h"
-#include "io/numbers.h"
+#include "files/file_identity.h"
 #include "solvers/catalogue.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "base/angles.h"
+#include "light/daylight/clear_sky.h"
 #include "quasimc/sun.h"
-#include "sources/clear_sky.h"
 
 namespace quasimc {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "coupling/step_files.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 
 namespace quasimc {
 namespace {

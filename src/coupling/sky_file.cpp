@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "coupling/lighting.h"
-#include "io/line_scanner.h"
+#include "text/line_scanner.h"
 
 namespace quasimc {
 namespace {

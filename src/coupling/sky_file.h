@@ -4,7 +4,7 @@
 #include <string>
 
 #include "coupling/vlab/directive.h"
-#include "sources/sky_table.h"
+#include "light/models/sky_table.h"
 
 namespace quasimc {
 

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "io/numbers.h"
-#include "io/results/series_words.h"
-#include "io/runfile/units.h"
+#include "resultio/series_words.h"
 #include "results/groups.h"
+#include "results/units.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

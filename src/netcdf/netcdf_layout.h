@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/results/written.h"
 #include "netcdf/netcdf_file.h"
 #include "netcdf/netcdf_parts.h"
 #include "netcdf/netcdf_sweep.h"
+#include "runfile/written.h"
 
 namespace quasimc {
 

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "io/line_scanner.h"
-#include "io/runfile/civil_time_text.h"
-#include "io/runfile/options.h"
+#include "options/options.h"
+#include "text/line_scanner.h"
+#include "weather/civil_time_text.h"
 
 namespace quasimc {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/results/written.h"
 #include "netcdf/netcdf_file.h"
+#include "runfile/written.h"
 
 namespace quasimc {
 

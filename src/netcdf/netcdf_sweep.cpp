@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "io/runfile/sweep_keys.h"
+#include "runfile/sweep_keys.h"
 
 namespace quasimc {
 namespace {

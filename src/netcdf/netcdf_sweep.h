@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/runfile/run_file.h"
-#include "io/runfile/sweep.h"
+#include "runfile/run_file.h"
+#include "runfile/sweep.h"
 
 namespace quasimc {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/results/written.h"
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
+#include "runfile/written.h"
 
 namespace quasimc {
 

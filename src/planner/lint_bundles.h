@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "light/models/source.h"
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 // What ray bundles that are asked for by name get wrong without telling: light that changes within
 // patches on both of their levels. Nothing of other methods, and nothing where "auto" takes

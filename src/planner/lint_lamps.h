@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "light/models/source.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "light/models/source.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 // What every method gets wrong without telling: light in wedges narrower than rays resolve.
 

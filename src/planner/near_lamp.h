@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sources/source.h"
+#include "light/models/source.h"
 
 namespace quasimc {
 

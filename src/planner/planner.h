@@ -2,9 +2,9 @@
 
 #include <functional>
 
+#include "light/models/source.h"
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 

@@ -2,11 +2,11 @@
 
 #include <stop_token>
 
+#include "light/models/source.h"
 #include "planner/planner.h"
 #include "quasimc/run_spec.h"
 #include "run/kept_caster.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 

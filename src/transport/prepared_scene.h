@@ -8,9 +8,9 @@
 
 #include "detectors/detector.h"
 #include "geometry/cast/ray_caster.h"
+#include "light/models/source.h"
 #include "raster/scene_projection.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc {
 

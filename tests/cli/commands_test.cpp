@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/image.h"
 #include "program.h"
 #include "quasimc/version.h"
-#include "view/image.h"
 
 namespace quasimc::test {
 namespace {

@@ -19,8 +19,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "picture/image.h"
 #include "program.h"
-#include "view/image.h"
 
 namespace quasimc::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "program.h"
 #include "support/http_get.h"
-#include "view/page.h"
+#include "window/page.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "fuzzing.h"
-#include "io/weather/read_ies.h"
 #include "readers.h"
+#include "weather/read_ies.h"
 
 void quasimc::fuzz::fuzz_ies(const std::string& bytes) {
     Reporter reporter{"file", {}, {}};

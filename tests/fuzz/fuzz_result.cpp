@@ -1,6 +1,6 @@
 #include "fuzzing.h"
-#include "io/results/read_result.h"
 #include "readers.h"
+#include "resultio/read_result.h"
 
 void quasimc::fuzz::fuzz_result(const std::string& bytes) {
     try {

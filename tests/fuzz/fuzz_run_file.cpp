@@ -1,6 +1,6 @@
 #include "fuzzing.h"
-#include "io/runfile/run_file.h"
 #include "readers.h"
+#include "runfile/run_file.h"
 
 void quasimc::fuzz::fuzz_run_file(const std::string& bytes) {
     const InputFiles files("/fuzz", read_small_file);

@@ -1,6 +1,6 @@
 #include "fuzzing.h"
-#include "io/weather/read_sky_table.h"
 #include "readers.h"
+#include "weather/read_sky_table.h"
 
 void quasimc::fuzz::fuzz_sky_table(const std::string& bytes) {
     for (const auto format : {SkyFileFormat::cells, SkyFileFormat::vlab}) {

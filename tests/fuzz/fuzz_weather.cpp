@@ -1,6 +1,6 @@
 #include "fuzzing.h"
-#include "io/weather/weather.h"
 #include "readers.h"
+#include "weather/weather.h"
 
 void quasimc::fuzz::fuzz_weather(const std::string& bytes) {
     Reporter reporter{"file", {}, {}};

@@ -6,8 +6,8 @@
 
 #include "readers.h"
 #include "scene/scene.h"
-#include "view/live_window.h"
-#include "view/window_site.h"
+#include "window/live_window.h"
+#include "window/window_site.h"
 
 namespace quasimc::fuzz {
 namespace {

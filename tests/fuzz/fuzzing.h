@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/input_files.h"
-#include "io/meshes/formats.h"
+#include "files/input_files.h"
+#include "meshio/formats.h"
 #include "quasimc/error.h"
 
 namespace quasimc::fuzz {

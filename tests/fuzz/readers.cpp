@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "fuzzing.h"
-#include "io/meshes/formats.h"
+#include "meshio/formats.h"
 
 namespace quasimc::fuzz {
 

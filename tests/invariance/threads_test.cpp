@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "invariance/plot.h"
-#include "sources/source.h"
+#include "light/models/source.h"
 
 namespace quasimc::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "conversation.h"
 #include "growth.h"
 #include "support/http_get.h"
-#include "view/page.h"
+#include "window/page.h"
 
 namespace quasimc::test {
 namespace {

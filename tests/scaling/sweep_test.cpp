@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/runfile/run_file.h"
 #include "run/simulator.h"
+#include "runfile/run_file.h"
 #include "scaling/work.h"
 #include "support/random_leaves.h"
 

@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "light/daylight/hour_light.h"
+#include "light/daylight/period_light.h"
 #include "quasimc/series.h"
-#include "sources/hour_light.h"
-#include "sources/period_light.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

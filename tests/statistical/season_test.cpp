@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "light/daylight/hour_light.h"
 #include "quasimc/series.h"
-#include "sources/hour_light.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

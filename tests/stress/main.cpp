@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "io/input_files.h"
+#include "files/input_files.h"
 #include "stress/campaign.h"
 #include "stress/grammar.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/runfile/document.h"
 #include "quasimc/vec3.h"
+#include "text/document.h"
 
 // Run files as values: made, changed, and written as TOML.
 

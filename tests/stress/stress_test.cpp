@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/input_files.h"
+#include "files/input_files.h"
 #include "stress/campaign.h"
 #include "stress/checks.h"
 #include "stress/grammar.h"

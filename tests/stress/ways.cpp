@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "io/runfile/run_file.h"
 #include "planner/lint_bundles.h"
+#include "runfile/run_file.h"
 #include "solvers/ray_bundles/ray_bundles.h"
 #include "sums/statistics.h"
 #include "transport/prepared_scene.h"

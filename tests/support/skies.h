@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "light/models/sky_table.h"
 #include "quasimc/source.h"
-#include "sources/sky_table.h"
 
 namespace quasimc::test {
 

@@ -14,7 +14,7 @@
 #include "coupling/protocol/byte_stream.h"
 #include "coupling/protocol/messages.h"
 #include "coupling/protocol/semaphores.h"
-#include "io/descriptor.h"
+#include "files/descriptor.h"
 
 namespace quasimc {
 namespace {

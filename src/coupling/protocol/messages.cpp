@@ -10,8 +10,8 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "coupling/protocol/notices.h"
-#include "io/line_scanner.h"
-#include "io/numbers.h"
+#include "text/line_scanner.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "coupling/vlab/directive.h"
-#include "io/numbers.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "base/text.h"
 #include "coupling/vlab/directive.h"
-#include "io/line_scanner.h"
-#include "io/numbers.h"
+#include "text/line_scanner.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "io/line_scanner.h"
-#include "io/numbers.h"
+#include "text/line_scanner.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -9,9 +9,9 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "coupling/vlab/directive_table.h"
-#include "io/line_scanner.h"
 #include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
+#include "text/line_scanner.h"
 
 namespace quasimc {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/number_text.h"
 #include "base/text.h"
-#include "io/line_scanner.h"
 #include "scene/lint.h"
+#include "text/line_scanner.h"
 
 namespace quasimc {
 /// The frame of an organ: unit vectors.

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "coupling/vlab/directive_table.h"
-#include "io/line_scanner.h"
+#include "text/line_scanner.h"
 
 namespace quasimc {
 namespace {

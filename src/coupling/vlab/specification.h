@@ -12,13 +12,13 @@
 #include "coupling/protocol/notices.h"
 #include "coupling/vlab/arguments.h"
 #include "coupling/vlab/directive.h"
+#include "files/input_files.h"
 #include "geometry/shapes/shapes.h"
-#include "io/input_files.h"
+#include "light/models/sky_table.h"
 #include "optics/material.h"
 #include "quasimc/result.h"
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
-#include "sources/sky_table.h"
 
 namespace quasimc {
 

@@ -9,10 +9,10 @@
 
 #include "base/text.h"
 #include "geometry/shapes/shapes.h"
-#include "io/line_scanner.h"
-#include "io/numbers.h"
 #include "quasimc/error.h"
 #include "quasimc/vec3.h"
+#include "text/line_scanner.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "light/models/hemisphere.h"
 #include "optics/turn.h"
-#include "sources/hemisphere.h"
 
 namespace quasimc {
 

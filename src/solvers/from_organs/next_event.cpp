@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/distribution.h"
-#include "sources/hemisphere.h"
+#include "light/models/hemisphere.h"
 
 namespace quasimc {
 

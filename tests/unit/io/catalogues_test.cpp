@@ -9,9 +9,9 @@
 
 #include "base/text.h"
 #include "io_testing.h"
+#include "light/models/catalogue.h"
 #include "optics/catalogue.h"
 #include "samplers/catalogue.h"
-#include "sources/catalogue.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/runfile/civil_time_text.h"
+#include "weather/civil_time_text.h"
 
 #include <gtest/gtest.h>
 

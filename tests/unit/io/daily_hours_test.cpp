@@ -1,4 +1,4 @@
-#include "io/weather/daily_hours.h"
+#include "weather/daily_hours.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "io/results/field_formats.h"
+#include "resultio/field_formats.h"
 
 #include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
 
-#include "io/little_endian.h"
-#include "io/runfile/document.h"
 #include "io_testing.h"
+#include "text/document.h"
+#include "text/little_endian.h"
 
 namespace quasimc::test {
 namespace {

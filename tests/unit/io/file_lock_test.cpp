@@ -1,6 +1,6 @@
 // A file that one process at a time may write.
 
-#include "io/file_lock.h"
+#include "files/file_lock.h"
 
 #include <filesystem>
 #include <optional>

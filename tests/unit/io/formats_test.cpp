@@ -1,4 +1,4 @@
-#include "io/meshes/formats.h"
+#include "meshio/formats.h"
 
 #include <algorithm>
 #include <map>
@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/line_scanner.h"
-#include "io/meshes/geometry_scene.h"
 #include "io_testing.h"
+#include "meshio/geometry_scene.h"
+#include "text/line_scanner.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,8 +1,8 @@
-#include "io/input_files.h"
+#include "files/input_files.h"
 
 #include <gtest/gtest.h>
 
-#include "io/sha256.h"
+#include "files/sha256.h"
 #include "quasimc/error.h"
 #include "support/temporary_folder.h"
 

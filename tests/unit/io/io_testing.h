@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/meshes/formats.h"
-#include "io/runfile/run_file.h"
+#include "meshio/formats.h"
+#include "runfile/run_file.h"
 
 namespace quasimc::test {
 

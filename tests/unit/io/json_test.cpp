@@ -1,4 +1,4 @@
-#include "io/results/json.h"
+#include "text/json.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "io/line_scanner.h"
+#include "text/line_scanner.h"
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "io/numbers.h"
+#include "text/numbers.h"
 
 #include <cmath>
 

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "light/daylight/hour_light.h"
 #include "quasimc/series.h"
-#include "sources/hour_light.h"
 #include "unit/io/time_testing.h"
 
 namespace quasimc::test {

@@ -1,4 +1,4 @@
-#include "io/runfile/options.h"
+#include "options/options.h"
 
 #include <gtest/gtest.h>
 

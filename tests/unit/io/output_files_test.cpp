@@ -1,4 +1,4 @@
-#include "io/output_files.h"
+#include "files/output_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "io/meshes/can_label.h"
 #include "io_testing.h"
+#include "meshio/can_label.h"
 
 namespace quasimc::test {
 namespace {

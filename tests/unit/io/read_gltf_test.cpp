@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "io/base64.h"
-#include "io/little_endian.h"
 #include "io_testing.h"
+#include "text/base64.h"
+#include "text/little_endian.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/results/read_light.h"
+#include "resultio/read_light.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "io/results/read_result.h"
+#include "resultio/read_result.h"
 
 #include <gtest/gtest.h>
 
-#include "io/runfile/options.h"
 #include "io_testing.h"
+#include "options/options.h"
 #include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "quasimc/run.h"

@@ -1,4 +1,4 @@
-#include "io/results/read_rows.h"
+#include "resultio/read_rows.h"
 
 #include <cmath>
 

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "io/caribu_files.h"
 #include "io_testing.h"
+#include "light/models/source.h"
+#include "meshio/caribu_files.h"
 #include "optics/side.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "base/length_units.h"
-#include "io/weather/read_ies.h"
+#include "light/models/source.h"
 #include "quasimc/run.h"
-#include "sources/source.h"
 #include "unit/io/io_testing.h"
+#include "weather/read_ies.h"
 
 namespace quasimc::test {
 namespace {

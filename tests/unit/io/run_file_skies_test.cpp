@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "io/weather/read_sky_table.h"
 #include "quasimc/sun.h"
 #include "unit/io/io_testing.h"
+#include "weather/read_sky_table.h"
 
 namespace quasimc::test {
 namespace {

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "io_testing.h"
+#include "light/daylight/band_mean.h"
+#include "light/daylight/solar_reference.h"
 #include "optics/prospect.h"
 #include "optics/side.h"
 #include "scene/scene.h"
-#include "sources/band_mean.h"
-#include "sources/solar_reference.h"
 
 namespace quasimc::test {
 namespace {

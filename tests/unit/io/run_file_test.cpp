@@ -1,11 +1,11 @@
-#include "io/runfile/run_file.h"
+#include "runfile/run_file.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "io/runfile/options.h"
 #include "io_testing.h"
+#include "options/options.h"
 #include "quasimc/error.h"
 
 namespace quasimc::test {

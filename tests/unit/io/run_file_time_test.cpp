@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "light/daylight/solar_reference.h"
 #include "quasimc/series.h"
-#include "sources/solar_reference.h"
 #include "unit/io/time_testing.h"
 
 namespace quasimc::test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/runfile/run_file.h"
+#include "runfile/run_file.h"
 
 namespace quasimc::test {
 namespace {

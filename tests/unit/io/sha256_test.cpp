@@ -1,4 +1,4 @@
-#include "io/sha256.h"
+#include "files/sha256.h"
 
 #include <utility>
 

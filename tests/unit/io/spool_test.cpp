@@ -1,4 +1,4 @@
-#include "io/results/spool.h"
+#include "files/spool.h"
 
 #include <string>
 

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "io/runfile/mesh_cache.h"
-#include "io/runfile/run_file.h"
 #include "io_testing.h"
 #include "quasimc/error.h"
 #include "quasimc/run.h"
+#include "runfile/mesh_cache.h"
+#include "runfile/run_file.h"
 #include "scene/overlap/covered.h"
 #include "scene/scene.h"
 

@@ -1,4 +1,4 @@
-#include "io/weather/weather.h"
+#include "weather/weather.h"
 
 #include <string>
 

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "io/little_endian.h"
-#include "io/runfile/document.h"
 #include "io_testing.h"
 #include "scene/scene.h"
+#include "text/document.h"
+#include "text/little_endian.h"
 
 namespace quasimc::test {
 namespace {

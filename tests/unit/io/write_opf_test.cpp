@@ -1,6 +1,6 @@
 // Numbers of organs, back in the OPF file they came from.
 
-#include "io/results/write_opf.h"
+#include "resultio/write_opf.h"
 
 #include <cmath>
 #include <limits>

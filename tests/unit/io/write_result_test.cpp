@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/line_scanner.h"
-#include "io/results/result_words.h"
-#include "io/runfile/units.h"
 #include "io_testing.h"
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
+#include "resultio/result_words.h"
+#include "results/units.h"
+#include "text/line_scanner.h"
 
 namespace quasimc::test {
 namespace {

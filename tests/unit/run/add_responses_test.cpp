@@ -1,4 +1,4 @@
-#include "run/add_responses.h"
+#include "series/basis/add_responses.h"
 
 #include <random>
 #include <vector>

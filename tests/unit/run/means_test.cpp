@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "light/models/source.h"
 #include "results/bounds/patch_error.h"
 #include "run/evaluation_of.h"
 #include "run/simulator.h"
-#include "sources/source.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 

@@ -20,8 +20,8 @@
 #include <gtest/gtest.h>
 
 #include "base/process_time.h"
-#include "run/dealt_runs.h"
-#include "run/team_helper.h"
+#include "parallel/dealt_runs.h"
+#include "parallel/team_helper.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
 

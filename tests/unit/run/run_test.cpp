@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
+#include "light/models/source.h"
 #include "quasimc/series.h"
-#include "sources/source.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -1,4 +1,4 @@
-#include "run/season_errors.h"
+#include "series/basis/season_errors.h"
 
 #include <cmath>
 #include <random>

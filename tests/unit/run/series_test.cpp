@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "run/series_sum.h"
+#include "series/series_sum.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
-#include "sources/hemisphere.h"
+#include "light/models/hemisphere.h"
 #include "support/statistics.h"
 
 namespace quasimc::test {

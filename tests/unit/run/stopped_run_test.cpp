@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/source.h"
+#include "light/models/source.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

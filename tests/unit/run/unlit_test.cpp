@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "light/models/source.h"
 #include "quasimc/series.h"
 #include "run/simulator.h"
-#include "sources/source.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -1,4 +1,4 @@
-#include "sources/daylight.h"
+#include "light/daylight/daylight.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/clear_sky.h"
-#include "sources/diffuse_fraction.h"
-#include "sources/solar_reference.h"
+#include "light/daylight/clear_sky.h"
+#include "light/daylight/diffuse_fraction.h"
+#include "light/daylight/solar_reference.h"
 
 namespace quasimc::test {
 namespace {

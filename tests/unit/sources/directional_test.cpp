@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
-#include "sources/source.h"
+#include "light/models/source.h"
 #include "support/statistics.h"
 #include "unit/samplers/sampler_testing.h"
 

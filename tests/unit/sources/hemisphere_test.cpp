@@ -1,4 +1,4 @@
-#include "sources/hemisphere.h"
+#include "light/models/hemisphere.h"
 
 #include <cmath>
 

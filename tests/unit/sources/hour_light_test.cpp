@@ -1,4 +1,4 @@
-#include "sources/hour_light.h"
+#include "light/daylight/hour_light.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/source.h"
+#include "light/models/source.h"
 
 namespace quasimc::test {
 namespace {

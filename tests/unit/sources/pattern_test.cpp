@@ -1,4 +1,4 @@
-#include "sources/pattern.h"
+#include "light/models/pattern.h"
 
 #include <cmath>
 #include <functional>

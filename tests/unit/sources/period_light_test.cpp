@@ -1,11 +1,11 @@
-#include "sources/period_light.h"
+#include "light/daylight/period_light.h"
 
 #include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
 
-#include "sources/source.h"
+#include "light/models/source.h"
 
 namespace quasimc::test {
 namespace {

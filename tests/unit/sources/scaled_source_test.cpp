@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
-#include "sources/source.h"
+#include "light/models/source.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sources/sky_mesh.h"
+#include "light/models/sky_mesh.h"
 
 #include <cmath>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sources/hemisphere.h"
+#include "light/models/hemisphere.h"
 
 namespace quasimc::test {
 namespace {

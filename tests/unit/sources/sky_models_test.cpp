@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "sources/entry.h"
-#include "sources/period_light.h"
-#include "sources/source.h"
+#include "light/daylight/period_light.h"
+#include "light/models/entry.h"
+#include "light/models/source.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
-#include "sources/source.h"
+#include "light/models/source.h"
 #include "support/skies.h"
 #include "support/statistics.h"
 #include "unit/sources/hemisphere_testing.h"

@@ -1,6 +1,6 @@
 // What pages are told of a run that goes on.
 
-#include "view/live_window.h"
+#include "window/live_window.h"
 
 #include <cstring>
 #include <string>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "io/results/window_shape.h"
 #include "scene/scene.h"
+#include "window/window_shape.h"
 
 namespace quasimc::test {
 namespace {

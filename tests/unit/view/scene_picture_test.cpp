@@ -1,4 +1,4 @@
-#include "view/scene_picture.h"
+#include "picture/scene_picture.h"
 
 #include <cmath>
 #include <string>

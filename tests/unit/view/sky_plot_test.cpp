@@ -1,4 +1,4 @@
-#include "view/sky_plot.h"
+#include "picture/sky_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Scenes as an eye sees them.
 
-#include "view/true_light.h"
+#include "picture/true_light.h"
 
 #include <cmath>
 #include <optional>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "light/models/source.h"
 #include "scene/scene.h"
-#include "sources/source.h"
 
 namespace quasimc::test {
 namespace {

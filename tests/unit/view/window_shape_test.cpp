@@ -1,6 +1,6 @@
 // The triangles of a scene as the page takes them.
 
-#include "io/results/window_shape.h"
+#include "window/window_shape.h"
 
 #include <cstdint>
 #include <cstring>

@@ -20,11 +20,11 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include "io/base64.h"
 #include "quasimc/error.h"
-#include "view/page.h"
-#include "view/window_server.h"
-#include "view/window_site.h"
+#include "text/base64.h"
+#include "window/page.h"
+#include "window/window_server.h"
+#include "window/window_site.h"
 
 namespace quasimc::test {
 namespace {

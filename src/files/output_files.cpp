@@ -1,0 +1,117 @@
+#include "files/output_files.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "files/file_identity.h"
+#include "files/standard_streams.h"
+
+namespace quasimc {
+namespace {
+
+/// Refuses outputs that would destroy what was read, and those that would destroy each other.
+void check_apart(
+    const std::vector<OutputPath>& outputs, std::span<const InputFile> inputs, Faults& faults) {
+    std::vector<FileIdentity> files;
+    for (const OutputPath& output : outputs) {
+        const FileIdentity file = identity_of(output.path, STDOUT_FILENO);
+        if (const InputFile* input = input_at(file, inputs)) {
+            faults.add(
+                {output.place, fmt::format("'{}' is an input of the run", output.path),
+                 fmt::format("'{}' is read from it", input->path), "name another file"});
+        }
+        const auto same = std::find(files.begin(), files.end(), file);
+        if (same != files.end() && !file.is_discard) {
+            const OutputPath& other =
+                outputs[static_cast<std::size_t>(std::distance(files.begin(), same))];
+            faults.add(
+                {output.place, fmt::format("'{}' is the file of another output", output.path),
+                 fmt::format("{} names it", other.place), "name another file"});
+        }
+        files.push_back(file);
+    }
+}
+
+}  // namespace
+
+OutputFiles::OutputFiles(std::vector<OutputPath> outputs, std::span<const InputFile> inputs)
+    : outputs_(std::move(outputs)) {
+    Faults faults;
+    check_apart(outputs_, inputs, faults);
+    faults.throw_if_any();
+    const FileIdentity standard = identity_of_descriptor(STDOUT_FILENO);
+    for (const OutputPath& output : outputs_) {
+        // However it is called, it is written to where it is now, not replaced.
+        const FileIdentity file = identity_of(output.path, STDOUT_FILENO);
+        const bool is_standard = output.path == "-" || (file == standard && !file.is_discard);
+        uses_standard_output_ = uses_standard_output_ || is_standard;
+        try {
+            files_.push_back(std::make_unique<AtomicFile>(is_standard ? "-" : output.path));
+        } catch (const InputError& error) {
+            faults.add(error);
+        }
+    }
+    faults.throw_if_any();
+}
+
+template <typename Action>
+void OutputFiles::attempt(std::size_t output, Action action) {
+    if (!files_[output]) {
+        return;
+    }
+    try {
+        action(*files_[output]);
+    } catch (const ReaderGone&) {
+        files_[output].reset();
+        throw_if_none_is_left();
+    } catch (const InputError& error) {
+        give_up(output, error);
+    }
+}
+
+TextSink OutputFiles::sink(std::size_t output) {
+    return [this, output](std::string_view text) {
+        attempt(output, [text](AtomicFile& file) { file.write(text); });
+    };
+}
+
+void OutputFiles::give_up(std::size_t output, const InputError& error) {
+    if (files_[output]) {
+        files_[output].reset();
+        faults_.add(error);
+    }
+    throw_if_none_is_left();
+}
+
+void OutputFiles::throw_if_none_is_left() const {
+    const auto is_left = [](const auto& file) { return file != nullptr; };
+    if (std::none_of(files_.begin(), files_.end(), is_left)) {
+        throw_if_given_up();
+        throw ReaderGone();
+    }
+}
+
+void OutputFiles::commit() {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        attempt(i, [](AtomicFile& file) { file.prepare(); });
+    }
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        attempt(i, [](AtomicFile& file) { file.commit(); });
+    }
+}
+
+std::vector<std::string> OutputFiles::written() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (files_[i] && outputs_[i].path != "-") {
+            names.push_back(outputs_[i].path);
+        }
+    }
+    return names;
+}
+
+}  // namespace quasimc

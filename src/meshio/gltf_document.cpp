@@ -1,0 +1,260 @@
+#include "meshio/gltf_document.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "meshio/gltf_values.h"
+#include "text/line_scanner.h"
+
+namespace quasimc {
+namespace {
+
+/// Whether a file that requires an extension is read as it is meant without it: it is of looks, or
+/// of kinds of numbers that are read anyhow.
+bool is_harmless(std::string_view extension) {
+    return extension == "KHR_mesh_quantization" || extension == "KHR_lights_punctual" ||
+           extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
+           extension.starts_with("EXT_texture_") || extension.starts_with("KHR_xmp");
+}
+
+/// A value of extras as a label; nothing of tables and lists.
+std::optional<std::string> label_text(const Node& node) {
+    if (const auto* text = node.as<std::string>()) {
+        return one_line(*text);
+    }
+    if (const auto* whole = node.as<std::int64_t>()) {
+        return std::to_string(*whole);
+    }
+    if (const auto* real = node.as<double>()) {
+        return shortest(*real);
+    }
+    const bool* flag = node.as<bool>();
+    return flag == nullptr ? std::nullopt : std::optional<std::string>(*flag ? "true" : "false");
+}
+
+void read_extras(const Node& json, GltfNode& node) {
+    const Node* extras = json.find("extras");
+    const auto* members = extras != nullptr ? extras->as<Node::Table>() : nullptr;
+    for (std::size_t i = 0; members != nullptr && i < members->size(); ++i) {
+        const Member& member = (*members)[i];
+        const auto* id = member.node.as<std::int64_t>();
+        const std::string key = one_line(member.key);
+        const auto text = label_text(member.node);
+        const bool is_known = std::any_of(
+            node.labels.begin(), node.labels.end(),
+            [&](const auto& label) { return label.first == key; });
+        if (key == "id" && id != nullptr) {
+            node.organ_id = *id;
+        } else if (text && !text->empty() && !key.empty() && !is_known) {
+            node.labels.emplace_back(key, *text);
+        }
+    }
+}
+
+CornerOrder mode_of(std::uint64_t number) {
+    constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;
+    return number == kTriangles ? CornerOrder::triangles
+           : number == kStrip   ? CornerOrder::strip
+           : number == kFan     ? CornerOrder::fan
+                                : CornerOrder::none;
+}
+
+class GltfDocumentReader {
+  public:
+    GltfDocumentReader(const Node& root, Reporter& reporter)
+        : root_(root), reporter_(reporter), values_(reporter) {}
+
+    std::optional<GltfDocument> read() {
+        const std::size_t before = reporter_.faults.size();
+        check_version();
+        check_extensions();
+        if (reporter_.faults.size() == before) {
+            warn_of_unknown_keys(root_, reporter_);
+            read_materials();
+            read_meshes();
+            read_nodes();
+            read_roots();
+            check_trees();
+        }
+        return reporter_.faults.size() == before ? std::optional(std::move(file_)) : std::nullopt;
+    }
+
+  private:
+    void check_version() {
+        const Node* asset = root_.find("asset");
+        const std::string version = asset != nullptr ? gltf_text(*asset, "version") : "";
+        if (!version.starts_with("2.")) {
+            values_.fault(
+                "it is no glTF 2.0",
+                version.empty() ? "it has no asset with a version" : "its version is " + version,
+                "export it as glTF 2.0");
+            return;
+        }
+        const std::string least = gltf_text(*asset, "minVersion");
+        if (!least.empty() && least != "2.0") {
+            values_.fault(
+                "it needs a reader of glTF " + least, "its minVersion says so; 2.0 is read",
+                "export it as glTF 2.0");
+        }
+    }
+
+    void check_extensions() {
+        for (const Node& extension : gltf_list(root_, "extensionsRequired")) {
+            const auto* name = extension.as<std::string>();
+            if (name != nullptr && !is_harmless(*name)) {
+                values_.fault(
+                    fmt::format("it requires the extension {}", shown(*name)), "that is not read",
+                    "export it without that, or without compression");
+            }
+        }
+    }
+
+    void read_materials() {
+        for (const Node& json : gltf_list(root_, "materials")) {
+            GltfMaterial material;
+            const std::string place = fmt::format("material {}", file_.materials.size());
+            material.name = one_line(gltf_text(json, "name"));
+            material.name = material.name.empty() ? place : material.name;
+            const std::string alpha = gltf_text(json, "alphaMode");
+            material.is_cut_out = alpha == "MASK" || alpha == "BLEND";
+            const Node* look = json.find("pbrMetallicRoughness");
+            if (look != nullptr && look->find("baseColorTexture") == nullptr) {
+                constexpr std::size_t kColor = 4;
+                const auto color = values_.numbers(*look, "baseColorFactor", kColor, place);
+                material.reflectance =
+                    color ? std::optional(((*color)[0] + (*color)[1] + (*color)[2]) / 3)
+                          : std::nullopt;
+            }
+            file_.materials.push_back(std::move(material));
+        }
+    }
+
+    void read_meshes() {
+        for (const Node& json : gltf_list(root_, "meshes")) {
+            const std::string place = fmt::format("mesh {}", file_.meshes.size());
+            check_weights(json, place);
+            GltfMesh mesh{one_line(gltf_text(json, "name")), {}};
+            for (const Node& primitive : gltf_list(json, "primitives")) {
+                mesh.primitives.push_back(read_primitive(primitive, place));
+            }
+            file_.meshes.push_back(std::move(mesh));
+        }
+    }
+
+    GltfPrimitive read_primitive(const Node& json, const std::string& place) {
+        constexpr std::uint64_t kUsual = 4;
+        GltfPrimitive primitive;
+        primitive.mode = mode_of(values_.whole(json, "mode", place).value_or(kUsual));
+        primitive.material = values_.index(json, "material", file_.materials.size(), place);
+        const std::size_t accessors = gltf_list(root_, "accessors").size();
+        primitive.indices = values_.index(json, "indices", accessors, place);
+        if (const Node* attributes = json.find("attributes")) {
+            primitive.positions = values_.index(*attributes, "POSITION", accessors, place);
+        }
+        if (!primitive.positions) {
+            values_.fault(place + " has a part without positions", "");
+        }
+        return primitive;
+    }
+
+    void check_weights(const Node& json, const std::string& place) {
+        const Node::List& weights = gltf_list(json, "weights");
+        const bool is_blended = std::any_of(weights.begin(), weights.end(), [](const Node& weight) {
+            const auto* whole = weight.as<std::int64_t>();
+            const auto* real = weight.as<double>();
+            return (whole == nullptr || *whole != 0) && (real == nullptr || *real != 0);
+        });
+        if (is_blended) {
+            values_.fault(
+                place + " blends several shapes (weights)", "such meshes are not read",
+                "apply the shape keys and export it anew");
+        }
+    }
+
+    void read_nodes() {
+        const Node::List& nodes = gltf_list(root_, "nodes");
+        for (const Node& json : nodes) {
+            const std::string place = fmt::format("node {}", file_.nodes.size());
+            GltfNode node;
+            node.name = one_line(gltf_text(json, "name"));
+            node.mesh = values_.index(json, "mesh", file_.meshes.size(), place);
+            node.children = values_.indices(json, "children", nodes.size(), place);
+            node.transform = values_.transform(json, place);
+            check_weights(json, place);
+            refuse_deformed(json, place);
+            read_extras(json, node);
+            file_.nodes.push_back(std::move(node));
+        }
+    }
+
+    void refuse_deformed(const Node& json, const std::string& place) {
+        if (json.find("skin") != nullptr && json.find("mesh") != nullptr) {
+            values_.fault(
+                place + " has a skin", "meshes that bones deform are not read",
+                "apply the armature and export it anew");
+        }
+        const Node* extensions = json.find("extensions");
+        if (extensions != nullptr && extensions->find("EXT_mesh_gpu_instancing") != nullptr) {
+            values_.fault(
+                place + " has the extension 'EXT_mesh_gpu_instancing'", "that is not read",
+                "export each copy as a node");
+        }
+    }
+
+    /// The nodes of the scene that is shown, or else those that are below no other.
+    void read_roots() {
+        const Node::List& scenes = gltf_list(root_, "scenes");
+        if (!scenes.empty()) {
+            const auto scene = values_.index(root_, "scene", scenes.size(), "the file");
+            file_.roots = values_.indices(
+                scenes[scene.value_or(0)], "nodes", file_.nodes.size(), "the scene");
+            return;
+        }
+        std::vector<bool> is_child(file_.nodes.size());
+        for (const GltfNode& node : file_.nodes) {
+            for (const std::size_t child : node.children) {
+                is_child[child] = true;
+            }
+        }
+        for (std::size_t i = 0; i < is_child.size(); ++i) {
+            if (!is_child[i]) {
+                file_.roots.push_back(i);
+            }
+        }
+    }
+
+    /// A node is below one other, or a root.
+    void check_trees() {
+        std::vector<int> parents(file_.nodes.size());
+        const auto count = [&](const std::vector<std::size_t>& numbers) {
+            for (const std::size_t number : numbers) {
+                if (++parents[number] == 2) {
+                    values_.fault(
+                        fmt::format("node {} is below two nodes, or twice in the scene", number),
+                        "nodes are trees");
+                }
+            }
+        };
+        count(file_.roots);
+        for (const GltfNode& node : file_.nodes) {
+            count(node.children);
+        }
+    }
+
+    const Node& root_;
+    Reporter& reporter_;
+    GltfValues values_;
+    GltfDocument file_;
+};
+
+}  // namespace
+
+std::optional<GltfDocument> read_gltf_document(const Node& root, Reporter& reporter) {
+    return GltfDocumentReader(root, reporter).read();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "meshio/formats.h"
+#include "quasimc/vec3.h"
+
+namespace quasimc {
+
+/// A mesh of an XML file, in coordinates of its own.
+struct XmlMesh {
+    std::vector<Vec3> points;
+    std::vector<std::vector<std::uint32_t>> faces;  ///< of 3 to kMostCorners points
+
+    /// Its faces, as a part of `file`. @param placed  the points, where they are put
+    [[nodiscard]] MeshPart part(
+        const std::vector<Vec3>& placed,
+        std::string material,
+        std::uint32_t line,
+        MeshFile& file,
+        CrossedFaces& crossed) const;
+};
+
+/// The elements of an XML text and their lines. Entities that the text declares stay as they are.
+class XmlFile {
+  public:
+    /// Reads UTF-8, or Latin-1 (or Windows-1252 where that is the same) if the text says so. It is
+    /// a fault if the text is no XML, and then no element is there.
+    XmlFile(std::string_view bytes, Reporter& reporter);
+
+    /// The outermost element.
+    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+    /// Reports a fault at the line of an element.
+    void fault(
+        pugi::xml_node element,
+        std::string problem,
+        std::string why = {},
+        std::string suggestion = {}) const;
+    [[nodiscard]] std::uint32_t line(pugi::xml_node element) const;
+    /// The numbers in an element, all finite; nothing after a fault.
+    [[nodiscard]] std::optional<std::vector<double>> numbers(pugi::xml_node element) const;
+    /// The mesh that the <points> and <faces> of an element make, without those with a fault.
+    [[nodiscard]] XmlMesh mesh(pugi::xml_node element) const;
+
+  private:
+    [[nodiscard]] std::uint32_t line_at(std::ptrdiff_t offset) const;
+    [[nodiscard]] std::optional<std::vector<std::uint32_t>> face(
+        pugi::xml_node element, std::size_t points) const;
+
+    Reporter& reporter_;
+    pugi::xml_document document_;
+    std::vector<std::ptrdiff_t> line_ends_;  // in the text that was parsed
+};
+
+/// The text in an element, without blanks at its ends.
+[[nodiscard]] std::string xml_text(pugi::xml_node element);
+
+}  // namespace quasimc

@@ -1,0 +1,262 @@
+#include "parallel/checkpoint_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "files/atomic_file.h"
+#include "files/file_identity.h"
+#include "files/input_files.h"
+#include "files/sha256.h"
+#include "parallel/part_difference.h"
+#include "parallel/run_head.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\n";
+constexpr std::size_t kSha256Digits = 64;
+/// What may change when a run goes on: where it ends.
+constexpr std::array<std::string_view, 5> kEnds{
+    "run.run.paths", "run.run.target_error", "run.run.target_fraction", "run.run.max_paths",
+    "run.run.max_seconds"};
+
+std::string block_of(std::string_view bytes) {
+    return number_bytes(bytes.size()).append(bytes);
+}
+
+/// The file itself where its name is a link: it has one lock and one second file, by whatever name
+/// a run knows it.
+std::string without_links(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_symlink(path, error) ? followed(path).string() : path;
+}
+
+std::string done_path(const std::string& path) {
+    return path + ".done";
+}
+
+/// Writes all of it. @returns false  with errno, if it can't
+bool write_at(int descriptor, std::string_view bytes, std::uint64_t offset) {
+    while (!bytes.empty()) {
+        const ssize_t count =
+            ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count < 0 && errno != EINTR) {
+            return false;
+        }
+        const auto written = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+        bytes.remove_prefix(written);
+        offset += written;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string_view ByteReader::take(std::uint64_t count) {
+    is_cut_off_ = is_cut_off_ || count > rest_.size();
+    if (is_cut_off_) {
+        return {};
+    }
+    const std::string_view taken = rest_.substr(0, count);
+    rest_.remove_prefix(count);
+    return taken;
+}
+
+std::uint64_t ByteReader::number() {
+    std::uint64_t number = 0;
+    const std::string_view bytes = take(sizeof number);
+    std::memcpy(&number, bytes.data(), bytes.size());
+    return number;
+}
+
+CheckpointFile::CheckpointFile(
+    const std::string& path, const RunFile& run, double every, CheckpointStart start)
+    : path_(without_links(path)), lock_(path_), head_(head_of_run(run)), every_(every) {
+    std::error_code error;
+    was_there_ = std::filesystem::exists(path_, error);
+    if (was_there_ && start == CheckpointStart::anew) {
+        throw InputError(
+            {{path_, "is there already", "a run that begins would overwrite it",
+              "state --resume to go on from it, or remove it"}});
+    }
+    if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
+        throw InputError(
+            {{done_path(path_), "is there already, without " + path_, "it would be overwritten",
+              "remove it, or name another checkpoint"}});
+    }
+    if (was_there_) {
+        read();
+    }
+    write();
+}
+
+void CheckpointFile::refuse(const std::string& problem, const std::string& why) const {
+    throw InputError({{path_, problem, why, ""}});
+}
+
+void CheckpointFile::read() {
+    const std::string bytes = read_file(path_);
+    if (!bytes.starts_with(kFirstCheckpointLine)) {
+        refuse("is no checkpoint", "a file that `quasimc run --checkpoint` wrote is needed");
+    }
+    const std::size_t size = bytes.size() - std::min(bytes.size(), kSha256Digits);
+    if (sha256_hex(std::string_view(bytes).substr(0, size)) != bytes.substr(size)) {
+        refuse("is damaged", "its checksum is not that of its bytes");
+    }
+    ByteReader reader(std::string_view(bytes).substr(0, size));
+    static_cast<void>(reader.take(kFirstCheckpointLine.size()));
+    const std::string difference = difference_of_runs(std::string(reader.block()), head_, kEnds);
+    if (!difference.empty()) {
+        refuse("is of another run", difference);
+    }
+    read_places(reader);
+    for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
+        const std::uint64_t moment = reader.number();
+        const bool is_done = reader.number() != 0;
+        states_[moment] = {std::string(reader.block()), is_done};
+    }
+    if (!reader.is_at_end()) {
+        refuse("is damaged", "it has more or fewer bytes than it names");
+    }
+}
+
+void CheckpointFile::read_places(ByteReader& reader) {
+    done_bytes_ = reader.number();
+    for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
+        const std::uint64_t moment = reader.number();
+        const std::uint64_t offset = reader.number();
+        const std::uint64_t size = reader.number();
+        places_[moment] = {offset, size, std::string(reader.take(kSha256Digits))};
+    }
+    if (!places_.empty()) {
+        open_done();
+        for (const auto& [moment, place] : places_) {
+            static_cast<void>(read_done(place));
+        }
+    }
+}
+
+void CheckpointFile::open_done() {
+    const int create = places_.empty() ? O_CREAT | O_TRUNC : 0;
+    constexpr mode_t kReadable = 0666;  // less the process's umask
+    done_ = std::make_unique<Descriptor>(
+        ::open(done_path(path_).c_str(), O_RDWR | O_CLOEXEC | create, kReadable));
+    if (!done_->is_open()) {
+        throw InputError(
+            {{done_path(path_), places_.empty() ? "can't be written" : "can't be read",
+              std::generic_category().message(errno), "it belongs to " + path_}});
+    }
+}
+
+std::string CheckpointFile::read_done(const Place& place) const {
+    std::string bytes(std::min(place.size, done_bytes_), '\0');
+    std::size_t count = 0;
+    ssize_t more = 1;
+    while (count < bytes.size() && more > 0) {
+        more = ::pread(
+            done_->number(), bytes.data() + count, bytes.size() - count,
+            static_cast<off_t>(place.offset + count));
+        count += static_cast<std::size_t>(std::max<ssize_t>(more, 0));
+    }
+    bytes.resize(count);
+    if (sha256_hex(bytes) != place.sha256) {
+        throw InputError(
+            {{done_path(path_), "is damaged", "a checksum is not that of its bytes",
+              "it belongs to " + path_}});
+    }
+    return bytes;
+}
+
+std::optional<RunState> CheckpointFile::state_of(std::size_t moment) {
+    const auto state = states_.find(moment);
+    const auto place = places_.find(moment);
+    if (state == states_.end() && place == places_.end()) {
+        return std::nullopt;
+    }
+    try {
+        return load_state(state != states_.end() ? state->second.bytes : read_done(place->second));
+    } catch (const std::invalid_argument& error) {
+        refuse("is damaged, or of another version", error.what());
+    }
+}
+
+void CheckpointFile::save(std::size_t moment, const RunSnapshot& state) {
+    keep(moment, {save_state(state), false});
+    write();
+}
+
+void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
+    keep(moment, {save_state(state), true});
+    if (is_due()) {
+        write();
+    }
+}
+
+void CheckpointFile::flush() {
+    if (!is_saved_) {
+        write();
+    }
+}
+
+/// Runs end in the order of their numbers: what is done of those before goes to the second file.
+void CheckpointFile::keep(std::size_t moment, State state) {
+    const auto place = places_.find(moment);
+    if (state.is_done && place != places_.end() &&
+        place->second.sha256 == sha256_hex(state.bytes)) {
+        return;
+    }
+    states_[moment] = std::move(state);
+    is_saved_ = false;
+    while (states_.begin()->first < moment && states_.begin()->second.is_done) {
+        move_to_done(states_.begin()->first, states_.begin()->second.bytes);
+        states_.erase(states_.begin());
+    }
+}
+
+void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) {
+    if (!done_) {
+        open_done();
+    }
+    if (!write_at(done_->number(), bytes, done_bytes_)) {
+        throw InputError(
+            {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
+    }
+    places_[moment] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
+    done_bytes_ += bytes.size();
+}
+
+void CheckpointFile::write() {
+    // What a file system can't sync (EINVAL) it has written all the same.
+    if (done_ && ::fsync(done_->number()) != 0 && errno != EINVAL) {
+        throw InputError(
+            {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
+    }
+    std::string bytes(kFirstCheckpointLine);
+    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(places_.size());
+    for (const auto& [moment, place] : places_) {
+        bytes += number_bytes(moment) + number_bytes(place.offset) + number_bytes(place.size) +
+                 place.sha256;
+    }
+    bytes += number_bytes(states_.size());
+    for (const auto& [moment, state] : states_) {
+        bytes += number_bytes(moment) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
+    }
+    AtomicFile file(path_);
+    file.write(bytes);
+    file.write(sha256_hex(bytes));
+    file.commit();
+    is_saved_ = true;
+    next_save_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(every_);
+}
+
+}  // namespace quasimc

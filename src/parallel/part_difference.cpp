@@ -1,0 +1,73 @@
+#include "parallel/part_difference.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "text/json.h"
+
+namespace quasimc {
+namespace {
+
+/// What may differ between machines: it changes no result.
+constexpr std::array<std::string_view, 3> kFree{
+    "run.run.threads", "run.run.tally_memory_mb", "run.output"};
+
+std::string in_short(const Json& value) {
+    constexpr std::size_t kLongest = 40;
+    const std::string text = value.is_null() ? "nothing" : json_text(value);
+    return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
+}
+
+/// What decides the numbers: the program, the run file but for what is free, and what the other
+/// inputs hold, wherever they are.
+Json deciding(const Json& head, std::span<const std::string_view> free) {
+    Json run = {{"run", head.value("run", Json())}};
+    for (const auto& places : {std::span<const std::string_view>(kFree), free}) {
+        for (const std::string_view place : places) {
+            std::string path = fmt::format("/{}", place);
+            std::replace(path.begin(), path.end(), '.', '/');
+            const Json::json_pointer at(path);
+            if (run.contains(at)) {
+                run.at(at.parent_pointer()).erase(at.back());
+            }
+        }
+    }
+    Json inputs = Json::object();
+    for (const Json& input : head.value("inputs", Json::array())) {
+        if (input.is_object() && !input.value("is_run_file", false)) {
+            inputs[input.value("path", "")] = input.value("sha256", "");
+        }
+    }
+    return {
+        {"program_version", head.value("program_version", Json())},
+        {"run", run["run"]},
+        {"inputs", inputs}};
+}
+
+}  // namespace
+
+std::string difference_of_runs(
+    const std::string& there, const std::string& here, std::span<const std::string_view> free) {
+    const Json a = Json::parse(there, nullptr, false), b = Json::parse(here, nullptr, false);
+    if (!a.is_object() || !b.is_object()) {
+        return "it is damaged";
+    }
+    const Json before = deciding(a, free);
+    const Json changes = Json::diff(before, deciding(b, free));
+    if (changes.empty()) {
+        return "";
+    }
+    const Json& first = changes.front();
+    std::string place = first.at("path");
+    const Json::json_pointer at(place);
+    std::replace(place.begin(), place.end(), '/', '.');
+    return fmt::format(
+        "{}: {} there, {} here", place.substr(1),
+        in_short(before.contains(at) ? before.at(at) : Json()),
+        in_short(first.value("value", Json())));
+}
+
+}  // namespace quasimc

@@ -1,0 +1,85 @@
+#include "picture/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angles.h"
+#include "base/vec3.h"
+
+namespace quasimc {
+namespace {
+
+constexpr double kMargin = 1.06;  // of the picture over what is shown
+
+}  // namespace
+
+const std::array<NamedView, 6>& view_table() {
+    static constexpr std::array<NamedView, 6> kTable{{
+        {"front", 180, 0},
+        {"back", 0, 0},
+        {"right", 90, 0},
+        {"left", 270, 0},
+        {"top", 180, 90},
+        {"bottom", 180, -90},
+    }};
+    return kTable;
+}
+
+const NamedView* find_view(std::string_view name) {
+    const auto& table = view_table();
+    const auto* found = std::find_if(
+        table.begin(), table.end(), [&](const NamedView& view) { return view.name == name; });
+    return found == table.end() ? nullptr : found;
+}
+
+Camera::Camera(
+    const ViewSpec& view, const Orientation& axes, const Bounds& shown, double width, double height)
+    : middle_(shown.center()),
+      right_(axes.towards(view.azimuth_deg - 90, 0)),
+      back_(axes.towards(view.azimuth_deg, view.elevation_deg)),
+      half_width_(0.5 * width),
+      half_height_(0.5 * height) {
+    up_ = cross(back_, right_);
+    const double radius = std::max(shown.radius(), 1e-300);
+    const double longer = std::max(half_width_, half_height_);
+    const double tangent = std::tan(0.5 * view.opening_deg * kRadians);
+    double extent = 0;  // largest fraction of half the picture that a corner needs, times length
+    for (const Vec3& corner : corners_of(shown)) {
+        const Vec3 p = seen(corner - middle_);
+        const double needed =
+            kMargin * std::max(std::abs(p.x) / half_width_, std::abs(p.y) / half_height_);
+        extent = std::max(extent, needed);
+        if (tangent > 0) {
+            distance_ = std::max(distance_, p.z + needed * longer / tangent);
+        }
+    }
+    if (distance_ > 0) {
+        distance_ = std::max(distance_, 1e-3 * radius);
+        scale_ = longer / (tangent * distance_);
+    } else {
+        scale_ = 1 / std::max(extent, 1e-6 * radius / longer);
+        start_ = 1.01 * radius;
+    }
+}
+
+Camera::SightLine Camera::through(const PixelPlace& place) const {
+    const double x = (place.x - half_width_) / scale_, y = (half_height_ - place.y) / scale_;
+    const Vec3 aim = middle_ + x * right_ + y * up_;
+    if (is_parallel()) {
+        return {aim + start_ * back_, -1.0 * back_};
+    }
+    const Vec3 eye = middle_ + distance_ * back_;
+    return {eye, normalized(aim - eye)};
+}
+
+PixelPlace Camera::place_of(const Vec3& point) const {
+    const Vec3 p = seen(point - middle_);
+    const double zoom = is_parallel() ? scale_ : scale_ * distance_ / (distance_ - p.z);
+    return {half_width_ + zoom * p.x, half_height_ - zoom * p.y};
+}
+
+Vec3 Camera::seen(const Vec3& direction) const {
+    return {dot(direction, right_), dot(direction, up_), dot(direction, back_)};
+}
+
+}  // namespace quasimc

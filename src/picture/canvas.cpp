@@ -1,0 +1,130 @@
+#include "picture/canvas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "picture/font.h"
+
+namespace quasimc {
+namespace {
+
+/// Whether a place is inside a polygon, by the even-odd rule.
+bool is_inside(std::span<const PixelPlace> corners, double x, double y) {
+    bool inside = false;
+    for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+        const PixelPlace &a = corners[i], &b = corners[j];
+        if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/// Pixels that the corners span along an axis.
+std::pair<std::size_t, std::size_t> range(
+    std::span<const PixelPlace> corners, double PixelPlace::*axis, std::size_t size) {
+    double low = corners[0].*axis, high = low;
+    for (const PixelPlace& corner : corners) {
+        low = std::min(low, corner.*axis);
+        high = std::max(high, corner.*axis);
+    }
+    const double most = static_cast<double>(size);
+    return {
+        static_cast<std::size_t>(std::clamp(std::floor(low), 0.0, most)),
+        static_cast<std::size_t>(std::clamp(std::ceil(high), 0.0, most))};
+}
+
+/// The covered part of a pixel, by 16 places in it.
+double coverage(std::span<const PixelPlace> corners, std::size_t x, std::size_t y) {
+    int count = 0;
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+            count += is_inside(
+                         corners, static_cast<double>(x) + (i + 0.5) / 4,
+                         static_cast<double>(y) + (j + 0.5) / 4)
+                         ? 1
+                         : 0;
+        }
+    }
+    return count / 16.0;
+}
+
+}  // namespace
+
+void Canvas::put(const PixelPlace& corner, const Image& picture) {
+    const auto x0 = static_cast<std::size_t>(corner.x), y0 = static_cast<std::size_t>(corner.y);
+    for (std::size_t y = 0; y < picture.height && y0 + y < image_.height; ++y) {
+        for (std::size_t x = 0; x < picture.width && x0 + x < image_.width; ++x) {
+            image_.at(x0 + x, y0 + y) = picture.at(x, y);
+        }
+    }
+}
+
+void Canvas::polygon(std::span<const PixelPlace> corners, const Rgb& fill) {
+    const auto [left, right] = range(corners, &PixelPlace::x, image_.width);
+    const auto [top, bottom] = range(corners, &PixelPlace::y, image_.height);
+    for (std::size_t y = top; y < bottom; ++y) {
+        for (std::size_t x = left; x < right; ++x) {
+            blend(x, y, fill, coverage(corners, x, y));
+        }
+    }
+}
+
+void Canvas::line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, double width) {
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (length > 0) {
+        const double dx = 0.5 * width * (b.x - a.x) / length;
+        const double dy = 0.5 * width * (b.y - a.y) / length;
+        polygon(
+            std::array<PixelPlace, 4>{
+                {{a.x - dy, a.y + dx},
+                 {b.x - dy, b.y + dx},
+                 {b.x + dy, b.y - dx},
+                 {a.x + dy, a.y - dx}}},
+            color);
+    }
+}
+
+void Canvas::rectangle(const PixelPlace& corner, double width, double height, const Rgb& fill) {
+    const PixelPlace far{corner.x + width, corner.y + height};
+    polygon(
+        std::array{corner, PixelPlace{far.x, corner.y}, far, PixelPlace{corner.x, far.y}}, fill);
+}
+
+void Canvas::disk(const PixelPlace& center, double radius, const Rgb& fill) {
+    std::array<PixelPlace, 40> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double angle =
+            2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners.size());
+        corners[i] = {center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
+    }
+    polygon(corners, fill);
+}
+
+void Canvas::text(const PixelPlace& place, std::string_view utf8, const TextStyle& style) {
+    const TextMask mask = draw_text(utf8, style.size);
+    const double before =
+        style.anchor == TextAnchor::start ? 0 : 0.5 * static_cast<double>(mask.width);
+    for (std::size_t j = 0; j < mask.height; ++j) {
+        for (std::size_t i = 0; i < mask.width; ++i) {
+            const double x = place.x + (static_cast<double>(i) - before);
+            const double y = place.y + (static_cast<double>(j) - mask.baseline);
+            if (x >= 0 && y >= 0) {
+                blend(
+                    static_cast<std::size_t>(x), static_cast<std::size_t>(y), style.color,
+                    mask.coverage[j * mask.width + i] / 255.0);
+            }
+        }
+    }
+}
+
+void Canvas::blend(std::size_t x, std::size_t y, const Rgb& color, double part) {
+    if (part > 0 && x < image_.width && y < image_.height) {
+        image_.at(x, y) = mixed(image_.at(x, y), color, part);
+    }
+}
+
+}  // namespace quasimc

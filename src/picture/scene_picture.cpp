@@ -1,0 +1,183 @@
+#include "picture/scene_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/vec3.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+namespace {
+
+constexpr Rgb kDark{30, 30, 30};
+constexpr Rgb kFaint{110, 110, 110};
+constexpr Rgb kSunMark{225, 120, 0};
+constexpr double kLegendWidth = 170;
+constexpr double kTitleHeight = 62;
+
+/// The parts of a picture that is 900 pixels high, times `scale` for others.
+struct Layout {
+    double scale, width, height;  // of all
+    double view_width, view_height, view_top;
+
+    explicit Layout(const ScenePicture& picture)
+        : scale(std::clamp(
+              std::min(static_cast<double>(picture.width), static_cast<double>(picture.height)) /
+                  900,
+              0.5,
+              8.0)),
+          width(static_cast<double>(picture.width)),
+          height(static_cast<double>(picture.height)),
+          view_width(width),
+          view_height(height),
+          view_top(0) {
+        if (picture.with_words) {
+            view_width = std::max(1.0, std::floor(width - kLegendWidth * scale));
+            view_top = std::floor(kTitleHeight * scale);
+            view_height = std::max(1.0, height - view_top);
+        }
+    }
+};
+
+void draw_arrow(
+    Canvas& canvas, const PixelPlace& from, const PixelPlace& to, const Rgb& color, double s) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    canvas.line(from, to, color, 2 * s);
+    if (length > 6 * s) {
+        const double dx = (to.x - from.x) / length * 9 * s, dy = (to.y - from.y) / length * 9 * s;
+        canvas.polygon(
+            std::array<PixelPlace, 3>{
+                {to,
+                 {to.x - dx - 0.4 * dy, to.y - dy + 0.4 * dx},
+                 {to.x - dx + 0.4 * dy, to.y - dy - 0.4 * dx}}},
+            color);
+    }
+}
+
+/// A place for a letter as near as possible to `at` that leaves the marks of suns free.
+PixelPlace beside_suns(PixelPlace at, const std::vector<PixelPlace>& suns, double room) {
+    for (const PixelPlace& sun : suns) {
+        const double dx = at.x - sun.x, dy = at.y - sun.y, far = std::hypot(dx, dy);
+        if (far < room) {
+            at = far > 0 ? PixelPlace{sun.x + room * dx / far, sun.y + room * dy / far}
+                         : PixelPlace{sun.x, sun.y + room};
+        }
+    }
+    return at;
+}
+
+/// The north, the vertical and the suns as they are seen: as arrows in a circle.
+void draw_directions(
+    Canvas& canvas,
+    const Scene& scene,
+    const Camera& camera,
+    const ScenePicture& picture,
+    const Layout& layout) {
+    const double s = layout.scale, radius = 46 * s;
+    const PixelPlace middle{layout.view_width + 70 * s, layout.height - 78 * s};
+    canvas.disk(middle, radius + s, {225, 225, 225});
+    canvas.disk(middle, radius - s, {255, 255, 255});
+    const auto place = [&](const Vec3& direction, double part) {
+        const Vec3 seen = camera.seen(direction);
+        return PixelPlace{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
+    };
+    constexpr std::size_t kMostSuns = 40;
+    std::vector<PixelPlace> suns;
+    for (const Vec3& sun : picture.to_suns) {
+        suns.push_back(place(sun, 0.9));
+    }
+    suns.resize(suns.size() <= kMostSuns ? suns.size() : 0);
+    const auto arrow = [&](const Vec3& direction, const char* name, const Rgb& color) {
+        draw_arrow(canvas, middle, place(direction, 0.8), color, s);
+        const PixelPlace at = beside_suns(place(direction, 1.22), suns, 15 * s);
+        const Vec3 seen = camera.seen(direction);
+        if (std::hypot(seen.x, seen.y) > 0.2) {
+            canvas.text(
+                {at.x, at.y + 5 * s}, name,
+                {.size = 13 * s, .anchor = TextAnchor::middle, .color = color});
+        }
+    };
+    arrow({0, 0, 1}, "up", kFaint);
+    arrow(scene.orientation().towards(0, 0), "N", kDark);
+    for (const PixelPlace& sun : suns) {
+        canvas.disk(sun, 5 * s, kSunMark);
+    }
+    if (!suns.empty()) {
+        canvas.disk({middle.x - 22 * s, layout.height - 12 * s}, 5 * s, kSunMark);
+        canvas.text(
+            {middle.x - 12 * s, layout.height - 8 * s}, "sun", {.size = 12 * s, .color = kFaint});
+    }
+}
+
+void draw_scale_bar(
+    Canvas& canvas, const Scene& scene, const Camera& camera, const Layout& layout) {
+    const double s = layout.scale;
+    const double length = round_number_below(0.25 * layout.view_width / camera.scale());
+    const double pixels = length * camera.scale();
+    const PixelPlace left{18 * s, layout.height - 18 * s};
+    canvas.rectangle({left.x - 6 * s, left.y - 22 * s}, pixels + 12 * s, 32 * s, {255, 255, 255});
+    canvas.rectangle({left.x, left.y - 3 * s}, pixels, 5 * s, kDark);
+    canvas.text(
+        {left.x + 0.5 * pixels, left.y - 7 * s},
+        fmt::format(
+            "{} {}{}", tick_text(length, length), scene.length_unit(),
+            camera.is_parallel() ? "" : " in the middle"),
+        {.size = 13 * s, .anchor = TextAnchor::middle});
+}
+
+/// The scene in colours, or in its light.
+Image image_of(
+    const Scene& scene,
+    const Camera& camera,
+    const ScenePicture& picture,
+    std::size_t width,
+    std::size_t height) {
+    if (!picture.true_light) {
+        RenderSpec spec = picture.render;
+        spec.width = width;
+        spec.height = height;
+        return render(scene, camera, spec);
+    }
+    TrueLightSpec spec = *picture.true_light;
+    spec.width = width;
+    spec.height = height;
+    spec.cuts = picture.render.cuts;
+    spec.threads = picture.render.threads;
+    return render_true_light(scene, camera, spec);
+}
+
+}  // namespace
+
+std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
+    const Bounds shown = shown_bounds(scene, picture.render.cuts);
+    if (shown.empty()) {
+        throw InputError(
+            {{"--cut", "nothing of the scene is left", "it lies on the other side", ""}});
+    }
+    const Layout layout(picture);
+    const Camera camera(
+        picture.view, scene.orientation(), shown, layout.view_width, layout.view_height);
+    Canvas canvas(picture.width, picture.height);
+    canvas.put(
+        {0, layout.view_top},
+        image_of(
+            scene, camera, picture, static_cast<std::size_t>(layout.view_width),
+            static_cast<std::size_t>(layout.view_height)));
+    if (!picture.with_words) {
+        return to_png(canvas.image());
+    }
+    const double s = layout.scale;
+    canvas.text({18 * s, 28 * s}, picture.title, {.size = 20 * s});
+    canvas.text({18 * s, 50 * s}, picture.subtitle, {.size = 14 * s, .color = kFaint});
+    draw_legend(
+        canvas, picture.legend, {layout.view_width + 22 * s, layout.view_top + 30 * s},
+        std::max(20.0, layout.view_height - 260 * s), s);
+    draw_scale_bar(canvas, scene, camera, layout);
+    draw_directions(canvas, scene, camera, picture, layout);
+    return to_png(canvas.image());
+}
+
+}  // namespace quasimc

@@ -1,0 +1,264 @@
+#include "picture/true_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "base/vec3.h"
+#include "light/daylight/daylight.h"
+#include "light/daylight/spectrum.h"
+#include "light/models/source.h"
+#include "optics/material.h"
+#include "picture/sight_caster.h"
+#include "samplers/hash.h"
+#include "scene/scene.h"
+
+namespace quasimc {
+namespace {
+
+LinearRgb& operator+=(LinearRgb& sum, const LinearRgb& more) {
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] += more[c];
+    }
+    return sum;
+}
+
+double overlap(double from, double to, double low, double high) {
+    return std::max(0.0, std::min(to, high) - std::max(from, low));
+}
+
+/// What a matt surface sends back and lets through, per band and side on which the light falls.
+struct MattSide {
+    std::vector<double> reflected, transmitted;
+};
+
+MattSide matt_side(const Side& side, std::size_t bands) {
+    MattSide matt{std::vector<double>(bands), std::vector<double>(bands)};
+    for (const Lobe& lobe : side.lobes()) {
+        auto& sum =
+            lobe.shape->hemisphere() == Hemisphere::reflected ? matt.reflected : matt.transmitted;
+        for (std::size_t b = 0; b < bands; ++b) {
+            sum[b] += lobe.albedo[b];
+        }
+    }
+    return matt;
+}
+
+/// Light of all sources on a plane that faces it, as red, green and blue: what a white surface
+/// would send back. 1 where there is none.
+LinearRgb white_of(const TrueLightSpec& spec) {
+    LinearRgb white{};
+    for (const auto& source : *spec.sources) {
+        for (std::size_t b = 0; b < spec.bands.size(); ++b) {
+            for (std::size_t c = 0; c < white.size(); ++c) {
+                white[c] += spec.bands[b][c] * source->spectrum()[b];
+            }
+        }
+    }
+    for (double& channel : white) {
+        channel = channel > 0 ? channel : 1;
+    }
+    return white;
+}
+
+/// Light as it is seen: more of it comes ever nearer to white, encoded for sRGB (IEC 61966-2-1).
+std::uint8_t encoded(double light) {
+    const double toned = 1 - std::exp(-light);
+    const double coded =
+        toned <= 0.0031308 ? 12.92 * toned : 1.055 * std::pow(toned, 1 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(255 * coded));
+}
+
+class TrueLight {
+  public:
+    TrueLight(const Scene& scene, const Camera& camera, const TrueLightSpec& spec)
+        : scene_(scene),
+          spec_(spec),
+          sights_(scene, camera, spec.cuts),
+          white_(white_of(spec)),
+          light_(spec.width * spec.height),
+          seen_(spec.width * spec.height) {
+        for (const Material& material : scene.materials()) {
+            materials_.push_back(
+                {matt_side(material.side(SurfaceSide::upper), spec.bands.size()),
+                 matt_side(material.side(SurfaceSide::lower), spec.bands.size())});
+        }
+    }
+
+    Image image() {
+        parallel_blocks(
+            spec_.height, thread_count(spec_.threads), [this](std::uint64_t y, unsigned) {
+                for (std::size_t x = 0; x < spec_.width; ++x) {
+                    look_at(x, y);
+                }
+            });
+        const double scale = exposure();
+        Image image(spec_.width, spec_.height, spec_.background);
+        for (std::size_t i = 0; i < light_.size(); ++i) {
+            const LinearRgb& light = light_[i];
+            const Rgb own{
+                encoded(scale * light[0]), encoded(scale * light[1]), encoded(scale * light[2])};
+            image.pixels[i] = mixed(spec_.background, own, seen_[i]);
+        }
+        return image;
+    }
+
+  private:
+    /// The mean of four places of a pixel, a rotated grid.
+    void look_at(std::size_t x, std::size_t y) {
+        constexpr std::array<PixelPlace, 4> kPlaces{
+            {{.375, .125}, {.875, .375}, {.625, .875}, {.125, .625}}};
+        const std::size_t pixel = y * spec_.width + x;
+        LinearRgb sum{};
+        double count = 0;
+        for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+            const PixelPlace place{
+                static_cast<double>(x) + kPlaces[i].x, static_cast<double>(y) + kPlaces[i].y};
+            if (const auto seen = sights_.look(place)) {
+                sum += light_from(*seen, mix64(kPlaces.size() * pixel + i));
+                ++count;
+            }
+        }
+        for (std::size_t c = 0; c < sum.size() && count > 0; ++c) {
+            light_[pixel][c] = sum[c] / count / white_[c];
+        }
+        seen_[pixel] = count / kPlaces.size();
+    }
+
+    /// Pi times the radiance towards the eye.
+    [[nodiscard]] LinearRgb light_from(const SeenHit& seen, std::uint64_t key) const {
+        const Region& region = scene_.regions()[seen.region];
+        const auto& sides = materials_[region.material.value];
+        const Vec3 normal =
+            normalized(Vec3{seen.hit.normal[0], seen.hit.normal[1], seen.hit.normal[2]});
+        const bool sees_upper = dot(normal, seen.direction) < 0;
+        LinearRgb light = scattered_by(region.organ.value, sides);
+        const LocalMesh& mesh = sights_.caster().mesh();
+        const Vec3 local = mesh.point(seen.hit.triangle, seen.hit.u, seen.hit.v);
+        const Vec3 place = mesh.to_world(local);
+        for (const auto& source : *spec_.sources) {
+            constexpr int kOfExtended = 8;
+            const int draws = source->is_directional() ? 1 : kOfExtended;
+            for (int i = 0; i < draws; ++i) {
+                const auto [u0, u1] = point_of(key, i);
+                const Illumination from = source->illuminate(place, u0, u1);
+                const double cosine = dot(normal, from.to_light);
+                if (cosine == 0 ||
+                    sights_.caster().occluded(
+                        local, from.to_light, seen.hit.triangle, from.distance * mesh.scale)) {
+                    continue;
+                }
+                const bool lights_upper = cosine > 0;
+                const MattSide& side = sides[lights_upper ? 0 : 1];
+                const auto& part = lights_upper == sees_upper ? side.reflected : side.transmitted;
+                add(source->spectrum(), part, from.weight * std::abs(cosine) / draws, light);
+            }
+        }
+        return light;
+    }
+
+    /// Light that falls on an organ from other surfaces: as if as much fell on both sides.
+    [[nodiscard]] LinearRgb scattered_by(
+        std::uint32_t organ, const std::array<MattSide, 2>& sides) const {
+        constexpr double kQuarter = 0.25;  // two sides that it falls on, two that it leaves
+        const std::size_t bands = spec_.bands.size();
+        const std::span<const double> falls =
+            std::span(spec_.scattered).subspan(organ * bands, bands);
+        LinearRgb light{};
+        for (const MattSide& side : sides) {
+            add(falls, side.reflected, kQuarter, light);
+            add(falls, side.transmitted, kQuarter, light);
+        }
+        return light;
+    }
+
+    void add(
+        std::span<const double> falls,
+        const std::vector<double>& part,
+        double factor,
+        LinearRgb& light) const {
+        for (std::size_t b = 0; b < falls.size(); ++b) {
+            const double sent = std::isfinite(falls[b]) ? falls[b] * part[b] * factor : 0;
+            for (std::size_t c = 0; c < light.size(); ++c) {
+                light[c] += spec_.bands[b][c] * sent;
+            }
+        }
+    }
+
+    /// Points of the unit square, spread evenly (the lattice of the plastic number), by pixel.
+    static std::pair<double, double> point_of(std::uint64_t key, int i) {
+        constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+        const auto unit = [](std::uint64_t bits) {
+            return static_cast<double>(bits >> 11U) * 0x1p-53;
+        };
+        const double u0 = unit(key) + i * kFirst, u1 = unit(mix64(key)) + i * kSecond;
+        return {u0 - std::floor(u0), u1 - std::floor(u1)};
+    }
+
+    /// Such that what a hundredth of the pixels exceeds is bright, and not white yet.
+    [[nodiscard]] double exposure() const {
+        std::vector<double> brightness;
+        for (std::size_t i = 0; i < light_.size(); ++i) {
+            if (seen_[i] > 0) {
+                // Luminance of linear sRGB (ITU-R BT.709).
+                brightness.push_back(
+                    0.2126 * light_[i][0] + 0.7152 * light_[i][1] + 0.0722 * light_[i][2]);
+            }
+        }
+        if (brightness.empty()) {
+            return 1;
+        }
+        constexpr double kBrightest = 0.99, kExposed = 1.2;
+        const auto at =
+            brightness.begin() +
+            static_cast<std::ptrdiff_t>(kBrightest * static_cast<double>(brightness.size() - 1));
+        std::nth_element(brightness.begin(), at, brightness.end());
+        return *at > 0 ? kExposed / *at : 1;
+    }
+
+    const Scene& scene_;
+    const TrueLightSpec& spec_;
+    SightCaster sights_;
+    LinearRgb white_;
+    std::vector<std::array<MattSide, 2>> materials_;
+    std::vector<LinearRgb> light_;
+    std::vector<double> seen_;  // part of each pixel
+};
+
+}  // namespace
+
+std::vector<LinearRgb> colors_of_bands(const std::vector<Band>& bands) {
+    constexpr std::array<std::array<double, 2>, 3> kChannels{{{600, 700}, {500, 600}, {400, 500}}};
+    std::vector<LinearRgb> colors(bands.size());
+    LinearRgb total{};
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        const auto known = span_of_band(bands[b].name);
+        const double from = bands[b].to_nm > 0 ? bands[b].from_nm : known ? known->from_nm : 0;
+        const double to = bands[b].to_nm > 0 ? bands[b].to_nm : known ? known->to_nm : 0;
+        for (std::size_t c = 0; c < kChannels.size() && to > from; ++c) {
+            colors[b][c] = overlap(from, to, kChannels[c][0], kChannels[c][1]) / (to - from);
+        }
+        total += colors[b];
+    }
+    const auto reached = std::count_if(total.begin(), total.end(), [](double x) { return x > 0; });
+    if (reached == 0) {
+        return {};
+    }
+    for (LinearRgb& color : colors) {
+        const double mean = (color[0] + color[1] + color[2]) / static_cast<double>(reached);
+        for (std::size_t c = 0; c < color.size(); ++c) {
+            color[c] = total[c] > 0 ? color[c] : mean;
+        }
+    }
+    return colors;
+}
+
+Image render_true_light(const Scene& scene, const Camera& camera, const TrueLightSpec& spec) {
+    EXPECT(spec.scattered.size() == scene.organs().size() * spec.bands.size());
+    return TrueLight(scene, camera, spec).image();
+}
+
+}  // namespace quasimc

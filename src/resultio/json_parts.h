@@ -1,0 +1,55 @@
+#pragma once
+
+// The parts that results in JSON are made of. Included by their writers and readers only.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/series.h"
+#include "runfile/run_file.h"
+#include "runfile/written.h"
+#include "text/json.h"
+
+namespace quasimc {
+
+/// The format_version of results.
+inline constexpr int kResultVersion = 2;
+
+// Members of the outermost object, as objects.
+/// What is known before anything is traced.
+[[nodiscard]] Json json_head(const RunFile& run);
+[[nodiscard]] Json json_warnings(const RunFile& run);
+/// A value of a run file.
+[[nodiscard]] Json json_value(const Node& node);
+
+/// "time_is_up".
+[[nodiscard]] std::string_view stop_name(StopReason stop);
+/// What is known of one result beside groups and organs: method, what was done, rounds, energy.
+[[nodiscard]] Json json_light(
+    std::span<const Band> bands, const std::string& length_unit, const Result& result);
+/// The same of a run, with the method that was asked for, audit, canopy and detectors.
+[[nodiscard]] Json json_light(const RunFile& run, const Result& result);
+[[nodiscard]] Json json_vector(const Vec3& vector);
+
+/// The names of quantities, bands and ratios, quoted, and which of them are written.
+struct JsonNames {
+    std::vector<std::string> quantities, bands, ratios;  // all
+    WrittenColumns columns;
+};
+[[nodiscard]] JsonNames json_names(const RunFile& run, WrittenColumns columns);
+
+// Rows, each on one line: there may be millions.
+/// An organ with what a result says of it.
+[[nodiscard]] std::string json_organ(
+    const Organ& organ, const Result& result, std::size_t index, const JsonNames& names);
+/// The same of a sum, whose values are in the units of the sum.
+[[nodiscard]] std::string json_organ(
+    const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names);
+[[nodiscard]] std::string json_group(
+    const GroupResults& groups, std::size_t index, const JsonNames& names);
+
+}  // namespace quasimc

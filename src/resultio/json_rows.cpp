@@ -1,0 +1,148 @@
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "resultio/json_parts.h"
+
+namespace quasimc {
+namespace {
+
+/// The shortest text, which results are compared by; null if it is not finite.
+void append_number(std::string& row, double value) {
+    std::isfinite(value) ? fmt::format_to(std::back_inserter(row), "{}", value)
+                         : fmt::format_to(std::back_inserter(row), "null");
+}
+
+/// A key, with the comma before it if it is not the first. @param quoted  with its quotes
+void append_key(std::string& row, std::string_view quoted) {
+    row += row.back() == '{' ? "" : ",";
+    row.append(quoted).append(":");
+}
+
+void append_estimate(std::string& row, std::string_view quoted, const Estimate& estimate) {
+    const Estimate e = reported(estimate);
+    append_key(row, quoted);
+    row += '{';
+    for (const auto& [key, value] :
+         {std::pair(R"("mean")", e.mean), std::pair(R"("standard_error")", e.standard_error),
+          std::pair(R"("low")", e.low), std::pair(R"("high")", e.high)}) {
+        append_key(row, key);
+        append_number(row, value);
+    }
+    row += '}';
+}
+
+/// The estimates of every quantity and band that is written.
+/// @param light  a Result, a SeriesSum or a GroupResults
+template <typename Light>
+void append_quantities(
+    std::string& row, const Light& light, std::size_t index, const JsonNames& names) {
+    for (const QuantityEntry& entry : names.columns.quantities) {
+        append_key(row, names.quantities[static_cast<std::size_t>(entry.quantity)]);
+        row += '{';
+        for (const std::size_t b : names.columns.bands) {
+            if (b < light.bands) {  // a total that nobody wanted has none
+                append_estimate(row, names.bands[b], light.at(index, entry.quantity, b));
+            }
+        }
+        row += '}';
+    }
+}
+
+/// @param light  a Result or a GroupResults
+template <typename Light>
+void append_ratios(
+    std::string& row, const Light& light, std::size_t index, const JsonNames& names) {
+    append_key(row, R"("ratios")");
+    row += '{';
+    for (std::size_t i = 0; i < light.ratios; ++i) {
+        append_estimate(row, names.ratios[i], light.ratio(index, i));
+    }
+    row += '}';
+}
+
+/// The text of an object to which members are added.
+std::string begin_row(const Json& object) {
+    std::string row = json_text(object);
+    row.pop_back();
+    return row;
+}
+
+std::string begin_organ(const Organ& organ) {
+    Json object = {{"id", organ.id}, {"name", organ.name}, {"labels", Json::object()}};
+    for (const auto& [key, value] : organ.labels) {
+        object["labels"].emplace(key, value);
+    }
+    if (organ.is_ground) {
+        object["ground"] = true;
+    }
+    std::string row = begin_row(object);
+    append_key(row, R"("area")");
+    append_number(row, organ.area);
+    return row;
+}
+
+}  // namespace
+
+JsonNames json_names(const RunFile& run, WrittenColumns columns) {
+    JsonNames names;
+    names.columns = std::move(columns);
+    for (const QuantityEntry& entry : quantity_table()) {
+        names.quantities.push_back(json_text(entry.name));
+    }
+    for (const Band& band : run.scene.bands()) {
+        names.bands.push_back(json_text(band.name));
+    }
+    for (const std::string& ratio : run.spec.ratios) {
+        names.ratios.push_back(json_text(ratio));
+    }
+    return names;
+}
+
+std::string json_organ(
+    const Organ& organ, const Result& result, std::size_t index, const JsonNames& names) {
+    std::string row = begin_organ(organ);
+    append_quantities(row, result, index, names);
+    if (names.columns.has_sunlit && !result.sunlit_fraction.empty()) {
+        append_estimate(row, R"("sunlit_fraction")", result.sunlit_fraction[index]);
+    }
+    append_ratios(row, result, index, names);
+    return row + "}";
+}
+
+std::string json_organ(
+    const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
+    std::string row = begin_organ(organ);
+    append_quantities(row, sum, index, names);
+    return row + "}";
+}
+
+std::string json_group(const GroupResults& groups, std::size_t index, const JsonNames& names) {
+    const OrganGroup& group = groups.groups[index];
+    Json object = {
+        {"by", group.by},
+        {"value", group.value},
+        {"organs", group.organs.size()},
+        {"area", group.area}};
+    if (group.by == kLayer && !std::isnan(group.low)) {
+        object["low"] = group.low;
+        object["high"] = group.high;
+        object["plant_area_index"] = group.plant_area_index;
+        object["cumulative_plant_area_index"] = group.cumulative_plant_area_index;
+    }
+    std::string row = begin_row(object);
+    append_quantities(row, groups, index, names);
+    if (names.columns.has_sunlit && !groups.sunlit_fraction.empty()) {
+        append_estimate(row, R"("sunlit_fraction")", groups.sunlit_fraction[index]);
+        append_estimate(row, R"("sunlit_area")", groups.sunlit_area[index]);
+    }
+    if (!groups.ratio_values.empty()) {
+        append_ratios(row, groups, index, names);
+    }
+    return row + "}";
+}
+
+}  // namespace quasimc

@@ -1,0 +1,122 @@
+#include "resultio/read_light.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "quasimc/error.h"
+#include "resultio/read_rows.h"
+#include "runfile/written.h"
+
+namespace quasimc {
+namespace {
+
+/// Which estimates of a result are read, and where they stand in a Result.
+class LightColumns {
+  public:
+    explicit LightColumns(const RunFile& run)
+        : written_(written_columns(run)),
+          organs_(run.scene.organs().size()),
+          bands_(run.scene.bands().size()),
+          ratios_(run.spec.ratios.size()) {
+        for (const std::size_t b : written_.bands) {
+            for (const QuantityEntry& entry : written_.quantities) {
+                names_.push_back({std::string(entry.name), run.scene.bands()[b].name});
+            }
+        }
+        names_.push_back({"sunlit_fraction"});
+        for (const std::string& ratio : run.spec.ratios) {
+            names_.push_back({"ratios", ratio});
+        }
+    }
+
+    [[nodiscard]] const std::vector<std::vector<std::string>>& names() const { return names_; }
+
+    [[nodiscard]] Result result(RowColumns& columns) const {
+        Result result;
+        result.paths = 1;  // it was computed, or else it would not be written
+        result.bands = bands_;
+        result.ratios = ratios_;
+        result.values = light(columns);
+        const std::size_t sunlit = names_.size() - 1 - ratios_;
+        if (!columns[sunlit].empty()) {
+            result.sunlit_fraction = std::move(columns[sunlit]);
+            result.sunlit_fraction.resize(organs_, kUnknownEstimate);
+        }
+        result.ratio_values.assign(organs_ * ratios_, kUnknownEstimate);
+        for (std::size_t i = 0; i < ratios_; ++i) {
+            put(columns[sunlit + 1 + i], result.ratio_values, i, ratios_);
+        }
+        return result;
+    }
+
+    /// As Result::values.
+    [[nodiscard]] std::vector<Estimate> light(const RowColumns& columns) const {
+        std::vector<Estimate> all(organs_ * kQuantities * bands_, kUnknownEstimate);
+        std::size_t number = 0;
+        for (const std::size_t b : written_.bands) {
+            for (const QuantityEntry& entry : written_.quantities) {
+                const auto q = static_cast<std::size_t>(entry.quantity);
+                put(columns[number++], all, q * bands_ + b, kQuantities * bands_);
+            }
+        }
+        return all;
+    }
+
+    [[nodiscard]] std::size_t bands() const { return bands_; }
+
+  private:
+    void put(
+        const std::vector<Estimate>& column,
+        std::vector<Estimate>& values,
+        std::size_t first,
+        std::size_t step) const {
+        for (std::size_t i = 0; i < std::min(organs_, column.size()); ++i) {
+            values[first + i * step] = column[i];
+        }
+    }
+
+    WrittenColumns written_;
+    std::size_t organs_, bands_, ratios_;
+    std::vector<std::vector<std::string>> names_;
+};
+
+}  // namespace
+
+void read_light(
+    std::string_view text, const std::string& path, const RunFile& run, const LightEvents& events) {
+    const LightColumns columns(run);
+    const std::optional<TimeSeries> series = run.series;  // the run may become the next point
+    bool is_there = false;
+    const auto take = [&](PlacedRows rows) {
+        const RowsPlace& place = rows.place;
+        is_there = true;
+        if (place.part == "days" && series) {
+            const std::vector<std::string>& days = series->days;
+            const auto day = std::find(days.begin(), days.end(), place.label);
+            if (day != days.end()) {
+                SeriesSum sum;
+                sum.bands = columns.bands();
+                sum.values = columns.light(rows.columns);
+                events.on_day(place.point, static_cast<std::size_t>(day - days.begin()), sum);
+            }
+        } else if (place.part == "moments" && series) {
+            const std::vector<MomentNotes>& notes = series->notes;
+            const auto moment = std::find_if(notes.begin(), notes.end(), [&](const auto& each) {
+                return each.time == place.label;
+            });
+            if (moment != notes.end()) {
+                events.on_time_step(
+                    place.point, static_cast<std::size_t>(moment - notes.begin()),
+                    columns.result(rows.columns));
+            }
+        } else if (place.part.empty() && !series) {
+            events.on_time_step(place.point, 0, columns.result(rows.columns));
+        }
+    };
+    read_rows(text, path, {.columns = columns.names()}, take);
+    if (!is_there) {
+        throw InputError({{path, "holds no light of organs", "the run did not get so far", ""}});
+    }
+}
+
+}  // namespace quasimc

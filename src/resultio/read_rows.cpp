@@ -1,0 +1,249 @@
+#include "resultio/read_rows.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "text/json_builder.h"
+
+namespace quasimc {
+namespace {
+
+/// A builder that takes rows of organs and groups out of a result, of which there may be millions.
+class RowsBuilder : public JsonNodeBuilder {
+  public:
+    RowsBuilder(
+        const std::string& file,
+        const RowsQuery& query,
+        const std::function<void(PlacedRows)>& take)
+        : JsonNodeBuilder(file), query_(query), take_(take) {
+        for (std::size_t i = 0; i < query.columns.size(); ++i) {
+            std::string path;
+            for (const std::string& name : query.columns[i]) {
+                path += '\n' + name;
+            }
+            columns_[path].push_back(i);
+        }
+    }
+
+    bool null() override { return depth_ > 0 || JsonNodeBuilder::null(); }
+    bool boolean(bool value) override { return depth_ > 0 || JsonNodeBuilder::boolean(value); }
+    bool number_integer(std::int64_t value) override {
+        return add_number(static_cast<double>(value)) || JsonNodeBuilder::number_integer(value);
+    }
+    bool number_unsigned(std::uint64_t value) override {
+        return add_number(static_cast<double>(value)) || JsonNodeBuilder::number_unsigned(value);
+    }
+    bool number_float(double value, const std::string& text) override {
+        return add_number(value) || JsonNodeBuilder::number_float(value, text);
+    }
+    bool string(std::string& value) override {
+        return depth_ > 0 || JsonNodeBuilder::string(value);
+    }
+    bool start_object(std::size_t size) override {
+        return enters() || JsonNodeBuilder::start_object(size);
+    }
+    bool start_array(std::size_t size) override {
+        return enters() || JsonNodeBuilder::start_array(size);
+    }
+    bool end_object() override { return leaves() || JsonNodeBuilder::end_object(); }
+    bool end_array() override { return leaves() || JsonNodeBuilder::end_array(); }
+    bool key(std::string& value) override {
+        if (depth_ == 0) {
+            return JsonNodeBuilder::key(value);
+        }
+        row_key_ = value;
+        return true;
+    }
+
+  private:
+    enum class Entry { build, skip, take };
+
+    /// What becomes of a table or a list that begins. Sets the place of the rows.
+    Entry entry() {
+        using Rest = RowsQuery::Rest;
+        std::vector<std::string_view> steps = steps_to_next();
+        place_ = {};
+        std::size_t at = 0;
+        const auto has_item = [&] {
+            return at + 1 < steps.size() && open()[at + 1]->as<Node::List>() != nullptr;
+        };
+        if (has_item() && steps[0] == "points") {
+            place_.point = number_at(0);
+            at = 2;
+        }
+        if (at < steps.size() && steps[at] == "total") {
+            place_.part = steps[at++];
+        } else if (has_item() && (steps[at] == "moments" || steps[at] == "days")) {
+            place_.part = steps[at];
+            place_.index = number_at(at);
+            at += 2;
+        }
+        const std::size_t behind = steps.size() - at;
+        if (behind == 1 && (steps[at] == "organs" || steps[at] == "groups")) {
+            return entry_of_rows(steps[at]);
+        }
+        const bool leads_to_rows =
+            behind == 0 ||
+            (behind == 1 && place_.part.empty() &&
+             ((at == 0 && steps[at] == "points") || steps[at] == "moments" || steps[at] == "days"));
+        const bool is_built = steps.empty() || query_.rest == Rest::all ||
+                              (query_.rest == Rest::labels) == leads_to_rows;
+        return is_built ? Entry::build : Entry::skip;
+    }
+
+    Entry entry_of_rows(std::string_view list) {
+        place_.label = text_in(*open().back(), place_.part == "days" ? "date" : "time");
+        const bool is_wanted = list == query_.list &&
+                               place_.part == query_.part.value_or(place_.part) &&
+                               place_.point == query_.point.value_or(place_.point) &&
+                               place_.label.starts_with(query_.label);
+        if (is_wanted && !columns_.empty()) {
+            return Entry::take;
+        }
+        return list == "groups" && query_.rest == RowsQuery::Rest::all ? Entry::build : Entry::skip;
+    }
+
+    /// The keys that lead to the value that begins; "" stands for an item of a list.
+    [[nodiscard]] std::vector<std::string_view> steps_to_next() const {
+        std::vector<std::string_view> steps;
+        for (std::size_t i = 0; i < open().size(); ++i) {
+            const auto* table = open()[i]->as<Node::Table>();
+            steps.push_back(
+                table == nullptr         ? std::string_view()
+                : i + 1 == open().size() ? JsonNodeBuilder::key()
+                                         : std::string_view(table->back().key));
+        }
+        return steps;
+    }
+
+    /// The number of the item behind a step, in a list that is open.
+    [[nodiscard]] std::size_t number_at(std::size_t step) const {
+        const std::size_t level = step + 1;
+        const std::size_t size = open()[level]->as<Node::List>()->size();
+        return level + 1 == open().size() ? size : size - 1;
+    }
+
+    /// @returns whether nothing is built of what begins
+    bool enters() {
+        if (depth_ == 0) {
+            const Entry next = entry();
+            takes_ = next == Entry::take;
+            rows_ = {};
+            rows_.resize(query_.columns.size());
+            row_ = 0;
+            depth_ = next == Entry::build ? 0 : 1;
+            return depth_ > 0;
+        }
+        check_depth(open().size() + depth_, file());
+        if (++depth_ > 2 && takes_) {
+            ends_.push_back(path_.size());
+            path_.append("\n").append(row_key_);
+            const auto found = columns_.find(path_);
+            wanted_ = found == columns_.end() ? nullptr : &found->second;
+            estimate_ = kUnknownEstimate;
+        }
+        return true;
+    }
+
+    bool leaves() {
+        if (depth_ == 0) {
+            return false;
+        }
+        --depth_;
+        if (depth_ >= 2 && takes_) {
+            for (const std::size_t column : wanted_ == nullptr ? kNoColumns : *wanted_) {
+                rows_[column].resize(row_, kUnknownEstimate);
+                rows_[column].push_back(estimate_);
+            }
+            wanted_ = nullptr;
+            path_.resize(ends_.back());
+            ends_.pop_back();
+        }
+        row_ += depth_ == 1 ? 1 : 0;
+        if (depth_ == 0 && takes_ && row_ > 0) {
+            take_({place_, std::move(rows_)});
+        }
+        return true;
+    }
+
+    /// @returns whether it is a number of a row
+    bool add_number(double value) {
+        if (wanted_ != nullptr) {
+            (row_key_ == "mean"             ? estimate_.mean
+             : row_key_ == "standard_error" ? estimate_.standard_error
+             : row_key_ == "low"            ? estimate_.low
+             : row_key_ == "high"           ? estimate_.high
+                                            : other_) = value;
+        }
+        return depth_ > 0;
+    }
+
+    static inline const std::vector<std::size_t> kNoColumns = {};
+
+    const RowsQuery& query_;
+    const std::function<void(PlacedRows)>& take_;
+    std::map<std::string, std::vector<std::size_t>> columns_;  // by the names that lead to them
+    std::size_t depth_ = 0;                                    // of what is not built; 0: it is
+    bool takes_ = false;                                       // rows of what is not built
+    RowsPlace place_;
+    RowColumns rows_;
+    std::size_t row_ = 0;
+    std::string row_key_, path_;
+    std::vector<std::size_t> ends_;                     // of the path, level by level
+    const std::vector<std::size_t>* wanted_ = nullptr;  // the columns of the estimate
+    Estimate estimate_;
+    double other_ = 0;
+};
+
+}  // namespace
+
+Node read_rows(
+    std::string_view text,
+    const std::string& path,
+    const RowsQuery& query,
+    const std::function<void(PlacedRows)>& take) {
+    RowsBuilder builder(path, query, take);
+    static_cast<void>(nlohmann::ordered_json::sax_parse(text, &builder));
+    return std::move(builder.result);
+}
+
+std::vector<PlacedRows> read_rows(
+    std::string_view text, const std::string& path, const RowsQuery& query) {
+    std::vector<PlacedRows> all;
+    read_rows(text, path, query, [&](PlacedRows rows) { all.push_back(std::move(rows)); });
+    return all;
+}
+
+std::string text_in(const Node& table, std::string_view key) {
+    const Node* found = table.find(key);
+    const auto* text = found == nullptr ? nullptr : found->as<std::string>();
+    return text == nullptr ? "" : *text;
+}
+
+Node only_point(Node document, std::optional<std::size_t> point, const std::string& path) {
+    auto* members = std::get_if<Node::Table>(&document.value);
+    if (members == nullptr) {
+        refuse_json(path, "is no result");
+    }
+    if (!point) {
+        return document;
+    }
+    const Node* found = document.find("points");
+    const auto* points = found == nullptr ? nullptr : found->as<Node::List>();
+    if (points == nullptr || *point >= points->size()) {
+        refuse_json(path, "the point of the sweep is not there");
+    }
+    const Node one = (*points)[*point];
+    const auto erase = [&](std::string_view key) {
+        std::erase_if(*members, [&](const Member& member) { return member.key == key; });
+    };
+    erase("points");
+    for (const Member& member : one.as<Node::Table>() ? *one.as<Node::Table>() : Node::Table()) {
+        erase(member.key);
+        members->push_back(member);
+    }
+    return document;
+}
+
+}  // namespace quasimc

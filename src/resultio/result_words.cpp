@@ -1,0 +1,108 @@
+#include "resultio/result_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "results/units.h"
+
+namespace quasimc {
+namespace {
+
+std::string verdict(double chance) {
+    return chance >= kAuditLevel
+               ? fmt::format("agrees (a difference like this or larger has chance {:.2g})", chance)
+               : fmt::format(
+                     "DISAGREES: the difference has chance {:.2g}, below {:g}", chance,
+                     kAuditLevel);
+}
+
+std::string band_line(const BandAudit& audit, const Band& band, const std::string& length_unit) {
+    std::string text =
+        fmt::format("{}: reduced chi-square {:.3g}", band.name, audit.reduced_chi_square);
+    if (std::isfinite(audit.difference)) {
+        const FluxUnit unit = named_flux_unit(band.unit, length_unit);
+        text += fmt::format(
+            "; organs absorb {:.3g} +- {:.2g} {} more than in the audit",
+            unit.factor * audit.difference, unit.factor * audit.standard_error, unit.name);
+    }
+    return text;
+}
+
+/// Empty where nothing cut the run short.
+std::string reason(const RunSpec& spec, StopReason stop) {
+    switch (stop) {
+        case StopReason::interrupted:
+            return "on request";
+        case StopReason::time_is_up:
+            return fmt::format("by max_seconds = {}", shortest(spec.max_seconds));
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
+    if (!result.audit) {
+        return {};
+    }
+    const Audit& audit = *result.audit;
+    std::vector<std::string> lines{fmt::format(
+        "{} with plain Monte Carlo, {} paths x {} replicates", verdict(audit.chance), audit.paths,
+        audit.replicates)};
+    constexpr std::size_t kMostBands = 4;
+    for (std::size_t b = 0; b < std::min(audit.bands.size(), kMostBands); ++b) {
+        lines.push_back(band_line(audit.bands[b], run.scene.bands()[b], run.scene.length_unit()));
+    }
+    return lines;
+}
+
+std::string audit_line(const SeriesSummary& summary) {
+    return summary.audited == 0 ? ""
+                                : fmt::format(
+                                      "{} times: the most unlikely {}", summary.audited,
+                                      verdict(summary.audit_chance));
+}
+
+std::string audit_warning(double chance) {
+    return chance >= kAuditLevel
+               ? ""
+               : fmt::format(
+                     "audit: the result and plain Monte Carlo tracing differ more than chance "
+                     "explains (chance {:.2g}, below {:g}); do not trust this result, and report "
+                     "it",
+                     chance, kAuditLevel);
+}
+
+std::string stop_words(const RunSpec& spec, const Result& result) {
+    const std::string why = reason(spec, result.stop);
+    if (why.empty()) {
+        return "";
+    }
+    const std::string asked =
+        result.paths < spec.paths ? fmt::format(" of {}", spec.paths) : std::string();
+    const bool lacks_audit = spec.audit > 0 && !result.audit;
+    return fmt::format(
+        "{}: {}{} paths are done{}", why, result.paths, asked,
+        lacks_audit ? ", the audit is not" : "");
+}
+
+std::string stop_words(const RunFile& run, const SeriesSummary& summary) {
+    const std::string why = reason(run.spec, summary.stop);
+    if (why.empty()) {
+        return "";
+    }
+    const std::string short_of = summary.cut_short > 0
+                                     ? fmt::format(
+                                           ", {} of {} traces with fewer paths than asked for",
+                                           summary.cut_short, summary.traced)
+                                     : std::string();
+    return fmt::format(
+        "{}: {} of {} times are done{}", why, summary.done, run.series->time_steps.size(),
+        short_of);
+}
+
+}  // namespace quasimc

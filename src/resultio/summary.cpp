@@ -1,0 +1,424 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+#include "base/parallel.h"
+#include "options/options.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
+#include "quasimc/version.h"
+#include "resultio/fraction_table.h"
+#include "resultio/result_words.h"
+#include "resultio/series_words.h"
+#include "resultio/summary_parts.h"
+#include "results/units.h"
+#include "runfile/written.h"
+#include "text/line_scanner.h"
+
+namespace quasimc {
+namespace {
+
+std::string line(std::string_view subject, const std::string& text) {
+    return fmt::format("{:<10}{}\n", subject, text);
+}
+
+std::string scene_line(const Scene& scene) {
+    std::string bands;
+    for (const Band& band : scene.bands()) {
+        bands += fmt::format("{}{} [{}]", bands.empty() ? "" : ", ", band.name, band.unit);
+    }
+    const Cell& cell = scene.cell();
+    const std::string_view repeated = !cell.periodic() ? ""
+                                      : cell.along_x && cell.along_y
+                                          ? ", repeated along both horizontal axes"
+                                          : ", repeated along one horizontal axis";
+    return line(
+        "scene", fmt::format(
+                     "{}, {}{}; {} {}", counted(scene.organs().size(), "organ"),
+                     counted(scene.triangles().size(), "triangle"), repeated,
+                     scene.bands().size() == 1 ? "band" : "bands", bands));
+}
+
+/// The program, the file and the scene.
+std::string title_lines(const RunFile& run) {
+    return fmt::format(
+               "QuasiMC {}: {}{}{}\n", version(), run.path, run.title.empty() ? "" : ": ",
+               one_line(run.title)) +
+           scene_line(run.scene);
+}
+
+/// What is computed: program, file, scene, lights.
+std::string subject_lines(const RunFile& run) {
+    std::string text = title_lines(run);
+    for (const std::string& note : run.source_notes) {
+        text += line("light", one_line(note));
+    }
+    return text;
+}
+
+std::string run_line(const RunSpec& spec, const Result& result) {
+    return line(
+        "run",
+        fmt::format(
+            "{} points, {}, {} x {}, seed {}, {}", spec.sampler, method_name(result.chosen.method),
+            counted(result.paths, "path"), counted(result.replicates, "replicate"), spec.seed,
+            counted(thread_count(spec.threads), "thread")));
+}
+
+/// Why the run was traced so, if that was not what the run file said.
+std::string method_line(const RunSpec& spec, const Result& result) {
+    if (spec.method != Method::automatic && result.stop != StopReason::no_light) {
+        return "";
+    }
+    return line(
+        "method", fmt::format("{}: {}", method_name(result.chosen.method), result.chosen.reason));
+}
+
+/// Whether light was traced elsewhere: the sums come from parts of a run.
+bool is_merged(std::uint64_t rays, double trace_seconds) {
+    return rays > 0 && trace_seconds == 0;
+}
+
+std::string time_line(const Result& result) {
+    if (is_merged(result.rays, result.trace_seconds)) {
+        return line("time", fmt::format("traced in parts, {}", counted(result.rays, "ray")));
+    }
+    const auto paths = static_cast<double>(result.paths);
+    const double own = paths - result.paths_before;
+    const double all = paths * result.replicates;
+    const double rays_per_path = static_cast<double>(result.rays) / std::max(all, 1.0);
+    if (result.paths > 0 && own <= 0) {
+        return line("time", fmt::format("traced before, {:.3g} rays per path", rays_per_path));
+    }
+    const std::string before =
+        result.paths_before > 0
+            ? fmt::format("; {:.3g} % of the paths were traced before", 100 * (1 - own / paths))
+            : "";
+    return line(
+        "time", fmt::format(
+                    "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
+                    "paths/s, {:.3g} rays per path{}",
+                    result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
+                    own * result.replicates / std::max(result.trace_seconds, 1e-9) / 1e6,
+                    rays_per_path, before));
+}
+
+std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
+    const std::string advice = advice_on_error(run, errors.median);
+    return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
+}
+
+std::string fraction_with_error(const Estimate& e) {
+    constexpr int kDecimals = 4;
+    const std::string mean = with_decimals(reported(e).mean, kDecimals);
+    return std::isfinite(e.standard_error) ? fmt::format("{} +- {:.1g}", mean, e.standard_error)
+                                           : mean;
+}
+
+/// The budgets of the first bands. @param unit_of_band  of a band's budget
+template <typename UnitOfBand>
+std::string energy_lines(
+    const Scene& scene,
+    const std::vector<BandBudget>& budgets,
+    bool escaped_is_remainder,
+    const UnitOfBand& unit_of_band) {
+    constexpr std::size_t kMostBands = 4;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(budgets.size(), kMostBands); ++b) {
+        const Band& band = scene.bands()[b];
+        text += line(
+            "energy",
+            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_is_remainder));
+    }
+    if (budgets.size() > kMostBands) {
+        text +=
+            line("", fmt::format("... and {}", counted(budgets.size() - kMostBands, "more band")));
+    }
+    return text;
+}
+
+/// Adds what a flux brings in so many seconds.
+void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
+    for (Estimate BandBudget::*part :
+         {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
+          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
+        (sum.*part).mean += seconds * (flux.*part).mean;
+    }
+}
+
+/// "reflectance .08 +- .001, ..."; "" of what can't be told.
+std::string fraction_words(const CanopyFractions& fractions) {
+    std::string text;
+    for (const FractionEntry& entry : fraction_table()) {
+        const Estimate& part = fractions.*entry.part;
+        if (!std::isnan(part.mean)) {
+            text += fmt::format(
+                "{}{} {}", text.empty() ? "" : ", ", entry.name, fraction_with_error(part));
+        }
+    }
+    return text;
+}
+
+std::string canopy_lines(const Scene& scene, const Result& result) {
+    constexpr std::size_t kMostBands = 4;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMostBands); ++b) {
+        const std::string words = fraction_words(result.canopy[b]);
+        if (!words.empty()) {
+            text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
+        }
+    }
+    return text;
+}
+
+/// The methods of the times: one name, or each with the number of times.
+std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
+    std::string text;
+    for (const auto& [from, times] : summary.methods) {
+        text += fmt::format(
+            "{}{}{}", text.empty() ? "" : ", ", method_name(from),
+            summary.methods.size() > 1 ? fmt::format(" ({})", counted(times, "time")) : "");
+    }
+    return text.empty() ? method_name(spec.method) : text;
+}
+
+std::string target_line(const RunSpec& spec, const Result& result) {
+    if (spec.target_error <= 0) {
+        return "";
+    }
+    const bool is_reached =
+        result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
+    return line(
+        "target", fmt::format(
+                      "{:.6g} % error or less: {} ({:.3g} % of the organs have it, {:.3g} % were "
+                      "asked for)",
+                      100 * spec.target_error, is_reached ? "reached" : "NOT reached",
+                      100 * result.fraction_at_target, 100 * spec.target_fraction));
+}
+
+std::string written_line(const std::vector<std::string>& written) {
+    if (written.empty()) {
+        return line("written", "nothing; name a file with --csv FILE, --json FILE or in [output]");
+    }
+    return line("written", fmt::format("{}", fmt::join(written, ", ")));
+}
+
+/// How many times there are, and in how many traces.
+std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
+    const MomentNotes& first = series.notes.front();
+    const MomentNotes& last = series.notes.back();
+    if (series.collapse == Collapse::none) {
+        return fmt::format(
+            "{} from {} to {}, {}; {} traced, the others dark or like one of them",
+            series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
+            summary.traced);
+    }
+    std::size_t times = 0;
+    std::size_t suns = 0;
+    for (const MomentNotes& notes : series.notes) {
+        times += notes.collapsed->times;
+        suns += notes.suns;
+    }
+    return fmt::format(
+        "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
+        last.collapsed->until, counted(summary.traced, "trace"), counted(suns, "sun"));
+}
+
+std::string stopped_line(const std::string& words) {
+    return words.empty() ? "" : line("stopped", words);
+}
+
+std::string series_time_line(const SeriesSummary& summary) {
+    if (is_merged(summary.rays, summary.trace_seconds)) {
+        return line("time", fmt::format("{:.3g} s to put the parts together", summary.seconds));
+    }
+    return line(
+        "time",
+        fmt::format(
+            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
+            "files {:.3g}",
+            summary.seconds, summary.build_seconds, summary.trace_seconds,
+            summary.trace_cpu_seconds,
+            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
+}
+
+/// How the times of a series were computed.
+std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
+    const TimeSeries& series = *run.series;
+    std::string text;
+    for (const std::string& words : series.words) {
+        text += line("time", one_line(words));
+    }
+    text += line("times", times_words(series, summary));
+    text += line(
+        "run",
+        fmt::format(
+            "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
+            series_method(run.spec, summary), counted(run.spec.paths, "path"),
+            counted(run.spec.replicates, "replicate"),
+            run.spec.effort == Effort::day ? " on average" : "", counted(summary.rays, "ray")));
+    text += stopped_line(stop_words(run, summary));
+    text += series_time_line(summary);
+    if (run.spec.target_error > 0) {
+        text += line(
+            "target",
+            fmt::format(
+                "{:.6g} % error or less: reached at {} of {}", 100 * run.spec.target_error,
+                summary.at_target, counted(summary.traced, "time")));
+    }
+    if (summary.audited > 0) {
+        text += line("audit", audit_line(summary));
+    }
+    return text;
+}
+
+/// How the one time of a run without [time] was computed.
+std::string result_lines(const RunFile& run, const Result& result) {
+    std::string text =
+        run_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
+        method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
+        energy_lines(
+            run.scene, result.budget, result.escaped_is_remainder,
+            [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
+        canopy_lines(run.scene, result) + error_line(run, error_statistics(run.scene, result));
+    for (const std::string& words : audit_lines(run, result)) {
+        text += line("audit", words);
+    }
+    return text;
+}
+
+/// How the points of a sweep were computed.
+std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::size_t points) {
+    std::string text = title_lines(run);
+    text += line(
+        "sweep", fmt::format(
+                     "{} of {} {} done{}; {} by {}, {}", points,
+                     counted(run.sweep->size(), "point"), run.sweep->size() == 1 ? "is" : "are",
+                     summary.cut_short > 0
+                         ? fmt::format(", {} with fewer paths", counted(summary.cut_short, "trace"))
+                         : "",
+                     counted(summary.traced, "trace"), series_method(run.spec, summary),
+                     counted(summary.rays, "ray")));
+    if (run.spec.target_error > 0) {
+        text += line(
+            "target",
+            fmt::format(
+                "reached by {} of {}", summary.at_target, counted(summary.traced, "trace")));
+    }
+    return text + series_time_line(summary);
+}
+
+/// The first and the last points, if there are many.
+std::string point_text(const std::vector<std::string>& points) {
+    constexpr std::size_t kMostLines = 20;
+    std::string text;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_shown =
+            points.size() <= kMostLines || i + 1 < kMostLines || i + 1 == points.size();
+        text += is_shown ? points[i] : "";
+        if (!is_shown && i + 2 == points.size()) {
+            text +=
+                line("", fmt::format("... {}", counted(points.size() - kMostLines, "more point")));
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+void Summary::add_moment(const Result& result) {
+    if (!run_->series && !run_->sweep) {
+        result_lines_ = result_lines(*run_, result);
+        return;
+    }
+    const std::size_t moment = moments_++;
+    const double seconds = run_->series ? run_->series->time_steps[moment].seconds : 0;
+    energy_.resize(result.budget.size());
+    for (std::size_t b = 0; b < energy_.size(); ++b) {
+        const Band& band = run_->scene.bands()[b];
+        const double factor = summed_unit(flux_unit(band.unit, run_->scene.length_unit())).factor;
+        add_energy(result.budget[b], factor * seconds, energy_[b]);
+    }
+    seconds_ += seconds;
+    escaped_is_remainder_ = escaped_is_remainder_ || result.escaped_is_remainder;
+    const ErrorStatistics errors = error_statistics(run_->scene, result);
+    if (errors.median > 0) {
+        medians_.emplace_back(errors.median, moment);
+        badly_known_ = std::max(badly_known_, errors.badly_known);
+    }
+}
+
+std::string Summary::series_quality() const {
+    std::string text;
+    if (seconds_ > 0) {
+        text += energy_lines(run_->scene, energy_, escaped_is_remainder_, [&](const Band& band) {
+            return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
+        });
+    }
+    if (medians_.empty()) {
+        return text + line("errors", "at no time has an organ a standard error of what it absorbs");
+    }
+    auto medians = medians_;
+    std::sort(medians.begin(), medians.end());
+    const double middle = medians[medians.size() / 2].first;
+    const auto& [worst, moment] = medians.back();
+    text += line(
+        "errors",
+        fmt::format(
+            "relative standard error of the absorbed flux, median of the organs: {} at "
+            "the middle time, {} at the worst ({})",
+            percent_words(middle), percent_words(worst), run_->series->notes[moment].time));
+    if (badly_known_ > 0) {
+        text += line(
+            "errors",
+            fmt::format(
+                "up to {} of {} are known to no better than {:.0f} % at a time; sums over days are "
+                "better known",
+                badly_known_, counted(run_->scene.organs().size(), "organ"), 100 * kBadlyKnown));
+    }
+    const std::string advice = advice_on_error(*run_, middle);
+    return text + (advice.empty() ? "" : line("advice", advice));
+}
+
+/// What a point of a sweep sets, and how well its light is known.
+std::string Summary::point_line() const {
+    const std::string words = fmt::format(
+        "{} of {}: {}", run_->point + 1, run_->sweep->size(),
+        one_line(point_words((*run_->sweep)[run_->point])));
+    auto medians = medians_;
+    std::sort(medians.begin(), medians.end());
+    const std::string errors =
+        medians.empty() ? "none known" : percent_words(medians[medians.size() / 2].first);
+    return line("point", fmt::format("{}; median error {}", words, errors));
+}
+
+void Summary::next_run(const RunFile& run, const SeriesSummary& /*summary*/) {
+    if (run_->sweep && moments_ > 0) {
+        point_lines_.push_back(point_line());
+    }
+    *this = Summary(run, std::move(point_lines_));
+}
+
+std::string Summary::text(
+    const SeriesSummary& summary, const std::vector<std::string>& written) const {
+    if (!run_->sweep) {
+        return subject_lines(*run_) +
+               (run_->series ? series_lines(*run_, summary) + series_quality() : result_lines_) +
+               written_line(written);
+    }
+    std::vector<std::string> points = point_lines_;
+    if (moments_ > 0) {
+        points.push_back(point_line());
+    }
+    return sweep_head(*run_, summary, points.size()) + point_text(points) + written_line(written);
+}
+
+std::string summary(
+    const RunFile& run, const Result& result, const std::vector<std::string>& written) {
+    Summary summary(run);
+    summary.add_moment(result);
+    return summary.text({}, written);
+}
+
+}  // namespace quasimc

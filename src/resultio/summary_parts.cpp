@@ -1,0 +1,143 @@
+#include "resultio/summary_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+
+namespace quasimc {
+namespace {
+
+/// Numbers that are parts of a whole, all with the digits that six of the whole reach to.
+class PartFormat {
+  public:
+    explicit PartFormat(double whole) : rounding_(kRounding * std::abs(whole)) {
+        constexpr int kDigits = 6;
+        constexpr double kLargest = 1e6, kSmallest = 1e-4;
+        if (whole >= kSmallest && whole < kLargest) {
+            decimals_ = kDigits - 1 - static_cast<int>(std::floor(std::log10(whole)));
+        }
+    }
+
+    [[nodiscard]] std::string operator()(double part) const {
+        if (std::abs(part) < rounding_) {
+            return "0";
+        }
+        if (decimals_ <= 0) {
+            return fmt::format("{:.6g}", part + 0.0);
+        }
+        std::string text = with_decimals(part, decimals_);
+        text.erase(text.find_last_not_of('0') + 1);  // 7.00 is 7
+        return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+    }
+    [[nodiscard]] std::string operator()(const Estimate& part) const {
+        const bool has_error = std::isfinite(part.standard_error) &&
+                               part.standard_error > kRounding * std::abs(part.mean);
+        return (*this)(part.mean) +
+               (has_error ? fmt::format(" +- {:.2g}", part.standard_error) : std::string());
+    }
+
+  private:
+    /// What is exact differs between replicates by rounding alone.
+    static constexpr double kRounding = 1e-13;
+
+    double rounding_;
+    int decimals_ = -1;
+};
+
+}  // namespace
+
+ErrorStatistics error_statistics(const Scene& scene, const Result& result) {
+    ErrorStatistics errors;
+    errors.organs = result.organs();
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        bool is_known = true;
+        double worst = 0;
+        for (std::size_t b = 0; b < scene.bands().size(); ++b) {
+            const Estimate& e = result.at(i, Quantity::absorbed_flux, b);
+            if (!std::isfinite(e.standard_error) || e.mean == 0) {
+                is_known = false;
+                continue;
+            }
+            relative.push_back(e.standard_error / e.mean);
+            worst = std::max(worst, relative.back());
+        }
+        if (worst >= errors.worst && worst > 0) {
+            errors.worst = worst;
+            errors.worst_id = scene.organs()[i].id;
+        }
+        errors.unknown += is_known ? 0 : 1;
+        errors.badly_known += worst > kBadlyKnown ? 1 : 0;
+    }
+    if (!relative.empty()) {
+        const auto middle = relative.begin() + static_cast<std::ptrdiff_t>(relative.size() / 2);
+        std::nth_element(relative.begin(), middle, relative.end());
+        errors.median = *middle;
+    }
+    return errors;
+}
+
+std::string percent_words(double part) {
+    constexpr double kWhole = 10;  // percent from which on there are no decimals
+    const double percent = 100 * part;
+    return percent < kWhole ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
+std::string advice_on_error(const RunFile& run, double median) {
+    constexpr double kLarge = 0.1;
+    if (!(median > kLarge) || run.spec.target_error > 0) {
+        return "";
+    }
+    // By how much more paths lower an error depends on the method, which `auto` may change then.
+    return run.spec.series == SeriesMode::together
+               ? "more paths make errors smaller"
+               : fmt::format(
+                     "target_error = {} traces more paths until errors are that small", kLarge / 2);
+}
+
+std::string error_words(const ErrorStatistics& errors) {
+    if (!errors.has_median()) {
+        return "no organ has a standard error of the light it absorbs";
+    }
+    std::string text = fmt::format(
+        "relative standard error of the absorbed flux: median {}", percent_words(errors.median));
+    text +=
+        errors.badly_known > 0
+            ? fmt::format(
+                  "; {} of {} {} known to no better than {:.0f} % (worst: organ {})",
+                  errors.badly_known, counted(errors.organs, "organ"),
+                  errors.badly_known == 1 ? "is" : "are", 100 * kBadlyKnown, errors.worst_id)
+            : fmt::format(", worst {} (organ {})", percent_words(errors.worst), errors.worst_id);
+    if (errors.unknown > 0) {
+        text += fmt::format(
+            "; {} without one (black sides, or nothing hit)", counted(errors.unknown, "organ"));
+    }
+    return text;
+}
+
+std::string energy_words(
+    const BandBudget& budget, const std::string& unit, bool escaped_is_remainder) {
+    const PartFormat number(budget.emitted.mean);
+    std::string text = fmt::format("[{}]: {} emitted", unit, number(budget.emitted));
+    if (std::isnan(budget.escaped.mean)) {
+        return text + "; not all organs are measured";
+    }
+    const double whole = budget.emitted.mean + budget.roulette.mean;
+    if (budget.roulette.mean != 0) {
+        text += fmt::format(
+            " {} {} by roulette = {}", budget.roulette.mean < 0 ? "-" : "+",
+            number(std::abs(budget.roulette.mean)), number(whole));
+    }
+    const double together = budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean +
+                            budget.escaped.mean + budget.cut_off.mean;
+    return text + fmt::format(
+                      "; organs {}, ground {}, escaped {}{}, cut off {}: together {}",
+                      number(budget.absorbed_by_organs), number(budget.absorbed_by_ground),
+                      number(budget.escaped.mean), escaped_is_remainder ? " (the rest)" : "",
+                      number(budget.cut_off.mean), number(together));
+}
+
+}  // namespace quasimc

@@ -1,0 +1,42 @@
+#pragma once
+
+// What summaries say of energy and errors. Included by the summary only.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "runfile/run_file.h"
+
+namespace quasimc {
+
+/// How well the light that organs absorb is known.
+struct ErrorStatistics {
+    std::size_t organs = 0;
+    std::size_t unknown = 0;  ///< organs of which some band has no standard error
+    std::size_t badly_known =
+        0;              ///< of the others: with a relative standard error above kBadlyKnown
+    double median = 0;  ///< relative standard error, over the organs and bands that have one
+    double worst = 0;
+    std::int64_t worst_id = 0;
+
+    [[nodiscard]] bool has_median() const { return unknown < organs || median > 0; }
+};
+inline constexpr double kBadlyKnown = 0.5;
+
+[[nodiscard]] ErrorStatistics error_statistics(const Scene& scene, const Result& result);
+/// The errors in words, and how to get them down if they are large.
+[[nodiscard]] std::string error_words(const ErrorStatistics& errors);
+/// A part of 1 as percent, in words: "0.52 %", "43 %", "120 %".
+[[nodiscard]] std::string percent_words(double part);
+/// How to get a median error down; empty if it is small, or a target was set.
+[[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
+
+/// Flux or energy in words. What was emitted and the parts where it went add up.
+/// @param unit  of the numbers
+[[nodiscard]] std::string energy_words(
+    const BandBudget& budget, const std::string& unit, bool escaped_is_remainder);
+
+}  // namespace quasimc

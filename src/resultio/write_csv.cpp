@@ -1,0 +1,212 @@
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "quasimc/file.h"
+#include "quasimc/result_file.h"
+#include "quasimc/run_file.h"
+#include "resultio/csv_parts.h"
+#include "resultio/fraction_table.h"
+#include "resultio/series_words.h"
+#include "runfile/written.h"
+#include "text/line_scanner.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kCsvPiece = 1 << 16;
+
+/// The names of the estimates of a row.
+std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvTimes times) {
+    const WrittenColumns written = written_columns(run);
+    std::vector<std::string> columns = light_columns_of(run, written);
+    if (times == CsvTimes::days) {
+        return columns;
+    }
+    if (written.has_sunlit) {
+        columns.emplace_back("sunlit_fraction");
+    }
+    if (written.has_sunlit && rows == CsvRows::groups) {
+        columns.emplace_back("sunlit_area");
+    }
+    for (const std::string& ratio : run.spec.ratios) {
+        columns.push_back("ratio_" + ratio);
+    }
+    for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
+        for (const FractionEntry& entry : fraction_table()) {
+            columns.push_back(
+                fmt::format("{}_{}", entry.name, run.scene.bands()[written.bands[i]].name));
+        }
+    }
+    return columns;
+}
+
+/// The comments on the columns that a time has and a day has not.
+std::string moment_columns(const RunFile& run, CsvRows rows) {
+    const bool is_of_groups = rows == CsvRows::groups;
+    std::string out;
+    if (written_columns(run).has_sunlit) {
+        out += fmt::format(
+            "# column sunlit_fraction [1]{}: part of the area lit straight by directional sources; "
+            "empty without any\n",
+            is_of_groups ? fmt::format(", sunlit_area [{}2]", one_line(run.scene.length_unit()))
+                         : "");
+    }
+    for (const std::string& ratio : run.spec.ratios) {
+        out += fmt::format(
+            "# column ratio_{} [1]: of the light that falls on the {}, both sides\n",
+            one_line(ratio), is_of_groups ? "organs" : "organ");
+    }
+    for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
+        out += fmt::format(
+            "# column {}_BAND [1]: {}; in the row of all organs, over a ground or in a cell\n",
+            fraction_table()[i].name, fraction_table()[i].summary);
+    }
+    return out;
+}
+
+/// What is sunlit, and ratios.
+/// @param light  a Result or a GroupResults
+template <typename Light>
+void append_traits(
+    std::string& out, const WrittenColumns& written, const Light& light, std::size_t index) {
+    const auto append = [&](const std::vector<Estimate>& values) {
+        append_csv(out, values.empty() ? kUnknownEstimate : values[index]);
+    };
+    if (written.has_sunlit) {
+        append(light.sunlit_fraction);
+        if constexpr (std::is_same_v<Light, GroupResults>) {
+            append(light.sunlit_area);
+        }
+    }
+    for (std::size_t i = 0; i < light.ratios; ++i) {
+        append_csv(out, light.ratio(index, i));
+    }
+}
+
+/// The fractions of the canopy, which the group of all organs has.
+void append_fractions(
+    std::string& out, const WrittenColumns& written, const Result& result, std::size_t group) {
+    const bool has_fractions = group == 0 && !result.canopy.empty();
+    for (const std::size_t b : written.bands) {
+        for (const FractionEntry& entry : fraction_table()) {
+            append_csv(out, has_fractions ? result.canopy[b].*entry.part : kUnknownEstimate);
+        }
+    }
+}
+
+}  // namespace
+
+CsvWriter::CsvWriter(const RunFile& run, TextSink sink, CsvRows rows, CsvTimes times)
+    : run_(&run),
+      sink_(std::move(sink)),
+      rows_(rows),
+      times_(times),
+      labels_(label_columns(run.scene)) {
+    if (times == CsvTimes::days) {
+        write_head(nullptr);
+    }
+}
+
+/// @param result  of the first time; null in a table of days
+void CsvWriter::write_head(const Result* result) {
+    const RunFile& run = *run_;
+    const bool is_of_organs = rows_ == CsvRows::organs;
+    std::string what = is_of_organs ? "table of organs" : "table of groups";
+    std::vector<std::string> first = csv_point_names(run);
+    std::string times, origin;
+    if (result == nullptr) {
+        what += " and days";
+        times =
+            "# column date: of the day that the row is the sum over, or first and last day\n"
+            "# column seconds: of the times that were summed; of a whole day 86400\n";
+        first.insert(first.end(), {"date", "seconds"});
+    } else if (run.series) {
+        what += " and times";
+        times = "# column time: where the time that the row is the mean of begins\n";
+        first.emplace_back("time");
+    } else {
+        origin = csv_result_comments(run, *result);
+    }
+    sink_(csv_origin(run, what) + (run.series ? series_comments(run) : origin));
+    sink_(csv_point_columns(run) + times);
+    sink_(is_of_organs ? csv_organ_columns(run) : csv_group_columns(run));
+    sink_(csv_light_columns(run, result == nullptr ? LightAmount::sum : LightAmount::rate));
+    sink_((result == nullptr ? "" : moment_columns(run, rows_)) + csv_error_columns());
+    const std::vector<std::string> columns = estimate_columns(run, rows_, times_);
+    sink_(
+        is_of_organs ? csv_organ_header(first, labels_, columns)
+                     : csv_group_header(first, columns));
+    has_head_ = true;
+}
+
+/// @param first   what each row begins with
+/// @param append  adds what follows the organ or the group, whose number it takes
+void CsvWriter::write_rows(
+    const std::string& first,
+    const std::vector<OrganGroup>& groups,
+    const std::function<void(std::string&, std::size_t)>& append) const {
+    const std::vector<Organ>& organs = run_->scene.organs();
+    const bool is_of_organs = rows_ == CsvRows::organs;
+    std::string out;
+    for (std::size_t i = 0; i < (is_of_organs ? organs.size() : groups.size()); ++i) {
+        out += first;
+        is_of_organs ? append_organ(out, organs[i], labels_) : append_group(out, groups[i]);
+        append(out, i);
+        out += '\n';
+        if (out.size() >= kCsvPiece) {
+            sink_(out);
+            out.clear();
+        }
+    }
+    sink_(out);
+}
+
+void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
+    if (times_ == CsvTimes::days) {
+        return;
+    }
+    if (!has_head_) {
+        write_head(&result);
+    }
+    if (!is_written(*run_, time_step, result)) {
+        return;
+    }
+    const WrittenColumns written = written_columns(*run_);
+    const std::string time = run_->series ? run_->series->notes[time_step].time + "," : "";
+    write_rows(
+        csv_point_fields(*run_) + time, result.groups.groups, [&](std::string& out, std::size_t i) {
+            if (rows_ == CsvRows::organs) {
+                append_light(out, written, result, i);
+                append_traits(out, written, result, i);
+            } else {
+                append_light(out, written, result.groups, i);
+                append_traits(out, written, result.groups, i);
+                append_fractions(out, written, result, i);
+            }
+        });
+}
+
+void CsvWriter::add_day(std::size_t day, const SeriesSum& raw) {
+    if (times_ != CsvTimes::days) {
+        return;
+    }
+    const SeriesSum sum = in_summed_units(*run_, raw);
+    const WrittenColumns written = written_columns(*run_);
+    write_rows(
+        fmt::format(
+            "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds)),
+        sum.groups.groups, [&](std::string& out, std::size_t i) {
+            rows_ == CsvRows::organs ? append_light(out, written, sum, i)
+                                     : append_light(out, written, sum.groups, i);
+        });
+}
+
+void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
+    CsvWriter(run, sink).add_moment(0, result);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,300 @@
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "files/sha256.h"
+#include "files/spool.h"
+#include "resultio/json_parts.h"
+#include "resultio/series_words.h"
+#include "results/units.h"
+#include "runfile/run_file.h"
+
+namespace quasimc {
+namespace {
+
+/// What precedes the moments of a run with [time].
+Json series_head(const RunFile& run) {
+    Json units = Json::object();  // of the sums
+    for (const Band& band : run.scene.bands()) {
+        units[band.name] = {
+            {"density", summed_unit(band.unit).name},
+            {"flux", summed_unit(flux_unit(band.unit, run.scene.length_unit())).name}};
+    }
+    return {{"time", run.series->words}, {"sum_units", units}};
+}
+
+/// When a moment is, and where its light comes from.
+Json moment_head(const MomentNotes& notes) {
+    Json head = {{"time", notes.time}, {"seconds", notes.seconds}};
+    if (notes.collapsed) {
+        head["until"] = notes.collapsed->until;
+        head["collapsed"] = {
+            {"times", notes.collapsed->times},
+            {"with_daylight", notes.collapsed->with_light},
+            {"suns", notes.suns},
+            {"skies", notes.collapsed->skies}};
+    } else {
+        head["sun"] = {
+            {"azimuth_deg", notes.sun.azimuth_deg},
+            {"elevation_deg", notes.sun.elevation_deg},
+            {"true_elevation_deg", notes.sun.true_elevation_deg},
+            {"towards", json_vector(notes.to_sun)},
+            {"steps_with_beam", notes.suns}};
+    }
+    head["daylight_W_m-2"] = {
+        {"direct", notes.daylight.direct}, {"diffuse", notes.daylight.diffuse}};
+    return head;
+}
+
+void write_groups(JsonLines& json, const RunFile& run, const GroupResults& groups) {
+    if (groups.groups.empty()) {
+        return;
+    }
+    const JsonNames names = json_names(run, written_columns(run));
+    json.begin('[', "groups");
+    for (std::size_t i = 0; i < groups.groups.size(); ++i) {
+        json.line(json_group(groups, i, names));
+    }
+    json.end(']');
+}
+
+/// The members of a sum, in its object.
+void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
+    const SeriesSum sum = in_summed_units(run, raw);
+    const JsonNames names = json_names(run, written_columns(run));
+    const std::vector<Organ>& organs = run.scene.organs();
+    json.members({{"seconds", sum.seconds}});
+    write_groups(json, run, sum.groups);
+    json.begin('[', "organs");
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        json.line(json_organ(organs[i], sum, i, names));
+    }
+    json.end(']');
+}
+
+}  // namespace
+
+/// What a JsonWriter writes, and where it stands.
+class JsonWriter::State {
+  public:
+    State(const RunFile& run, TextSink sink);
+
+    void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
+    void add_day(std::size_t day, const SeriesSum& sum);
+    void next_run(const RunFile& run, const SeriesSummary& summary);
+    std::string finish(const SeriesSummary& summary);
+
+  private:
+    void begin_series();
+    void begin_point();
+    void end_point(const SeriesSummary& summary);
+    void write_light(const Result& result);
+    void write_organs(const Result& result, bool is_shown);
+    void write_series_end(const SeriesSummary& summary);
+
+    const RunFile* run_;
+    bool writes_;
+    JsonLines json_;
+    std::unique_ptr<Spool> days_text_;
+    std::unique_ptr<JsonLines> days_;
+    Sha256 digest_;
+    std::size_t time_steps_ = 0;  // of the point
+    std::size_t points_ = 0;      // of a sweep, that are done
+    bool is_point_open_ = false;
+    StopReason stop_ = StopReason::paths_done;
+};
+
+JsonWriter::State::State(const RunFile& run, TextSink sink)
+    : run_(&run), writes_(static_cast<bool>(sink)), json_(std::move(sink)) {
+    if (!writes_) {
+        return;
+    }
+    json_.begin('{');
+    json_.members(json_head(run));
+    json_.members(json_warnings(run));
+    if (run.sweep) {
+        json_.begin('[', "points");
+    } else if (run.series) {
+        begin_series();
+    }
+}
+
+void JsonWriter::State::begin_series() {
+    json_.members(series_head(*run_));
+    json_.begin('[', "moments");
+    days_text_ = std::make_unique<Spool>();
+    days_ = std::make_unique<JsonLines>([this](std::string_view text) { days_text_->add(text); });
+    days_->begin('[');
+    time_steps_ = 0;
+}
+
+/// A point of a sweep: what it sets, and its lights.
+void JsonWriter::State::begin_point() {
+    is_point_open_ = true;
+    const SweepPoint& point = (*run_->sweep)[run_->point];
+    Json values = Json::object();
+    for (const SweptValue& value : point.values) {
+        values[value.key] = json_value(*value.value);
+    }
+    json_.begin('{');
+    json_.members({{"point", values}, {"sources", point.source_notes}});
+    if (run_->series) {
+        begin_series();
+    }
+}
+
+void JsonWriter::State::end_point(const SeriesSummary& summary) {
+    stop_ = summary.stop;
+    if (!is_point_open_) {
+        return;
+    }
+    is_point_open_ = false;
+    ++points_;
+    if (run_->series) {
+        write_series_end(summary);
+    }
+    json_.end('}');
+}
+
+void JsonWriter::State::next_run(const RunFile& run, const SeriesSummary& summary) {
+    if (writes_) {
+        end_point(summary);
+    }
+    run_ = &run;
+}
+
+void JsonWriter::State::write_light(const Result& result) {
+    json_.members(json_light(*run_, result));
+    write_groups(json_, *run_, result.groups);
+    json_.begin('[', "organs");
+    write_organs(result, true);
+    json_.end(']');
+}
+
+/// The digest is of everything, whatever of it is written.
+void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
+    const WrittenColumns columns = written_columns(*run_);
+    const JsonNames all = json_names(*run_, all_columns(*run_));
+    const JsonNames shown = json_names(*run_, columns);
+    const std::vector<Organ>& organs = run_->scene.organs();
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        const std::string line = json_organ(organs[i], result, i, all);
+        digest_.add(line);
+        digest_.add(i + 1 < organs.size() ? ",\n" : "\n");
+        if (is_shown) {
+            json_.line(columns.is_all ? line : json_organ(organs[i], result, i, shown));
+        }
+    }
+}
+
+void JsonWriter::State::add_moment(
+    std::size_t time_step, const Result& result, std::size_t traced) {
+    ++time_steps_;
+    if (writes_ && run_->sweep && !is_point_open_) {
+        begin_point();
+    }
+    if (!writes_ || !is_written(*run_, time_step, result)) {
+        write_organs(result, false);
+        return;
+    }
+    if (!run_->series) {
+        json_.members(
+            {{"seconds",
+              {{"build", result.build_seconds},
+               {"trace", result.trace_seconds},
+               {"trace_cpu", result.trace_cpu_seconds}}}});
+        write_light(result);
+        return;
+    }
+    json_.begin('{');
+    json_.members(moment_head(run_->series->notes[time_step]));
+    json_.members({{"traced", run_->series->notes[traced].time}});
+    write_light(result);
+    json_.end('}');
+}
+
+void JsonWriter::State::add_day(std::size_t day, const SeriesSum& sum) {
+    if (!writes_) {
+        return;
+    }
+    days_->begin('{');
+    days_->members({{"date", run_->series->days[day]}});
+    write_sum(*days_, *run_, sum);
+    days_->end('}');
+}
+
+void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
+    json_.end(']');
+    days_->end(']');
+    days_->flush();
+    json_.line("\"days\": ");
+    days_text_->copy_to([this](std::string_view text) { json_.text(text); });
+    json_.begin('{', "total");
+    write_sum(json_, *run_, summary.total);
+    json_.end('}');
+    json_.members(
+        {{"done",
+          {{"moments", time_steps_},
+           {"moments_asked", run_->series->time_steps.size()},
+           {"stop", stop_name(summary.stop)},
+           {"cut_short", summary.cut_short},
+           {"traced", summary.traced},
+           {"rays", summary.rays},
+           {"audited", summary.audited},
+           {"audit_chance", summary.audit_chance}}},
+         {"seconds", summary.seconds}});
+}
+
+std::string JsonWriter::State::finish(const SeriesSummary& summary) {
+    std::string digest = digest_.hex();
+    if (writes_) {
+        if (run_->sweep) {
+            end_point(summary);
+            json_.end(']');
+            json_.members(
+                {{"done",
+                  {{"points", points_},
+                   {"points_asked", run_->sweep->size()},
+                   {"stop", stop_name(stop_)}}}});
+        } else if (run_->series) {
+            write_series_end(summary);
+        }
+        json_.members({{"organs_sha256", digest}});
+        json_.end('}');
+        json_.text("\n");
+        json_.flush();
+    }
+    return digest;
+}
+
+JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
+    : state_(std::make_unique<State>(run, std::move(sink))) {}
+JsonWriter::~JsonWriter() = default;
+
+void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::size_t traced) {
+    state_->add_moment(time_step, result, traced);
+}
+
+void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
+    state_->add_day(day, sum);
+}
+
+void JsonWriter::next_run(const RunFile& run, const SeriesSummary& summary) {
+    state_->next_run(run, summary);
+}
+
+std::string JsonWriter::finish(const SeriesSummary& summary) {
+    return state_->finish(summary);
+}
+
+std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {
+    JsonWriter writer(run, sink);
+    writer.add_moment(0, result, 0);
+    return writer.finish();
+}
+
+std::string digest_of_organs(const RunFile& run, const Result& result) {
+    return write_json(run, result, {});
+}
+
+}  // namespace quasimc

@@ -1,0 +1,478 @@
+#include "runfile/run_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "planner/lint_bundles.h"
+#include "planner/lint_lamps.h"
+#include "planner/lint_wedges.h"
+#include "quasimc/source.h"
+#include "runfile/run_file_sections.h"
+#include "scene/fold_warnings.h"
+#include "scene/lint.h"
+#include "text/numbers.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::int64_t kRunFileVersion = 1;
+
+Orientation read_orientation(TableReader& top) {
+    constexpr std::array<std::string_view, 2> kAxes{"z", "y"};
+    const UpAxis up = top.choice("up", kAxes) == "y" ? UpAxis::y : UpAxis::z;
+    const Vec3 usual = Orientation(up, {}).outward({0, 1, 0});
+    const Vec3 north = top.vector("north").value_or(usual);
+    const Vec3 inward = Orientation(up, north).inward(north);
+    const bool is_horizontal = inward.z == 0 && std::isfinite(length(inward)) && length(inward) > 0;
+    if (!is_horizontal) {
+        top.fault_at(
+            "north", "north is no horizontal direction",
+            "it must have a length and no part along the up axis");
+    }
+    return {up, is_horizontal ? north : usual};
+}
+
+void read_format_version(TableReader& top) {
+    const auto version = top.integer("format", {1, 1e9});
+    if (version && *version > kRunFileVersion) {
+        top.fault_at(
+            "format", fmt::format("format is {}", *version),
+            fmt::format("this program knows formats up to {}", kRunFileVersion),
+            "use a newer program");
+    }
+}
+
+std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Reporter& reporter) {
+    try {
+        return known.same != nullptr       ? std::move(builder).build_on(*known.same)
+               : known.overlaps != nullptr ? std::move(builder).build_after(known.overlaps)
+                                           : std::move(builder).build();
+    } catch (const InputError& error) {
+        for (Fault fault : error.faults()) {
+            // What has no line of a file is of the run file.
+            const bool has_line = fault.place.find(':') != std::string::npos;
+            fault.place = has_line ? fault.place : reporter.file + ": " + fault.place;
+            reporter.faults.add(std::move(fault));
+        }
+        return std::nullopt;
+    }
+}
+
+/// Adds an organ in place of those that could not be read, so that nobody is told that there are
+/// none.
+void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
+    std::string material = "stand-in";
+    if (context.materials.empty()) {
+        const std::vector<SideOptics> black(context.bands.size());
+        builder.add_material({material, black, black});
+    } else {
+        material = *context.materials.begin();
+    }
+    OrganSpec organ;
+    organ.parts.push_back({std::move(material), std::vector<Triangle>(1, kStandIn)});
+    builder.add_organ(std::move(organ));
+}
+
+/// Keys that another reader reads.
+void pass_over(TableReader& top, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view key : keys) {
+        static_cast<void>(top.any(key));
+    }
+}
+
+/// What the sections of a run file give together.
+struct Sections {
+    std::string title;
+    std::optional<Scene> scene;
+    SourceList sources;
+    std::optional<TimeSeries> series;
+    RunOptions options;
+    OutputSpec output;
+    bool is_on_base = false;  ///< whether its geometry is that of the base
+    UnitOrigin unit_origin = UnitOrigin::assumed;
+};
+
+void read_geometry_sections(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+}
+
+/// What all sections ask for.
+RunFileContext read_context(TableReader& top, InputFiles& files) {
+    read_format_version(top);
+    return {
+        .reporter = &top.reporter(),
+        .files = &files,
+        .bands = read_bands(top),
+        .orientation = read_orientation(top),
+        .materials = {},
+        .place = read_place(top),
+        .sun = {},
+        .length_unit = top.text("length_unit").value_or("m"),
+        .has_time = top.any("time") != nullptr,
+        .meshes = nullptr};
+}
+
+UnitOrigin unit_origin(TableReader& top) {
+    return top.any("length_unit") != nullptr ? UnitOrigin::given : UnitOrigin::assumed;
+}
+
+SceneBuilder begin_scene(const RunFileContext& context) {
+    SceneBuilder builder(context.bands, context.orientation);
+    builder.set_length_unit(context.length_unit);
+    return builder;
+}
+
+Sections read_sections(
+    TableReader& top, InputFiles& files, const std::vector<Override>& overrides, KnownScene known) {
+    Sections sections;
+    sections.title = top.text("title").value_or("");
+    RunFileContext context = read_context(top, files);
+    sections.unit_origin = unit_origin(top);
+    context.meshes = known.meshes;
+    SceneBuilder builder = begin_scene(context);
+    read_run_options(top, sections.options);
+    apply_overrides(overrides, sections.options, top.reporter());
+    read_materials(top, context, builder);
+    sections.sources = read_sources(top, context);
+    sections.series = read_time(top, context, sections.sources);
+    known.same = known.same != nullptr && builder.can_build_on(*known.same) ? known.same : nullptr;
+    if (known.same != nullptr) {
+        pass_over(top, {"organ", "geometry", "ground", "cell"});
+    } else {
+        read_geometry_sections(top, context, builder);
+    }
+    read_detectors(top, builder);
+    sections.output = read_output(top, files, context.bands);  // when all is known that is read
+    refuse_options_at_the_top(top);
+    top.finish();
+    if (!top.reporter().faults.empty()) {
+        add_stand_in(builder, context);
+    }
+    sections.is_on_base = known.same != nullptr;
+    sections.scene = build(std::move(builder), known, top.reporter());
+    return sections;
+}
+
+/// A day's sum needs times with lengths.
+void check_effort(const Sections& sections, Faults& faults) {
+    if (sections.options.spec.effort == Effort::each) {
+        return;
+    }
+    if (!sections.series) {
+        faults.add({"effort", "it is \"day\"", "the run has no [time]", "leave it out"});
+        return;
+    }
+    const auto& steps = sections.series->time_steps;
+    if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.seconds == 0; })) {
+        faults.add(
+            {"effort", "it is \"day\"", "instants have no part in the sum of a day",
+             "give duration_minutes, or leave effort out"});
+    }
+}
+
+void check_hours(const Sections& sections, Faults& faults) {
+    const RunSpec& spec = sections.options.spec;
+    if (sections.series) {
+        check_together(*sections.scene, sections.series->time_steps, spec, faults);
+    } else if (spec.series == SeriesMode::together) {
+        faults.add({"series", "it is \"together\"", "the run has no [time]", "leave it out"});
+    }
+}
+
+/// Nights need no source; all else is checked with one in its place.
+void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
+    const std::vector<double> one(scene.bands().size(), 1.0);
+    check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
+}
+
+/// Checks the run with its sources, or those of a moment of its series that has light, if any.
+void check_with_sources(
+    const Sections& sections, const Scene& scene, Faults& faults, Darkness darkness) {
+    const RunSpec& spec = sections.options.spec;
+    if (!sections.series && darkness == Darkness::allowed && is_dark(sections.sources.sources)) {
+        check_in_darkness(scene, spec, faults);
+        return;
+    }
+    if (!sections.series) {
+        check_run(scene, sections.sources.sources, spec, faults);
+        return;
+    }
+    const std::vector<TimeStepPlan> plans = plan_series(sections.series->time_steps);
+    const auto lit =
+        std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
+    if (lit == plans.end()) {
+        check_in_darkness(scene, spec, faults);
+        return;
+    }
+    const auto moment = static_cast<std::size_t>(lit - plans.begin());
+    check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
+}
+
+/// A sweep is several scenes, or several lights.
+void refuse_sweep(TableReader& top) {
+    if (const Node* sweep = top.any("sweep")) {
+        top.fault_at(
+            *sweep, "[sweep] states several runs", "a scene to work with is one",
+            "run the file with the program, `quasimc run`, or take [sweep] out");
+    }
+}
+
+/// The part of a document that makes the scene.
+SceneBuilder read_builder(
+    const Node& document,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs,
+    Reporter& reporter) {
+    TableReader top(document, "", reporter);
+    pass_over(top, {"title", "run", "source", "light_file", "output"});
+    refuse_sweep(top);
+    RunFileContext context = read_context(top, files);
+    SceneBuilder builder = begin_scene(context);
+    read_materials(top, context, builder);
+    read_organs(top, context, builder);
+    read_geometry(top, context, builder);
+    if (add_organs) {
+        add_organs(builder);
+    }
+    read_ground(top, context, builder);
+    read_cell(top, context, builder);
+    read_detectors(top, builder);
+    refuse_options_at_the_top(top);
+    top.finish();
+    if (!reporter.faults.empty()) {
+        add_stand_in(builder, context);
+    }
+    return builder;
+}
+
+/// The line of a place "file:line"; after all lines for other places.
+std::uint64_t line_of(const std::string& place, const std::string& file) {
+    constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
+    if (!place.starts_with(file + ":")) {
+        return kNowhere;
+    }
+    const std::string_view rest = std::string_view(place).substr(file.size() + 1);
+    const auto line = parse_integer(rest.substr(0, rest.find(':')));
+    return line ? static_cast<std::uint64_t>(*line) : kNowhere;
+}
+
+/// Throws what was found, in the order of the file's lines.
+void throw_in_order(const Reporter& reporter) {
+    if (reporter.faults.empty()) {
+        return;
+    }
+    std::vector<Fault> faults = reporter.faults.all();
+    sort_by_line(faults, reporter.file);
+    throw InputError(std::move(faults));
+}
+
+/// What silently spoils results. What is of the geometry alone was reported with the base.
+std::vector<Warning> lint_of(const Sections& sections) {
+    const Scene& scene = *sections.scene;
+    std::vector<Warning> found =
+        sections.is_on_base ? std::vector<Warning>() : lint_geometry(scene);
+    const Sources& sources = sections.sources.sources;
+    for (auto& more :
+         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_places(scene, sources),
+          lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
+        found.insert(found.end(), more.begin(), more.end());
+    }
+    return found;
+}
+
+/// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
+Node read_file_of_run(const std::string& text, const std::string& name) {
+    const std::string extension = std::filesystem::path(name).extension().string();
+    try {
+        return read_toml(text, name);
+    } catch (const InputError& error) {
+        if (const ForeignFormat* foreign = foreign_format_of_path(name)) {
+            throw InputError(
+                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not read",
+                  std::string(foreign->advice)}});
+        }
+        if (extension == ".json") {
+            throw InputError(
+                {{name, "is no run file", "a run file is TOML",
+                  "if it is a result, `quasimc view` and `quasimc show` take it, and "
+                  "`quasimc run --from` repeats it"}});
+        }
+        const FormatEntry* geometry = extension == ".txt" ? nullptr : format_of_path(name);
+        if (geometry != nullptr) {
+            throw InputError(
+                {{name, "is a file of geometry, not a run file",
+                  fmt::format("its name ends as those of the format {} do", geometry->name),
+                  fmt::format(
+                      "name it in a run file, by [[geometry]] file = \"{}\"; `quasimc info` and "
+                      "`quasimc convert` take it as it is",
+                      std::filesystem::path(name).filename().string())}});
+        }
+        if (extension.empty() || extension == ".toml") {
+            throw;
+        }
+        throw InputError(
+            {{name, "is no run file", error.faults().front().text(),
+              "give a run file, which is TOML and names files of geometry and weather; "
+              "`quasimc --dump-default` prints one"}});
+    }
+}
+
+}  // namespace
+
+bool is_dark(const Sources& sources) {
+    return std::all_of(sources.begin(), sources.end(), [](const auto& source) {
+        const auto spectrum = source->spectrum();
+        return std::all_of(spectrum.begin(), spectrum.end(), [](double x) { return x == 0; });
+    });
+}
+
+std::vector<TimeStep> moments_of(const RunFile& run) {
+    if (run.series) {
+        return run.series->time_steps;
+    }
+    TimeStep only;
+    only.sources = run.sources;
+    return {std::move(only)};
+}
+
+void sort_by_line(std::vector<Fault>& faults, const std::string& file) {
+    std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
+        return line_of(a.place, file) < line_of(b.place, file);
+    });
+}
+
+RunFile read_run_document(
+    Node document,
+    const std::string& name,
+    InputFiles& files,
+    const std::vector<Override>& overrides,
+    const KnownScene& known,
+    Darkness darkness) {
+    Reporter reporter{name, {}, {}};
+    TableReader top(document, "", reporter);
+    Sections sections = read_sections(top, files, overrides, known);
+    if (reporter.faults.empty()) {
+        Faults faults;
+        check_with_sources(sections, *sections.scene, faults, darkness);
+        check_effort(sections, faults);
+        check_hours(sections, faults);
+        add_run_faults(faults, sections.options, reporter);
+    }
+    throw_in_order(reporter);
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
+    for (Warning& warning : lint_of(sections)) {
+        warnings.push_back(std::move(warning));
+    }
+    return {
+        name,
+        std::move(sections.title),
+        std::move(*sections.scene),
+        std::move(sections.sources.sources),
+        sections.options.spec,
+        std::move(sections.series),
+        std::move(sections.output),
+        files.files(),
+        files.folder().string(),
+        std::move(sections.sources.notes),
+        std::move(warnings),
+        std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
+}
+
+SceneOfRun read_scene_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs) {
+    Reporter reporter{name, {}, {}};
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    std::optional<Scene> scene = build(std::move(builder), {}, reporter);
+    throw_in_order(reporter);
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
+    for (Warning& warning : lint_geometry(*scene)) {
+        warnings.push_back(std::move(warning));
+    }
+    return {std::move(*scene), std::move(warnings)};
+}
+
+FrameOfRun read_frame_document(
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const std::function<void(SceneBuilder&)>& add_organs) {
+    Reporter reporter{name, {}, {}};
+    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    throw_in_order(reporter);
+    return {std::move(builder), fold_warnings(std::move(reporter.warnings))};
+}
+
+LightOfRun read_light_document(
+    const Node& document, const std::string& name, InputFiles& files, const Scene& scene) {
+    Reporter reporter{name, {}, {}};
+    TableReader top(document, "", reporter);
+    pass_over(
+        top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
+              "detector", "output"});
+    refuse_sweep(top);
+    RunFileContext context = read_context(top, files);
+    Sections sections;
+    read_run_options(top, sections.options);
+    sections.sources = read_sources(top, context);
+    sections.series = read_time(top, context, sections.sources);
+    top.finish();
+    if (reporter.faults.empty()) {
+        Faults faults;
+        check_with_sources(sections, scene, faults, Darkness::refused);
+        add_run_faults(faults, sections.options, reporter);
+    }
+    throw_in_order(reporter);
+    for (auto& more :
+         {lint_lamp_unit(scene, sections.sources.sources, unit_origin(top)),
+          lint_lamp_places(scene, sections.sources.sources)}) {
+        reporter.warnings.insert(reporter.warnings.end(), more.begin(), more.end());
+    }
+    return {
+        std::move(sections.sources.sources), std::move(sections.options.spec),
+        std::move(sections.series), std::move(sections.sources.notes),
+        fold_warnings(std::move(reporter.warnings))};
+}
+
+RunFile read_run_text(
+    std::string_view text,
+    const std::string& name,
+    InputFiles& files,
+    const std::vector<Override>& overrides) {
+    return read_run_document(read_toml(text, name), name, files, overrides);
+}
+
+RunSweep read_run_sweep(const std::string& path, const std::vector<Override>& overrides) {
+    return read_run_sweep(path, overrides, FileAccess());
+}
+
+RunSweep read_run_sweep(
+    const std::string& path,
+    const std::vector<Override>& overrides,
+    const FileAccess& access,
+    const OnPointRead& on_point) {
+    const std::string text = access.read(path);
+    const std::filesystem::path absolute = access.absolute(path);
+    const std::string name = path == "-" ? "standard input" : path;
+    InputFiles noted(absolute.parent_path(), access.read);
+    noted.note(path, absolute, text);
+    noted.mark_run_file();
+    return read_sweep_document(
+        read_file_of_run(text, name), name, [noted] { return noted; }, overrides, on_point);
+}
+
+RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {
+    return read_run_sweep(path, overrides).only_run();
+}
+
+}  // namespace quasimc

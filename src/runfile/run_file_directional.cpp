@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "runfile/run_file_source_kinds.h"
+
+namespace quasimc {
+namespace {
+
+/// The unit vector in which light travels, z up; nothing after a fault.
+std::optional<Vec3> read_travel(TableReader& table, const RunFileContext& context) {
+    const bool has_direction = table.any("direction") != nullptr;
+    // Each is looked at, or a fault below would leave the other a key that nobody knows.
+    const bool has_azimuth = table.any("azimuth_deg") != nullptr;
+    const bool has_elevation = table.any("elevation_deg") != nullptr;
+    const bool has_angles = has_azimuth || has_elevation;
+    if (has_direction == has_angles) {
+        table.fault(
+            has_direction ? "direction and angles are given" : "where it shines from is missing",
+            "",
+            "give either direction = [x, y, z], in which the light travels, or azimuth_deg and "
+            "elevation_deg of where it comes from");
+        return std::nullopt;
+    }
+    if (has_angles) {
+        const auto to_light = read_towards(table, context.orientation);
+        return to_light ? std::optional(-*to_light) : std::nullopt;
+    }
+    return read_direction(table, "direction", std::nullopt, context);
+}
+
+}  // namespace
+
+std::optional<NotedSource> read_directional(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const std::optional<Vec3> travel = read_travel(table, context);
+    const std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
+    if (!travel || !irradiance) {
+        return std::nullopt;
+    }
+    const auto values = facing_irradiance(table, *irradiance, -travel->z);
+    if (!values) {
+        return std::nullopt;
+    }
+    if (travel->z > 0) {
+        table.reporter().warnings.push_back(
+            {table.place(), table.what() + ": it shines upwards, from below the horizon"});
+    }
+    const std::string note = fmt::format(
+        "{}: directional, light travels along {} (from {}), {}", name,
+        vector_words(context.orientation.outward(*travel)),
+        angles_words(*travel, context.orientation),
+        irradiance_words("plane facing it", *values, context.bands));
+    return NotedSource{make_directional_source(name, *travel, *values), note};
+}
+
+}  // namespace quasimc

@@ -1,0 +1,165 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/checks.h"
+#include "base/text.h"
+#include "options/options.h"
+#include "runfile/run_file_sections.h"
+
+namespace quasimc {
+namespace {
+
+/// A list of texts, or of numbers, as a value.
+std::optional<OptionValue> list_value(const Node::List& list) {
+    std::vector<std::string> words;
+    std::vector<double> numbers;
+    for (const Node& item : list) {
+        if (const auto* word = item.as<std::string>()) {
+            words.push_back(*word);
+        } else if (const auto* integer = item.as<std::int64_t>()) {
+            numbers.push_back(static_cast<double>(*integer));
+        } else if (const auto* real = item.as<double>()) {
+            numbers.push_back(*real);
+        }
+    }
+    if (words.size() == list.size()) {
+        return words;
+    }
+    return numbers.size() == list.size() ? std::optional<OptionValue>(numbers) : std::nullopt;
+}
+
+/// The value a node states, if it is of a type that options have.
+std::optional<OptionValue> option_value(const Node& node) {
+    if (const auto* integer = node.as<std::int64_t>()) {
+        return *integer;
+    }
+    if (const auto* real = node.as<double>()) {
+        return *real;
+    }
+    if (const auto* text = node.as<std::string>()) {
+        return *text;
+    }
+    const auto* list = node.as<Node::List>();
+    return list ? list_value(*list) : std::nullopt;
+}
+
+template <typename T>
+Node list_node(const std::vector<T>& values) {
+    Node::List list(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        list[i].value = values[i];
+    }
+    return {std::move(list)};
+}
+
+Node option_node(const OptionValue& value) {
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+        return list_node(*texts);
+    }
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+        return list_node(*numbers);
+    }
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        return {*integer};
+    }
+    if (const auto* real = std::get_if<double>(&value)) {
+        return {*real};
+    }
+    return {std::get<std::string>(value)};
+}
+
+/// Reads one option.
+void read_option(TableReader& table, const Option& option, RunOptions& options) {
+    const Node* stated = table.any(option.key);
+    if (stated == nullptr) {
+        return;
+    }
+    options.places[option.key] = table.reporter().place(stated->line);
+    std::optional<OptionValue> value = option_value(*stated);
+    if (!value) {
+        table.fault_at(
+            *stated, fmt::format("{} is {}", option.key, stated->type_name()),
+            "it takes " + domain_text(option));
+        return;
+    }
+    value = whole_if_integer(option, *value);
+    if (const std::optional<Fault> fault = check_option(option, *value)) {
+        table.fault_at(*stated, fault->problem, fault->why, fault->suggestion);
+        return;
+    }
+    option.set(options.spec, *value);
+}
+
+}  // namespace
+
+void read_run_options(TableReader& top, RunOptions& options) {
+    const Node* node = top.any("run");
+    if (node == nullptr) {
+        return;
+    }
+    TableReader table(*node, "[run]", top.reporter());
+    for (const Option& option : option_table()) {
+        read_option(table, option, options);
+    }
+    table.finish();
+}
+
+void apply_overrides(
+    const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter) {
+    for (const Override& stated : overrides) {
+        const Option* option = find_option(stated.key);
+        if (option == nullptr) {
+            reporter.faults.add(
+                {stated.place, fmt::format("there is no option '{}'", stated.key), "",
+                 did_you_mean(stated.key, option_keys())});
+        } else if (auto fault = check_option(*option, parse_option(*option, stated.text))) {
+            fault->place = stated.place;
+            reporter.faults.add(*fault);
+        } else {
+            option->set(options.spec, parse_option(*option, stated.text));
+            options.places[option->key] = stated.place;
+        }
+    }
+}
+
+Node completed(Node document, const RunSpec& spec) {
+    Node::Table run;
+    for (const Option& option : option_table()) {
+        run.push_back({std::string(option.key), 0, option_node(option.get(spec))});
+    }
+    auto& members = std::get<Node::Table>(document.value);
+    const auto found = std::find_if(
+        members.begin(), members.end(), [](const Member& member) { return member.key == "run"; });
+    if (found != members.end()) {
+        found->node.value = std::move(run);
+    } else {
+        members.push_back({"run", 0, {std::move(run)}});
+    }
+    return document;
+}
+
+void refuse_options_at_the_top(TableReader& top) {
+    for (const Option& option : option_table()) {
+        if (const Node* node = top.any(option.key)) {
+            top.fault_at(
+                *node, fmt::format("{} is an option of the run", option.key), "",
+                "put it below [run]");
+        }
+    }
+}
+
+void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter) {
+    for (Fault fault : found.all()) {
+        const auto stated = options.places.find(fault.place);
+        if (stated != options.places.end()) {
+            fault.problem = fault.place + ": " + fault.problem;
+            fault.place = stated->second;
+        } else {
+            fault.place = reporter.file + ": " + fault.place;
+        }
+        reporter.faults.add(std::move(fault));
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,127 @@
+// [output]: the files that results go to, and what of them is written.
+
+#include <array>
+#include <utility>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "files/file_identity.h"
+#include "runfile/output_files.h"
+#include "runfile/run_file_sections.h"
+#include "runfile/written.h"
+
+namespace quasimc {
+namespace {
+
+std::optional<std::string> read_path(
+    TableReader& table, std::string_view key, const InputFiles& files) {
+    const std::optional<std::string> path = table.text(key);
+    if (path && (path->empty() || path->find('\0') != std::string::npos)) {
+        table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
+        return std::nullopt;
+    }
+    if (!path) {
+        return std::nullopt;
+    }
+    std::string resolved = files.resolved(*path).string();
+    const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
+    if (const InputFile* input = input_at(file, files.files())) {
+        table.fault_at(
+            key, fmt::format("{} = '{}' is an input of the run", key, *path),
+            fmt::format("'{}' is read from it", input->path), "name another file");
+    }
+    return resolved;
+}
+
+/// No two files may be one.
+void check_apart(TableReader& table, const OutputSpec& output) {
+    for (std::size_t i = 0; i < kOutputFiles.size(); ++i) {
+        for (std::size_t j = i + 1; j < kOutputFiles.size(); ++j) {
+            const auto& first = output.*kOutputFiles[i].path;
+            if (first && first == output.*kOutputFiles[j].path) {
+                table.fault(fmt::format(
+                    "{} and {} name the same file", kOutputFiles[i].key, kOutputFiles[j].key));
+            }
+        }
+    }
+}
+
+/// What only a run with [time] has.
+void check_times(TableReader& table, const OutputSpec& output, bool has_time) {
+    const auto require = [&](bool is_stated, std::string_view key, std::string_view what) {
+        if (is_stated && !has_time) {
+            table.fault_at(
+                key, fmt::format("{} without [time]", key), fmt::format("{} need times", what));
+        }
+    };
+    require(output.days.has_value(), "days", "sums over days");
+    require(output.groups_days.has_value(), "groups_days", "sums over days");
+    require(output.night, "night", "nights");
+    require(output.hours.has_value(), "hours", "hours");
+}
+
+/// The groups of a run are asked for in [run], for they are computed, not only written.
+void refuse_groups(TableReader& table) {
+    for (const std::string_view key : {"groups", "layers", "layer_heights"}) {
+        if (const Node* node = table.any(key)) {
+            table.fault_at(
+                *node, fmt::format("{} is an option of the run", key), "",
+                "put it below [run]; groups_csv names the table of groups");
+        }
+    }
+}
+
+std::optional<std::array<double, 2>> read_hours(TableReader& table) {
+    const Node* node = table.any("hours");
+    const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
+    return hours ? std::optional(std::array{hours->low, hours->high}) : std::nullopt;
+}
+
+void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec& output) {
+    output.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
+    output.bands = table.texts("bands").value_or(std::vector<std::string>{});
+    output.night = table.boolean("night").value_or(false);
+    output.hours = read_hours(table);
+    Faults faults;
+    check_written(output, bands, faults);
+    for (const Fault& fault : faults.all()) {
+        table.fault_at(fault.place, fault.problem, fault.why, fault.suggestion);
+    }
+}
+
+/// Times that were collapsed have no hours.
+void check_collapse(TableReader& table, TableReader& top, const OutputSpec& output) {
+    const Node* time = top.any("time");
+    const Node* collapse = time != nullptr ? time->find("collapse") : nullptr;
+    const auto* name = collapse != nullptr ? collapse->as<std::string>() : nullptr;
+    if (output.hours && name != nullptr && *name != "none") {
+        table.fault_at(
+            "hours", "hours of times that are collapsed", "a day or a period has one result",
+            "leave hours out");
+    }
+}
+
+}  // namespace
+
+OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vector<Band>& bands) {
+    OutputSpec output;
+    const Node* node = top.any("output");
+    if (node == nullptr) {
+        return output;
+    }
+    TableReader table(*node, "[output]", top.reporter());
+    for (const OutputFile& file : kOutputFiles) {
+        output.*file.path = read_path(table, file.key, files);
+    }
+    check_apart(table, output);
+    read_choice(table, bands, output);
+    refuse_groups(table);
+    check_times(table, output, top.any("time") != nullptr);
+    check_collapse(table, top, output);
+    table.finish();
+    return output;
+}
+
+}  // namespace quasimc

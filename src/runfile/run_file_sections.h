@@ -1,0 +1,175 @@
+#pragma once
+
+// The sections of a run file, each read by a function of its own. Included by the run_file*.cpp
+// only.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/input_files.h"
+#include "meshio/formats.h"
+#include "options/options.h"
+#include "quasimc/run_file.h"
+#include "quasimc/sun.h"
+#include "quasimc/vec3.h"
+#include "runfile/mesh_cache.h"
+#include "runfile/run_file.h"
+#include "scene/scene.h"
+#include "text/table_reader.h"
+#include "weather/daily_hours.h"
+
+namespace quasimc {
+
+/// Stands in for an organ with faults, so that its id and material are checked with the rest.
+inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+
+/// Where the sun stands, as a run file states it.
+struct StatedSun {
+    Vec3 to_sun;  ///< unit, world with z up
+    double distance_au = 1;
+    std::string words;  ///< its time and place; "" if stated by angles
+};
+
+/// What the sections know of each other.
+struct RunFileContext {
+    Reporter* reporter;
+    InputFiles* files;
+    std::vector<Band> bands;
+    Orientation orientation;
+    std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
+    std::optional<Place> place;       ///< [place]
+    std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::string length_unit = "m";
+    bool has_time = false;        ///< whether there is a [time]
+    MeshCache* meshes = nullptr;  ///< files that are parsed already; or null
+};
+
+// run_file_place.cpp
+/// [place]; nothing if it is absent or has faults.
+[[nodiscard]] std::optional<Place> read_place(TableReader& top);
+
+// run_file_options.cpp
+/// The options of a run, and where each was stated.
+struct RunOptions {
+    RunSpec spec = default_run_spec();
+    std::map<std::string_view, std::string> places;
+};
+
+void read_run_options(TableReader& top, RunOptions& options);
+void apply_overrides(
+    const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter);
+/// Reports options that stand at the top by mistake.
+void refuse_options_at_the_top(TableReader& top);
+/// Adds the faults of check_run, which names keys only, with the places of the options.
+void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter);
+/// The run file with every option of the run in it.
+[[nodiscard]] Node completed(Node document, const RunSpec& spec);
+
+// run_file_bands.cpp
+[[nodiscard]] std::vector<Band> read_bands(TableReader& top);
+/// The value of a key for each band: one for all, a list with one for each, or a table by name.
+/// Empty if it is absent, or after a fault.
+[[nodiscard]] std::vector<const Node*> nodes_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands);
+/// The same as numbers.
+[[nodiscard]] std::optional<std::vector<double>> read_per_band(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range);
+/// The same of irradiances. Warns of those that no light reaches.
+[[nodiscard]] std::optional<std::vector<double>> read_irradiances(
+    TableReader& table, std::string_view key, const std::vector<Band>& bands);
+
+// run_file_output.cpp
+[[nodiscard]] OutputSpec read_output(
+    TableReader& top, const InputFiles& files, const std::vector<Band>& bands);
+
+// run_file_detectors.cpp
+void read_detectors(TableReader& top, SceneBuilder& builder);
+
+// run_file_materials.cpp
+void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
+// run_file_sources.cpp
+struct SourceList {
+    Sources sources;
+    std::vector<std::string> notes;
+    std::vector<std::optional<DailyHours>> hours;  ///< nothing: it shines all the time
+};
+/// Sets context.sun.
+[[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
+
+// run_file_caribu.cpp
+/// [[material_file]]: the materials of Caribu's files of optics.
+void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+/// [[light_file]]: a directional source for each line of Caribu's files of light. False if there is
+/// none.
+bool read_light_files(TableReader& top, const RunFileContext& context, SourceList& list);
+/// `file` of [cell]: low x, low y, high x, high y. Nothing if it is absent, or after a fault.
+[[nodiscard]] std::optional<std::array<double, 4>> read_pattern_file(
+    TableReader& table, const RunFileContext& context);
+
+// run_file_spectrum.cpp
+/// Reflectance and transmittance of each band, means over a spectrum.
+struct SpectralOptics {
+    std::vector<double> reflectance, transmittance;
+};
+/// By `spectrum` and `spectrum_light`; nothing if they are absent, or after a fault.
+[[nodiscard]] std::optional<SpectralOptics> read_spectral_optics(
+    TableReader& table, const RunFileContext& context);
+
+// run_file_usual_optics.cpp
+/// By `optics`, `soil_color` and `water_content`; nothing if they are absent, or after a fault.
+[[nodiscard]] std::optional<SpectralOptics> read_usual_optics(
+    TableReader& table, const RunFileContext& context);
+
+// run_file_prospect.cpp
+/// `optics` that is a table with a model of leaves. Nothing after a fault. @param node  the table
+[[nodiscard]] std::optional<SpectralOptics> read_leaf_model(
+    TableReader& material, const Node& node, const RunFileContext& context);
+
+// run_file_time.cpp
+/// [time]: the moments of the run, each with the sources of the file that are on and its own
+/// daylight. Nothing if there is none, or after a fault.
+[[nodiscard]] std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const SourceList& lamps);
+
+// run_file_shapes.cpp
+/// The triangles of a table with `shape = ...`; empty when it has faults (reported).
+[[nodiscard]] std::vector<Triangle> read_shape(TableReader& organ);
+/// The names of the shapes.
+[[nodiscard]] std::vector<std::string_view> shape_names();
+
+// run_file_organs.cpp
+void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& builder);
+[[nodiscard]] Labels read_labels(TableReader& table);
+/// p -> translate + rotate (scale p), or nothing if there is no `transform`.
+[[nodiscard]] std::optional<Affine> read_transform(TableReader& table);
+void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
+void move_points(const Affine& transform, std::vector<Vec3>& points);
+
+// run_file_geometry.cpp
+void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
+// run_file_copies.cpp
+/// `at`: where copies of a geometry stand. Nothing if it is absent, or after a fault.
+[[nodiscard]] std::optional<std::vector<Affine>> read_copies(
+    TableReader& table, const Orientation& orientation);
+
+// run_file_mesh.cpp
+/// The geometry in the file that a table names.
+struct NamedMesh {
+    std::string file;
+    const FormatEntry* format = nullptr;
+    MeshFile mesh;
+};
+/// Reads the file that a table names by `file` and `format`; nothing after a fault.
+[[nodiscard]] std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
+
+}  // namespace quasimc

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "quasimc/source.h"
+#include "runfile/run_file_source_kinds.h"
+
+namespace quasimc {
+namespace {
+
+/// The name of the model that is no formula but a file.
+constexpr std::string_view kTable = "table";
+
+std::vector<std::string_view> model_names() {
+    std::vector<std::string_view> names = names_in(sky_catalogue());
+    names.push_back(kTable);
+    return names;
+}
+
+/// The sun of a sky: its own, or else that of the first sun in the file.
+std::optional<StatedSun> read_sun_of_sky(TableReader& table, const RunFileContext& context) {
+    const bool has_own = table.any("time") != nullptr || table.any("azimuth_deg") != nullptr ||
+                         table.any("elevation_deg") != nullptr;
+    if (has_own) {
+        return read_stated_sun(table, context);
+    }
+    if (!context.sun) {
+        table.fault(
+            "where the sun stands is missing", "the sky of this model is brighter around it",
+            "add a [[source]] of type = \"sun\", or give time (with [place]) or azimuth_deg and "
+            "elevation_deg");
+    }
+    return context.sun;
+}
+
+/// What the model asks for besides the sun. False after a fault.
+bool read_state(TableReader& table, SkyNeeds needs, SkyState& state) {
+    if (needs == SkyNeeds::sun_and_type) {
+        const auto type = table.required("cie_type", table.integer("cie_type", {1, 15}));
+        state.cie_type = static_cast<int>(type.value_or(state.cie_type));
+        return type.has_value();
+    }
+    if (needs == SkyNeeds::sun_and_turbidity) {
+        const auto turbidity = table.required(
+            "turbidity", table.real("turbidity", {kLowestTurbidity, kHighestTurbidity}));
+        state.turbidity = turbidity.value_or(state.turbidity);
+        return turbidity.has_value();
+    }
+    if (needs == SkyNeeds::sun_and_weather) {
+        const auto direct = table.required("direct_normal", table.real("direct_normal", {0, 2000}));
+        const auto diffuse =
+            table.required("diffuse_horizontal", table.real("diffuse_horizontal", {0, 2000}));
+        state.direct_normal = direct.value_or(0);
+        state.diffuse_horizontal = diffuse.value_or(0);
+        return direct && diffuse;
+    }
+    return true;
+}
+
+std::string state_words(SkyNeeds needs, const SkyState& state) {
+    switch (needs) {
+        case SkyNeeds::sun_and_type:
+            return fmt::format(" (type {})", state.cie_type);
+        case SkyNeeds::sun_and_turbidity:
+            return fmt::format(" (turbidity {})", shortest(state.turbidity));
+        case SkyNeeds::sun_and_weather:
+            return fmt::format(
+                " (direct normal {} W m-2, diffuse horizontal {} W m-2)",
+                shortest(state.direct_normal), shortest(state.diffuse_horizontal));
+        default:
+            return "";
+    }
+}
+
+std::optional<StatedShape> read_model(
+    TableReader& table, const SkyEntry& entry, const RunFileContext& context) {
+    SkyState state;
+    std::string sun_text;
+    bool good = read_state(table, entry.needs, state);
+    if (entry.needs != SkyNeeds::nothing) {
+        const std::optional<StatedSun> sun = read_sun_of_sky(table, context);
+        if (sun && sun->to_sun.z <= 0) {
+            table.fault(
+                fmt::format(
+                    "the sun is below the horizon ({})",
+                    angles_words(-sun->to_sun, context.orientation)),
+                fmt::format("{} is a model of skies by day", entry.name),
+                "use model = \"cie_overcast\" or \"uniform\"");
+        }
+        good = good && sun && sun->to_sun.z > 0;
+        if (good) {
+            state.to_sun = sun->to_sun;
+            state.distance_au = sun->distance_au;
+            sun_text = ", " + sun_words(*sun, context.orientation);
+        }
+    }
+    if (!good) {
+        return std::nullopt;
+    }
+    try {
+        return StatedShape{
+            entry.make(state),
+            fmt::format("{} sky{}{}", entry.name, state_words(entry.needs, state), sun_text)};
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults()) {
+            table.fault(fault.problem, fault.why, fault.suggestion);
+        }
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+std::optional<NotedSource> read_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const auto model = table.required("model", table.choice("model", model_names()));
+    const auto values = table.required(
+        "irradiance_horizontal", read_irradiances(table, "irradiance_horizontal", context.bands));
+    if (!model) {
+        // Which keys are meant can't be told.
+        for (const std::string_view key :
+             {"time", "delta_t_s", "azimuth_deg", "elevation_deg", "cie_type", "turbidity",
+              "direct_normal", "diffuse_horizontal", "file", "format", "values"}) {
+            static_cast<void>(table.any(key));
+        }
+        return std::nullopt;
+    }
+    std::optional<StatedShape> sky;
+    if (*model == kTable) {
+        sky = read_table_shape(table, context);
+    } else {
+        sky = read_model(table, *find_sky(*model), context);
+    }
+    if (!sky || !values) {
+        return std::nullopt;
+    }
+    const std::string note = fmt::format(
+        "{}: {}, {}", name, sky->words, irradiance_words("horizontal", *values, context.bands));
+    // Every path of the uniform sky's own source weighs the same.
+    const bool is_uniform = *model == "uniform";
+    return NotedSource{
+        is_uniform ? make_uniform_sky(name, *values) : make_sky(name, sky->shape, *values),
+        note,
+        {}};
+}
+
+std::optional<NotedSource> read_uniform_sky(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const auto values = table.required(
+        "irradiance_horizontal", read_irradiances(table, "irradiance_horizontal", context.bands));
+    if (!values) {
+        return std::nullopt;
+    }
+    return NotedSource{
+        make_uniform_sky(name, *values),
+        fmt::format(
+            "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands))};
+}
+
+}  // namespace quasimc

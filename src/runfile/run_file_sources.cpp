@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/checks.h"
+#include "runfile/run_file_source_kinds.h"
+
+namespace quasimc {
+namespace {
+
+/// How the keys of a kind of source are read; its words stand in light/models/catalogue.cpp.
+struct KindReader {
+    std::string_view name;
+    std::optional<NotedSource> (*read)(
+        TableReader& table, const std::string& name, const RunFileContext& context);
+};
+constexpr std::array kKindReaders{
+    KindReader{"directional", read_directional},
+    KindReader{"sun", read_sun},
+    KindReader{"sky", read_sky},
+    KindReader{"uniform_sky", read_uniform_sky},
+    KindReader{"point", read_lamp},
+    KindReader{"spot", read_lamp},
+    KindReader{"rectangle", read_lamp},
+    KindReader{"disk", read_lamp},
+    KindReader{"line", read_lamp},
+    KindReader{"sphere", read_lamp},
+    KindReader{"ies", read_lamp}};
+
+/// One pair of hours; nothing after a fault.
+std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Node& node) {
+    const auto* pair = node.as<Node::List>();
+    if (pair == nullptr || pair->size() != 2) {
+        table.fault_at(
+            "on_hours", "on_hours has no pair of numbers", "",
+            "write on_hours = [6, 22] or [[5, 9], [16, 22]]");
+        return std::nullopt;
+    }
+    const auto from = table.real_at("on_hours", (*pair)[0], {0, 24});
+    const auto to = table.real_at("on_hours", (*pair)[1], {0, 24});
+    if (!from || !to) {
+        return std::nullopt;
+    }
+    if (*from == *to) {
+        table.fault_at(
+            "on_hours", "on_hours ends where it begins", "", "leave it out if all day is meant");
+        return std::nullopt;
+    }
+    return DailyHours::Span{*from, *to};
+}
+
+/// When the source shines; nothing if always, or after a fault.
+std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext& context) {
+    const Node* node = table.any("on_hours");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    if (!context.has_time) {
+        table.fault_at(
+            "on_hours", "on_hours without [time]", "a run without times has no clock",
+            "add [time], or leave it out");
+        return std::nullopt;
+    }
+    const auto* list = node->as<Node::List>();
+    const bool is_many =
+        list != nullptr && !list->empty() && (*list)[0].as<Node::List>() != nullptr;
+    DailyHours hours;
+    for (std::size_t i = 0; i < (is_many ? list->size() : 1); ++i) {
+        if (const auto span = read_span_of_hours(table, is_many ? (*list)[i] : *node)) {
+            hours.spans.push_back(*span);
+        }
+    }
+    if (hours.overlap()) {
+        table.fault_at("on_hours", "parts of on_hours overlap");
+    }
+    return hours;
+}
+
+std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
+    TableReader table(node, "source", *context.reporter);
+    const std::optional<std::string> type =
+        table.required("type", table.choice("type", names_in(source_catalogue())));
+    const std::string name = table.text("name").value_or(type.value_or("source"));
+    table.rename(fmt::format("source '{}'", name));
+    if (!type) {
+        return std::nullopt;  // which keys are meant can't be told
+    }
+    const auto* kind = std::find_if(
+        kKindReaders.begin(), kKindReaders.end(),
+        [&](const KindReader& reader) { return reader.name == *type; });
+    EXPECT(kind != kKindReaders.end());
+    std::optional<NotedSource> source = kind->read(table, name, context);
+    const std::optional<DailyHours> hours = read_on_hours(table, context);
+    if (source && hours) {
+        source->hours = hours;
+        source->note += "; on " + hours->words();
+    }
+    table.finish();
+    return source;
+}
+
+bool is_sun(const Node& source) {
+    const Node* type = source.find("type");
+    const auto* text = type == nullptr ? nullptr : type->as<std::string>();
+    return text != nullptr && *text == "sun";
+}
+
+}  // namespace
+
+SourceList read_sources(TableReader& top, RunFileContext& context) {
+    const std::vector<const Node*> tables = top.tables("source");
+    // The suns first: skies are brighter around them.
+    std::vector<std::size_t> order(tables.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(
+        order.begin(), order.end(), [&](std::size_t i) { return is_sun(*tables[i]); });
+    std::vector<std::optional<NotedSource>> sources(tables.size());
+    for (const std::size_t i : order) {
+        sources[i] = read_source(*tables[i], context);
+        if (sources[i] && !context.sun) {
+            context.sun = sources[i]->sun;
+        }
+    }
+    SourceList list;
+    for (std::optional<NotedSource>& source : sources) {
+        if (source) {
+            list.sources.push_back(std::move(source->source));
+            list.notes.push_back(std::move(source->note));
+            list.hours.push_back(std::move(source->hours));
+        }
+    }
+    const bool has_files = read_light_files(top, context, list);
+    if (tables.empty() && !has_files && top.any("time") == nullptr) {
+        top.fault("no source of light is given", "", "add a [[source]] or [time]");
+    }
+    return list;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "quasimc/source.h"
+#include "quasimc/sun.h"
+#include "runfile/run_file_source_kinds.h"
+#include "weather/civil_time_text.h"
+
+namespace quasimc {
+namespace {
+
+std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
+    const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
+    const std::optional<std::string> text = table.time_text("time");
+    if (!context.place) {
+        table.fault_at(
+            "time", "time without [place]", "the sun stands elsewhere at every place",
+            "add [place] with latitude_deg and longitude_deg");
+        return std::nullopt;
+    }
+    if (!text) {
+        return std::nullopt;
+    }
+    Faults faults;
+    const std::string where =
+        fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
+    const auto time = parse_civil_time(*text, std::nullopt, where, faults, OffsetKey::none);
+    if (!time) {
+        table.reporter().faults.add(faults);
+        return std::nullopt;
+    }
+    const SunPosition sun = sun_position(*context.place, *time, delta_t_s);
+    const std::string words = fmt::format(
+        "{} at latitude {}, longitude {}", civil_time_text(*time),
+        shortest(context.place->latitude_deg), shortest(context.place->longitude_deg));
+    return StatedSun{
+        context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
+}
+
+}  // namespace
+
+std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientation) {
+    const auto elevation = table.required("elevation_deg", table.real("elevation_deg", {-90, 90}));
+    const auto azimuth = table.required("azimuth_deg", table.real("azimuth_deg", {-360, 360}));
+    return elevation && azimuth ? std::optional(orientation.towards(*azimuth, *elevation))
+                                : std::nullopt;
+}
+
+std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContext& context) {
+    const bool has_time = table.any("time") != nullptr;
+    const bool has_angles =
+        table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
+    if (has_time && has_angles) {
+        table.fault(
+            "time and angles are given", "both tell where the sun stands", "leave one of them out");
+        return std::nullopt;
+    }
+    if (has_time) {
+        return read_timed_sun(table, context);
+    }
+    if (!has_angles) {
+        table.fault(
+            "where the sun stands is missing", "",
+            "give time (with [place]), or azimuth_deg and elevation_deg");
+        return std::nullopt;
+    }
+    const auto to_sun = read_towards(table, context.orientation);
+    return to_sun ? std::optional(StatedSun{*to_sun, 1, ""}) : std::nullopt;
+}
+
+std::string sun_words(const StatedSun& sun, const Orientation& orientation) {
+    return fmt::format(
+        "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
+        vector_words(orientation.outward(sun.to_sun)), angles_words(-sun.to_sun, orientation));
+}
+
+std::optional<NotedSource> read_sun(
+    TableReader& table, const std::string& name, const RunFileContext& context) {
+    const std::optional<StatedSun> sun = read_stated_sun(table, context);
+    const bool is_disk = table.boolean("disk").value_or(false);
+    std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
+    if (!sun || !irradiance) {
+        return std::nullopt;
+    }
+    const bool is_down = sun->to_sun.z <= 0;
+    if (is_down) {
+        table.reporter().warnings.push_back(
+            {table.place(), fmt::format(
+                                "{}: the sun is below the horizon and gives no light ({})",
+                                table.what(), angles_words(-sun->to_sun, context.orientation))});
+        irradiance = Irradiance{std::vector<double>(context.bands.size(), 0.0), false};
+    }
+    const auto values = facing_irradiance(table, *irradiance, sun->to_sun.z);
+    if (!values) {
+        return std::nullopt;
+    }
+    const std::string note = fmt::format(
+        "{}: {}, light travels along {}, {}{}", name, sun_words(*sun, context.orientation),
+        vector_words(context.orientation.outward(-sun->to_sun)),
+        is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
+                : "",
+        irradiance_words("plane facing it", *values, context.bands));
+    NotedSource noted{nullptr, note, sun};
+    noted.source =
+        is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)
+                : make_directional_source(name, -sun->to_sun, *values);
+    return noted;
+}
+
+}  // namespace quasimc

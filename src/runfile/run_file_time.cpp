@@ -1,0 +1,172 @@
+#include "runfile/run_file_time.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "runfile/series_builder.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::array<std::string_view, 3> kModels{"erbs", "reindl", "spitters"};
+constexpr std::array<std::string_view, 3> kCollapse{"none", "days", "period"};
+
+SeriesRules read_rules(TimeContext& context) {
+    TableReader& table = *context.table;
+    SeriesRules rules;
+    rules.how = read_daylight(context);
+    rules.unit = read_light_unit(table);
+    const std::string model = table.choice("diffuse_fraction", kModels).value_or("erbs");
+    rules.model = model == "reindl"     ? DiffuseModel::reindl
+                  : model == "spitters" ? DiffuseModel::spitters
+                                        : DiffuseModel::erbs;
+    rules.air.linke_turbidity =
+        table.real("linke_turbidity", {1, 10}).value_or(rules.air.linke_turbidity);
+    const std::string collapse = table.choice("collapse", kCollapse).value_or("none");
+    rules.collapse = collapse == "days"     ? Collapse::days
+                     : collapse == "period" ? Collapse::period
+                                            : Collapse::none;
+    rules.sun_step = 60 * table.real("sun_step_minutes", {0, 1440}).value_or(rules.sun_step / 60);
+    constexpr double kShortestStep = 1;
+    if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
+        table.fault_at(
+            "sun_step_minutes", "sun_step_minutes is less than a second",
+            "each step is a sun to trace", "give 0 for a single sun");
+    }
+    return rules;
+}
+
+/// Instants have no length by which they could be summed.
+void check_collapse(
+    const SeriesRules& rules, const std::vector<Interval>& intervals, TableReader& table) {
+    const bool has_instant = std::any_of(
+        intervals.begin(), intervals.end(), [](const auto& each) { return each.seconds == 0; });
+    if (rules.collapse != Collapse::none && has_instant) {
+        table.fault_at(
+            "collapse", "instants are to be collapsed",
+            "the sum over times depends on how long each of them is",
+            "give duration_minutes, or leave collapse out");
+    }
+}
+
+/// Hours by which a clock is ahead of the sun at a longitude, -12 to 12.
+double ahead_of_sun(double utc_offset_hours, double longitude_deg) {
+    return std::remainder(utc_offset_hours - longitude_deg / 15, 24);
+}
+
+/// Whether some country has such a clock: from 1 hour behind the sun to 2.6 ahead (the west of
+/// Spain, in summer).
+bool is_usual_clock(double ahead_hours) {
+    return ahead_hours > -1.25 && ahead_hours < 2.75;
+}
+
+/// A clock that is far from the sun's is probably that of another place.
+void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
+    std::optional<double> offset = context.utc_offset_hours;
+    if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {
+        offset = intervals.front().start.utc_offset_hours;
+    }
+    if (!offset || !context.place) {
+        return;
+    }
+    constexpr double kFarHours = 4;
+    const double latitude = context.place->latitude_deg;
+    const double longitude = context.place->longitude_deg;
+    const double ahead = ahead_of_sun(*offset, longitude);
+    // A clock of UTC is used everywhere.
+    const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
+                              is_usual_clock(ahead_of_sun(*offset, latitude));
+    if (std::abs(ahead) > kFarHours || is_exchanged) {
+        context.table->reporter().warnings.push_back(
+            {context.table->place(),
+             fmt::format(
+                 "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
+                 shortest(*offset), shortest(longitude), longitude / 15,
+                 is_exchanged ? "are latitude and longitude exchanged?"
+                              : "is the sign of the longitude right (east is positive)?")});
+    }
+}
+
+std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
+    const Place& place = rules.place;
+    std::vector<std::string> words{fmt::format(
+        "latitude {} deg, longitude {} deg (east positive), elevation {} m",
+        shortest(place.latitude_deg), shortest(place.longitude_deg), shortest(place.elevation_m))};
+    words.push_back(
+        is_measured ? "light: as measured; direct and diffuse told apart by the readings or the "
+                      "model of diffuse_fraction"
+                    : fmt::format(
+                          "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
+                          shortest(rules.air.linke_turbidity)));
+    if (rules.collapse != Collapse::none) {
+        words.push_back(fmt::format(
+            "collapse: {} one sky, of cells, and all of its suns; one trace gives the mean",
+            rules.collapse == Collapse::days ? "each day is" : "the whole period is"));
+    }
+    words.push_back(fmt::format(
+        "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
+        shortest(rules.sun_step / 60)));
+    return words;
+}
+
+/// Night at all times has a result, zeros; but is seldom meant.
+void check_light(const TimeSeries& series, TableReader& table) {
+    const auto plans = plan_series(series.time_steps);
+    const bool is_dark =
+        std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
+    if (is_dark && !series.time_steps.empty()) {
+        table.reporter().warnings.push_back(
+            {table.place(),
+             "it is dark at all these times: the sun stays below the horizon, and no lamp shines"});
+    }
+}
+
+}  // namespace
+
+std::optional<TimeSeries> read_time(
+    TableReader& top, const RunFileContext& run, const SourceList& lamps) {
+    const Node* node = top.any("time");
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    TableReader table(*node, "[time]", top.reporter());
+    TimeContext context{&table, &run, run.place, table.real("utc_offset_hours", {-14, 14})};
+    const bool has_weather = table.any("weather") != nullptr;
+    const std::vector<Interval> intervals =
+        has_weather ? read_weather(context) : read_intervals(context);
+    SeriesRules rules = read_rules(context);
+    check_collapse(rules, intervals, table);
+    table.finish();
+    // Weather that can't be read would have told the place, or where to look for it.
+    const bool is_weather_broken = has_weather && intervals.empty();
+    if (!context.place && top.any("place") == nullptr && !is_weather_broken) {
+        top.fault(
+            "the place is missing", "the sun's path depends on it",
+            "add [place] with latitude_deg and longitude_deg");
+    }
+    if (table.failed() || !context.place) {
+        return std::nullopt;
+    }
+    check_clock(intervals, context);
+    rules.place = *context.place;
+    rules.air.elevation_m = rules.place.elevation_m;
+    rules.air.pressure_hpa = rules.place.pressure_hpa;
+    SeriesBuilder builder(rules, lamps, top.reporter());
+    bool is_measured = false;
+    for (const Interval& interval : intervals) {
+        is_measured = is_measured || interval.reading.has_value();
+        builder.add(interval);
+    }
+    TimeSeries series = builder.finish();
+    series.words = words_of(rules, is_measured);
+    if (!table.failed()) {
+        check_light(series, table);
+    }
+    return series;
+}
+
+}  // namespace quasimc

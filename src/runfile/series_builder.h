@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runfile/collapsed_moment.h"
+#include "runfile/run_file_time.h"
+
+namespace quasimc {
+
+/// How intervals become moments.
+struct SeriesRules {
+    Place place;
+    DaylightSources how;
+    LightUnit unit = LightUnit::full_spectrum;
+    DiffuseModel model = DiffuseModel::erbs;
+    ClearAir air;
+    double sun_step = 300;  ///< seconds; 0: the sun stands still in the middle
+    Collapse collapse = Collapse::none;
+};
+
+/// Builds the moments of a series, and gathers what is to be said of them.
+class SeriesBuilder {
+  public:
+    /// All outlive the builder. @param lamps  the sources of the file
+    SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, Reporter& reporter);
+
+    /// Adds a time, or reports what is wrong with its light.
+    void add(const Interval& interval);
+    /// The series, after the last time.
+    [[nodiscard]] TimeSeries finish();
+
+  private:
+    /// Times with the same note, and the first.
+    struct Noted {
+        std::size_t count = 0;
+        std::string first;
+
+        void add(const Interval& interval) { first = count++ == 0 ? interval.place : first; }
+    };
+
+    template <typename Share>
+    [[nodiscard]] Sources dimmed_lamps(const Share& share) const;
+    void add_moment(
+        const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts);
+    void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
+    void close_gathered();
+    void note_brightness(const Daylight& daylight, const SunPath& path, const Interval& interval);
+    void warn(const Noted& noted, std::string_view text);
+    void note_darkness(const HourLight& light, const SunPath& path, const Interval& interval);
+    void warn_of_brightness();
+    void warn_of_darkness();
+    void report(ReadingFault fault, const SunPath& path, const Interval& interval);
+    void add_faults();
+    [[nodiscard]] std::size_t day_of(const CivilTime& time);
+
+    const SeriesRules& rules_;
+    const SourceList& lamps_;
+    Reporter& reporter_;
+    TimeSeries series_;
+    CollapsedMoment gathered_;
+    std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
+    std::string first_date_, last_date_;                        // of what is gathered
+    std::map<ReadingNote, Noted> noted_;
+    std::map<ReadingFault, std::pair<Fault, std::size_t>> faults_;  // the first, and how many
+    Noted too_bright_;
+    double brightest_ = 0;        // W m-2, of the times that are too bright
+    double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
+    Noted dark_by_day_;           // times without light, with the sun high
+    Noted by_day_;                // times with the sun well up
+    double clearest_ = 0;         // of these, the largest ratio to the light outside the atmosphere
+    double longest_ = 0;          // of these, seconds
+};
+
+}  // namespace quasimc

@@ -1,0 +1,117 @@
+#include "runfile/written.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "text/numbers.h"
+#include "text/table_reader.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::string_view kSunlit = "sunlit_fraction";
+
+bool is_named(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void check_names(
+    const std::vector<std::string>& names,
+    const std::vector<std::string_view>& known,
+    std::string_view place,
+    std::string_view what,
+    Faults& faults) {
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            faults.add(
+                {std::string(place), fmt::format("'{}' is not a {}", name, what), "",
+                 did_you_mean(name, known)});
+        }
+    }
+}
+
+/// The clock time at which a moment begins: "2024-06-21T12:30+02:00" is 12.5.
+double clock_hours(const std::string& time) {
+    constexpr double kMinutes = 60;
+    const std::size_t clock = time.find('T');
+    if (clock == std::string::npos || time.size() < clock + 6) {
+        return 0;
+    }
+    const std::string_view text(time);
+    const auto hours = parse_real(text.substr(clock + 1, 2));
+    const auto minutes = parse_real(text.substr(clock + 4, 2));
+    return hours.value_or(0) + minutes.value_or(0) / kMinutes;
+}
+
+}  // namespace
+
+WrittenColumns written_columns(const RunFile& run) {
+    WrittenColumns columns;
+    const OutputSpec& output = run.output;
+    for (const QuantityEntry& entry : quantity_table()) {
+        if (is_named(output.quantities, entry.name)) {
+            columns.quantities.push_back(entry);
+        }
+    }
+    const std::vector<Band>& bands = run.scene.bands();
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        if (is_named(output.bands, bands[b].name)) {
+            columns.bands.push_back(b);
+        }
+    }
+    columns.has_sunlit = is_named(output.quantities, kSunlit);
+    columns.is_all = columns.has_sunlit && columns.quantities.size() == kQuantities &&
+                     columns.bands.size() == bands.size();
+    return columns;
+}
+
+WrittenColumns all_columns(const RunFile& run) {
+    WrittenColumns columns;
+    columns.quantities.assign(quantity_table().begin(), quantity_table().end());
+    for (std::size_t b = 0; b < run.scene.bands().size(); ++b) {
+        columns.bands.push_back(b);
+    }
+    return columns;
+}
+
+std::vector<std::string> light_columns_of(const RunFile& run, const WrittenColumns& columns) {
+    std::vector<std::string> names;
+    for (const std::size_t b : columns.bands) {
+        for (const QuantityEntry& entry : columns.quantities) {
+            names.push_back(fmt::format("{}_{}", entry.name, run.scene.bands()[b].name));
+        }
+    }
+    return names;
+}
+
+bool is_written(const RunFile& run, std::size_t time_step, const Result& result) {
+    if (!run.series) {
+        return true;
+    }
+    const bool is_dark = result.paths == 0;
+    const MomentNotes& notes = run.series->notes[time_step];
+    const double clock = clock_hours(notes.time);
+    const auto& hours = run.output.hours;
+    const bool is_asked_for = !hours || ((*hours)[0] <= clock && clock < (*hours)[1]);
+    return (run.output.night || !is_dark) && is_asked_for;
+}
+
+std::string point_words(const SweepPoint& point) {
+    std::string text;
+    for (const SweptValue& value : point.values) {
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", value.key, value.text);
+    }
+    return text;
+}
+
+void check_written(const OutputSpec& output, const std::vector<Band>& bands, Faults& faults) {
+    std::vector<std::string_view> quantities = names_in(quantity_table());
+    quantities.push_back(kSunlit);
+    check_names(output.quantities, quantities, "quantities", "quantity", faults);
+    check_names(output.bands, names_in(bands), "bands", "band of the scene", faults);
+}
+
+}  // namespace quasimc

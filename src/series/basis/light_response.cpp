@@ -1,0 +1,158 @@
+#include "series/basis/light_response.h"
+
+#include <algorithm>
+#include <span>
+
+#include "base/checks.h"
+#include "scene/repeat_bands.h"
+
+namespace quasimc {
+namespace {
+
+/// Reads one replicate of sums.
+class ResponseReader {
+  public:
+    ResponseReader(const Sums& sums, std::size_t copy, const SumLayout& layout)
+        : sums_(sums), from_(sums.layout), to_(layout), places_(layout), copy_(copy) {
+        const auto samples = static_cast<double>(sums.samples);
+        for (std::size_t b = 0; b < to_.bands; ++b) {
+            flux_.push_back(sums.units.flux[own(b)] / samples);
+            spectra_.emplace_back();
+            for (std::size_t s = 0; s < from_.spectra; ++s) {
+                if (sums.spectra[s][own(b)] > 0) {
+                    spectra_[b].push_back(s);
+                }
+            }
+        }
+        sunlit_ = sums.units.sunlit_area / samples;
+    }
+
+    [[nodiscard]] std::vector<float> read(const ExactBins& bins) const {
+        std::vector<float> flux(to_.bins());
+        for (std::size_t region = 0; region < to_.regions; ++region) {
+            read_region(bins, region, flux);
+        }
+        for (std::size_t b = 0; b < to_.bands; ++b) {
+            put(flux, to_.emitted() + b, direct(bins, from_.emitted(), b));
+            put(flux, to_.escaped_direct() + b, direct(bins, from_.escaped_direct(), b));
+            for (std::size_t i = 0; i < 3; ++i) {  // escaped, scattered out, cut off
+                const std::size_t fine = from_.escaped_scattered() + i * from_.bands;
+                const std::size_t coarse = from_.coarse_escaped() + i * from_.bands;
+                put(flux, to_.escaped_scattered() + i * to_.bands + b, band(bins, fine, b));
+                put(flux, to_.coarse_escaped() + i * to_.bands + b, band(bins, coarse, b));
+            }
+        }
+        settle(flux);
+        return flux;
+    }
+
+    /// Of the bands that the light has for itself.
+    [[nodiscard]] std::size_t own(std::size_t band) const {
+        return repeated_band(band, copy_, from_.bands / to_.bands);
+    }
+
+  private:
+    /// Of a sky a number of directions was drawn, which brought more or less than its light: in
+    /// proportion to what they brought all of it is known better.
+    void settle(std::vector<float>& flux) const {
+        std::vector<float> factors(to_.bands, 1);
+        for (std::size_t b = 0; b < to_.bands; ++b) {
+            const float drawn = flux[to_.emitted() + b];
+            if (drawn > 0) {
+                factors[b] = static_cast<float>(sums_.emitted_flux[own(b)]) / drawn;
+            }
+        }
+        const std::vector<BinPart> parts = bin_parts(to_);
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            if (parts[p].is_light()) {
+                for (float& x : std::span(flux).subspan(places_.first(p), places_.count(p))) {
+                    x *= factors[parts[p].band];
+                }
+            }
+        }
+    }
+    void read_region(const ExactBins& bins, std::size_t region, std::vector<float>& flux) const {
+        for (const SurfaceSide side : kSurfaceSides) {
+            for (std::size_t b = 0; b < to_.bands; ++b) {
+                put(flux, to_.direct(region, side, b),
+                    direct(bins, from_.direct(region, side, 0), b));
+                put(flux, to_.scattered(region, side) + b,
+                    band(bins, from_.scattered(region, side), b));
+                put(flux, to_.coarse_scattered(region, side) + b,
+                    band(bins, from_.coarse_scattered(region, side), b));
+            }
+        }
+        put(flux, to_.sunlit(region), bins.value(from_.sunlit(region)) * sunlit_);
+    }
+    void put(std::vector<float>& flux, std::size_t bin, double value) const {
+        flux[places_.of(bin)] = static_cast<float>(value);
+    }
+    /// Of bins by band that begin at `first`.
+    [[nodiscard]] double band(const ExactBins& bins, std::size_t first, std::size_t b) const {
+        return bins.value(first + own(b)) * flux_[b];
+    }
+    /// Of bins by spectrum that begin at `first`.
+    [[nodiscard]] double direct(const ExactBins& bins, std::size_t first, std::size_t b) const {
+        double sum = 0;
+        for (const std::size_t s : spectra_[b]) {
+            sum += bins.value(first + s) * sums_.spectra[s][own(b)];
+        }
+        return sum * flux_[b];
+    }
+
+    const Sums& sums_;
+    const SumLayout &from_, &to_;
+    BinPlaces places_;
+    std::size_t copy_;
+    std::vector<double> flux_;                       // per band, of a unit
+    std::vector<std::vector<std::size_t>> spectra_;  // per band, those with light in it
+    double sunlit_;
+};
+
+/// What one replicate sees of suns.
+std::vector<float> bins_of_suns(const SunLight& light, const SumLayout& layout) {
+    const BinPlaces places(layout);
+    std::vector<float> bins(layout.bins());
+    const auto put = [&](std::size_t bin, double value) {
+        bins[places.of(bin)] = static_cast<float>(value);
+    };
+    for (std::size_t i = 0; i < light.flux.size(); ++i) {
+        const std::size_t region = i / (2 * layout.bands);
+        const SurfaceSide side = kSurfaceSides[i / layout.bands % 2];
+        put(layout.direct(region, side, i % layout.bands), light.flux[i]);
+    }
+    for (std::size_t region = 0; region < layout.regions; ++region) {
+        put(layout.sunlit(region), light.sunlit_area[region]);
+    }
+    for (std::size_t b = 0; b < layout.bands; ++b) {
+        put(layout.emitted() + b, light.emitted[b]);
+        put(layout.escaped_direct() + b, light.escaped[b]);
+    }
+    return bins;
+}
+
+}  // namespace
+
+LightResponse read_response(const Sums& sums, std::size_t copy, const SumLayout& layout) {
+    EXPECT(sums.layout.patch_levels == PatchLevels::two && sums.units.region_scale.empty());
+    const ResponseReader reader(sums, copy, layout);
+    LightResponse response;
+    for (const ExactBins& bins : sums.replicates) {
+        response.bins.push_back(reader.read(bins));
+    }
+    for (std::size_t b = 0; b < layout.bands; ++b) {
+        response.emitted.push_back(sums.emitted_flux[reader.own(b)]);
+    }
+    return response;
+}
+
+LightResponse response_of_suns(const std::vector<SunLight>& replicates, const SumLayout& layout) {
+    LightResponse response;
+    for (const SunLight& light : replicates) {
+        response.bins.push_back(bins_of_suns(light, layout));
+    }
+    response.emitted = replicates.front().emitted;
+    return response;
+}
+
+}  // namespace quasimc

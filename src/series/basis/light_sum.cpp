@@ -1,0 +1,314 @@
+#include "series/basis/light_sum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "series/basis/add_responses.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+namespace {
+
+/// Units of the light of a band that is emitted: sums of several times as much still fit.
+constexpr double kUnits = 1 << 28;
+
+/// To the nearest, in line: the library's function costs more than all else that is done to a bin.
+[[nodiscard]] std::int64_t rounded(double x) {
+    return static_cast<std::int64_t>(x + std::copysign(0.5, x));
+}
+
+/// So many bins of all responses lie in the caches while they are added to several sums.
+constexpr std::size_t kChunk = 256;
+
+/// Bins of a replicate that stand side by side, and which amount of each response counts for them.
+struct BinStretch {
+    std::size_t replicate, first, count;
+    std::size_t amount, amounts;  // which of how many
+};
+
+[[nodiscard]] constexpr std::size_t filled_up(std::size_t count) {
+    return (count + kAddedAtOnce - 1) / kAddedAtOnce * kAddedAtOnce;
+}
+
+/// The responses that have bins, filled up with one of them.
+std::vector<std::size_t> used_responses(std::span<const LightResponse> responses) {
+    std::vector<std::size_t> used;
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        if (!responses[k].bins.empty()) {
+            used.push_back(k);
+        }
+    }
+    used.resize(filled_up(used.size()), used.empty() ? 0 : used.front());
+    return used;
+}
+
+/// By how much responses count, [response][sum]: those that fill up, by nothing.
+std::vector<double> factors_of(
+    std::span<const std::size_t> used,
+    std::span<const std::vector<double>* const> amounts,
+    const BinStretch& bins) {
+    const std::size_t sums = filled_up(amounts.size());
+    std::vector<double> factors(used.size() * sums);
+    for (std::size_t k = 0; k < used.size(); ++k) {
+        const bool fills_up = k > 0 && used[k] == used.front();
+        for (std::size_t i = 0; i < amounts.size() && !fills_up; ++i) {
+            factors[k * sums + i] = (*amounts[i])[used[k] * bins.amounts + bins.amount];
+        }
+    }
+    return factors;
+}
+
+/// Adds all responses to each of several sums.
+/// @param to  where the stretch begins in each
+void add_all(
+    std::span<const LightResponse> responses,
+    std::span<const std::vector<double>* const> amounts,
+    const BinStretch& bins,
+    std::span<double* const> to) {
+    static const AddResponses add = best_add_responses();
+    const std::vector<std::size_t> used = used_responses(responses);
+    const std::vector<double> factors = factors_of(used, amounts, bins);
+    std::vector<double> nowhere(kChunk);
+    std::vector<double*> at(filled_up(to.size()), nowhere.data());
+    std::vector<const float*> from(used.size());
+    for (std::size_t begin = 0; begin < bins.count; begin += kChunk) {
+        for (std::size_t k = 0; k < used.size(); ++k) {
+            from[k] = &responses[used[k]].bins[bins.replicate][bins.first + begin];
+        }
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            at[i] = to[i] + begin;
+        }
+        const std::size_t count = std::min(kChunk, bins.count - begin);
+        add(from.data(), factors.data(), used.size(), count, at.size(), at.data());
+    }
+}
+
+}  // namespace
+
+LightSum::LightSum(const SumLayout& layout, std::size_t replicates)
+    : layout_(layout),
+      bins_(replicates, std::vector<double>(layout.bins())),
+      emitted_(layout.bands) {}
+
+void LightSum::combine(
+    std::span<const LightResponse> responses,
+    std::span<const std::vector<double>> amounts,
+    std::span<LightSum> sums,
+    unsigned threads) {
+    EXPECT(!sums.empty() && sums.size() == amounts.size());
+    const LightSum& any = sums.front();
+    const std::vector<BinPart> parts = bin_parts(any.layout_);
+    const BinPlaces places(any.layout_);
+    const std::size_t bands = any.layout_.bands;
+    std::vector<std::size_t> lit;  // most hours of a night have nothing
+    std::vector<const std::vector<double>*> amounts_of_lit;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const auto is_some = [](double amount) { return amount != 0; };
+        if (std::any_of(amounts[i].begin(), amounts[i].end(), is_some)) {
+            lit.push_back(i);
+            amounts_of_lit.push_back(&amounts[i]);
+        }
+    }
+    parallel_blocks(any.bins_.size() * parts.size(), threads, [&](std::uint64_t block, unsigned) {
+        const std::size_t replicate = block / parts.size();
+        const std::size_t p = block % parts.size();
+        for (LightSum& sum : sums) {
+            std::fill_n(&sum.bins_[replicate][places.first(p)], places.count(p), 0.0);
+        }
+        if (!parts[p].is_light() || lit.empty()) {
+            return;
+        }
+        std::vector<double*> to;
+        to.reserve(lit.size());
+        for (const std::size_t i : lit) {
+            to.push_back(&sums[i].bins_[replicate][places.first(p)]);
+        }
+        add_all(
+            responses, amounts_of_lit,
+            {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands}, to);
+    });
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i].set_emitted(responses, amounts[i]);
+    }
+}
+
+void LightSum::set_emitted(
+    std::span<const LightResponse> responses, std::span<const double> amounts) {
+    const std::size_t bands = layout_.bands;
+    emitted_.assign(bands, 0);
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        for (std::size_t b = 0; b < bands && !responses[k].bins.empty(); ++b) {
+            emitted_[b] += amounts[2 * k * bands + b] * responses[k].emitted[b];
+        }
+    }
+}
+
+void LightSum::add(const LightResponse& response, std::span<const double> amounts) {
+    std::vector<double> factors;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        factors.push_back(bin.is_light() ? amounts[bin.amount(layout_.bands)] : 0);
+    }
+    add_parts(response, factors);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        emitted_[b] += amounts[b] * response.emitted[b];
+    }
+}
+
+void LightSum::add_suns(const LightResponse& response, double factor) {
+    std::vector<double> factors;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        const bool is_suns = bin.kind == BinPart::Kind::direct || bin.kind == BinPart::Kind::sunlit;
+        factors.push_back(is_suns ? factor : 0);
+    }
+    add_parts(response, factors);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        emitted_[b] += factor * response.emitted[b];
+    }
+}
+
+/// @param factors  of the bins of each region, then of those of the run
+void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
+    EXPECT(response.bins.size() == bins_.size() || bins_.size() == 1);
+    const BinPlaces places(layout_);
+    const double share =
+        static_cast<double>(bins_.size()) / static_cast<double>(response.bins.size());
+    for (std::size_t r = 0; r < response.bins.size(); ++r) {
+        for (std::size_t part = 0; part < factors.size(); ++part) {
+            const float* from = &response.bins[r][places.first(part)];
+            double* to = &bins_[r % bins_.size()][places.first(part)];
+            const double factor = share * factors[part];
+            for (std::size_t i = 0; factor != 0 && i < places.count(part); ++i) {
+                to[i] += factor * static_cast<double>(from[i]);
+            }
+        }
+    }
+}
+
+LightSum& LightSum::operator+=(const LightSum& other) {
+    for (std::size_t r = 0; r < bins_.size(); ++r) {
+        for (std::size_t i = 0; i < bins_[r].size(); ++i) {
+            bins_[r][i] += other.bins_[r][i];
+        }
+    }
+    for (std::size_t b = 0; b < emitted_.size(); ++b) {
+        emitted_[b] += other.emitted_[b];
+    }
+    return *this;
+}
+
+void LightSum::raise(std::span<const double> parts) {
+    const BinPlaces places(layout_);
+    for (std::vector<double>& bins : bins_) {
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            bins[i] += parts[i] * bins[i];
+        }
+        const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) {
+                std::copy_n(
+                    &bins[places.of(from + i)], places.count(from + i), &bins[places.of(to + i)]);
+            }
+        };
+        // Bins of region 0 are parts.
+        copy(
+            layout_.scattered(0, SurfaceSide::upper),
+            layout_.coarse_scattered(0, SurfaceSide::upper), 2 * layout_.bands);
+        for (std::size_t b = 0; b < 3 * layout_.bands; ++b) {
+            bins[layout_.coarse_escaped() + b] = bins[layout_.escaped_scattered() + b];
+        }
+    }
+}
+
+LightSum LightSum::averaged() const {
+    LightSum average(layout_, 1);
+    average.emitted_ = emitted_;
+    const auto count = static_cast<double>(bins_.size());
+    for (const std::vector<double>& bins : bins_) {
+        for (std::size_t i = 0; i < bins.size(); ++i) {
+            average.bins_[0][i] += bins[i] / count;
+        }
+    }
+    return average;
+}
+
+LightSpread LightSum::spread(std::span<const double> errors) const {
+    const BinPlaces places(layout_);
+    const auto count = static_cast<double>(bins_.size());
+    LightSpread spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
+    std::vector<double> light(bins_.size());
+    for (std::size_t i = 0; i < layout_.regions * layout_.bands; ++i) {
+        const std::size_t region = i / layout_.bands;
+        const std::size_t band = i % layout_.bands;
+        std::vector<std::size_t> own;
+        for (const SurfaceSide side : kSurfaceSides) {
+            own.push_back(places.of(layout_.direct(region, side, band)));
+            own.push_back(places.of(layout_.scattered(region, side) + band));
+        }
+        std::fill(light.begin(), light.end(), 0);
+        double error = 0;
+        for (std::size_t k = 0; k < own.size() * light.size(); ++k) {
+            const std::size_t place = own[k % own.size()];
+            const double value = bins_[k / own.size()][place];
+            light[k / own.size()] += value;
+            error += errors.empty() ? 0 : errors[place] * value / count;
+        }
+        const Estimate found = estimate_mean(light);
+        spread.light[band] += found.mean;
+        spread.variance[band] += found.standard_error * found.standard_error + error * error;
+    }
+    return spread;
+}
+
+bool LightSum::is_dark() const {
+    return std::all_of(emitted_.begin(), emitted_.end(), [](double x) { return x == 0; });
+}
+
+/// @param units  light of a unit, by bin of a region and then of the run
+ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> units) const {
+    const std::size_t stride = layout_.stride();
+    const BinPlaces places(layout_);
+    ExactBins bins(layout_.bins());
+    const auto put = [&](std::size_t bin, double value, double unit) {
+        if (value != 0 && unit > 0) {
+            bins.add(bin, rounded(value / unit * ExactBins::kStepsPerUnit));
+        }
+    };
+    for (std::size_t part = 0; part < units.size(); ++part) {
+        const double* values = &bins_[replicate][places.first(part)];
+        for (std::size_t i = 0; i < places.count(part); ++i) {
+            const std::size_t bin = part < stride ? i * stride + part : places.first(part);
+            put(bin, values[i], units[part]);
+        }
+    }
+    return bins;
+}
+
+Sums LightSum::sums(const Reading& reading) const {
+    Sums sums;
+    sums.layout = layout_;
+    sums.paths = reading.paths;
+    sums.samples = 1;
+    sums.emitted_flux = emitted_;
+    const auto paths = static_cast<double>(reading.paths);
+    for (std::size_t b = 0; b < layout_.bands; ++b) {
+        sums.units.flux.push_back(emitted_[b] / kUnits);
+        sums.units.flux_per_find.push_back(emitted_[b] / paths);
+        sums.spectra.emplace_back(layout_.bands);
+        sums.spectra.back()[b] = 1;
+    }
+    sums.units.sunlit_area = reading.sunlit_area / kUnits;
+    sums.units.sunlit_area_per_find = reading.sunlit_area / paths;
+    std::vector<double> units;
+    for (const BinPart& bin : bin_parts(layout_)) {
+        const bool is_area = bin.kind == BinPart::Kind::sunlit;
+        units.push_back(is_area ? sums.units.sunlit_area : sums.units.flux[bin.band]);
+    }
+    for (std::size_t r = 0; r < bins_.size(); ++r) {
+        sums.replicates.push_back(exact_bins(r, units));
+    }
+    return sums;
+}
+
+}  // namespace quasimc

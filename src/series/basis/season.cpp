@@ -1,0 +1,310 @@
+// A series whose times are computed together. What all of them have in common is solved first
+// (series/basis/season_basis.h); then each time is put together from it, and the light straight
+// from its suns is found for each by itself (series/basis/season_suns.h).
+
+#include "series/basis/season.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/process_time.h"
+#include "results/bounds/patch_error.h"
+#include "results/means.h"
+#include "run/early_stop.h"
+#include "run/evaluation_of.h"
+#include "series/basis/season_basis.h"
+#include "series/basis/season_suns.h"
+
+namespace quasimc {
+namespace {
+
+/// Of the progress of a series, the part that what its times have in common takes.
+constexpr double kShareOfBasis = 0.5;
+/// Times that are put together at once take about so much memory, and are at most so many.
+constexpr double kWindowBytes = 256e6, kMostInWindow = 16;
+
+/// Groups as SeriesSum has them.
+GroupResults without_fractions(GroupResults groups) {
+    groups.sunlit_fraction.clear();
+    groups.sunlit_area.clear();
+    groups.ratio_values.clear();
+    groups.ratios = 0;
+    return groups;
+}
+
+class Season {
+  public:
+    explicit Season(const SeriesInput& input) : in_(input), early_(input.stop) {
+        for (const Region& region : in_.scene.regions()) {
+            area_ += region.area;
+        }
+        if (in_.spec.max_seconds > 0) {
+            early_.set_limit(in_.spec.max_seconds);
+        }
+        number_traces();
+    }
+
+    SeriesSummary run() {
+        prepare();
+        day_.emplace(*basis_, in_.spec.replicates);
+        total_.emplace(*basis_, in_.spec.replicates);
+        walk_series(
+            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
+            summary_);
+        if (in_.events.wants_total) {
+            summary_.total = sum_of(*total_);
+        }
+        summary_.seconds = watch_.seconds();
+        summary_.trace_seconds = watch_.seconds();
+        summary_.trace_cpu_seconds = watch_.cpu_seconds();
+        return std::move(summary_);
+    }
+
+  private:
+    /// Light that is summed over times.
+    struct Period {
+        Period(const SeasonBasis& basis, std::size_t replicates)
+            : amounts(basis.no_light()), suns(basis.layout(), replicates) {}
+        SeasonBasis::Amounts amounts;  ///< x s, of the directions
+        LightSum suns;                 ///< x s
+        double seconds = 0;
+    };
+
+    /// Times that are put together at once: responses are read once for all of them.
+    struct Window {
+        std::size_t first = 0, end = 0;
+        std::vector<SeasonBasis::Amounts> amounts;
+        std::vector<LightSum> light;
+        std::vector<std::optional<LightResponse>> suns;
+    };
+
+    /// The basis has the first seed of the series, each time that is lit the next.
+    void number_traces() {
+        std::uint64_t last = 0;
+        for (const TimeStep& step : in_.time_steps) {
+            const bool is_lit = !shining(step.sources, Shining::suns).empty() ||
+                                !shining(step.sources, Shining::skies).empty();
+            traces_.push_back(is_lit ? ++last : 0);
+        }
+    }
+
+    [[nodiscard]] SunsOfTime suns_of(std::size_t i) const {
+        return {shining(in_.time_steps[i].sources, Shining::suns), traces_[i]};
+    }
+
+    /// Computes what all times have in common, and how closely suns are to be looked at.
+    void prepare() {
+        try {
+            basis_.emplace(
+                in_.simulator, in_.scene, in_.time_steps, in_.spec,
+                SeasonBasis::Control{
+                    [this](double part) { tell_progress(kShareOfBasis * part); }, early_.token()});
+            summary_.rays += basis_->rays();
+            suns_.emplace(in_.simulator, in_.scene, in_.spec, basis_->layout(), early_.token());
+            choose_pixels();
+            tell_progress(kShareOfBasis);
+        } catch (const Stopped&) {
+            throw Stopped(
+                early_.why(),
+                "stopped before what all times have in common was computed: there "
+                "is no result");
+        }
+    }
+
+    void choose_pixels() {
+        std::vector<SunsOfTime> times;
+        std::vector<LightSpread> others;
+        for (const std::size_t i : basis_->left_out()) {
+            times.push_back(suns_of(i));
+            times.back().trace = in_.time_steps.size() + times.size();
+            const SeasonBasis::Amounts amounts =
+                basis_->amounts_of(in_.time_steps[i].sources, nullptr);
+            others.push_back(basis_->light_of(amounts).spread(basis_->errors()));
+        }
+        suns_->choose_pixels(times, others);
+    }
+
+    void tell_progress(double fraction) const {
+        if (in_.events.on_progress && fraction > 0) {
+            in_.events.on_progress({fraction, watch_.seconds(), watch_.seconds() / fraction, 0});
+        }
+    }
+
+    /// As many times as memory may hold.
+    [[nodiscard]] std::size_t window_size() const {
+        const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
+                            static_cast<double>(in_.spec.replicates);
+        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMostInWindow));
+    }
+
+    void fill_window(std::size_t first) {
+        window_.amounts.clear();
+        window_.first = first;
+        window_.end = std::min(first + window_size(), in_.time_steps.size());
+        std::vector<SunsOfTime> suns;
+        for (std::size_t i = first; i < window_.end; ++i) {
+            suns.push_back(suns_of(i));
+        }
+        window_.suns = suns_->light_of(suns);
+        for (std::size_t i = first; i < window_.end; ++i) {
+            const std::optional<LightResponse>& own = window_.suns[i - first];
+            window_.amounts.push_back(
+                basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
+        }
+        basis_->find_light(window_.amounts, window_.light);
+    }
+
+    /// @throws Stopped  before there is a result of it
+    void compute(std::size_t i) {
+        try {
+            if (early_.token().stop_requested()) {
+                throw Stopped(early_.why(), "");
+            }
+            if (i >= window_.end) {
+                fill_window(i);
+            }
+        } catch (const Stopped&) {
+            throw Stopped(
+                early_.why(), "stopped before the first time was complete: there is no result");
+        }
+        const TimeStep& step = in_.time_steps[i];
+        const std::size_t at = i - window_.first;
+        const std::optional<LightResponse>& suns = window_.suns[at];
+        for (Period* period : {&*day_, &*total_}) {
+            for (std::size_t k = 0; k < window_.amounts[at].size(); ++k) {
+                period->amounts[k] += step.seconds * window_.amounts[at][k];
+            }
+            if (suns) {
+                period->suns.add_suns(*suns, step.seconds);
+            }
+            period->seconds += step.seconds;
+        }
+        if (traces_[i] > 0) {
+            ++summary_.traced;
+            ++summary_.methods[Method::ray_bundles];
+        }
+        if (in_.events.on_time_step) {
+            in_.events.on_time_step(
+                i,
+                result_of(
+                    window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
+                    step.sources),
+                i);
+        }
+        tell_progress(
+            kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
+                                static_cast<double>(in_.time_steps.size()));
+    }
+
+    /// How many paths may stand for the light of so many suns, of which pixels see as much at most.
+    [[nodiscard]] std::uint64_t paths_of(std::size_t suns) const {
+        const double pixels = suns_->pixels() * static_cast<double>(suns);
+        return suns == 0 ? in_.spec.paths
+                         : static_cast<std::uint64_t>(
+                               std::min(pixels, static_cast<double>(in_.spec.paths)));
+    }
+
+    /// Light straight from suns, in either form.
+    struct LightOfSuns {
+        const LightResponse* of_time;  ///< none: no sun shines
+        const LightSum* of_period;
+
+        [[nodiscard]] bool is_dark() const {
+            return (of_time == nullptr || of_time->is_dark()) &&
+                   (of_period == nullptr || of_period->is_dark());
+        }
+        void add_to(LightSum& light, LightSum& average) const {
+            if (of_time != nullptr) {
+                light.add_suns(*of_time, 1);
+                average.add_suns(*of_time, 1);
+            }
+            if (of_period != nullptr) {
+                light += *of_period;
+                average += of_period->averaged();
+            }
+        }
+    };
+
+    /// @param light  all other; gets that of the suns as well
+    /// @param sources  of the time; empty for sums over times
+    [[nodiscard]] Result result_of(
+        LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
+        if (light.is_dark() && suns.is_dark()) {
+            Result dark = dark_result(in_.scene, in_.spec);
+            dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
+            return dark;
+        }
+        LightSum raised = light.averaged();
+        raised.raise(basis_->errors());
+        suns.add_to(light, raised);
+        const std::size_t sunny = shining(sources, Shining::suns).size();
+        const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
+        const EvaluationSpec asked = evaluation_of(in_.scene, sources, in_.spec);
+        Result result = evaluate(light.sums(reading), in_.scene, asked);
+        add_errors(
+            evaluate_means(
+                coarser_sums(raised.sums(reading)), in_.scene, asked, result.groups.groups),
+            result);
+        result.chosen = {
+            Method::ray_bundles,
+            fmt::format(
+                "as asked for: all times together, from the light of {} directions and times",
+                basis_->lights())};
+        return result;
+    }
+
+    [[nodiscard]] SeriesSum sum_of(const Period& period) const {
+        LightSum light = basis_->light_of(period.amounts);
+        Result result = result_of(light, {.of_time = nullptr, .of_period = &period.suns}, {});
+        return {
+            .bands = result.bands,
+            .seconds = period.seconds,
+            .values = std::move(result.values),
+            .groups = without_fractions(std::move(result.groups))};
+    }
+
+    void finish_day(std::size_t last) {
+        if (in_.events.on_day) {
+            in_.events.on_day(in_.time_steps[last].day, sum_of(*day_));
+        }
+        day_.emplace(*basis_, in_.spec.replicates);
+    }
+
+    const SeriesInput& in_;
+    EarlyStop early_;
+    Stopwatch watch_;
+    double area_ = 0;
+    std::vector<std::uint64_t> traces_;  // by time; 0: it is dark
+    std::optional<SeasonBasis> basis_;
+    std::optional<SeasonSuns> suns_;
+    std::optional<Period> day_, total_;
+    Window window_;
+    SeriesSummary summary_;
+};
+
+}  // namespace
+
+SeriesSummary run_season(const SeriesInput& input) {
+    Faults faults;
+    check_together(input.scene, input.time_steps, input.spec, faults);
+    const auto refuse = [&](bool is_so, std::string_view what) {
+        if (is_so) {
+            faults.add(
+                {"series", fmt::format("it is \"together\", with {}", what),
+                 "what all times have in common is computed by one process, in one go",
+                 "use series = \"one_by_one\""});
+        }
+    };
+    const SeriesEvents& events = input.events;
+    refuse(events.checkpoint != nullptr, "a checkpoint");
+    refuse(events.team != nullptr, "several processes");
+    refuse(static_cast<bool>(events.sums_of), "parts of a run");
+    faults.throw_if_any();
+    return Season(input).run();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,121 @@
+// Light straight from the suns of a season: looked at pixel by pixel, which for the error that is
+// asked of it costs a fifth of what scan lines do (docs/theory/time-series.md).
+
+#include "series/basis/season_suns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/stop.h"
+#include "run/simulator.h"
+#include "series/trace_spec.h"
+#include "solvers/direct/sun_pixels.h"
+
+namespace quasimc {
+namespace {
+
+/// The error of light straight from suns, as a part of that of all other light in the band where
+/// that is largest: together they are an eighth more than the other alone. Where little is
+/// scattered the other errors are small, and half of them would take most of the time.
+constexpr double kPartOfOthers = 0.5;
+/// The variance of pixels falls with this power of their number.
+constexpr double kPower = 1.5;
+/// Pixels of which the error is measured; at most so many, and at least: to project triangles costs
+/// as much as some pixels of each.
+constexpr double kTried = 65536, kMost = 2048 * 2048, kFewest = 16384, kFewestOfTriangle = 4;
+
+}  // namespace
+
+SeasonSuns::SeasonSuns(
+    Simulator& simulator,
+    const Scene& scene,
+    const RunSpec& spec,
+    const SumLayout& layout,
+    std::stop_token stop)
+    : simulator_(simulator),
+      scene_(scene),
+      spec_(spec),
+      layout_(layout),
+      stop_(std::move(stop)),
+      pixels_(kTried) {}
+
+void SeasonSuns::choose_pixels(
+    std::span<const SunsOfTime> times, std::span<const LightSpread> others) {
+    std::vector<double> own(layout_.bands), other(layout_.bands);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const std::optional<LightResponse> suns = light_of(times.subspan(i, 1)).front();
+        if (!suns) {
+            continue;
+        }
+        LightSum direct(layout_, spec_.replicates);
+        direct.add_suns(*suns, 1);
+        const LightSpread spread = direct.spread({});
+        for (std::size_t b = 0; b < layout_.bands; ++b) {
+            const double light = spread.light[b] + others[i].light[b];
+            if (light > 0) {
+                own[b] += spread.variance[b] / (light * light);
+                other[b] += others[i].variance[b] / (light * light);
+            }
+        }
+    }
+    const double allowed =
+        kPartOfOthers * kPartOfOthers * *std::max_element(other.begin(), other.end());
+    const double largest = *std::max_element(own.begin(), own.end());
+    const double most = largest > 0 ? std::pow(largest / allowed, 1 / kPower) : 0;
+    const double fewest =
+        std::max(kFewest, kFewestOfTriangle * static_cast<double>(scene_.triangle_count()));
+    pixels_ = std::clamp(most * kTried, std::min(fewest, kMost), kMost);
+}
+
+std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
+    std::span<const SunsOfTime> times) const try {
+    const auto caster = simulator_.state_->caster_for(scene_, spec_.engine, stop_);
+    const Sampler& sampler = simulator_.state_->sampler_for(spec_.sampler);
+    struct Looked {
+        RunSpec spec;
+        std::unique_ptr<const PreparedScene> prepared;
+        std::unique_ptr<const SunPixels> pixels;
+        std::vector<SunLight> replicates;
+    };
+    std::vector<Looked> looked(times.size());
+    const unsigned threads = thread_count(spec_.threads);
+    parallel_blocks(times.size(), threads, [&](std::uint64_t i, unsigned) {
+        throw_if_stopped(stop_);
+        Looked& own = looked[i];
+        own.spec = trace_spec(spec_, {}, times[i].trace);
+        own.prepared = std::make_unique<const PreparedScene>(
+            scene_, times[i].suns, spec_.window, caster, stop_);
+        if (!own.prepared->lights().empty()) {
+            own.pixels = std::make_unique<const SunPixels>(
+                SolverInput{*own.prepared, sampler, own.spec, stop_}, pixels_);
+            own.replicates.resize(spec_.replicates);
+        }
+    });
+    std::vector<std::unique_ptr<ItemBuffer>> buffers;
+    for (unsigned i = 0; i < threads; ++i) {
+        buffers.push_back(std::make_unique<ItemBuffer>());
+    }
+    parallel_blocks(
+        times.size() * spec_.replicates, threads, [&](std::uint64_t block, unsigned worker) {
+            throw_if_stopped(stop_);
+            Looked& own = looked[block / spec_.replicates];
+            const auto replicate = static_cast<std::uint32_t>(block % spec_.replicates);
+            if (own.pixels) {
+                own.replicates[replicate] = own.pixels->find(replicate, *buffers[worker]);
+            }
+        });
+    std::vector<std::optional<LightResponse>> found(times.size());
+    parallel_blocks(times.size(), threads, [&](std::uint64_t i, unsigned) {
+        if (looked[i].pixels) {
+            found[i] = response_of_suns(looked[i].replicates, layout_);
+        }
+    });
+    return found;
+} catch (const StopRequested&) {
+    throw Stopped(StopReason::interrupted, "stopped before the light of the suns was found");
+}
+
+}  // namespace quasimc

@@ -1,0 +1,299 @@
+// A series: the light of many moments on one scene.
+//
+// Moments that are lit alike, but for one factor, share a trace. A result is kept until no later
+// moment needs it and the sums it counts for are done, so that a season takes no more memory than a
+// day.
+
+#include "quasimc/series.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/process_time.h"
+#include "results/evaluate.h"
+#include "results/flows.h"
+#include "results/groups.h"
+#include "run/simulator.h"
+#include "series/basis/season.h"
+#include "series/series_sum.h"
+#include "series/trace_spec.h"
+
+namespace quasimc {
+namespace {
+
+/// @throws InputError  if moments are not in the order of their days
+void check_order(const std::vector<TimeStep>& time_steps) {
+    Faults faults;
+    for (std::size_t i = 1; i < time_steps.size(); ++i) {
+        const TimeStep& before = time_steps[i - 1];
+        const TimeStep& own = time_steps[i];
+        if (own.day < before.day) {
+            faults.add(
+                {own.name.empty() ? fmt::format("time {}", i + 1) : own.name,
+                 fmt::format("it is of day {}, after one of day {}", own.day, before.day),
+                 "the sum of a day is made when its last time is done",
+                 "sort the times by their days"});
+        }
+    }
+    faults.throw_if_any();
+}
+
+/// Traces a series, moment by moment.
+class SeriesRun {
+  public:
+    explicit SeriesRun(const SeriesInput& input)
+        : in_(input), plans_(plan_traces(in_.scene, in_.time_steps, in_.spec)) {
+        groups_.groups = make_groups(in_.scene, group_spec(in_.spec));
+        groups_.bands = in_.scene.bands().size();
+        groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
+        for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
+            effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
+            if (plans_[i].factor > 0) {
+                last_traced_ = std::max(last_traced_, plans_[i].traced);
+                last_use_[plans_[i].traced] = i;
+            }
+        }
+        effort_ = effort_left_;
+    }
+
+    SeriesSummary run() {
+        walk_series(
+            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
+            summary_);
+        if (summary_.done < in_.time_steps.size()) {
+            add_to_total(in_.time_steps.size());
+        }
+        if (in_.events.wants_total) {
+            summary_.total = sum_of(total_);
+        }
+        summary_.seconds = seconds();
+        const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
+        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
+        return std::move(summary_);
+    }
+
+  private:
+    /// A trace that is still needed, and what it counts for.
+    struct Kept {
+        Result result;
+        double day_weight = 0, total_weight = 0;
+    };
+
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(Clock::now() - start_).count();
+    }
+
+    /// @throws Stopped  before there is a result of a moment
+    void compute(std::size_t i) {
+        const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
+        if (i > 0 && (in_.stop.stop_requested() || (needs_trace && is_time_up()))) {
+            throw Stopped(
+                in_.stop.stop_requested() ? StopReason::interrupted : StopReason::time_is_up, "");
+        }
+        trace(i);
+    }
+
+    [[nodiscard]] bool is_time_up() const {
+        return in_.spec.max_seconds > 0 && seconds() >= in_.spec.max_seconds;
+    }
+
+    void trace(std::size_t i) {
+        const TimeStepPlan& plan = plans_[i];
+        if (plan.traced == i && plan.factor > 0) {
+            kept_[i].result = trace_one(i);
+        }
+        const TimeStep& time_step = in_.time_steps[i];
+        day_.add_seconds(time_step.seconds);
+        total_.add_seconds(time_step.seconds);
+        if (plan.factor == 0) {
+            if (!dark_) {
+                dark_ = dark_result(in_.scene, in_.spec);
+            }
+            tell(i, *dark_);
+            return;
+        }
+        Kept& kept = kept_[plan.traced];
+        kept.day_weight += plan.factor * time_step.seconds;
+        kept.total_weight += plan.factor * time_step.seconds;
+        if (plan.traced == i) {
+            tell(i, kept.result);
+        } else if (in_.events.on_time_step) {
+            tell(i, scaled(kept.result, plan.factor));
+        }
+    }
+
+    void tell(std::size_t i, const Result& result) {
+        if (in_.events.on_time_step) {
+            in_.events.on_time_step(i, result, plans_[i].factor > 0 ? plans_[i].traced : i);
+        }
+    }
+
+    Result trace_one(std::size_t i) {
+        RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
+        // Without any time there would be no result at all.
+        constexpr double kForFirst = 1;
+        RunControl control{
+            .on_progress = progress_of(i),
+            .stop = in_.stop,
+            .seconds_after_stop = i == 0 ? kForFirst : 0,
+            .checkpoint = in_.events.checkpoint,
+            .team = in_.events.team,
+            .moment = i,
+            .preview = in_.events.preview,
+            .is_last = in_.events.is_last && i == last_traced_};
+        share_time(plans_[i].effort, spec, control);
+        Result result = run_one(i, spec, control);
+        effort_left_ -= plans_[i].effort;
+        ++summary_.traced;
+        if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
+            ++summary_.cut_short;
+            end_series(result.stop, summary_);
+        }
+        ++summary_.methods[result.chosen.method];
+        const bool is_unlit = result.stop == StopReason::no_light;
+        summary_.unlit += is_unlit ? 1 : 0;
+        summary_.at_target += is_unlit || result.stop == StopReason::target_reached ? 1 : 0;
+        summary_.rays += result.rays;
+        summary_.build_seconds += result.build_seconds;
+        summary_.trace_seconds += result.trace_seconds;
+        summary_.trace_cpu_seconds += result.trace_cpu_seconds;
+        if (result.audit) {
+            ++summary_.audited;
+            least_chance_ = std::min(least_chance_, result.audit->chance);
+        }
+        return result;
+    }
+
+    /// The run of a moment. One that is stopped before it has a result has taken time as well.
+    Result run_one(std::size_t i, const RunSpec& spec, RunControl control) {
+        const Stopwatch watch;
+        try {
+            std::optional<GivenSums> given;
+            if (in_.events.sums_of) {
+                given = in_.events.sums_of(i, spec, control);
+            }
+            if (given) {
+                control.sums = &given->sums;
+                control.team = nullptr;
+            }
+            Result result = in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+            if (given) {
+                result.trace_seconds += given->seconds;
+                result.trace_cpu_seconds += given->cpu_seconds;
+            }
+            return result;
+        } catch (const Stopped&) {
+            summary_.trace_seconds += watch.seconds();
+            summary_.trace_cpu_seconds += watch.cpu_seconds();
+            throw;
+        }
+    }
+
+    /// Gives a trace its share of the time that is left. Its first paths may take all of it.
+    void share_time(double effort, RunSpec& spec, RunControl& control) const {
+        if (in_.spec.max_seconds == 0 || in_.time_steps.size() == 1) {
+            return;
+        }
+        constexpr double kGrace = 0.25;
+        constexpr double kLeast = 1e-3;
+        const double left = std::max(in_.spec.max_seconds - seconds(), kLeast);
+        spec.max_seconds = left * effort / std::max(effort, effort_left_);
+        control.grace_seconds = left + kGrace - spec.max_seconds;
+    }
+
+    /// Progress of the series: a trace takes as long as its effort, and dark times take none.
+    [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
+        if (!in_.events.on_progress) {
+            return {};
+        }
+        return [this, i](const Progress& own) {
+            const double done = effort_ - effort_left_ + own.fraction * plans_[i].effort;
+            const double fraction = done / effort_;
+            in_.events.on_progress(
+                {fraction, seconds(), fraction > 0 ? seconds() / fraction : 0,
+                 own.fraction_at_target});
+        };
+    }
+
+    [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
+        const std::size_t bands = in_.scene.bands().size();
+        return adder.sum(bands, in_.scene.organs().size() * kQuantities * bands, groups_);
+    }
+
+    void finish_day(std::size_t last) {
+        for (auto& [i, kept] : kept_) {
+            if (in_.events.on_day && kept.day_weight > 0) {
+                day_.add(kept.result, kept.day_weight);
+                kept.day_weight = 0;
+            }
+        }
+        add_to_total(last);
+        if (in_.events.on_day) {
+            in_.events.on_day(in_.time_steps[last].day, sum_of(day_));
+        }
+        day_ = {};
+    }
+
+    /// Forgets the traces that no moment after `last` needs, once the total has them.
+    void add_to_total(std::size_t last) {
+        for (auto it = kept_.begin(); it != kept_.end();) {
+            const Kept& kept = it->second;
+            const bool is_needed = last_use_[it->first] > last;
+            if (in_.events.wants_total && !is_needed && kept.total_weight > 0) {
+                total_.add(kept.result, kept.total_weight);
+            }
+            it = is_needed ? std::next(it) : kept_.erase(it);
+        }
+    }
+
+    using Clock = std::chrono::steady_clock;
+
+    const SeriesInput& in_;
+    Clock::time_point start_ = Clock::now();
+    std::vector<TimeStepPlan> plans_;
+    std::size_t last_traced_ = 0;
+    std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
+    std::map<std::size_t, Kept> kept_;
+    SeriesAdder day_, total_;
+    GroupResults groups_;         // of darkness
+    std::optional<Result> dark_;  // once it was needed
+    double least_chance_ = 1;     // of an audit
+    double effort_ = 0;           // of all traces
+    double effort_left_ = 0;      // of those still to be done
+    SeriesSummary summary_;
+};
+
+}  // namespace
+
+SeriesSummary run_series(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events,
+    const std::stop_token& stop) {
+    Simulator simulator;
+    SeriesEvents last = events;
+    last.is_last = true;
+    return run_series(simulator, scene, time_steps, spec, last, stop);
+}
+
+SeriesSummary run_series(
+    Simulator& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const SeriesEvents& events,
+    const std::stop_token& stop) {
+    check_order(time_steps);
+    const SeriesInput input{simulator, scene, time_steps, spec, events, stop};
+    return spec.series == SeriesMode::together ? run_season(input) : SeriesRun(input).run();
+}
+
+}  // namespace quasimc

@@ -1,0 +1,56 @@
+#include <string_view>
+
+#include "quasimc/series.h"
+#include "series/trace_spec.h"
+
+namespace quasimc {
+namespace {
+
+/// A share of a run does not see the others: it can't know when all of them together are done.
+void check_share(const RunSpec& spec, Faults& faults) {
+    const auto refuse = [&](bool is_stated, std::string_view key, std::string_view why) {
+        if (is_stated) {
+            faults.add(
+                {std::string(key), "a part of a run can't keep to it", std::string(why),
+                 "leave it out, and state paths"});
+        }
+    };
+    refuse(spec.target_error > 0, "target_error", "errors are those of all parts together");
+    refuse(spec.max_seconds > 0, "max_seconds", "all parts must trace the same paths");
+    refuse(spec.max_paths > 0, "max_paths", "a part is of one round of paths");
+    refuse(
+        spec.series == SeriesMode::together, "series",
+        "what all times have in common is computed in one go");
+    refuse(spec.audit > 0, "audit", "it compares the results of all parts together");
+}
+
+}  // namespace
+
+void trace_share(
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const Share& share,
+    const std::function<void(std::size_t time_step, const Sums& sums)>& on_sums,
+    const RunControl& control) {
+    Faults faults;
+    check_share(spec, faults);
+    faults.throw_if_any();
+    const std::vector<Trace> traces = traces_of(scene, time_steps, spec);
+    Simulator simulator;
+    for (std::size_t n = 0; n < traces.size(); ++n) {
+        const auto& [i, own_spec] = traces[n];
+        RunControl own{.stop = control.stop};
+        if (control.on_progress) {
+            own.on_progress = [&](const Progress& progress) {
+                Progress of_all = progress;
+                of_all.fraction = (static_cast<double>(n) + progress.fraction) /
+                                  static_cast<double>(traces.size());
+                control.on_progress(of_all);
+            };
+        }
+        on_sums(i, simulator.sums(scene, time_steps[i].sources, own_spec, 0, share, own));
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,59 @@
+#include "series/trace_spec.h"
+
+#include <algorithm>
+
+#include "samplers/hash.h"
+#include "solvers/run_limits.h"
+
+namespace quasimc {
+namespace {
+
+/// A seed for each trace (SplitMix64: Steele, Lea and Flood 2014); the first has the series' own.
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
+    return trace == 0 ? seed : mix64(seed + trace * 0x9E3779B97F4A7C15U);
+}
+
+}  // namespace
+
+std::vector<TimeStepPlan> plan_traces(
+    const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
+    std::vector<TimeStepPlan> plans = plan_series(time_steps);
+    if (spec.effort == Effort::day) {
+        spread_effort(scene, time_steps, plans);
+    }
+    return plans;
+}
+
+std::vector<Trace> traces_of(
+    const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
+    const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
+    std::vector<Trace> traces;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (plans[i].factor > 0 && plans[i].traced == i) {
+            traces.push_back({i, trace_spec(spec, plans[i], traces.size())});
+        }
+    }
+    return traces;
+}
+
+RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_t trace) {
+    constexpr std::uint64_t kFewestPaths = 64;
+    RunSpec spec = series;
+    if (plan.effort != 1) {
+        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMostPaths;
+        const auto shared = [&](std::uint64_t paths) {
+            const double part = plan.effort * static_cast<double>(paths);
+            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths));
+        };
+        spec.paths = shared(series.paths);
+        // Halves of a power of two are one, as some samplers need it.
+        for (; spec.paths > most; spec.paths /= 2) {
+        }
+        spec.max_paths = series.max_paths > 0 ? std::min(shared(series.max_paths), most) : 0;
+    }
+    spec.target_error = std::min(1.0, series.target_error * plan.target);
+    spec.seed = seed_of(series.seed, trace);
+    return spec;
+}
+
+}  // namespace quasimc

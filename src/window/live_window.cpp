@@ -1,0 +1,245 @@
+#include "window/live_window.h"
+
+#include <array>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "window/window_names.h"
+#include "window/window_parts.h"
+#include "window/window_shape.h"
+
+namespace quasimc {
+namespace {
+
+std::int64_t now_in_ms() {
+    using namespace std::chrono;
+    return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+/// What a frame keeps in memory, about. @param is_new  its scene is no other frame's
+std::size_t bytes_of(const LiveFrame& frame, bool is_new) {
+    constexpr std::size_t kTriangle = 100, kOrgan = 300;
+    const Scene& scene = *frame.scene->scene;
+    std::size_t bytes = is_new ? scene.triangle_count() * kTriangle : 0;
+    bytes += is_new ? scene.organs().size() * kOrgan : 0;
+    for (const Result& result : *frame.results) {
+        bytes += sizeof(Estimate) * (result.values.size() + result.sunlit_fraction.size() +
+                                     result.ratio_values.size());
+    }
+    return bytes;
+}
+
+/// The numbers of a column, as far as they are known.
+class ColumnValues {
+  public:
+    ColumnValues(const LiveFrame& frame, std::size_t column)
+        : frame_(frame), bands_(frame.scene->bands.size()), column_(column) {}
+
+    /// Whether there is anything.
+    [[nodiscard]] bool is_known() const {
+        const auto& results = *frame_.results;
+        const std::size_t quantities = kQuantities * bands_;
+        if (column_ < quantities) {
+            const std::size_t index = result_of_band();
+            return index < results.size() && !results[index].values.empty();
+        }
+        if (results.empty() || results.front().values.empty()) {
+            return false;
+        }
+        return column_ == quantities ? !results.front().sunlit_fraction.empty()
+                                     : !results.front().ratio_values.empty();
+    }
+
+    /// Means, standard errors, low and high ends of all organs, single precision.
+    [[nodiscard]] std::string bytes() const {
+        const std::size_t organs = frame_.scene->scene->organs().size();
+        std::vector<Estimate> column(organs);
+        for (std::size_t i = 0; i < organs; ++i) {
+            column[i] = reported(at(i));
+        }
+        return window_values(column);
+    }
+
+  private:
+    [[nodiscard]] std::size_t band() const { return column_ % bands_; }
+    [[nodiscard]] std::size_t result_of_band() const {
+        return frame_.results->size() > 1 ? band() : 0;
+    }
+    /// Columns of quantities stand as window_columns() has them.
+    [[nodiscard]] Quantity quantity() const {
+        const std::size_t place = column_ / bands_;
+        const auto first = static_cast<std::size_t>(Quantity::absorbed_flux_density);
+        const std::size_t index = place == 0 ? first : place <= first ? place - 1 : place;
+        return static_cast<Quantity>(index);
+    }
+    [[nodiscard]] Estimate at(std::size_t organ) const {
+        const std::size_t quantities = kQuantities * bands_;
+        if (column_ < quantities) {
+            const Result& result = (*frame_.results)[result_of_band()];
+            return result.at(organ, quantity(), frame_.results->size() > 1 ? 0 : band());
+        }
+        const Result& first = frame_.results->front();
+        return column_ == quantities ? first.sunlit_fraction[organ]
+                                     : first.ratio(organ, column_ - quantities - 1);
+    }
+
+    const LiveFrame& frame_;
+    std::size_t bands_, column_;
+};
+
+std::vector<WindowColumn> columns_of(const LiveScene& scene) {
+    return window_columns(scene.bands, scene.scene->length_unit(), scene.ratios);
+}
+
+std::string scene_json(const LiveScene& scene) {
+    Json json = json_window_scene(*scene.scene, columns_of(scene));
+    json["title"] = scene.title;
+    json["grows"] = scene.grows;
+    return json_text_with(json, "head", scene.head);
+}
+
+/// Columns that have values carry their own number, others -1.
+std::string light_json(const LiveFrame& frame) {
+    Json json = json_lights(frame.sources, window_middle(*frame.scene->scene));
+    json["label"] = frame.label;
+    Json& values = json["values"] = Json::array();
+    const std::size_t count = columns_of(*frame.scene).size();
+    for (std::size_t i = 0; i < count; ++i) {
+        values.push_back(ColumnValues(frame, i).is_known() ? static_cast<std::int64_t>(i) : -1);
+    }
+    return json_text_with(json, "head", frame.head);
+}
+
+WindowFile made(std::string_view type, std::string text) {
+    auto owner = std::make_shared<const std::string>(std::move(text));
+    return {type, *owner, owner};
+}
+
+}  // namespace
+
+void LiveWindow::add(LiveFrame frame) {
+    const std::lock_guard lock(mutex_);
+    put({.number = ++frame_count_}, std::move(frame));
+}
+
+void LiveWindow::replace_newest(LiveFrame frame) {
+    const std::lock_guard lock(mutex_);
+    if (frames_.empty()) {
+        put({.number = ++frame_count_}, std::move(frame));
+        return;
+    }
+    const std::uint64_t number = frames_.back().number;
+    bytes_ -= frames_.back().bytes;
+    const Kept old = std::move(frames_.back());
+    frames_.pop_back();
+    const bool is_same = old.frame->scene == frame.scene;
+    put({.number = number, .scene = is_same ? old.scene : 0}, std::move(frame));
+}
+
+/// @param kept  without a scene: that of the frame before, if it is the same
+void LiveWindow::put(Kept kept, LiveFrame frame) {
+    const bool has_same = !frames_.empty() && frames_.back().frame->scene == frame.scene;
+    if (kept.scene == 0) {
+        kept.scene = has_same ? frames_.back().scene : ++scene_count_;
+    }
+    kept.version = ++version_;
+    kept.bytes = bytes_of(frame, !has_same);
+    kept.frame = std::make_shared<const LiveFrame>(std::move(frame));
+    bytes_ += kept.bytes;
+    frames_.push_back(std::move(kept));
+    while (frames_.size() > 1 && (frames_.size() > limits_.frames || bytes_ > limits_.bytes)) {
+        bytes_ -= frames_.front().bytes;
+        frames_.pop_front();
+    }
+}
+
+void LiveWindow::tell(std::string words, double fraction) {
+    const std::lock_guard lock(mutex_);
+    words_ = std::move(words);
+    fraction_ = fraction;
+}
+
+void LiveWindow::end(std::string words) {
+    const std::lock_guard lock(mutex_);
+    ending_ = std::move(words);
+    words_.clear();
+}
+
+bool LiveWindow::is_watched() const {
+    constexpr std::int64_t kAwayAfter = 5000;  // pages ask several times within it
+    const std::int64_t last = last_asked_;
+    return last > 0 && now_in_ms() - last < kAwayAfter;
+}
+
+std::size_t LiveWindow::bytes() const {
+    const std::lock_guard lock(mutex_);
+    return bytes_;
+}
+
+std::optional<WindowFile> LiveWindow::file(std::string_view name) {
+    if (name == "live") {
+        last_asked_ = now_in_ms();
+        return made(kJsonType, news());
+    }
+    if (const auto numbers = numbers_behind<1>("scene", name)) {
+        const auto found = scene((*numbers)[0]);
+        return found ? std::optional(made(kJsonType, scene_json(*found))) : std::nullopt;
+    }
+    if (const auto numbers = numbers_behind<1>("shape", name)) {
+        const auto found = scene((*numbers)[0]);
+        return found ? std::optional(made(kBytesType, window_shape(*found->scene))) : std::nullopt;
+    }
+    if (const auto numbers = numbers_behind<2>("light", name)) {
+        const auto found = frame((*numbers)[0]);
+        return found ? std::optional(made(kJsonType, light_json(*found))) : std::nullopt;
+    }
+    if (const auto numbers = numbers_behind<3>("values", name)) {
+        const auto found = frame((*numbers)[0]);
+        const std::uint64_t column = (*numbers)[2];
+        if (found && column < columns_of(*found->scene).size()) {
+            const ColumnValues values(*found, column);
+            return values.is_known() ? std::optional(made(kBytesType, values.bytes()))
+                                     : std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string LiveWindow::news() const {
+    const std::lock_guard lock(mutex_);
+    Json frames = Json::array();
+    for (const Kept& kept : frames_) {
+        frames.push_back(
+            {{"number", kept.number},
+             {"version", kept.version},
+             {"scene", kept.scene},
+             {"label", kept.frame->label}});
+    }
+    return json_text(
+        {{"words", words_}, {"fraction", fraction_}, {"ended", ending_}, {"frames", frames}});
+}
+
+std::shared_ptr<const LiveFrame> LiveWindow::frame(std::uint64_t number) const {
+    const std::lock_guard lock(mutex_);
+    for (const Kept& kept : frames_) {
+        if (kept.number == number) {
+            return kept.frame;
+        }
+    }
+    return nullptr;
+}
+
+std::shared_ptr<const LiveScene> LiveWindow::scene(std::uint64_t number) const {
+    const std::lock_guard lock(mutex_);
+    for (const Kept& kept : frames_) {
+        if (kept.scene == number) {
+            return kept.frame->scene;
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "quasimc/file.h"
+#include "window/window_data.h"
+
+namespace quasimc {
+
+/// The page that shows a scene and its light in a browser, as it was bundled when the program was
+/// built (web/).
+struct Page {
+    std::string_view html, style, script;
+};
+
+/// Empty texts if the program was built without Node.
+[[nodiscard]] Page embedded_page();
+
+/// @throws InputError  if the program was built without the page. @param command  for the message
+void require_page(std::string_view command);
+
+/// Colour maps, as a JSON object for the page.
+[[nodiscard]] std::string color_maps_json();
+
+/// Writes the page with its data as one file that needs no network, and may reach none: its policy
+/// allows its own script alone.
+void write_report(const WindowData& data, const TextSink& sink);
+
+}  // namespace quasimc

@@ -1,0 +1,90 @@
+#include "window/window_data.h"
+
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "quasimc/error.h"
+#include "resultio/json_parts.h"
+#include "resultio/read_rows.h"
+#include "window/window_parts.h"
+#include "window/window_shape.h"
+
+namespace quasimc {
+namespace {
+
+/// Of a time; a sum over times has none of its own.
+const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
+    if (!run.series) {
+        return run.sources;
+    }
+    for (std::size_t i = 0; place.part == "moments" && i < run.series->notes.size(); ++i) {
+        if (run.series->notes[i].time == place.label) {
+            return run.series->time_steps[i].sources;
+        }
+    }
+    static const Sources kNone;
+    return kNone;
+}
+
+/// A time, with the number of the values of every column, -1 where there are none.
+Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
+    Json time = {
+        {"part", rows.place.part}, {"index", rows.place.index}, {"label", rows.place.label}};
+    time.update(json_lights(lights_at(run, rows.place), window_middle(run.scene)));
+    Json& values = time["values"] = Json::array();
+    for (std::vector<Estimate>& column : rows.columns) {
+        if (column.empty()) {
+            values.push_back(-1);
+        } else {
+            values.push_back(data.values.size());
+            column.resize(run.scene.organs().size(), kUnknownEstimate);
+            data.values.push_back(window_values(column));
+        }
+    }
+    return time;
+}
+
+}  // namespace
+
+std::size_t WindowData::bytes() const {
+    std::size_t sum = json.size() + shape.size();
+    for (const std::string& each : values) {
+        sum += each.size();
+    }
+    return sum;
+}
+
+WindowData make_window_data(
+    const RunFile& run, const std::string& result_text, const std::string& path) {
+    const Scene& scene = run.scene;
+    const std::vector<WindowColumn> columns =
+        window_columns(scene.bands(), scene.length_unit(), run.spec.ratios);
+    RowsQuery query{.rest = RowsQuery::Rest::all};
+    for (const WindowColumn& column : columns) {
+        query.columns.push_back(column.path);
+    }
+    if (run.sweep) {
+        query.point = run.point;
+    }
+    WindowData data;
+    data.shape = window_shape(scene);
+    Json times = Json::array();
+    Node head = read_rows(result_text, path, query, [&](PlacedRows rows) {
+        times.push_back(add_time(data, run, std::move(rows)));
+    });
+    head = only_point(std::move(head), query.point, path);
+    if (data.values.empty()) {
+        throw InputError(
+            {{path, "holds no light of organs", "the run did not write it, or was never finished",
+              "look at [output] in the run file"}});
+    }
+    Json all = json_window_scene(scene, columns);
+    all["title"] = run.title.empty() ? run.path : run.title;
+    all["head"] = json_value(head);
+    all["times"] = std::move(times);
+    data.json = json_text(all);
+    return data;
+}
+
+}  // namespace quasimc

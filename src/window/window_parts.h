@@ -1,0 +1,53 @@
+#pragma once
+
+// What the page in the browser takes (docs/develop/decisions/window-server.md).
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "light/models/source.h"
+#include "quasimc/result.h"
+#include "runfile/run_file.h"
+#include "scene/scene.h"
+#include "text/json.h"
+
+namespace quasimc {
+
+/// Where the light of a time comes from, z up: lists "suns" of unit vectors towards them and
+/// towards other parallel light, and "lamps" of their places about `middle`; "sky": its radiance,
+/// all bands together, in cells of 10 degrees: nine rings from the horizon up, each of 36 cells
+/// from the x axis towards y. A digit of base64 each: 63 parts of the square root of the brightest.
+/// Empty without a sky.
+[[nodiscard]] Json json_lights(const Sources& sources, const Vec3& middle);
+
+/// A kind of number that the page in the browser shows of every organ.
+struct WindowColumn {
+    /// Where it stands in a result: a quantity and a band, "ratios" and a ratio, "sunlit_fraction".
+    std::vector<std::string> path;
+    std::string quantity, name, band, unit, sum_unit;
+};
+
+/// Light absorbed per area first, the sunlit fraction and ratios last.
+[[nodiscard]] std::vector<WindowColumn> window_columns(
+    const std::vector<Band>& bands,
+    const std::string& length_unit,
+    const std::vector<std::string>& ratios);
+
+/// Members of the outermost object: program, unit, axes, place, organs and columns.
+[[nodiscard]] Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns);
+
+/// Means, standard errors, low and high ends of the organs, single precision.
+[[nodiscard]] std::string window_values(const std::vector<Estimate>& organs);
+
+// What a result says beside its organs, as JSON objects, for the page of a run that goes on.
+
+/// Of the run: files, settings, sources, warnings.
+[[nodiscard]] std::string window_run_head(const RunFile& run);
+/// Of the light at a time: method, rays, energy, groups.
+[[nodiscard]] std::string window_light_head(const RunFile& run, const Result& result);
+/// The same where there is no run file. @param bands  of the result
+[[nodiscard]] std::string window_light_head(
+    std::span<const Band> bands, const std::string& length_unit, const Result& result);
+
+}  // namespace quasimc

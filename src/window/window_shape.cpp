@@ -1,0 +1,96 @@
+#include "window/window_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "quasimc/mesh.h"
+
+namespace quasimc {
+namespace {
+
+using Place = std::array<float, 3>;
+
+/// How many of the last places of an organ are looked through for a corner that is there already.
+constexpr std::size_t kLookBack = 16;
+
+class ShapeWriter {
+  public:
+    explicit ShapeWriter(const Scene& scene) : scene_(scene), middle_(window_middle(scene)) {
+        corners_.reserve(3 * scene.triangle_count());
+    }
+
+    std::string text() {
+        std::vector<float> areas, heights;
+        std::vector<std::uint32_t> counts;
+        for (const Organ& organ : scene_.organs()) {
+            areas.push_back(static_cast<float>(organ.area));
+            heights.push_back(static_cast<float>(add(organ)));
+            counts.push_back(organ.triangle_count);
+        }
+        std::string bytes;
+        bytes.reserve(12 * (areas.size() + places_.size()) + corners_.size());
+        append(bytes, areas);
+        append(bytes, heights);
+        append(bytes, counts);
+        append(bytes, places_);
+        return bytes += corners_;
+    }
+
+  private:
+    template <typename T>
+    static void append(std::string& bytes, const std::vector<T>& values) {
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    }
+
+    /// @returns the height of its middle
+    double add(const Organ& organ) {
+        first_ = places_.size();
+        double sum = 0, total = 0;
+        for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
+            const Triangle triangle = scene_.triangles()[organ.first_triangle + i];
+            const double part = area(triangle);
+            sum += part * (triangle[0].z + triangle[1].z + triangle[2].z) / 3;
+            total += part;
+            for (const Vec3& corner : triangle) {
+                add(corner - middle_);
+            }
+        }
+        return total > 0 ? sum / total : middle_.z;
+    }
+
+    void add(const Vec3& corner) {
+        const Place place{
+            static_cast<float>(corner.x), static_cast<float>(corner.y),
+            static_cast<float>(corner.z)};
+        const std::size_t known = std::min(kLookBack, places_.size() - first_);
+        for (std::size_t back = 1; back <= known; ++back) {
+            if (places_[places_.size() - back] == place) {
+                corners_.push_back(static_cast<char>(back));
+                return;
+            }
+        }
+        places_.push_back(place);
+        corners_.push_back(0);
+    }
+
+    const Scene& scene_;
+    Vec3 middle_;
+    std::vector<Place> places_;
+    std::size_t first_ = 0;  // place of the organ
+    std::string corners_;
+};
+
+}  // namespace
+
+Vec3 window_middle(const Scene& scene) {
+    return 0.5 * (scene.bounds().low + scene.bounds().high);
+}
+
+std::string window_shape(const Scene& scene) {
+    return ShapeWriter(scene).text();
+}
+
+}  // namespace quasimc
