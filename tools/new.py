@@ -77,7 +77,7 @@ FAMILIES = {
     ),
     "format": Family(
         folder="src/meshio",
-        tests="tests/unit/io",
+        tests="tests/unit/meshio",
         pages="docs/formats",
         catalogue="src/meshio/formats.cpp",
         prefix="read_",

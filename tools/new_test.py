@@ -18,7 +18,7 @@ class Spellings(unittest.TestCase):
         self.assertEqual(
             new.filled(text, family, "open_leaf"),
             "open_leaf OpenLeaf 'open leaf' 'Open leaf' open-leaf "
-            "src/meshio/read_open_leaf.cpp tests/unit/io/read_open_leaf_test.cpp",
+            "src/meshio/read_open_leaf.cpp tests/unit/meshio/read_open_leaf_test.cpp",
         )
 
 

@@ -1,5 +1,5 @@
 // The page in the browser from the command line. What it shows: tests/web. What its server refuses:
-// tests/unit/view/window_test.cpp.
+// tests/unit/window/window_test.cpp.
 
 #include <filesystem>
 #include <string>

@@ -1,0 +1,112 @@
+#include "resultio/read_light.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/error.h"
+#include "unit/runfile/io_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+const std::string kTwoOrgans =
+    "[[organ]]\nmaterial = 'leaf'\nshape = 'triangle'\ncorners = [[0, 0, 1], [1, 0, 1], [0, 1, "
+    "1]]\n"
+    "[[organ]]\nmaterial = 'leaf'\nshape = 'triangle'\ncorners = [[0, 0, 2], [1, 0, 2], [0, 1, "
+    "2]]\n";
+
+std::string light_estimate(int mean) {
+    return R"({"mean":)" + std::to_string(mean) +
+           R"(,"standard_error":0.5,"low":0.25,"high":0.75})";
+}
+
+/// Two organs, the second without what is sunlit.
+std::string light_organs(int first) {
+    return R"([{"id":1,"absorbed_flux":{"PAR":)" + light_estimate(first) +
+           R"(},"sunlit_fraction":)" + light_estimate(first + 10) +
+           R"(},{"id":2,"absorbed_flux":{"PAR":)" + light_estimate(first + 1) +
+           R"(},"sunlit_fraction":null}])";
+}
+
+TEST(ReadLight, FillsInWhatTheResultHas) {
+    RunText text;
+    text.organs = kTwoOrgans;
+    const RunFile run = read_text(text.text());
+    std::size_t told = 0;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
+        ++told;
+        EXPECT_EQ(time_step, 0U);
+        ASSERT_EQ(result.organs(), 2U);
+        const Estimate& second = result.at(1, Quantity::absorbed_flux, 0);
+        EXPECT_EQ(second.mean, 8);
+        EXPECT_EQ(second.standard_error, 0.5);
+        EXPECT_EQ(second.low, 0.25);
+        EXPECT_EQ(second.high, 0.75);
+        EXPECT_TRUE(std::isnan(result.at(0, Quantity::absorbed_flux_density, 0).mean));
+        ASSERT_EQ(result.sunlit_fraction.size(), 2U);
+        EXPECT_EQ(result.sunlit_fraction[0].mean, 17);
+        EXPECT_TRUE(std::isnan(result.sunlit_fraction[1].mean));
+    };
+    read_light(R"({"organs":)" + light_organs(7) + "}", "a.json", run, events);
+    EXPECT_EQ(told, 1U);
+}
+
+TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
+    RunText text;
+    text.organs = kTwoOrgans;
+    text.sources = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n";
+    text.rest = "[time]\nfrom = '2024-06-21'\nto = '2024-06-22'\nutc_offset_hours = 2\n";
+    const RunFile run = read_text(text.text());
+    ASSERT_TRUE(run.series);
+    const std::string noon = run.series->notes[12].time, last = run.series->notes[30].time;
+    std::vector<std::size_t> times, days;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
+        times.push_back(time_step);
+        EXPECT_EQ(result.at(0, Quantity::absorbed_flux, 0).mean, time_step == 12 ? 3 : 5);
+    };
+    events.on_day = [&](std::size_t /*point*/, std::size_t day, const SeriesSum& sum) {
+        days.push_back(day);
+        EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
+    };
+    read_light(
+        R"({"moments":[{"time":")" + noon + R"(","organs":)" + light_organs(3) + R"(},{"time":")" +
+            last + R"(","organs":)" + light_organs(5) +
+            R"(}],"days":[{"date":"2024-06-22","organs":)" + light_organs(9) + "}]}",
+        "a.json", run, events);
+    EXPECT_EQ(times, (std::vector<std::size_t>{12, 30}));
+    EXPECT_EQ(days, std::vector<std::size_t>{1});
+}
+
+TEST(ReadLight, TellsThePointsOfASweep) {
+    RunText text;
+    text.organs = kTwoOrgans;
+    const RunFile run = read_text(text.text());
+    std::vector<std::pair<std::size_t, double>> told;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t point, std::size_t /*time_step*/, const Result& result) {
+        told.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
+    };
+    read_light(
+        R"({"points":[{"organs":)" + light_organs(3) + R"(},{"organs":)" + light_organs(5) + "}]}",
+        "a.json", run, events);
+    EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
+}
+
+TEST(ReadLight, RefusesAResultWithoutAny) {
+    const RunFile run = read_text(RunText().text());
+    try {
+        read_light(R"({"organs":[]})", "a.json", run, {});
+        FAIL();
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.faults().size(), 1U);
+        EXPECT_EQ(
+            error.faults()[0].text(),
+            "a.json: holds no light of organs (the run did not get so far)");
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test

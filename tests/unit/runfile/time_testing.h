@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "unit/runfile/io_testing.h"
+
+namespace quasimc::test {
+
+inline constexpr const char* kPlace = "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n";
+
+/// A run file with [time], without a [[source]].
+inline std::string with_time(const std::string& keys, const std::string& place = kPlace) {
+    RunText text;
+    text.sources = "";
+    text.rest = place + "[time]\n" + keys;
+    return text.text();
+}
+
+/// All of its warnings, a line each.
+inline std::string all_warnings(const RunFile& run) {
+    std::string all;
+    for (const Warning& warning : run.warnings) {
+        all += warning.place + ": " + warning.text + "\n";
+    }
+    return all;
+}
+
+}  // namespace quasimc::test
