@@ -86,7 +86,7 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(faults_with("src/geometry/a.cpp", '#include "quasimc/vec3.h"\n'), [])
         text = '#include "quasimc/mesh.h"\n'
         self.assert_one_fault("src/base/b.h", "#pragma once\n" + text, "only lower layers")
-        text = '#pragma once\n#include "quasimc/file.h"\n'
+        text = '#pragma once\n#include "quasimc/series.h"\n'
         self.assert_one_fault("include/quasimc/mesh.h", text, "only lower layers")
 
     def test_a_private_include_in_a_public_header_is_refused(self):
