@@ -84,9 +84,7 @@ struct FileMaterials::Search {
     std::vector<std::string> definitions;
     std::size_t renamed = 0;
 
-    void warn(std::string text) {
-        table.reporter().warnings.push_back({table.place(), std::move(text)});
-    }
+    void warn(std::string text) { table.warn(std::move(text)); }
     void warn_of_definitions();
     void warn_of_unknown();
     void warn_of_unmatched_keys();
@@ -257,12 +255,10 @@ void FileMaterials::warn_of_unmatched(Reporter& reporter) const {
             return !defined.first.empty() && given.ends_with(" " + defined.first);
         };
         if (!matched_.contains(given) && std::any_of(defined_.begin(), defined_.end(), is_meant)) {
-            reporter.warnings.push_back(
-                {reporter.file,
-                 fmt::format(
-                     "no [[geometry]] has the material '{}': a material of one file is called by "
-                     "the file as it is written in [[geometry]], a blank, and its name",
-                     given)});
+            reporter.warn(fmt::format(
+                "no [[geometry]] has the material '{}': a material of one file is called by "
+                "the file as it is written in [[geometry]], a blank, and its name",
+                given));
         }
     }
 }

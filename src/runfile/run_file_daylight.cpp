@@ -62,16 +62,14 @@ void warn_of_short_rows(
         return share_outside(reference_global(), span, nm) >= kLittle;
     });
     if (is_short) {
-        reporter.warnings.push_back(
-            {reporter.file,
-             fmt::format(
-                 "the rows cover {} to {} nm, and daylight is of {} to {} nm: outside them its "
-                 "spectrum is taken to be the standard's (ASTM G173-03), scaled to the rows, and "
-                 "dark beyond a row of 0; {:.2g} % of the direct and {:.2g} % of the diffuse light "
-                 "lie there; add rows if that is not so",
-                 shortest(nm.front()), shortest(nm.back()), all.from_nm, all.to_nm,
-                 100 * share_outside(continued.direct, all, nm),
-                 100 * share_outside(continued.diffuse, all, nm))});
+        reporter.warn(fmt::format(
+            "the rows cover {} to {} nm, and daylight is of {} to {} nm: outside them its "
+            "spectrum is taken to be the standard's (ASTM G173-03), scaled to the rows, and "
+            "dark beyond a row of 0; {:.2g} % of the direct and {:.2g} % of the diffuse light "
+            "lie there; add rows if that is not so",
+            shortest(nm.front()), shortest(nm.back()), all.from_nm, all.to_nm,
+            100 * share_outside(continued.direct, all, nm),
+            100 * share_outside(continued.diffuse, all, nm)));
     }
 }
 
@@ -110,11 +108,9 @@ void warn_of_dark_bands(TimeContext& context, const DaylightSources& how) {
     for (std::size_t b = 0; b < how.bands.size() && b < context.run->bands.size(); ++b) {
         const SpectralSpan& band = how.bands[b];
         if (how.spectra.direct(band) <= 0 && how.spectra.diffuse(band, kOne) <= 0) {
-            context.table->reporter().warnings.push_back(
-                {context.table->place(),
-                 fmt::format(
-                     "daylight has no light in band '{}', {} to {} nm", context.run->bands[b].name,
-                     shortest(band.from_nm), shortest(band.to_nm))});
+            context.table->warn(fmt::format(
+                "daylight has no light in band '{}', {} to {} nm", context.run->bands[b].name,
+                shortest(band.from_nm), shortest(band.to_nm)));
         }
     }
 }

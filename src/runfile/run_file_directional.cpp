@@ -41,8 +41,7 @@ std::optional<NotedSource> read_directional(
         return std::nullopt;
     }
     if (travel->z > 0) {
-        table.reporter().warnings.push_back(
-            {table.place(), table.what() + ": it shines upwards, from below the horizon"});
+        table.warn(table.what() + ": it shines upwards, from below the horizon");
     }
     const std::string note = fmt::format(
         "{}: directional, light travels along {} (from {}), {}", name,

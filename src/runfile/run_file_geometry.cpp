@@ -218,12 +218,10 @@ void warn_of_second_scale(const Affine& transform, const NamedMesh& named, Table
     constexpr double kRounding = 1e-6;
     const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;
     if (is_scaled && named.format->read == read_ops && table.any("plant_unit") == nullptr) {
-        table.reporter().warnings.push_back(
-            {table.place(),
-             fmt::format(
-                 "transform scales the plants and places of {} once more: its plants have been "
-                 "converted from centimetres; leave the scale out, or give plant_unit",
-                 named.file)});
+        table.warn(fmt::format(
+            "transform scales the plants and places of {} once more: its plants have been "
+            "converted from centimetres; leave the scale out, or give plant_unit",
+            named.file));
     }
 }
 

@@ -219,11 +219,10 @@ void warn_of_black(
         }
     }
     if (is_black) {
-        table.reporter().warnings.push_back(
-            {table.place(), fmt::format(
-                                "{} is black in every band: its reflectance is not given, and "
-                                "counts as 0",
-                                table.what())});
+        table.warn(fmt::format(
+            "{} is black in every band: its reflectance is not given, and "
+            "counts as 0",
+            table.what()));
     }
 }
 

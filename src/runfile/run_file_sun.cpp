@@ -84,10 +84,9 @@ std::optional<NotedSource> read_sun(
     }
     const bool is_down = sun->to_sun.z <= 0;
     if (is_down) {
-        table.reporter().warnings.push_back(
-            {table.place(), fmt::format(
-                                "{}: the sun is below the horizon and gives no light ({})",
-                                table.what(), angles_words(-sun->to_sun, context.orientation))});
+        table.warn(fmt::format(
+            "{}: the sun is below the horizon and gives no light ({})", table.what(),
+            angles_words(-sun->to_sun, context.orientation)));
         irradiance = Irradiance{std::vector<double>(context.bands.size(), 0.0), false};
     }
     const auto values = facing_irradiance(table, *irradiance, sun->to_sun.z);

@@ -81,13 +81,11 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
                               is_usual_clock(ahead_of_sun(*offset, latitude));
     if (std::abs(ahead) > kFarHours || is_exchanged) {
-        context.table->reporter().warnings.push_back(
-            {context.table->place(),
-             fmt::format(
-                 "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
-                 shortest(*offset), shortest(longitude), longitude / 15,
-                 is_exchanged ? "are latitude and longitude exchanged?"
-                              : "is the sign of the longitude right (east is positive)?")});
+        context.table->warn(fmt::format(
+            "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
+            shortest(*offset), shortest(longitude), longitude / 15,
+            is_exchanged ? "are latitude and longitude exchanged?"
+                         : "is the sign of the longitude right (east is positive)?"));
     }
 }
 
@@ -119,9 +117,8 @@ void check_light(const TimeSeries& series, TableReader& table) {
     const bool is_dark =
         std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
     if (is_dark && !series.time_steps.empty()) {
-        table.reporter().warnings.push_back(
-            {table.place(),
-             "it is dark at all these times: the sun stays below the horizon, and no lamp shines"});
+        table.warn(
+            "it is dark at all these times: the sun stays below the horizon, and no lamp shines");
     }
 }
 

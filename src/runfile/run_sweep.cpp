@@ -187,12 +187,10 @@ class RunSweep::State {
 
     void warn_of_darkness() {
         if (dark_points_ > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.file,
-                 fmt::format(
-                     "[sweep]: at {} of {} points no source has any light, and all numbers are 0: "
-                     "first at {}",
-                     dark_points_, size(), words_of(first_dark_))});
+            reporter_.warn(fmt::format(
+                "[sweep]: at {} of {} points no source has any light, and all numbers are 0: "
+                "first at {}",
+                dark_points_, size(), words_of(first_dark_)));
         }
     }
 

@@ -102,6 +102,8 @@ class TableReader {
     void fault_at(
         const Node& node, std::string problem, std::string why = {}, std::string suggestion = {});
     void warn_at(const Node& node, std::string text);
+    /// At the table itself; the text says what it is.
+    void warn(std::string text) { reporter_->warnings.push_back({place(), std::move(text)}); }
 
     /// Reports the keys that were never asked for.
     void finish();

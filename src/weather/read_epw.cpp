@@ -52,11 +52,11 @@ class EpwReader {
         note_typical_year();
         check_order();
         if (short_years_ > 0) {
-            reporter_.warnings.push_back(
-                {reporter_.place(first_short_year_),
-                 fmt::format(
-                     "{} times have years of two digits, which are taken to be of 1969 to 2068",
-                     short_years_)});
+            reporter_.warn(
+                fmt::format(
+                    "{} times have years of two digits, which are taken to be of 1969 to 2068",
+                    short_years_),
+                first_short_year_);
         }
         return std::move(file_);
     }

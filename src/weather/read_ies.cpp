@@ -58,9 +58,7 @@ class Numbers {
         }
         return word == kEndOfFile ? std::string_view() : word;
     }
-    void warn(const std::string& text) {
-        reporter_.warnings.push_back({reporter_.place(scanner_.number()), text});
-    }
+    void warn(const std::string& text) { reporter_.warn(text, scanner_.number()); }
     void fail(const std::string& problem, const std::string& why, const std::string& advice = "") {
         if (!failed_) {
             reporter_.fault(scanner_.number(), problem, why, advice);

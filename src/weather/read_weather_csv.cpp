@@ -224,12 +224,12 @@ class TableOfWeather {
     void warn_of_overlaps(double apart, double step) {
         constexpr double kSlack = 1;  // second
         if (apart < step - kSlack) {
-            reporter_.warnings.push_back(
-                {reporter_.place(file_.records[0].line),
-                 fmt::format(
-                     "rows are {} minutes apart and stand for {} minutes each: light of times in "
-                     "common counts twice",
-                     shortest(std::round(apart) / 60), shortest(step / 60))});
+            reporter_.warn(
+                fmt::format(
+                    "rows are {} minutes apart and stand for {} minutes each: light of times in "
+                    "common counts twice",
+                    shortest(std::round(apart) / 60), shortest(step / 60)),
+                file_.records[0].line);
         }
     }
 
@@ -250,14 +250,14 @@ class TableOfWeather {
         for (const auto& [part, name, side] :
              {std::tuple(0.0, "start", "after"), std::tuple(0.5, "middle", "around")}) {
             if (fitting(part) > 0 && fitting(part) >= end) {
-                reporter_.warnings.push_back(
-                    {reporter_.place(file_.records[0].line),
-                     fmt::format(
-                         "the rows go from {:02d}:{:02d} to {:02d}:{:02d}, as if each stood for "
-                         "the {} minutes {} its time, but it counts for those before: write stamp "
-                         "= \"{}\", or stamp = \"end\" if that is right",
-                         first.hour, first.minute, last.hour, last.minute,
-                         shortest(std::round(step / 60)), side, name)});
+                reporter_.warn(
+                    fmt::format(
+                        "the rows go from {:02d}:{:02d} to {:02d}:{:02d}, as if each stood for "
+                        "the {} minutes {} its time, but it counts for those before: write stamp "
+                        "= \"{}\", or stamp = \"end\" if that is right",
+                        first.hour, first.minute, last.hour, last.minute,
+                        shortest(std::round(step / 60)), side, name),
+                    file_.records[0].line);
                 return;
             }
         }

@@ -111,12 +111,12 @@ class ColumnFinder {
             const std::string name = lower_case(header_.names[i]);
             if (!is_read &&
                 std::find(kLightNames.begin(), kLightNames.end(), name) != kLightNames.end()) {
-                reporter_.warnings.push_back(
-                    {reporter_.place(line_),
-                     fmt::format(
-                         "the column {} is not read: {}", shown(header_.names[i]),
-                         columns_.light.empty() ? "other columns tell the parts of the light"
-                                                : "columns names others, and not this one")});
+                reporter_.warn(
+                    fmt::format(
+                        "the column {} is not read: {}", shown(header_.names[i]),
+                        columns_.light.empty() ? "other columns tell the parts of the light"
+                                               : "columns names others, and not this one"),
+                    line_);
             }
         }
     }
