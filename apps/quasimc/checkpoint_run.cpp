@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <string>
-#include <utility>
 
 CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
     if (arguments.checkpoint.empty()) {

@@ -40,21 +40,17 @@ void convert_to_netcdf(
     quasimc::NetcdfWriter writer(run, outputs.sink(0), stored.program_version);
     std::size_t at = 0;
     // Points of a sweep that was stopped are the first ones.
-    const auto go_to = [&](std::size_t point) {
+    quasimc::LightEvents events;
+    events.on_point = [&](std::size_t point) {
         while (at < point && at + 1 < stored.runs.size()) {
             run = stored.runs.take(++at);
             writer.next_run(run);
         }
     };
-    quasimc::LightEvents events;
-    events.on_time_step = [&](std::size_t point, std::size_t time_step, const auto& result) {
-        go_to(point);
+    events.on_time_step = [&](std::size_t time_step, const auto& result) {
         writer.add_moment(time_step, result);
     };
-    events.on_day = [&](std::size_t point, std::size_t day, const auto& sum) {
-        go_to(point);
-        writer.add_day(day, sum);
-    };
+    events.on_day = [&](std::size_t day, const auto& sum) { writer.add_day(day, sum); };
     quasimc::read_light(text, input, run, events);
     writer.finish();
     outputs.commit();

@@ -16,12 +16,9 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
-
-#include <fmt/format.h>
 
 #include "quasimc/quasimc.h"
 #include "rank_team.h"

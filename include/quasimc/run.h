@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/run_spec.h"

@@ -228,6 +228,8 @@ def _organs_from_the_top(result):
         if areas.sum() > 0:
             heights[organ] = np.average((a + b + c)[:, up] / 3, weights=areas)
     organs = np.argsort(-heights, kind="stable")[: np.isfinite(heights).sum()]
+    if not len(organs):
+        raise ValueError("the result has no organ with an area")
     return organs, heights[organs]
 
 

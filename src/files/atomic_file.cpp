@@ -113,6 +113,11 @@ void AtomicFile::prepare() {
 
 void AtomicFile::commit() {
     prepare();
+    take_name();
+    sync_name();
+}
+
+void AtomicFile::take_name() {
     if (straight_) {
         return;
     }
@@ -120,7 +125,12 @@ void AtomicFile::commit() {
         fail();
     }
     temporary_.clear();
-    // Makes the name last, as far as the file system can.
+}
+
+void AtomicFile::sync_name() const {
+    if (straight_) {
+        return;
+    }
     const Descriptor folder(::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder.is_open()) {
         static_cast<void>(::fsync(folder.number()));

@@ -23,7 +23,11 @@ class AtomicFile {
     /// Brings all of the file to the disk, under a temporary name beside its place. Nothing is
     /// written after it. @throws InputError
     void prepare();
-    /// Prepares the file and gives it its name. At most once. @throws InputError
+    /// Gives a prepared file its name. At most once. @throws InputError
+    void take_name();
+    /// Brings the name to the disk, as far as the file system can.
+    void sync_name() const;
+    /// All three.
     void commit();
 
   private:

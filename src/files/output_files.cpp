@@ -100,7 +100,10 @@ void OutputFiles::commit() {
         attempt(i, [](AtomicFile& file) { file.prepare(); });
     }
     for (std::size_t i = 0; i < files_.size(); ++i) {
-        attempt(i, [](AtomicFile& file) { file.commit(); });
+        attempt(i, [](AtomicFile& file) { file.take_name(); });
+    }
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        attempt(i, [](AtomicFile& file) { file.sync_name(); });
     }
 }
 

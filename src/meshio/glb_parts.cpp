@@ -1,6 +1,5 @@
 #include "meshio/glb_parts.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "meshio/file_axes.h"
 
 namespace quasimc {
@@ -51,7 +52,8 @@ void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter
         return;
     }
     reporter.warn(fmt::format(
-        "{0} {1}s have an id that another {1} has: organs are counted instead", repeated, word));
+        "{} with the id of another: organs are counted instead",
+        counted(repeated, word, word == "mesh" ? "meshes" : "")));
     for (MeshGroup& group : file.groups) {
         group.id.reset();
     }

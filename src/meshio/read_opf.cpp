@@ -61,7 +61,7 @@ class OpfReader : pugi::xml_tree_walker {
 
     MeshFile read() {
         xml_.root().parent().traverse(*this);
-        if (xml_.root() && !has_topology_ && !reporter_.is_full()) {
+        if (!xml_.root().empty() && !has_topology_ && !reporter_.is_full()) {
             reporter_.faults.add({reporter_.file, "has no <topology>", "it is no OPF file", ""});
         }
         crossed_.warn(reporter_);
@@ -103,7 +103,7 @@ class OpfReader : pugi::xml_tree_walker {
         if (!id) {
             xml_.fault(
                 element,
-                fmt::format("<{}> without a number as its {}", shown(element.name()), key));
+                fmt::format("<{}> without a number as its {}", printable(element.name()), key));
         }
         return id.value_or(0);
     }

@@ -136,9 +136,11 @@ class OpsReader {
     std::optional<Plant> read_plant(const OpsRow& row) {
         const FormatEntry* format = format_of_path(row.file);
         if (format == nullptr || format->read == read_ops) {
+            const ForeignFormat* foreign = foreign_format_of_path(row.file);
             reporter_.fault(
                 row.line, fmt::format("the format of {} can't be read", shown(row.file)), "",
-                "plants are OPF, or of another format of geometry");
+                foreign != nullptr ? std::string(foreign->advice)
+                                   : "plants are OPF, or of another format of geometry");
             return std::nullopt;
         }
         const std::string path = context_.folder + row.file;

@@ -64,6 +64,11 @@ std::string difference_of_runs(
     std::string place = first.at("path");
     const Json::json_pointer at(place);
     std::replace(place.begin(), place.end(), '/', '.');
+    for (const auto& [escape, character] : {std::pair("~1", "/"), std::pair("~0", "~")}) {
+        for (std::size_t i = 0; (i = place.find(escape, i)) != std::string::npos; ++i) {
+            place.replace(i, 2, character);
+        }
+    }
     return fmt::format(
         "{}: {} there, {} here", place.substr(1),
         in_short(before.contains(at) ? before.at(at) : Json()),

@@ -1,8 +1,11 @@
 #include "resultio/read_light.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
+#include "base/text.h"
 #include "quasimc/error.h"
 #include "resultio/read_rows.h"
 #include "runfile/written.h"
@@ -80,41 +83,58 @@ class LightColumns {
     std::vector<std::vector<std::string>> names_;
 };
 
+/// The number of a time or day of the run, from one on.
+std::size_t find_label(
+    const std::vector<std::string>& labels,
+    std::size_t from,
+    const RowsPlace& place,
+    const std::string& path) {
+    const auto found =
+        std::find(labels.begin() + static_cast<std::ptrdiff_t>(from), labels.end(), place.label);
+    if (found == labels.end()) {
+        throw InputError(
+            {{path, shown(place.label) + " in " + place.part + " is not next in the run",
+              "its times are in the order of the run", ""}});
+    }
+    return static_cast<std::size_t>(found - labels.begin());
+}
+
 }  // namespace
 
 void read_light(
     std::string_view text, const std::string& path, const RunFile& run, const LightEvents& events) {
     const LightColumns columns(run);
     const std::optional<TimeSeries> series = run.series;  // the run may become the next point
-    bool is_there = false;
+    std::vector<std::string> times;
+    for (std::size_t i = 0; series && i < series->notes.size(); ++i) {
+        times.push_back(series->notes[i].time);
+    }
+    std::optional<std::size_t> point;
+    std::size_t next_time = 0, next_day = 0;  // of the point; two times may be called the same
     const auto take = [&](PlacedRows rows) {
         const RowsPlace& place = rows.place;
-        is_there = true;
+        if (point != place.point) {
+            point = place.point;
+            next_time = next_day = 0;
+            events.on_point(*point);
+        }
         if (place.part == "days" && series) {
-            const std::vector<std::string>& days = series->days;
-            const auto day = std::find(days.begin(), days.end(), place.label);
-            if (day != days.end()) {
-                SeriesSum sum;
-                sum.bands = columns.bands();
-                sum.values = columns.light(rows.columns);
-                events.on_day(place.point, static_cast<std::size_t>(day - days.begin()), sum);
-            }
+            SeriesSum sum;
+            sum.bands = columns.bands();
+            sum.values = columns.light(rows.columns);
+            const std::size_t day = find_label(series->days, next_day, place, path);
+            next_day = day + 1;
+            events.on_day(day, sum);
         } else if (place.part == "moments" && series) {
-            const std::vector<MomentNotes>& notes = series->notes;
-            const auto moment = std::find_if(notes.begin(), notes.end(), [&](const auto& each) {
-                return each.time == place.label;
-            });
-            if (moment != notes.end()) {
-                events.on_time_step(
-                    place.point, static_cast<std::size_t>(moment - notes.begin()),
-                    columns.result(rows.columns));
-            }
+            const std::size_t time = find_label(times, next_time, place, path);
+            next_time = time + 1;
+            events.on_time_step(time, columns.result(rows.columns));
         } else if (place.part.empty() && !series) {
-            events.on_time_step(place.point, 0, columns.result(rows.columns));
+            events.on_time_step(0, columns.result(rows.columns));
         }
     };
     read_rows(text, path, {.columns = columns.names()}, take);
-    if (!is_there) {
+    if (!point) {
         throw InputError({{path, "holds no light of organs", "the run did not get so far", ""}});
     }
 }

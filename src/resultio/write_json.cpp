@@ -4,6 +4,7 @@
 
 #include "files/sha256.h"
 #include "files/spool.h"
+#include "quasimc/result_file.h"
 #include "resultio/json_parts.h"
 #include "resultio/series_words.h"
 #include "results/units.h"

@@ -124,6 +124,13 @@ class OpfWriter : pugi::xml_tree_walker {
     std::set<std::size_t> found_;
 };
 
+/// The library takes elements away by recursion, and no plant is so deep.
+constexpr int kDeepest = 20'000;
+
+struct DepthWalker : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node& /*node*/) override { return depth() < kDeepest; }
+};
+
 class SinkWriter : public pugi::xml_writer {
   public:
     explicit SinkWriter(const TextSink& sink) : sink_(sink) {}
@@ -146,6 +153,11 @@ OpfMatches write_opf(std::string_view bytes, const FieldScene& shown, const Text
         document.load_buffer(bytes.data(), bytes.size(), kAll, pugi::encoding_utf8);
     if (!parsed) {
         throw InputError({{"OPF", parsed.description(), "it is no XML", ""}});
+    }
+    DepthWalker walker;
+    if (!document.traverse(walker)) {
+        throw InputError(
+            {{"OPF", fmt::format("elements are nested more than {} deep", kDeepest), "", ""}});
     }
     const OpfMatches matches = OpfWriter(shown).write(document);
     SinkWriter writer(sink);

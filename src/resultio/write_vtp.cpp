@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <limits>
 
 #include <fmt/format.h>
 

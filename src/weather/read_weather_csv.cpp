@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
-#include <span>
 #include <tuple>
 
 #include <fmt/format.h>

@@ -1,8 +1,6 @@
 #include "window/live_window.h"
 
-#include <array>
 #include <chrono>
-#include <limits>
 #include <utility>
 
 #include <nlohmann/json.hpp>

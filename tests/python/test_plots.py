@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import quasimc
 from canopies import FEW, canopy
 from quasimc.plotting import fit_exponential
 
@@ -24,6 +25,15 @@ def result():
 def close_plots():
     yield
     pyplot.close("all")
+
+
+def test_organs_without_an_area_have_no_profile():
+    line = quasimc.Scene(bands=["PAR"])
+    line.add_material("leaf", reflectance=0.1)
+    line.add_mesh([[0, 0, 1], [1, 0, 1], [2, 0, 1]], [[0, 1, 2]], material="leaf")
+    line.add_source(quasimc.uniform_sky(irradiance_horizontal=1))
+    with pytest.raises(ValueError, match="no organ with an area"):
+        line.run(**FEW).plot_profile()
 
 
 @pytest.mark.parametrize("amount, rate", [(0.8, 1.5), (3e-4, 0.004), (2, -0.01), (5, 0)])

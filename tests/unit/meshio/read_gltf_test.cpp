@@ -229,7 +229,7 @@ TEST(ReadGltf, CountsOrgansWhoseIdsWereCopied) {
     const ReadMesh read = read_gltf_text(gltf);
     EXPECT_EQ(read.faults, Texts{});
     EXPECT_EQ(read.mesh.groups[0].id, std::nullopt);
-    EXPECT_TRUE(mentions(read.warnings, "1 nodes have an id that another node has"));
+    EXPECT_TRUE(mentions(read.warnings, "1 node with the id of another"));
 }
 
 TEST(ReadGltf, LeavesLinesAndPointsOutAndSaysSo) {

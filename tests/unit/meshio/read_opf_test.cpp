@@ -118,7 +118,7 @@ TEST(ReadOpf, TellsFaultsByTheirLines) {
     EXPECT_EQ(read_mesh_text("opf", opf_with("<dUp>9<", "<dUp>NaN<")).faults, Texts{});
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("id=\"3\"", "id=\"x\"")).faults,
-        (Texts{"file:29: <'branch'> without a number as its id"}));
+        (Texts{"file:29: <branch> without a number as its id"}));
 }
 
 TEST(ReadOpf, RefusesTwoMeshesOfOneId) {

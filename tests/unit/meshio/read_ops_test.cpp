@@ -163,6 +163,8 @@ TEST(ReadOps, TellsWhatIsWrong) {
         Texts{
             "file:1: the format of 'a.ops' can't be read; plants are OPF, or of another format of "
             "geometry"});
+    EXPECT_TRUE(
+        mentions(read_mesh_text("ops", "1 1 a.dae 0 0 0 1 0 0 0\n").faults, "assimp export"));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(ReadLight, FillsInWhatTheResultHas) {
     const RunFile run = read_text(text.text());
     std::size_t told = 0;
     LightEvents events;
-    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
+    events.on_time_step = [&](std::size_t time_step, const Result& result) {
         ++told;
         EXPECT_EQ(time_step, 0U);
         ASSERT_EQ(result.organs(), 2U);
@@ -63,11 +63,11 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
     const std::string noon = run.series->notes[12].time, last = run.series->notes[30].time;
     std::vector<std::size_t> times, days;
     LightEvents events;
-    events.on_time_step = [&](std::size_t /*point*/, std::size_t time_step, const Result& result) {
+    events.on_time_step = [&](std::size_t time_step, const Result& result) {
         times.push_back(time_step);
         EXPECT_EQ(result.at(0, Quantity::absorbed_flux, 0).mean, time_step == 12 ? 3 : 5);
     };
-    events.on_day = [&](std::size_t /*point*/, std::size_t day, const SeriesSum& sum) {
+    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
         days.push_back(day);
         EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
     };
@@ -85,14 +85,41 @@ TEST(ReadLight, TellsThePointsOfASweep) {
     text.organs = kTwoOrgans;
     const RunFile run = read_text(text.text());
     std::vector<std::pair<std::size_t, double>> told;
+    std::size_t point = 9;
     LightEvents events;
-    events.on_time_step = [&](std::size_t point, std::size_t /*time_step*/, const Result& result) {
+    events.on_point = [&](std::size_t next) { point = next; };
+    events.on_time_step = [&](std::size_t /*time_step*/, const Result& result) {
         told.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
     read_light(
         R"({"points":[{"organs":)" + light_organs(3) + R"(},{"organs":)" + light_organs(5) + "}]}",
         "a.json", run, events);
     EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
+}
+
+/// They may be called the same, but none is passed over without a word.
+TEST(ReadLight, TakesTimesInTheirOrder) {
+    RunText text;
+    text.organs = kTwoOrgans;
+    text.sources = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n";
+    const std::string noon = "2024-06-21T12:00+02:00";
+    text.rest = "[time]\ntimes = ['" + noon + "', '" + noon + "']\n";
+    const RunFile run = read_text(text.text());
+    const auto moment = [&](const std::string& time, int mean) {
+        return R"({"time":")" + time + R"(","organs":)" + light_organs(mean) + "}";
+    };
+    std::vector<std::pair<std::size_t, double>> told;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t time_step, const Result& result) {
+        told.emplace_back(time_step, result.at(0, Quantity::absorbed_flux, 0).mean);
+    };
+    read_light(
+        R"({"moments":[)" + moment(noon, 3) + "," + moment(noon, 5) + "]}", "a.json", run, events);
+    EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
+    EXPECT_THROW(
+        read_light(
+            R"({"moments":[)" + moment("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run, events),
+        InputError);
 }
 
 TEST(ReadLight, RefusesAResultWithoutAny) {

@@ -96,6 +96,23 @@ TEST(WriteOpf, ReplacesAnAttributeOfTheSameName) {
     EXPECT_NE(bytes.find("5"), std::string::npos);
 }
 
+/// They would be taken away by recursion.
+TEST(WriteOpf, RefusesElementsWithinElementsWithoutEnd) {
+    const std::string opf = kOpfHead + kOpfNodes;
+    const Scene scene = opf_scene(opf);
+    std::string deep = "<light>";
+    for (int i = 0; i < 300'000; ++i) {
+        deep += "<a>";
+    }
+    for (int i = 0; i < 300'000; ++i) {
+        deep += "</a>";
+    }
+    std::string text = opf;
+    text.replace(text.find("<light>3"), std::string("<light>3").size(), deep);
+    const FieldScene fields{scene, {{"light", "", {5, 6}}}};
+    EXPECT_THROW(written_opf(text, fields), InputError);
+}
+
 TEST(WriteOpf, TellsOrgansThatAreNoNodes) {
     const std::string opf = kOpfHead + kOpfNodes;
     const std::string less =
