@@ -87,16 +87,19 @@ InputFiles::Reader checking_reader(
     };
 }
 
+/// Whether a key of [output] names a file.
+bool names_a_file(const Member& key) {
+    return std::any_of(kOutputFiles.begin(), kOutputFiles.end(), [&](const OutputFile& file) {
+        return file.key == key.key;
+    });
+}
+
 /// Leaves out where the run wrote to; what it wrote of its numbers stays.
 void forget_outputs(Node::Table& members) {
     for (Member& member : members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);
         if (member.key == "output" && output != nullptr) {
-            std::erase_if(*output, [](const Member& key) {
-                return std::any_of(
-                    kOutputFiles.begin(), kOutputFiles.end(),
-                    [&](const OutputFile& file) { return file.key == key.key; });
-            });
+            std::erase_if(*output, names_a_file);
         }
     }
 }

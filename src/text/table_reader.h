@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ namespace quasimc {
 template <typename Rows>
 [[nodiscard]] std::vector<std::string_view> names_in(const Rows& rows) {
     std::vector<std::string_view> names;
+    names.reserve(std::size(rows));
     for (const auto& row : rows) {
         names.push_back(row.name);
     }
