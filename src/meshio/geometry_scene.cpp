@@ -120,10 +120,7 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
         add_groups(std::move(file), builder);
     }
     Scene scene = std::move(builder).build();
-    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
-    for (Warning& warning : lint(scene)) {
-        warnings.push_back(std::move(warning));
-    }
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint(scene));
     return {
         std::move(scene), std::move(warnings), files.files(),
         format.has_units ? context.length_unit : ""};

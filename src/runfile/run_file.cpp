@@ -227,10 +227,7 @@ void refuse_sweep(TableReader& top) {
 
 /// The part of a document that makes the scene.
 SceneBuilder read_builder(
-    const Node& document,
-    InputFiles& files,
-    const std::function<void(SceneBuilder&)>& add_organs,
-    Reporter& reporter) {
+    const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
     TableReader top(document, "", reporter);
     pass_over(top, {"title", "run", "source", "light_file", "output"});
     refuse_sweep(top);
@@ -367,10 +364,7 @@ RunFile read_run_document(
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
-    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
-    for (Warning& warning : lint_of(sections)) {
-        warnings.push_back(std::move(warning));
-    }
+    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
     return {
         name,
         std::move(sections.title),
@@ -387,26 +381,18 @@ RunFile read_run_document(
 }
 
 SceneOfRun read_scene_document(
-    const Node& document,
-    const std::string& name,
-    InputFiles& files,
-    const std::function<void(SceneBuilder&)>& add_organs) {
+    const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
     Reporter reporter{name, {}, {}};
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(builder), {}, reporter);
     throw_in_order(reporter);
-    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings));
-    for (Warning& warning : lint_geometry(*scene)) {
-        warnings.push_back(std::move(warning));
-    }
+    std::vector<Warning> warnings =
+        fold_warnings(std::move(reporter.warnings), lint_geometry(*scene));
     return {std::move(*scene), std::move(warnings)};
 }
 
 FrameOfRun read_frame_document(
-    const Node& document,
-    const std::string& name,
-    InputFiles& files,
-    const std::function<void(SceneBuilder&)>& add_organs) {
+    const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
     Reporter reporter{name, {}, {}};
     SceneBuilder builder = read_builder(document, files, add_organs, reporter);
     throw_in_order(reporter);

@@ -76,6 +76,9 @@ void sort_by_line(std::vector<Fault>& faults, const std::string& file);
 // For programs that keep a scene and change the light on it, a document is read in two parts. Each
 // passes over the keys of the other, and over [output], and refuses [sweep].
 
+/// Adds organs to those of a document.
+using AddOrgans = std::function<void(SceneBuilder&)>;
+
 /// What a document says of what light falls on.
 struct SceneOfRun {
     Scene scene;
@@ -91,14 +94,14 @@ struct FrameOfRun {
     const Node& document,
     const std::string& name,
     InputFiles& files,
-    const std::function<void(SceneBuilder&)>& add_organs = {});
+    const AddOrgans& add_organs = {});
 /// @param add_organs  adds more of them, behind those of the document; may be empty
 /// @throws InputError  with all faults at once
 [[nodiscard]] SceneOfRun read_scene_document(
     const Node& document,
     const std::string& name,
     InputFiles& files,
-    const std::function<void(SceneBuilder&)>& add_organs = {});
+    const AddOrgans& add_organs = {});
 
 /// What a document says of the light, and of how it is computed.
 struct LightOfRun {

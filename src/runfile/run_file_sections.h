@@ -14,11 +14,11 @@
 
 #include "files/input_files.h"
 #include "meshio/formats.h"
+#include "meshio/mesh_cache.h"
 #include "options/options.h"
 #include "quasimc/run_file.h"
 #include "quasimc/sun.h"
 #include "quasimc/vec3.h"
-#include "runfile/mesh_cache.h"
 #include "runfile/run_file.h"
 #include "scene/scene.h"
 #include "text/table_reader.h"
@@ -50,7 +50,7 @@ struct RunFileContext {
     MeshCache* meshes = nullptr;  ///< files that are parsed already; or null
 };
 
-// run_file_place.cpp
+// run_file_sun.cpp
 /// [place]; nothing if it is absent or has faults.
 [[nodiscard]] std::optional<Place> read_place(TableReader& top);
 

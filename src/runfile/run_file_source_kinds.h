@@ -58,9 +58,6 @@ struct StatedShape {
     SkyShape shape;
     std::string words;
 };
-/// Of a sky with model = "table"; nothing after a fault. run_file_sky_table.cpp
-[[nodiscard]] std::optional<StatedShape> read_table_shape(
-    TableReader& table, const RunFileContext& context);
 
 /// A vector of some length, as a unit vector with z up; nothing after a fault. run_file_lamps.cpp
 /// @param usual  if none is stated; nothing: it must be

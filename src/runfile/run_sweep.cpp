@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "meshio/mesh_cache.h"
 #include "options/options.h"
-#include "runfile/mesh_cache.h"
 #include "runfile/run_file.h"
 #include "runfile/sweep.h"
 #include "runfile/written.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -109,7 +110,7 @@ Warning folded(const std::vector<Warning>& all) {
 
 }  // namespace
 
-std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
+std::vector<Warning> fold_warnings(std::vector<Warning> warnings, std::vector<Warning> others) {
     constexpr std::size_t kMaxAlike = 3;
     std::map<std::string, std::vector<Warning>> kinds;
     std::vector<std::string> kind_of_each;
@@ -127,6 +128,7 @@ std::vector<Warning> fold_warnings(std::vector<Warning> warnings) {
             kind.clear();
         }
     }
+    std::move(others.begin(), others.end(), std::back_inserter(result));
     return result;
 }
 

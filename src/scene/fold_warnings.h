@@ -8,6 +8,8 @@ namespace quasimc {
 
 /// Makes one warning of more than three that differ in names and numbers alone: the text of the
 /// first, with the first three places and the count. What is folded already can be folded again.
-[[nodiscard]] std::vector<Warning> fold_warnings(std::vector<Warning> warnings);
+/// @param others  follow as they are
+[[nodiscard]] std::vector<Warning> fold_warnings(
+    std::vector<Warning> warnings, std::vector<Warning> others = {});
 
 }  // namespace quasimc

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "meshio/mesh_cache.h"
 #include "quasimc/error.h"
 #include "quasimc/run.h"
-#include "runfile/mesh_cache.h"
 #include "runfile/run_file.h"
 #include "scene/overlap/covered.h"
 #include "scene/scene.h"
