@@ -37,7 +37,7 @@ std::vector<TimeStep> sample_of_year() {
                 light = measured_light(
                     path, overcast, LightUnit::full_spectrum, DiffuseModel::erbs, how.spectra);
             }
-            HourSources sources = make_hour_sources(path, light, how);
+            HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
             if (!sources.sources.empty()) {
                 hours.push_back(
                     {"hour", std::move(sources.sources), std::move(sources.shapes), kHour,
