@@ -25,8 +25,9 @@ std::vector<double> shades_of(const Source& sky, std::size_t size, double radius
     const double middle = 0.5 * static_cast<double>(size);
     std::vector<double> shades(size * size, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < shades.size(); ++i) {
-        const double east = middle - (static_cast<double>(i % size) + 0.5);
-        const double north = middle - (static_cast<double>(i / size) + 0.5);
+        const std::size_t row = i / size, column = i % size;
+        const double east = middle - (static_cast<double>(column) + 0.5);
+        const double north = middle - (static_cast<double>(row) + 0.5);
         const double off = std::hypot(east, north);
         if (off < radius) {
             const double zenith = 0.5 * std::numbers::pi * off / radius;
