@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "base/text.h"
 #include "meshio/formats.h"
 
 namespace quasimc {
@@ -31,11 +31,7 @@ namespace {
 /// ".obj" of "Plant.OBJ"; "" of a path without a dot.
 std::string extension_of(std::string_view path) {
     const std::size_t dot = path.rfind('.');
-    std::string extension(dot == std::string_view::npos ? "" : path.substr(dot));
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
-    return extension;
+    return lower_case(dot == std::string_view::npos ? "" : path.substr(dot));
 }
 
 }  // namespace

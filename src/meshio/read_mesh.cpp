@@ -1,7 +1,5 @@
 // What is checked of every file of geometry, whatever its format.
 
-#include <algorithm>
-#include <cctype>
 #include <set>
 
 #include <fmt/format.h>
@@ -122,10 +120,7 @@ void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter) {
 }  // namespace
 
 bool may_have_alpha(std::string_view image) {
-    std::string name(image);
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    const std::string name = lower_case(image);
     return !name.ends_with(".jpg") && !name.ends_with(".jpeg");
 }
 

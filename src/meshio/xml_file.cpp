@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -21,10 +20,7 @@ constexpr unsigned int kParts = pugi::parse_default | pugi::parse_declaration;
 bool is_latin1(const pugi::xml_document& document, std::string_view bytes) {
     constexpr std::array<std::string_view, 5> kNames{
         "iso-8859-1", "iso_8859-1", "latin1", "latin-1", "windows-1252"};
-    std::string name = document.first_child().attribute("encoding").value();
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    const std::string name = lower_case(document.first_child().attribute("encoding").value());
     return document.first_child().type() == pugi::node_declaration &&
            std::find(kNames.begin(), kNames.end(), name) != kNames.end() && !is_utf8(bytes) &&
            std::none_of(

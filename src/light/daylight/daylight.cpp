@@ -1,13 +1,12 @@
 #include "light/daylight/daylight.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "base/text.h"
 #include "light/daylight/solar_reference.h"
 
 namespace quasimc {
@@ -104,10 +103,7 @@ Daylight DaylightSpectra::from_fraction(double amount, LightUnit unit, double fr
 }
 
 std::optional<SpectralSpan> span_of_band(std::string_view name) {
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    const std::string lower = lower_case(name);
     for (const NamedSpan& known : kNamed) {
         if (known.name == lower) {
             return SpectralSpan{known.from_nm, known.to_nm};
