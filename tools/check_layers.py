@@ -49,6 +49,7 @@ PUBLIC_HEADERS = {
     "source.h": "light",
     "sun.h": "light",
     "scene.h": "scene",
+    "run_listener.h": "run",
     "run_spec.h": "solvers",
     "groups.h": "results",
     "result.h": "results",

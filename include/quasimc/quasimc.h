@@ -17,6 +17,7 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run.h"
 #include "quasimc/run_file.h"
+#include "quasimc/run_listener.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/scene.h"
 #include "quasimc/series.h"

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "quasimc/result.h"
+#include "quasimc/run_listener.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/scene.h"
 #include "quasimc/share.h"
@@ -19,14 +20,6 @@
 #include "quasimc/sums.h"
 
 namespace quasimc {
-
-/// How far a run is; called now and then from the thread that called run().
-struct Progress {
-    double fraction = 0;            ///< of the current plan, 0..1
-    double seconds = 0;             ///< so far
-    double expected_seconds = 0;    ///< in all; grows when a target needs more rounds
-    double fraction_at_target = 0;  ///< of the organs, after the last round; 0 without a target
-};
 
 struct RunCheckpoint;  // src/run/run_state.h
 struct RunTeam;        // src/run/run_team.h
