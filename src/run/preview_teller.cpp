@@ -3,29 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "sums/sum_data.h"
+
 namespace quasimc {
-namespace {
-
-/// Sums of the first replicates alone, that have traced all of a round.
-Sums first_replicates(
-    const Sums& sums, std::size_t count, std::uint64_t paths, std::uint64_t samples) {
-    Sums first;
-    first.layout = sums.layout;
-    first.units = sums.units;
-    first.spectra = sums.spectra;
-    first.emitted_flux = sums.emitted_flux;
-    first.measured = sums.measured;
-    first.escaped = sums.escaped;
-    first.replicates.assign(
-        sums.replicates.begin(), sums.replicates.begin() + static_cast<std::ptrdiff_t>(count));
-    first.paths = paths;
-    first.samples = samples;
-    first.per_find = sums.per_find;
-    return first;
-}
-
-}  // namespace
-
 void PreviewTeller::watch(RoundTracer& tracer) {
     if (preview_ != nullptr) {
         tracer.add_watcher(
@@ -52,7 +32,7 @@ bool PreviewTeller::is_due() const {
 /// less than all have told.
 void PreviewTeller::tell_replicates(
     const Pause& pause, const Sums& partial, const RoundTracer& tracer) {
-    const std::size_t all = partial.replicates.size();
+    const std::size_t all = partial->replicates.size();
     const std::uint64_t done = pause.last > 0 ? pause.done_of_last * all / pause.last : 0;
     constexpr std::size_t kFewest = 2;  // for an error
     if (round_.first > 0 || done < kFewest || done <= told_) {

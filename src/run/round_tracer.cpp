@@ -36,7 +36,7 @@ void RoundTracer::make_solver_for(std::uint64_t first_paths) {
 void RoundTracer::restore(Sums sums, std::uint64_t first_paths) {
     done_ = std::move(sums);
     first_paths_ = first_paths;
-    paths_before_ = static_cast<double>(done_->paths);
+    paths_before_ = static_cast<double>(done_->paths());
 }
 
 void RoundTracer::add_watcher(Watcher watcher) {

@@ -185,8 +185,9 @@ Result preview_of(
 
 /// @throws InputError  if sums from elsewhere are not those of the run
 void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec& spec) {
-    const bool is_this_run = sums.digest == digest_of(prepared, spec) && sums.paths == spec.paths &&
-                             sums.replicates.size() == spec.replicates;
+    const bool is_this_run = sums.digest() == digest_of(prepared, spec) &&
+                             sums.paths() == spec.paths &&
+                             sums->replicates.size() == spec.replicates;
     if (!is_this_run) {
         throw InputError(
             {{"sums", "they are of another run", "scene, sources, options or version differ", ""}});
@@ -291,9 +292,9 @@ Sums Simulator::State::sums(
         scene, sources, planned.window, caster_.caster_for(scene, spec.engine, control.stop),
         control.stop);
     Sums sums = empty_sums(prepared, planned);
-    sums.digest = digest_of(prepared, planned);
+    sums->digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {
-        sums.paths = sums.samples = planned.paths;
+        sums->paths = sums->samples = planned.paths;
         return sums;
     }
     Reporter reporter(control.on_progress, start);

@@ -95,7 +95,7 @@ StateKeeper::StateKeeper(
     position_.target_fraction = spec.target_fraction;
     stored_ = checkpoint_->state_of(moment_);
     const auto fits = [&](const std::optional<Sums>& sums) {
-        return !sums || sums->replicates.size() == spec.replicates;
+        return !sums || (*sums)->replicates.size() == spec.replicates;
     };
     if (stored_ && (stored_->position.digest != position_.digest || !fits(stored_->done) ||
                     !fits(stored_->partial))) {
@@ -165,8 +165,8 @@ void StateKeeper::finish_given(const Sums& sums) {
     if (checkpoint_ == nullptr) {
         return;
     }
-    position_.rounds.done = position_.first_paths = sums.paths;
-    position_.rounds.pace.add(sums.paths, 0);
+    position_.rounds.done = position_.first_paths = sums.paths();
+    position_.rounds.pace.add(sums.paths(), 0);
     checkpoint_->finish(moment_, {position_, &sums, nullptr});
 }
 

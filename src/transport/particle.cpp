@@ -19,15 +19,15 @@ void set_start_weights(const Particle& path, std::span<double> weights) {
 void tally_cut_off(const Side& side, double cosine, std::span<const double> weights, Tally& tally) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
         const std::int64_t fixed = to_fixed(weights[b] * side.albedo(b, cosine));
-        tally.add(tally.layout().scattered_out() + b, fixed);
-        tally.add(tally.layout().cut_off() + b, fixed);
+        tally.add(tally.blocks().scattered_out() + b, fixed);
+        tally.add(tally.blocks().cut_off() + b, fixed);
     }
 }
 
 /// A light path under way: the physics of light tracing.
 ///
 /// At every hit the light that falls on the side is scored, in all bands; what the organ absorbs
-/// follows from it, or is summed (AbsorbedLight). Then one number decides between the lobes of the
+/// follows from it, or is summed (score_absorbed). Then one number decides between the lobes of the
 /// material and the end of the path, so that a path lives on with the surface's albedo and carries
 /// on with its weight (Side::scatter). Fixed-point copies of the weights are made once for each
 /// flight, so that what leaves one surface is, to the last bit, what arrives at the next or
@@ -88,7 +88,7 @@ class ParticleTracer {
 
     /// Adds what falls on the surface.
     void score(const Surface& surface, const Vec3& place) {
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
             return;
         }
@@ -100,7 +100,7 @@ class ParticleTracer {
             if (is_looked_for(surface.region, place)) {
                 return;
             }
-            const std::size_t bins = layout.scattered(surface.region, surface.side);
+            const std::size_t bins = blocks.scattered(surface.region, surface.side);
             const double scale = share * scale_of(surface.region);
             scale == 1 ? tally_.add(bins, fixed_) : add_weights(bins, scale);
             score_absorbed(
@@ -116,7 +116,7 @@ class ParticleTracer {
         }
         const double amount = share * path_.weight * scale_of(surface.region);
         tally_.add(
-            layout.direct(surface.region, surface.side, path_.light->spectrum), to_fixed(amount));
+            blocks.direct(surface.region, surface.side, path_.light->spectrum), to_fixed(amount));
         score_absorbed(
             prepared_,
             {surface.region, surface.side, surface.cosine, LightPart::direct, amount,
@@ -125,7 +125,7 @@ class ParticleTracer {
         if (path_.light->lit_area > 0 && surface.cosine > 0 &&
             prepared_.is_sunlit(surface.triangle, direction_, surface.cosine)) {
             tally_.add(
-                layout.sunlit(surface.region),
+                blocks.sunlit(surface.region),
                 to_fixed(
                     prepared_.sunlit_share(surface.triangle) * path_.weight *
                     path_.light->lit_area / surface.cosine));
@@ -139,16 +139,16 @@ class ParticleTracer {
             prepared_.material(surface.region).is_transparent()) {
             return;
         }
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         if (direct_) {
             tally_.add_signed(
-                layout.escaped_direct() + path_.light->spectrum,
+                blocks.escaped_direct() + path_.light->spectrum,
                 to_fixed(path_.weight) - to_fixed((1 - part) * path_.weight));
             return;
         }
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             tally_.add_signed(
-                layout.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
+                blocks.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
         }
     }
 
@@ -213,7 +213,7 @@ class ParticleTracer {
             fixed_[b] = to_fixed(weights_[b]);
         }
         if (rules_.filter == PathFilter::all) {
-            tally_.add(tally_.layout().scattered_out(), fixed_);
+            tally_.add(tally_.blocks().scattered_out(), fixed_);
         }
     }
 
@@ -226,22 +226,22 @@ class ParticleTracer {
 
     /// The path has left the scene, or is lost between the layers of a periodic one.
     void end_path(RayEnd end) {
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         if (rules_.filter == PathFilter::left_out) {
             return;
         }
         if (!direct_) {
             if (end == RayEnd::lost) {
-                tally_.add(layout.cut_off(), fixed_);
+                tally_.add(blocks.cut_off(), fixed_);
                 return;
             }
-            tally_.add(layout.escaped_scattered(), fixed_);
+            tally_.add(blocks.escaped_scattered(), fixed_);
             tell_detectors();
         } else if (end == RayEnd::escaped) {
-            tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
+            tally_.add(blocks.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
         } else {
             set_start_weights(path_, weights_);
-            add_weights(layout.cut_off(), 1);
+            add_weights(blocks.cut_off(), 1);
         }
     }
 
@@ -249,7 +249,7 @@ class ParticleTracer {
     void tell_detectors() {
         const auto& detectors = prepared_.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(direction_, fixed_, tally_.layout().detector(i), tally_);
+            detectors[i]->on_escape(direction_, fixed_, tally_.blocks().detector(i), tally_);
         }
     }
 

@@ -12,6 +12,7 @@
 #include "solvers/direct/sampling_budget.h"
 #include "solvers/direct/seen_scene.h"
 #include "solvers/light_tracing/light_tracer.h"
+#include "solvers/sampling_strategies.h"
 #include "solvers/solver.h"
 #include "solvers/sum_meaning.h"
 
@@ -29,9 +30,9 @@ class DirectBeams {
         std::uint32_t replicate;
         std::uint32_t number;  ///< of the task
         const VisibilityTask& task;
-        const SumUnits& units;
-        std::size_t kind;     ///< of the light, in units.kinds
-        std::uint64_t block;  ///< of the task
+        const CountedStrategies& counted;
+        std::size_t strategy;  ///< of the light, in `counted`
+        std::uint64_t block;   ///< of the task
     };
     /// A beam and the area across it, through which its light enters; local units squared.
     struct Beam : SurfaceBeam {
@@ -49,13 +50,13 @@ class DirectBeams {
     [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
-    /// The tasks of a round; tells the sums what each of their finds brings at most.
+    /// The tasks of a round; tells the sums what each of their contributions is at most.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round, Sums& sums) const;
     /// Block `block` of all blocks of the tasks.
     [[nodiscard]] static Work work_of(
         const std::vector<VisibilityTask>& tasks,
         const Round& round,
-        const SumUnits& units,
+        const CountedStrategies& counted,
         std::uint32_t replicate,
         std::uint64_t block);
 

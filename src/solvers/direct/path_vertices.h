@@ -99,12 +99,12 @@ class DirectLightScore {
         : prepared_(prepared),
           beam_(beam),
           tally_(tally),
-          stride_(tally.layout().stride()),
+          stride_(tally.blocks().stride()),
           sides_{
-              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
-              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
+              tally.blocks().direct(0, SurfaceSide::upper, beam.light->spectrum),
+              tally.blocks().direct(0, SurfaceSide::lower, beam.light->spectrum)},
           finds_sunlit_(beam.light->lit_area > 0),
-          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
+          sums_absorbed_(tally.blocks().has_absorbed()) {}
 
     /// `amount` paths' light falls on a triangle. @param along  as in scattering_piece()
     void add(std::uint32_t triangle, double along, double amount) {

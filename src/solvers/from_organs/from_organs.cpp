@@ -89,14 +89,16 @@ class FromOrgans final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t count = blocks(round);
-        executor.announce(count * sums.replicates.size());
+        const SideBlocks unoccluded(sums->layout, "unoccluded");
+        executor.announce(count * sums->replicates.size());
         runner_.run(
             count, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
+                scratch.unoccluded = unoccluded;
                 trace(round, replicate, block, scratch, tally);
             });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
     [[nodiscard]] std::uint64_t samples_of(const Round& round) const override {
         return points(round.count);
@@ -110,6 +112,7 @@ class FromOrgans final : public Solver {
         ParticleScratch companion;
         std::vector<std::int64_t> fixed;  // per band
         std::vector<double> irradiance;   // per band: from a light vertex
+        SideBlocks unoccluded;            // light that would come if nothing stood in its way
     };
 
     /// Points per organ of so many paths: a power of two, as point sets like it.
@@ -147,7 +150,7 @@ class FromOrgans final : public Solver {
             const Stream stream{spec_.seed, organ + 1, replicate, first, each};
             rays += trace_point(stream, organ, index, scratch, tally);
         }
-        tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
     }
 
     [[nodiscard]] std::uint64_t organs() const { return measured_.organs.size(); }
@@ -177,7 +180,8 @@ class FromOrgans final : public Solver {
         if (connected_.empty() || connected_[point.region] == 0) {
             scratch.companion.vertices.clear();
         }
-        return score_direct(stream, point, tally) + score_vertices(point, scratch, tally) +
+        return score_direct(stream, point, scratch.unoccluded, tally) +
+               score_vertices(point, scratch, tally) +
                score_scattered(stream, point, scratch, tally);
     }
 
@@ -200,7 +204,7 @@ class FromOrgans final : public Solver {
             for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
                 scratch.fixed[b] = to_fixed(factor * scratch.irradiance[b]);
             }
-            tally.add(tally.layout().scattered(point.region, side), scratch.fixed);
+            tally.add(tally.blocks().scattered(point.region, side), scratch.fixed);
             score_absorbed(
                 prepared_,
                 {point.region, side, std::abs(cosine), LightPart::scattered, factor,
@@ -244,7 +248,11 @@ class FromOrgans final : public Solver {
         return rays;
     }
 
-    std::uint64_t score_direct(const Stream& stream, const Point& point, Tally& tally) const {
+    std::uint64_t score_direct(
+        const Stream& stream,
+        const Point& point,
+        const SideBlocks& unoccluded,
+        Tally& tally) const {
         const Sight sight = next_event_.look(
             stream, point.index, 2, point.place, {point.up, prepared_.least_cosine(point.region)});
         const double cosine = dot(sight.to_light, point.up);
@@ -253,15 +261,15 @@ class FromOrgans final : public Solver {
             !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
             return 0;
         }
-        const SumLayout& layout = tally.layout();
+        const LightBlocks& blocks = tally.blocks();
         const SurfaceSide side = side_facing(-cosine);
         const double part = part_of_unit_[point.region];
         const double amount = part * sight.factor * std::abs(cosine);
-        tally.add(layout.unoccluded(point.region, side, sight.light->spectrum), to_fixed(amount));
+        tally.add(unoccluded.bin(point.region, side, sight.light->spectrum), to_fixed(amount));
         if (!prepared_.reaches(point.place, sight.to_light, sight.distance, point.triangle)) {
             return 1;
         }
-        tally.add(layout.direct(point.region, side, sight.light->spectrum), to_fixed(amount));
+        tally.add(blocks.direct(point.region, side, sight.light->spectrum), to_fixed(amount));
         score_absorbed(
             prepared_,
             {point.region, side, std::abs(cosine), LightPart::direct, amount,
@@ -270,7 +278,7 @@ class FromOrgans final : public Solver {
         if (sight.light->sun_share > 0 &&
             prepared_.is_sunlit(point.triangle, sight.to_light, cosine)) {
             tally.add(
-                layout.sunlit(point.region),
+                blocks.sunlit(point.region),
                 to_fixed(part * kFinerSteps * sight.light->sun_share / sight.probability));
         }
         return 1;
@@ -294,7 +302,7 @@ class FromOrgans final : public Solver {
         for (std::size_t b = 0; b < scratch.fixed.size(); ++b) {
             scratch.fixed[b] = to_fixed(factor * scratch.path.gathered[b]);
         }
-        tally.add(tally.layout().scattered(point.region, look.side), scratch.fixed);
+        tally.add(tally.blocks().scattered(point.region, look.side), scratch.fixed);
         score_absorbed(
             prepared_,
             {point.region, look.side, look.cosine, LightPart::scattered, factor,

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "solvers/block_runner.h"
-#include "solvers/light_kinds.h"
 #include "solvers/light_tracing/light_tracer.h"
+#include "solvers/sampling_strategies.h"
 
 namespace quasimc {
 namespace {
@@ -15,13 +15,13 @@ class LightTracing final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t blocks = LightTracer::blocks(round);
-        executor.announce(blocks * sums.replicates.size());
+        executor.announce(blocks * sums->replicates.size());
         runner_.run(
             blocks, executor, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
 
   private:
@@ -42,12 +42,12 @@ SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) 
         largest = std::max(largest, light.lit_area);
     }
     return {
-        .units = {
-            .flux = prepared.flux(),
-            .flux_per_find = prepared.flux(),
-            .sunlit_area = prepared.sun_area(),
-            .sunlit_area_per_find = prepared.sun_area() * largest,
-            .kinds = kinds_by_path(prepared)}};
+        .units = {.flux = prepared.flux(), .sunlit_area = prepared.sun_area()},
+        .bounds =
+            {{"direct", prepared.flux()},
+             {"scattered", prepared.flux()},
+             {"sunlit", {prepared.sun_area() * largest}}},
+        .strategies = strategies_by_path(prepared)};
 }
 
 bool do_light_tracing_rounds_add_up(const Scene& /*scene*/, std::uint64_t first_paths) {

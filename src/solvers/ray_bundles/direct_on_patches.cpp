@@ -115,7 +115,7 @@ void DirectOnPatches::find(
         task.tasks.empty() ? 0 : task.tasks.back().first_block + task.tasks.back().blocks;
     for (std::uint64_t block = 0; block < blocks; ++block) {
         const Work work =
-            DirectBeams::work_of(task.tasks, task.round, task.units, task.replicate, block);
+            DirectBeams::work_of(task.tasks, task.round, task.counted, task.replicate, block);
         work.task.is_sky ? find_by_pixels(work, scratch, light, open, tally)
                          : find_by_lines(work, scratch, light, tally);
     }
@@ -279,7 +279,7 @@ void DirectOnPatches::trace(
             rays += trace_path(source, start, lit[pick.index], tally);
         }
     }
-    tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+    tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
 }
 
 /// @returns the rays cast
@@ -288,9 +288,9 @@ std::uint64_t DirectOnPatches::trace_path(
     const Emission& start,
     std::span<const LitBands> lit,
     Tally& tally) const {
-    const SumLayout& layout = tally.layout();
+    const LightBlocks& blocks = tally.blocks();
     const RayCaster& caster = prepared_.caster();
-    tally.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
+    tally.add(blocks.emitted() + source.spectrum, to_fixed(start.weight));
     CastHit at = source.source->is_lamp() ? caster.cast_from_lamp(start.origin, start.direction)
                                           : caster.cast(start.origin, start.direction, kNoTriangle);
     std::uint64_t rays = 1;
@@ -300,18 +300,18 @@ std::uint64_t DirectOnPatches::trace_path(
             start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
         if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
             tally.add(
-                layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
+                blocks.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
             const bool is_sunlit =
                 source.lit_area > 0 && surface.cosine > 0 &&
                 prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
             const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
             tally.add(
-                layout.sunlit(surface.region),
+                blocks.sunlit(surface.region),
                 to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
         }
         if (!prepared_.material(surface.region).is_transparent()) {
             tally.add_signed(
-                layout.escaped_direct() + source.spectrum,
+                blocks.escaped_direct() + source.spectrum,
                 to_fixed(start.weight) - to_fixed(amount));
             const std::uint32_t triangle = patches_.representative(surface.triangle);
             add_to(
@@ -322,11 +322,11 @@ std::uint64_t DirectOnPatches::trace_path(
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
     }
     if (at.end == RayEnd::escaped) {
-        tally.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
+        tally.add(blocks.escaped_direct() + source.spectrum, to_fixed(start.weight));
         return rays;
     }
-    for (std::size_t b = 0; b < layout.bands; ++b) {
-        tally.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+    for (std::size_t b = 0; b < prepared_.bands(); ++b) {
+        tally.add(blocks.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
     }
     return rays;
 }

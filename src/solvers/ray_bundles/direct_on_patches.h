@@ -27,7 +27,7 @@ class DirectOnPatches {
     struct Task {
         const Round& round;
         const std::vector<VisibilityTask>& tasks;  ///< of the round
-        const SumUnits& units;
+        const CountedStrategies& counted;
         std::uint32_t replicate = 0;
     };
     /// Adds all direct light of a replicate. What looks for it along skies sees how open sides are.
