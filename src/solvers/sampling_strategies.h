@@ -52,12 +52,54 @@ struct CountedStrategies {
     SideBlocks squares;
 };
 
-/// Counts contributions: what a sample (along a direction, or some lines) brought to each side of a
-/// region is given triangle after triangle, those of a region next to each other.
+/// Counts the contributions of one sample (a direction, or some lines) to each side of each region.
 class ContributionCounter {
   public:
+    /// Counts what `add_all(counter)` adds.
     /// @param strategy  its index
     /// @param lines  that the sample consists of; 1 for a direction
+    template <typename AddAll>
+    static void count(
+        const PreparedScene& prepared,
+        const CountedStrategies& counted,
+        std::size_t strategy,
+        double lines,
+        Tally& tally,
+        const AddAll& add_all) {
+        ContributionCounter counter(prepared, counted, strategy, lines, tally);
+        add_all(counter);
+        counter.finish_region();
+    }
+
+    /// Adds light on a triangle. Triangles of a region follow each other.
+    /// @param along  dot(unit normal of the upper side, direction of the light)
+    /// @param amount  units of light
+    /// @param segments  along lines
+    void add(std::uint32_t triangle, double along, double amount, std::uint32_t segments = 1) {
+        const std::uint32_t region = prepared_.region(triangle);
+        if (region != region_) {
+            finish_region();
+            region_ = region;
+        }
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
+        }
+        // Nothing comes to one side, and no branch could guess to which.
+        const auto is_lower = static_cast<std::uint32_t>(along > 0);
+        upper_.add(amount * (1 - is_lower), segments * (1 - is_lower));
+        lower_.add(amount * is_lower, segments * is_lower);
+    }
+
+  private:
+    struct Contribution {
+        double amount = 0, segments = 0;
+
+        void add(double more, std::uint32_t more_segments) {
+            amount += more;
+            segments += more_segments;
+        }
+    };
+
     ContributionCounter(
         const PreparedScene& prepared,
         const CountedStrategies& counted,
@@ -72,52 +114,24 @@ class ContributionCounter {
           strategy_(strategy),
           tally_(tally) {}
 
-    /// @param along  dot(unit normal of the upper side, direction of the light)
-    /// @param amount  units of light
-    /// @param pieces  along lines
-    void add(std::uint32_t triangle, double along, double amount, std::uint32_t pieces = 1) {
-        const std::uint32_t region = prepared_.region(triangle);
-        if (region != region_) {
-            finish();
-            region_ = region;
-        }
-        if (!prepared_.in_field_of_view(region, std::abs(along))) {
-            return;
-        }
-        // To one side comes nothing: to which no branch could guess.
-        const auto is_lower = static_cast<std::uint32_t>(along > 0);
-        upper_.add(amount * (1 - is_lower), pieces * (1 - is_lower));
-        lower_.add(amount * is_lower, pieces * is_lower);
-    }
-    /// To be called after the last triangle.
-    void finish() {
+    void finish_region() {
         if (std::min(upper_.amount, lower_.amount) > 0) [[unlikely]] {
             add_squares(SurfaceSide::upper, upper_);
             add_squares(SurfaceSide::lower, lower_);
         } else {
-            const double pieces = upper_.pieces + lower_.pieces;
+            const double segments = upper_.segments + lower_.segments;
             add_squares(
                 lower_.amount > 0 ? SurfaceSide::lower : SurfaceSide::upper,
-                {upper_.amount + lower_.amount, pieces});
+                {upper_.amount + lower_.amount, segments});
         }
         upper_ = lower_ = {};
     }
 
-  private:
-    struct Found {
-        double amount = 0, pieces = 0;
-
-        void add(double more, std::uint32_t more_pieces) {
-            amount += more;
-            pieces += more_pieces;
-        }
-    };
-
-    void add_squares(SurfaceSide side, const Found& found) {
+    void add_squares(SurfaceSide side, const Contribution& found) {
         const double most = reach_[std::size_t{2} * region_ + index_of(side)] * step_;
         if (found.amount > 0 && most > 0) {
             const double square =
-                found.amount * found.amount / (most * most * std::min(found.pieces, lines_));
+                found.amount * found.amount / (most * most * std::min(found.segments, lines_));
             tally_.add(squares_.bin(region_, side, strategy_), to_fixed(square));
         }
     }
@@ -129,7 +143,7 @@ class ContributionCounter {
     std::size_t strategy_;
     Tally& tally_;
     std::uint32_t region_ = 0;
-    Found upper_, lower_;  // of the region
+    Contribution upper_, lower_;  // of the region
 };
 
 }  // namespace quasimc
