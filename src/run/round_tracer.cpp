@@ -16,11 +16,12 @@ namespace {
 /// Sums of no paths yet.
 Sums make_sums(const PreparedScene& prepared, const RunSpec& spec) {
     const auto regions = static_cast<double>(prepared.scene().regions().size());
-    const auto bins = static_cast<double>(2 * (prepared.spectra().size() + prepared.bands()) + 1);
+    const auto bins =
+        static_cast<double>(2 * (prepared.lights().spectra().size() + prepared.bands()) + 1);
     return make_big(
         fmt::format(
             "the sums of {} regions, {} bands, {} spectra and {} replicates",
-            prepared.scene().regions().size(), prepared.bands(), prepared.spectra().size(),
+            prepared.scene().regions().size(), prepared.bands(), prepared.lights().spectra().size(),
             spec.replicates),
         regions * bins * spec.replicates * sizeof(std::int64_t),
         [&] { return empty_sums(prepared, spec); });

@@ -39,7 +39,7 @@ class BlockRunner {
     explicit BlockRunner(const SolverInput& input)
         : bands_(input.prepared.bands()),
           most_private_bytes_(input.spec.tally_memory_mb * 1e6),
-          private_regions_(input.prepared.ground_regions()) {}
+          private_regions_(ground_regions(input.prepared.scene())) {}
 
     /// Calls `trace(replicate, block, scratch, tally)` for every block of every replicate.
     template <typename Trace>
@@ -58,6 +58,14 @@ class BlockRunner {
     }
 
   private:
+    /// The number of regions of the ground, which come last.
+    static std::size_t ground_regions(const Scene& scene) {
+        const std::vector<Region>& regions = scene.regions();
+        return static_cast<std::size_t>(std::count_if(
+            regions.begin(), regions.end(),
+            [&](const Region& region) { return scene.organs()[region.organ.value].is_ground; }));
+    }
+
     struct alignas(2 * kCacheLine) Aligned {
         explicit Aligned(std::size_t bands) : scratch(bands) {}
         Scratch scratch;

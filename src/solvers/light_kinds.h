@@ -65,7 +65,7 @@ class FindCounter {
             finish();
             region_ = region;
         }
-        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+        if (!prepared_.fields_of_view().contain(region, std::abs(along))) {
             return;
         }
         // To one side comes nothing: to which no branch could guess.

@@ -195,7 +195,7 @@ class FirstHits final : public Solver {
 std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
     std::vector<double> largest = largest_albedos(prepared.scene());
     for (std::size_t b = 0; b < largest.size(); ++b) {
-        largest[b] *= prepared.flux()[b];
+        largest[b] *= prepared.lights().flux()[b];
     }
     return largest;
 }

@@ -43,10 +43,10 @@ SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) 
     }
     return {
         .units = {
-            .flux = prepared.flux(),
-            .flux_per_find = prepared.flux(),
-            .sunlit_area = prepared.sun_area(),
-            .sunlit_area_per_find = prepared.sun_area() * largest,
+            .flux = prepared.lights().flux(),
+            .flux_per_find = prepared.lights().flux(),
+            .sunlit_area = prepared.lights().sun_area(),
+            .sunlit_area_per_find = prepared.lights().sun_area() * largest,
             .kinds = kinds_by_path(prepared)}};
 }
 

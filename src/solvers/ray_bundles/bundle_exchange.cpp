@@ -125,7 +125,7 @@ void BundleExchange::exchange_pack(
     const std::size_t bands = light.packs()[pack.index].bands;
     std::array<double, 2 * kMostInPack> forwards{}, backwards{};
     std::uint32_t* const ends = pack.finds_ends ? found.ends.data() : nullptr;
-    const bool has_sensors = patches_.prepared.has_transparent();
+    const bool has_sensors = patches_.prepared.optics().has_transparent;
     for_bands(bands, [&]<std::size_t kBands>() {
         LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
         lines.for_each_line([&](std::span<const Columns::Passed> line) {

@@ -296,7 +296,7 @@ void check_matt(const Scene& scene, Faults& faults) {
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
     meaning.patch_levels = PatchLevels::two;
-    meaning.units.scattered_flux_per_find = prepared.flux();
+    meaning.units.scattered_flux_per_find = prepared.lights().flux();
     for (double& flux : meaning.units.scattered_flux_per_find) {
         flux *= light_of_stretch();
     }
