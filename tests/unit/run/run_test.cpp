@@ -21,6 +21,7 @@ namespace {
 class TiredSky final : public Source {
   public:
     TiredSky() : Source("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
+    [[nodiscard]] ModelParameters parameters() const override { return {"tired_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return sky_->make_sampler_in(projection);

@@ -24,6 +24,7 @@ class StoppingSky final : public Source {
           sky_(make_uniform_sky("sky", {1})),
           source_(source),
           at_(at) {}
+    [[nodiscard]] ModelParameters parameters() const override { return sky_->parameters(); }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return sky_->make_sampler_in(projection);
