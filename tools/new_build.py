@@ -50,7 +50,7 @@ DETECTOR_IN_PYTHON = """
 import quasimc
 scene = quasimc.Scene(["PAR"])
 scene.add_material("leaf", reflectance=0.5)
-scene.add_organ("disk", "leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1)
+scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1)
 scene.add_source(quasimc.directional(direction=[0, 0, -1], irradiance_facing=1))
 scene.add_detector("{type}", name="it")
 seen = scene.run(paths=64, method="light_tracing").detectors["it"]

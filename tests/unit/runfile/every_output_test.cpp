@@ -43,14 +43,20 @@ class EveryOutput : public ::testing::TestWithParam<std::string> {
 };
 
 INSTANTIATE_TEST_SUITE_P(
-    Catalogue, EveryOutput, ::testing::ValuesIn(output_names()), [](const auto& info) {
-        return info.param;
+    Catalogue, EveryOutput, ::testing::ValuesIn(output_names()), [](const auto& row) {
+        return row.param;
     });
 
 TEST_P(EveryOutput, IsAKeyOfTheRunFile) {
     const RunFile run = read_text(with_output(GetParam() + " = 'out/file'\n"));
     ASSERT_EQ(run.output.files.size(), 1U);
     EXPECT_EQ(run.output.files.at(GetParam()), "/run/out/file");
+}
+
+TEST_P(EveryOutput, IsNamedInTheDefaultRunFile) {
+    const std::string file = default_run_file();
+    const std::string after = file.substr(file.find("\n[output]"));
+    EXPECT_LT(after.find(GetParam()), after.find("[[source]]"));
 }
 
 TEST_P(EveryOutput, NeedsWhatItsRowSays) {
