@@ -21,7 +21,7 @@ struct ReplicateTask {
 /// Memory that direct_on_patches() uses.
 struct DirectScratch {
     DirectBeams::Scratch beams;
-    std::vector<Patches::Stretch> segments;
+    std::vector<TriangleParts::Segment> segments;
 };
 
 /// Direct light on patches, and how open sides are as the item buffers of skies see them.

@@ -56,7 +56,7 @@ std::vector<std::vector<std::uint32_t>> parents_of(const Patches& patches) {
         std::vector<std::uint32_t>& of_level = parents[static_cast<std::size_t>(level)];
         const std::uint32_t parts = 1U << (2U * static_cast<unsigned>(level));
         for (auto i = static_cast<std::uint32_t>(of_level.size()); level > 0 && i < parts; ++i) {
-            of_level.push_back(Patches::parent(level, i));
+            of_level.push_back(TriangleParts(level).parent(i));
         }
     }
     return parents;

@@ -50,7 +50,7 @@ struct PatchScene {
     ColumnTriangles drawn;
     std::vector<double> region_areas;  ///< true ones, without sensors
     std::vector<std::uint32_t> region_of_patch;
-    std::vector<std::vector<std::uint32_t>> parents;  ///< Patches::parent by level and part
+    std::vector<std::vector<std::uint32_t>> parents;  ///< TriangleParts::parent by level and part
     double area = 0;                                  ///< of all surfaces
     double mean_albedo = 0;                           ///< by area, in the band where it is largest
 
