@@ -56,8 +56,8 @@ class BundleExchange {
           scene_(light_.scene()),
           found_areas_(scene_.surfaces.size()),
           open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0) {
-        while (scratch.columns_.size() < std::max(options.threads, 1U)) {
-            scratch.columns_.push_back(std::make_unique<Columns>());
+        while (scratch.threads_.size() < std::max(options.threads, 1U)) {
+            scratch.threads_.push_back(std::make_unique<BundleScratch::Thread>());
         }
         scratch.cache_.clear();
         scratch.cached_beams_.clear();
@@ -68,10 +68,11 @@ class BundleExchange {
         ordered_blocks(
             group_.directions, options_.threads,
             [&](std::uint64_t i, unsigned thread) {
-                draw(static_cast<std::uint32_t>(i), *scratch_.columns_[thread]);
+                BundleScratch::Thread& own = *scratch_.threads_[thread];
+                own.lines = lines_along(static_cast<std::uint32_t>(i), own.scratch);
             },
             [&](std::uint64_t i, unsigned thread) {
-                const Columns& lines = *scratch_.columns_[thread];
+                const LineHits& lines = scratch_.threads_[thread]->lines;
                 // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine
                 // law.
                 const Beam beam{
@@ -92,17 +93,18 @@ class BundleExchange {
     using Beam = BundleScratch::Beam;
     using Leaving = BundleScratch::Leaving;
 
-    void draw(std::uint32_t i, Columns& lines) const {
-        lines.draw(
+    [[nodiscard]] LineHits lines_along(std::uint32_t i, LineHitScratch& scratch) const {
+        return find_line_hits(
             scene_.seen, scene_.drawn,
             {.direction = bundle_direction(group_, i),
              .rotation = number_of(group_, i, 0),
              .shift_s = number_of(group_, i, 1),
              .shift_t = number_of(group_, i, 2),
-             .line_area = group_.line_area});
+             .line_area = group_.line_area},
+            scratch);
     }
 
-    void count(const Columns& lines, const Beam& beam) {
+    void count(const LineHits& lines, const Beam& beam) {
         segments_ += lines.size();
         const std::span<const std::uint32_t> counts = lines.counts();
         EXPECT(counts.size() == found_areas_.size());
@@ -112,14 +114,14 @@ class BundleExchange {
     }
 
     /// Lets light go along lines, in bands of one pack.
-    void exchange_along(const Columns& lines, const Beam& beam) {
+    void exchange_along(const LineHits& lines, const Beam& beam) {
         const bool has_ends = options_.skies != nullptr;
         clear(scratch_.leaving_, has_ends ? lines.size() : 0);
         exchange_pack(lines, beam, {0, has_ends}, scratch_.leaving_);
         report(beam, scratch_.leaving_);
     }
 
-    void cache(const Columns& lines, const Beam& beam) {
+    void cache(const LineHits& lines, const Beam& beam) {
         if (scratch_.cache_.size() + lines.size() > kMostCached) {
             exchange_cached();
         }
@@ -176,7 +178,7 @@ class BundleExchange {
         const bool has_sensors = scene_.prepared.optics().has_transparent;
         for_bands(bands, [&]<std::size_t kBands>() {
             LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
-            lines.for_each_line([&](std::span<const Columns::Passed> line) {
+            lines.for_each_line([&](std::span<const LineHits::Hit> line) {
                 has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
             });
             if (pack.has_ends) {

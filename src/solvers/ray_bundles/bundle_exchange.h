@@ -53,8 +53,13 @@ class BundleScratch {
         std::size_t end_count = 0;
     };
 
-    std::vector<std::unique_ptr<Columns>> columns_;  // of each thread
-    Leaving leaving_;                                // along lines that are not cached
+    struct Thread {
+        LineHitScratch scratch;
+        LineHits lines;
+    };
+
+    std::vector<std::unique_ptr<Thread>> threads_;
+    Leaving leaving_;  // along lines that are not cached
     LineCache cache_;
     std::vector<Beam> cached_beams_;
 };

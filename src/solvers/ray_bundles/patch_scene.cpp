@@ -162,7 +162,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
             }
         }
     }
-    drawn = column_triangles(seen, patches, least_cosines);
+    drawn = line_triangles(seen, patches, least_cosines);
     mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
 }
 

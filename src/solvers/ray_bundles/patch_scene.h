@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 #include "raster/patches.h"
 #include "transport/prepared_scene.h"
 
@@ -47,7 +47,7 @@ struct PatchScene {
     Patches patches;
     std::vector<Surface> surfaces;
     std::vector<PatchOptics> optics;  ///< [2 * material + side]
-    ColumnTriangles drawn;
+    LineTriangles drawn;
     std::vector<double> region_areas;  ///< true ones, without sensors
     std::vector<std::uint32_t> region_of_patch;
     std::vector<std::vector<std::uint32_t>> parents;  ///< TriangleParts::parent by level and part
