@@ -131,19 +131,12 @@ quasimc::TextSink RunWriters::json_sink() {
     };
 }
 
-quasimc::SeriesEvents RunWriters::events(
-    std::function<void(const quasimc::Progress&)> on_progress) {
-    quasimc::SeriesEvents events;
-    events.on_progress = std::move(on_progress);
-    events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
-        add_moment(time_step, result, traced);
-    };
-    events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
-    const bool has_days = wants(kDays) || wants(kGroupDays) || (netcdf_ && run_->series);
-    if (has_days || events.wants_total) {
-        events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
-    }
-    return events;
+bool RunWriters::wants_total() const {
+    return run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
+}
+
+bool RunWriters::wants_days() const {
+    return wants(kDays) || wants(kGroupDays) || (netcdf_ && run_->series) || wants_total();
 }
 
 template <typename Action>
@@ -236,24 +229,24 @@ void RunWriters::write_json(Action action) {
     }
 }
 
-void RunWriters::add_moment(
-    std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
+void RunWriters::on_time_step(const quasimc::TimeStepResult& step) {
     end_progress_line();
-    summary_.add_moment(result);
+    summary_.add_moment(step.result);
     for (quasimc::CsvWriter& table : tables_) {
-        table.add_moment(time_step, result);
+        table.add_moment(step.time_step, step.result);
     }
     if (picture_) {
-        picture_->add_moment(result);
+        picture_->add_moment(step.result);
     }
     if (fields_) {
-        fields_->add_moment(result);
+        fields_->add_moment(step.result);
     }
-    write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.add_moment(time_step, result); });
-    write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
+    write_netcdf(
+        [&](quasimc::NetcdfWriter& netcdf) { netcdf.add_moment(step.time_step, step.result); });
+    write_json([&](auto& json) { json.add_moment(step.time_step, step.result, step.computed); });
 }
 
-void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
+void RunWriters::on_day(std::size_t day, const quasimc::SeriesSum& sum) {
     for (quasimc::CsvWriter& table : tables_) {
         table.add_day(day, sum);
     }

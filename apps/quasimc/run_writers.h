@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,16 +43,16 @@ struct RunArguments {
     const RunArguments& arguments, const quasimc::RunFile& run);
 
 /// What the runs of a sweep write while they are computed, one after the other.
-class RunWriters {
+class RunWriters : public quasimc::RunListener {
   public:
     /// Opens the files, so that a wrong path is told before anything is computed.
     /// @param first  must outlive the writers, or the call of next_run()
     RunWriters(const RunArguments& arguments, const quasimc::RunFile& first);
 
-    /// What the run is to tell.
-    /// @param on_progress  of this run; may be empty
-    [[nodiscard]] quasimc::SeriesEvents events(
-        std::function<void(const quasimc::Progress&)> on_progress);
+    void on_time_step(const quasimc::TimeStepResult& step) override;
+    void on_day(std::size_t day, const quasimc::SeriesSum& sum) override;
+    [[nodiscard]] bool wants_days() const override;
+    [[nodiscard]] bool wants_total() const override;
     /// What follows is of the next point. @param summary  of the point that ends
     void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary);
     /// Gives the files their names.
@@ -93,8 +92,6 @@ class RunWriters {
     void write_netcdf(Action action);
     [[nodiscard]] bool wants_fields() const;
     void write_fields(const quasimc::SeriesSummary& summary);
-    void add_moment(std::size_t time_step, const quasimc::Result& result, std::size_t traced);
-    void add_day(std::size_t day, const quasimc::SeriesSum& sum);
 
     const quasimc::RunFile* run_;
     Asked asked_;
