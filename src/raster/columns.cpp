@@ -258,7 +258,7 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
         if (triangle.level > 0) {
             const double at_u = u + of_u.by_x * x;
             const double at_v = v + of_v.by_x * x;
-            part = Patches::part(triangle.level, at_u, at_v);
+            part = TriangleParts(triangle.level).at(at_u, at_v);
             part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
         }
         lines_[size_] = static_cast<std::uint32_t>(row_begin + line);

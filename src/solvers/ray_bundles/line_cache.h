@@ -9,8 +9,8 @@
 
 namespace quasimc {
 
-/// What the lines of several beams pass, kept so that light can go along them again and again.
-class KeptLines {
+/// What the lines of several beams pass, cached so that light can go along them again and again.
+class LineCache {
   public:
     /// The lines of a beam, as Columns have them.
     class Beam {
