@@ -42,18 +42,19 @@ class BlockRunner {
           private_regions_(ground_regions(input.prepared.scene())) {}
 
     /// Calls `trace(replicate, block, scratch, tally)` for every block of every replicate.
+    /// @param tasks  a round of tasks that these are among
     template <typename Trace>
-    void run(std::uint64_t blocks, Executor& executor, Sums& sums, const Trace& trace) {
-        while (scratch_.size() < executor.workers()) {
+    void run(std::uint64_t blocks, TaskRound& tasks, Sums& sums, const Trace& trace) {
+        while (scratch_.size() < tasks.workers()) {
             scratch_.push_back(std::make_unique<Aligned>(bands_));
         }
-        SumCollector collector(sums, executor.workers(), most_private_bytes_, private_regions_);
+        SumCollector collector(sums, tasks.workers(), most_private_bytes_, private_regions_);
         const auto run_task = [&](std::uint64_t task, unsigned worker) {
             const auto replicate = static_cast<std::uint32_t>(task / blocks);
             Tally& tally = collector.tally_for(worker, replicate);
             trace(replicate, task % blocks, scratch_[worker]->scratch, tally);
         };
-        executor.run(blocks * sums.replicates.size(), run_task, [&] { collector.collect(); });
+        tasks.run(blocks * sums.replicates.size(), run_task, [&] { collector.collect(); });
         collector.collect();
     }
 

@@ -74,9 +74,9 @@ class FromOrgans final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t count = blocks(round);
-        executor.announce(count * sums.replicates.size());
+        TaskRound tasks = executor.begin(count * sums.replicates.size());
         runner_.run(
-            count, executor, sums,
+            count, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
                 trace(round, replicate, block, scratch, tally);
             });

@@ -50,7 +50,7 @@ class RayBundles final : public Solver {
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
-        executor.announce(sums.replicates.size());
+        TaskRound replicates = executor.begin(sums.replicates.size());
         std::atomic<std::size_t> left = sums.replicates.size();
         // Where fewer replicates are left than there are threads, each uses several.
         const auto threads = [&left, workers = executor.workers()] {
@@ -58,7 +58,7 @@ class RayBundles final : public Solver {
             return static_cast<unsigned>(workers / busy);
         };
         runner_.run(
-            1, executor, sums,
+            1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
                 solve_replicate({round, tasks, sums.units, replicate}, threads, scratch, tally);
                 --left;
