@@ -67,8 +67,9 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     const SolverEntry* entry = find_solver(spec.method);
     EXPECT(entry != nullptr);
     SumMeaning meaning = entry->meaning(prepared, spec);
-    SumBlocks blocks =
-        light_blocks(prepared.spectra().size(), prepared.bands(), !prepared.has_constant_albedos());
+    SumBlocks blocks = light_blocks(
+        prepared.lights().spectra().size(), prepared.bands(),
+        !prepared.optics().has_constant_albedos);
     blocks.insert(blocks.end(), meaning.blocks.begin(), meaning.blocks.end());
     for (std::size_t i = 0; i < prepared.detectors().size(); ++i) {
         blocks.push_back(detector_block(
@@ -83,8 +84,8 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     for (const SamplingStrategy& strategy : sums.strategies) {
         sums.per_contribution.push_back(strategy.by == SampledBy::paths ? 1 : 0);
     }
-    sums.spectra = prepared.spectra();
-    sums.emitted_flux = prepared.flux();
+    sums.spectra = prepared.lights().spectra();
+    sums.emitted_flux = prepared.lights().flux();
     sums.measured = meaning.measured;
     sums.escaped = entry->escaped;
     for (std::uint32_t r = 0; r < spec.replicates; ++r) {

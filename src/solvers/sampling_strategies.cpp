@@ -23,7 +23,7 @@ template <typename Wanted>
 SamplingStrategy strategy_of(const PreparedScene& prepared, const Wanted& wanted) {
     SamplingStrategy strategy;
     strategy.flux.assign(prepared.bands(), 0);
-    std::vector<bool> has(prepared.spectra().size());
+    std::vector<bool> has(prepared.lights().spectra().size());
     for (const BoundSource& light : prepared.lights()) {
         if (!wanted(light)) {
             continue;
@@ -35,7 +35,7 @@ SamplingStrategy strategy_of(const PreparedScene& prepared, const Wanted& wanted
         }
         for (std::size_t b = 0; b < strategy.flux.size(); ++b) {
             strategy.flux[b] =
-                std::max(strategy.flux[b], prepared.flux()[b] * light.start_weights[b]);
+                std::max(strategy.flux[b], prepared.lights().flux()[b] * light.start_weights[b]);
         }
     }
     return strategy;
@@ -239,7 +239,7 @@ SamplingStrategy strategy_by_line(
 SamplingStrategy strategy_of_traced_suns(
     const PreparedScene& prepared, const std::vector<bool>& has_lines) {
     const auto is_wanted = [&](const BoundSource& light) {
-        const auto number = static_cast<std::size_t>(&light - prepared.lights().data());
+        const auto number = prepared.lights().index_of(light);
         return is_sun(light) && !has_lines[number];
     };
     SamplingStrategy strategy = strategy_of(prepared, is_wanted);

@@ -28,7 +28,8 @@ bool has_sky(const PreparedScene& prepared) {
 
 /// Whether light of suns or lamps is followed through lobes.
 bool has_followed_lobes(const PreparedScene& prepared) {
-    return has_small_light(prepared) && prepared.sharpest_peak() >= followed_peak(prepared.scene());
+    return has_small_light(prepared) &&
+           prepared.optics().sharpest_peak >= followed_peak(prepared.scene());
 }
 
 /// The most that a material of the scene sends to one of its sides, of light that falls on it:
@@ -86,7 +87,7 @@ double part_by_vertices(
     const Organ& organ) {
     constexpr double kConnections = 2;  // that may be followed one after the other
     const Bounds box = local_bounds(prepared, organ);
-    const double area = organ.area / prepared.world_area();
+    const double area = organ.area / prepared.projection().world_area();
     double part = 0;
     for (const BoundSource& light : prepared.lights()) {
         const double gap = light.source->is_lamp() ? near.gap_to(light, box)
@@ -107,7 +108,7 @@ void set_light_paths(
     SumMeaning& meaning) {
     const Scene& scene = prepared.scene();
     ContributionBound bound{"light_path", {}};
-    for (const double flux : prepared.flux()) {
+    for (const double flux : prepared.lights().flux()) {
         bound.largest.push_back(flux / static_cast<double>(measured.organs.size()));
     }
     for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
@@ -196,7 +197,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     // Light that would come straight from the sources if nothing stood in its way: what a sample of
     // an organ could have found.
     declare_sides(
-        "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.spectra().size()),
+        "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.lights().spectra().size()),
         meaning.blocks);
     SumUnits& units = meaning.units;
     ContributionBound direct{"direct", {}}, scattered{"scattered", {}}, sunlit{"sunlit", {0}};
@@ -208,7 +209,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const bool has_connected =
         std::any_of(parts.begin(), parts.end(), [](double part) { return part < kFewOfPaths; });
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
-        units.flux.push_back(prepared.flux()[b] / measured.area);
+        units.flux.push_back(prepared.lights().flux()[b] / measured.area);
         double irradiance = 0, on_surfaces = 0, by_vertex = 0;
         for (const BoundSource& light : prepared.lights()) {
             const double usual = light.usual_irradiance;
@@ -223,7 +224,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         scattered.largest.push_back(
             kFinerSteps * (2 * brightest(prepared, b, sharp_from) * on_surfaces + by_vertex));
     }
-    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
+    units.sunlit_area = prepared.lights().sun_area() > 0 ? 1 : 0;
     for (const BoundSource& light : prepared.lights()) {
         sunlit.largest[0] =
             std::max(sunlit.largest[0], kFinerSteps * light.sun_share / light.probability);

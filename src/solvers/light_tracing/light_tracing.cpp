@@ -15,9 +15,9 @@ class LightTracing final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t blocks = LightTracer::blocks(round);
-        executor.announce(blocks * sums->replicates.size());
+        TaskRound tasks = executor.begin(blocks * sums->replicates.size());
         runner_.run(
-            blocks, executor, sums,
+            blocks, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums->paths += round.count;
@@ -38,15 +38,16 @@ std::unique_ptr<Solver> make_light_tracing(const SolverInput& input) {
 SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) {
     // A path of a sun that is seldom picked stands for many.
     double largest = 0;
-    for (const BoundSource& light : prepared.lights()) {
+    const auto& lights = prepared.lights();
+    for (const BoundSource& light : lights) {
         largest = std::max(largest, light.lit_area);
     }
     return {
-        .units = {.flux = prepared.flux(), .sunlit_area = prepared.sun_area()},
+        .units = {.flux = lights.flux(), .sunlit_area = lights.sun_area()},
         .bounds =
-            {{"direct", prepared.flux()},
-             {"scattered", prepared.flux()},
-             {"sunlit", {prepared.sun_area() * largest}}},
+            {{"direct", lights.flux()},
+             {"scattered", lights.flux()},
+             {"sunlit", {lights.sun_area() * largest}}},
         .strategies = strategies_by_path(prepared)};
 }
 
