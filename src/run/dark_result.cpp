@@ -10,6 +10,7 @@ namespace quasimc {
 Result dark_result(const Scene& scene, const RunSpec& spec) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     Result dark;
+    dark.names = scene.names();
     dark.bands = scene.bands().size();
     dark.ratios = spec.ratios.size();
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "samplers/hash.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -81,7 +82,7 @@ void add_optics(const PreparedScene& prepared, Mixer& mixer) {
         mixer.add(std::uint64_t{region.material.value});
         mixer.add(std::uint64_t{region.organ.value});
     }
-    for (const Material& material : prepared.scene().materials()) {
+    for (const Material& material : data_of(prepared.scene()).materials) {
         for (const SurfaceSide side : kSurfaceSides) {
             add_side(material.side(side), mixer);
         }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "light/models/source.h"
 #include "transport/surface.h"
 
 namespace quasimc {
@@ -111,7 +112,7 @@ double NearLamps::irradiance_at(const BoundSource& light, const CastHit& at) con
     double sum = 0;
     for (int i = 0; i < kDraws; ++i) {
         const std::array<double, 4> u = trial_point(i);
-        const Illumination seen = light.source->illuminate(place, u[0], u[1]);
+        const Illumination seen = model_of(*light.source).illuminate(place, u[0], u[1]);
         sum += seen.weight * std::abs(dot(seen.to_light, normal)) / kDraws;
     }
     return sum;

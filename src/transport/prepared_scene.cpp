@@ -93,15 +93,16 @@ PreparedScene::PreparedScene(
 
 void PreparedScene::set_regions() {
     const Scene& scene = *scene_;
-    triangle_regions_ = scene.triangle_regions();
+    triangle_regions_ = *data_of(scene).triangle_regions;
     if (!caster_->has_own_numbers()) {
         const auto count = static_cast<std::uint32_t>(caster_->mesh().faces.size());
         image_regions_.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {
-            image_regions_.push_back(scene.region_of(caster_->source(i)));
+            image_regions_.push_back(data_of(scene).region_of(caster_->source(i)));
         }
         triangle_regions_ = image_regions_;
     }
+    materials_ = data_of(scene).materials.data();
     const std::vector<bool> is_used = used_materials(scene);
     region_materials_.reserve(scene.regions().size());
     for (const Region& region : scene.regions()) {
@@ -109,7 +110,7 @@ void PreparedScene::set_regions() {
         ground_regions_ += scene.organs()[region.organ.value].is_ground ? 1 : 0;
     }
     for (std::size_t i = 0; i < is_used.size(); ++i) {
-        const Material& material = scene.materials()[i];
+        const Material& material = data_of(scene).materials[i];
         has_transparent_ = has_transparent_ || (is_used[i] && material.is_transparent());
         // Light passes a sensor as if it were not there.
         const bool scatters = is_used[i] && !material.is_transparent();
@@ -136,7 +137,8 @@ void PreparedScene::set_lights(const Sources& sources, const std::stop_token& st
     double sun = 0;
     for (const auto& source : sources) {
         throw_if_stopped(stop);
-        std::unique_ptr<SourceSampler> source_sampler = source->make_sampler_in(projection_);
+        std::unique_ptr<SourceSampler> source_sampler =
+            model_of(*source).make_sampler_in(projection_);
         if (source_sampler && sum_of(source->spectrum()) > 0) {
             BoundSource& light = lights_.emplace_back();
             light.source = source.get();
@@ -159,7 +161,7 @@ void PreparedScene::set_lights(const Sources& sources, const std::stop_token& st
         if (light.source->is_sun()) {
             light.sun_share = sum_of(light.source->spectrum()) / sun;
             // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.
-            const double radiance = light.source->illuminate({}, 0.5, 0.5).weight;
+            const double radiance = model_of(*light.source).illuminate({}, 0.5, 0.5).weight;
             light.lit_area = light.sun_share / light.probability * light.source_sampler->flux() *
                              world_area() / sun_area_ / radiance;
         }
@@ -188,14 +190,14 @@ void PreparedScene::set_spectrum(BoundSource& light) {
 
 double PreparedScene::grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const {
     const double scale = caster_->mesh().scale;
-    const Vec3 given = area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
+    const Vec3 given = area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
     const double exact = scale * scale * std::abs(dot(given, direction));
     const double rounded = std::abs(dot(caster_->mesh().across(mesh_triangle), direction));
     return rounded > 0 && std::abs(exact - rounded) > kLeastMended * rounded ? exact / rounded : 1;
 }
 
 bool PreparedScene::lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const {
-    const Vec3 across = area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
+    const Vec3 across = area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
     return std::abs(dot(across, direction)) > kEdgeOn * length(across);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "light/models/source.h"
 #include "solvers/light_kinds.h"
 #include "solvers/light_tracing/light_tracing.h"
 
@@ -103,7 +104,7 @@ DirectBeams::Beam DirectBeams::beam_of(
     std::uint32_t count) const {
     const double area = prepared_.projection().entry_box().projected_area(direction);
     const double entering =
-        light.source->radiance(-direction) * area / light.source_sampler->flux();
+        model_of(*light.source).radiance(-direction) * area / light.source_sampler->flux();
     const double paths = paths_of(light, work.round) * entering / (density * count);
     return {{&light, direction, paths}, area};
 }

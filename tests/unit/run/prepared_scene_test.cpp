@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -39,8 +40,7 @@ struct Staged {
               scene,
               sources,
               CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree)) {
-    }
+              std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree)) {}
     Staged(const Staged&) = delete;
     Staged& operator=(const Staged&) = delete;
 };

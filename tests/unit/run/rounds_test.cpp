@@ -12,6 +12,7 @@ namespace {
 
 RunSpec spec_with_target() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.target_error = .01;
     spec.target_fraction = .9;
@@ -20,6 +21,7 @@ RunSpec spec_with_target() {
 
 TEST(Rounds, AreOneWithoutABudget) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1000;
     Rounds rounds(spec);
     const auto first = rounds.next();
@@ -61,6 +63,7 @@ TEST(Rounds, StopBeforeThePathLimitIsPassed) {
 
 TEST(Rounds, ReachThePathLimitWithoutATarget) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.max_paths = 8192;
     Rounds rounds(spec);
@@ -141,6 +144,7 @@ std::uint64_t paths_of(const Course& course) {
 /// What is left of a huge run that is stopped, and costs little.
 TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 30U;
     Rounds rounds(spec, 256, 0, true);
     std::vector<std::uint64_t> counts;
@@ -159,6 +163,7 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
 
 TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = (1U << 22U) - 1;
     Rounds rounds(spec, 256, 0, true);
     EXPECT_EQ(rounds.next()->count, spec.paths);
@@ -168,6 +173,7 @@ TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
 
 TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1U << 16U;
     for (const double fixed : {0., .01, 1.}) {
         spec.max_seconds = 100;
@@ -185,6 +191,7 @@ TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
 /// traced in the time, and no round is begun that has to be given up.
 TEST(Rounds, OfAShortLimitUseTheTime) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 30U;
     for (const double limit : {.5, 2., 60.}) {
         for (const double fixed : {0., .001, .02}) {
@@ -204,6 +211,7 @@ TEST(Rounds, OfAShortLimitUseTheTime) {
 /// line by line only where paths are many: trials of few paths tell nothing of that.
 TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 20U;
     constexpr double kEach = 2e-5;
     for (const double limit : {10., 40., 100.}) {
@@ -225,6 +233,7 @@ TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
 /// Rounds double from a power of two on, so that point sets are whole.
 TEST(Rounds, OfAShortLimitAreWhole) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 100000000;
     spec.max_seconds = 3;
     const Course course = course_of(spec, 0, 1e-6);
@@ -238,6 +247,7 @@ TEST(Rounds, OfAShortLimitAreWhole) {
 
 TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1U << 20U;
     spec.max_seconds = 1;
     Rounds rounds(spec, 256);
@@ -265,6 +275,7 @@ TEST(RatioBands, AreFoundByName) {
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.ratios = {"R:FR", "PAR:R"};
     const auto pairs = ratio_bands(scene, spec);
     ASSERT_EQ(pairs.size(), 2U);
