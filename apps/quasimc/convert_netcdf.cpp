@@ -37,22 +37,22 @@ void convert_to_netcdf(
     std::vector<quasimc::InputFile> inputs = run.inputs;
     inputs.push_back({input, input, "", 0, false});
     quasimc::OutputFiles outputs({{output, "OUTPUT"}}, inputs);
-    quasimc::NetcdfWriter writer(run, outputs.sink(0), stored.program_version);
+    const auto writer = quasimc::make_netcdf_writer(run, outputs.sink(0), stored.program_version);
     std::size_t at = 0;
     // Points of a sweep that was stopped are the first ones.
     quasimc::LightEvents events;
     events.on_point = [&](std::size_t point) {
         while (at < point && at + 1 < stored.runs.size()) {
             run = stored.runs.take(++at);
-            writer.next_run(run);
+            writer->next_run(run, {});
         }
     };
     events.on_time_step = [&](std::size_t time_step, const auto& result) {
-        writer.add_moment(time_step, result);
+        writer->on_time_step({time_step, result});
     };
-    events.on_day = [&](std::size_t day, const auto& sum) { writer.add_day(day, sum); };
+    events.on_day = [&](std::size_t day, const auto& sum) { writer->add_day(day, sum); };
     quasimc::read_light(text, input, run, events);
-    writer.finish();
+    writer->on_end({});
     outputs.commit();
     outputs.throw_if_given_up();
 }

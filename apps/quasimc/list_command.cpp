@@ -12,6 +12,7 @@
 #include "options/options.h"
 #include "quasimc/quasimc.h"
 #include "resultio/field_formats.h"
+#include "runfile/output_catalogue.h"
 
 namespace {
 
@@ -81,6 +82,15 @@ std::string list_formats() {
                "NetCDF after the CF conventions for xarray, R and others");
 }
 
+/// The keys of [output] that name files; their flags have hyphens.
+std::string list_outputs() {
+    std::string text;
+    for (const quasimc::OutputKey& key : quasimc::output_keys()) {
+        text += list_row(key.name, key.summary);
+    }
+    return text;
+}
+
 std::string list_options() {
     std::string text;
     for (const quasimc::Option& option : quasimc::option_table()) {
@@ -106,6 +116,7 @@ const std::vector<ListEntry>& lists() {
         {"optics", list_optics},
         {"detectors", [] { return list_table(quasimc::detector_catalogue()); }},
         {"formats", list_formats},
+        {"outputs", list_outputs},
         {"skies",
          [] {
              return list_table(quasimc::sky_catalogue()) +
@@ -135,7 +146,8 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, optics, detectors, formats, skies, "
+        "print what there is: options, samplers, models, optics, detectors, formats, outputs, "
+        "skies, "
         "quantities",
         {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
         [name] { return print_list(*name); }};

@@ -12,7 +12,7 @@ struct Repetition {
     bool has_failed = false;  ///< the same program, asked for the same, computed other numbers
 };
 
-/// @param digest  of the organs, as JsonWriter::finish() gives it; "" if it could not
+/// @param digest  of the organs, as JsonWriter::digest() gives it; "" without --from
 /// @param difference  of the rows of numbers, as RowComparison gives it
 /// @param stop  why this run ended
 [[nodiscard]] Repetition judge_repetition(

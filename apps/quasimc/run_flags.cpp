@@ -1,34 +1,22 @@
 #include "run_flags.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
-namespace {
+#include "runfile/output_catalogue.h"
 
-/// What the files are, in the order of quasimc::kOutputFiles.
-constexpr std::array<const char*, kOutputs> kSummaries{
-    "write the table of organs here; - is standard output",
-    "of a run with [time]: write the table of sums over days here; - is standard output",
-    "write the table of groups of organs here; - is standard output",
-    "of a run with [time]: write the table of sums of groups over days here; - is standard output",
-    "draw the light that organs absorb here, PNG; `quasimc show` draws more",
-    "write the scene with its numbers here, for ParaView and pyvista",
-    "the same as PLY, for MeshLab and CloudCompare",
-    "the same as binary glTF, coloured, for Blender",
-    "write the light by organ, band and time here, for xarray and others",
-    "write everything here; - is standard output"};
+namespace {
 
 /// Adds the flags of what is written and told.
 void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
-    for (Output output = 0; output < kOutputs; ++output) {
+    for (const quasimc::OutputKey& key : quasimc::output_keys()) {
         flags.push_back(
-            {.name = flag_of(output),
-             .target = &arguments.outputs[output],
-             .summary = kSummaries[output],
+            {.name = flag_of(key.name),
+             .target = &arguments.outputs[std::string(key.name)],
+             .summary = std::string(key.summary),
              .type_name = "FILE"});
     }
     flags.push_back(
@@ -60,8 +48,8 @@ void check_usage(const RunArguments& arguments) {
     if (std::isnan(arguments.every)) {
         throw UsageError("--every: nan is no time");
     }
-    for (Output output = 0; output < kOutputs; ++output) {
-        if (!arguments.part.empty() && !arguments.outputs[output].empty()) {
+    for (const auto& [output, path] : arguments.outputs) {
+        if (!arguments.part.empty() && !path.empty()) {
             throw UsageError(fmt::format(
                 "{}: a --part has no results; `quasimc merge` writes them", flag_of(output)));
         }

@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <string_view>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "files/file_identity.h"
 #include "progress.h"
-#include "resultio/field_formats.h"
-#include "resultio/series_words.h"
-#include "runfile/output_files.h"
+#include "resultio/output_input.h"
+#include "text/document.h"
 
-std::string flag_of(Output output) {
-    std::string name = fmt::format("--{}", quasimc::kOutputFiles[output].key);
+std::string flag_of(std::string_view output) {
+    std::string name = fmt::format("--{}", output);
     std::replace(name.begin(), name.end(), '_', '-');
     return name;
 }
@@ -60,205 +57,139 @@ void refuse_checkpoint(
     faults.throw_if_any();
 }
 
-}  // namespace
+struct AskedOutput {
+    quasimc::OutputPath file;
+    quasimc::MakeOutput* make;
+};
 
-/// Paths on the command line count from the current folder, and go before those of the run file.
-RunWriters::Asked RunWriters::asked_outputs(
-    const RunArguments& arguments, const quasimc::RunFile& run) {
-    Asked asked;
-    for (Output output = 0; output < kOutputs; ++output) {
-        const quasimc::OutputFile& file = quasimc::kOutputFiles[output];
-        const std::string& flag = arguments.outputs[output];
-        const std::optional<std::string>& stated = run.output.*file.path;
-        if (!flag.empty() || stated) {
-            asked.numbers[output] = asked.paths.size();
-            asked.paths.push_back(
-                flag.empty()
-                    ? quasimc::
-                          OutputPath{*stated, fmt::format("{}: [output]: {}", run.path, file.key)}
-                    : quasimc::OutputPath{flag, flag_of(output)});
+/// Finds the outputs that were asked for. Paths on the command line count from the current folder,
+/// and override those of the run file.
+std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
+    std::vector<AskedOutput> asked;
+    quasimc::Faults faults;
+    quasimc::for_each_output([&](const quasimc::OutputKey& key, quasimc::MakeOutput* make) {
+        const std::string& path = arguments.outputs.at(std::string(key.name));
+        const auto stated = run.output.files.find(key.name);
+        if (!path.empty()) {
+            asked.push_back({{path, flag_of(key.name)}, make});
+            const bool is_there = key.need.table.empty() || run.document->find(key.need.table);
+            if (!is_there) {
+                faults.add(
+                    {flag_of(key.name), fmt::format("the run has no {}", key.need.shown),
+                     std::string(key.need.reason), ""});
+            }
+        } else if (stated != run.output.files.end()) {
+            asked.push_back(
+                {{stated->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
         }
-    }
-    refuse_checkpoint(arguments.checkpoint, asked.paths);
+    });
+    faults.throw_if_any();
     return asked;
 }
 
-RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& first)
-    : run_(&first),
-      asked_(asked_outputs(arguments, first)),
-      outputs_(asked_.paths, inputs_of(arguments, first)),
-      summary_(first) {
-    using quasimc::CsvRows, quasimc::CsvTimes;
-    for (const auto& [output, rows, times] :
-         {std::tuple(kCsv, CsvRows::organs, CsvTimes::moments),
-          std::tuple(kDays, CsvRows::organs, CsvTimes::days),
-          std::tuple(kGroups, CsvRows::groups, CsvTimes::moments),
-          std::tuple(kGroupDays, CsvRows::groups, CsvTimes::days)}) {
-        if (wants(output)) {
-            tables_.emplace_back(first, sink_of(output), rows, times);
-        }
+std::vector<quasimc::OutputPath> asked_paths(
+    const RunArguments& arguments, const quasimc::RunFile& run) {
+    std::vector<quasimc::OutputPath> paths;
+    for (const AskedOutput& output : asked_outputs(arguments, run)) {
+        paths.push_back(output.file);
     }
-    if (wants(kPicture)) {
-        const quasimc::OutputPath& file = asked_.paths[*asked_.numbers[kPicture]];
-        picture_.emplace(first, file.path, file.place);
+    refuse_checkpoint(arguments.checkpoint, paths);
+    return paths;
+}
+
+}  // namespace
+
+RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& first)
+    : files_(asked_paths(arguments, first), inputs_of(arguments, first)), summary_(first) {
+    for (const auto& [file, make] : asked_outputs(arguments, first)) {
+        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.place}));
+    }
+    if (arguments.from.empty()) {
+        return;
     }
     const OutputChoice& choice = arguments.choice;
     const bool has_all_rows = choice.quantities.empty() && choice.bands.empty() && !choice.night;
-    if (wants_fields()) {
-        fields_.emplace(first);
-    }
-    if (wants(kNetcdf)) {
-        netcdf_.emplace(first, sink_of(kNetcdf));
-    }
-    if (!arguments.from.empty() && arguments.from != "-" && has_all_rows) {
+    quasimc::TextSink compare;
+    if (arguments.from != "-" && has_all_rows) {
         comparison_.emplace(arguments.from);
+        compare = [this](std::string_view text) { comparison_->add(text); };
     }
-    if (wants(kJson) || !arguments.from.empty()) {
-        json_.emplace(first, json_sink());  // for the digest if for nothing else
+    repeated_.emplace(first, compare);
+}
+
+template <typename Action>
+void RunWriters::for_each_writer(Action action) {
+    action(summary_);
+    if (repeated_) {
+        action(*repeated_);
+    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+        try {
+            if (outputs_[i]) {
+                action(*outputs_[i]);
+            }
+        } catch (const quasimc::InputError& error) {
+            outputs_[i].reset();
+            files_.give_up(i, error);
+        }
     }
 }
 
-quasimc::TextSink RunWriters::json_sink() {
-    quasimc::TextSink file = wants(kJson) ? sink_of(kJson) : quasimc::TextSink();
-    if (!comparison_) {
-        return file;
-    }
-    return [this, file = std::move(file)](std::string_view text) {
-        comparison_->add(text);
-        if (file) {
-            file(text);
-        }
-    };
+void RunWriters::on_time_step(const quasimc::TimeStepResult& step) {
+    end_progress_line();
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_time_step(step); });
+}
+
+void RunWriters::on_day(std::size_t day, const quasimc::SeriesSum& sum) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_day(day, sum); });
+}
+
+template <typename Wants>
+bool RunWriters::any_writer(Wants wants) const {
+    return (repeated_ && wants(*repeated_)) ||
+           std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& writer) {
+               return writer && wants(*writer);
+           });
+}
+
+bool RunWriters::wants_days() const {
+    return any_writer([](const quasimc::OutputWriter& writer) { return writer.wants_days(); });
+}
+
+bool RunWriters::wants_total() const {
+    return any_writer([](const quasimc::OutputWriter& writer) { return writer.wants_total(); });
 }
 
 quasimc::SeriesEvents RunWriters::events(
     std::function<void(const quasimc::Progress&)> on_progress) {
     quasimc::SeriesEvents events;
     events.on_progress = std::move(on_progress);
-    events.on_time_step = [this](auto time_step, const auto& result, auto traced) {
-        add_moment(time_step, result, traced);
+    events.on_time_step = [this](auto time_step, const auto& result, auto computed) {
+        on_time_step({time_step, result, computed});
     };
-    events.wants_total = run_->series && (wants(kJson) || comparison_ || picture_ || fields_);
-    const bool has_days = wants(kDays) || wants(kGroupDays) || (netcdf_ && run_->series);
-    if (has_days || events.wants_total) {
-        events.on_day = [this](auto day, const auto& sum) { add_day(day, sum); };
+    events.wants_total = wants_total();
+    if (wants_days()) {
+        events.on_day = [this](auto day, const auto& sum) { on_day(day, sum); };
     }
     return events;
 }
 
-template <typename Action>
-void RunWriters::write_netcdf(Action action) {
-    if (!netcdf_) {
-        return;
-    }
-    try {
-        action(*netcdf_);
-    } catch (const quasimc::InputError& error) {
-        netcdf_.reset();
-        outputs_.give_up(*asked_.numbers[kNetcdf], error);
-    }
+void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.next_run(run, of_the_last); });
 }
 
-void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary) {
-    run_ = &run;
-    summary_.next_run(run, summary);
-    const auto tell = [&](auto& writer) {
-        if (writer) {
-            writer->next_run(run);
-        }
-    };
-    for (quasimc::CsvWriter& table : tables_) {
-        table.next_run(run);
-    }
-    tell(picture_);
-    tell(fields_);
-    write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.next_run(run); });
-    write_json([&](auto& json) { json.next_run(run, summary); });
-}
-
-std::string RunWriters::finish(const quasimc::SeriesSummary& summary) {
-    std::string digest;
-    write_json([&](quasimc::JsonWriter& json) { digest = json.finish(summary); });
-    if (picture_) {
-        sink_of(kPicture)(picture_->draw(summary));
-    }
-    write_fields(summary);
-    write_netcdf([](quasimc::NetcdfWriter& netcdf) { netcdf.finish(); });
-    outputs_.commit();
-    return digest;
-}
-
-bool RunWriters::wants_fields() const {
-    return wants(kVtp) || wants(kPly) || wants(kGlb);
-}
-
-void RunWriters::write_fields(const quasimc::SeriesSummary& summary) {
-    if (!fields_) {
-        return;
-    }
-    const quasimc::FieldScene shown = fields_->shown(summary);
-    for (const auto& [output, name] :
-         {std::pair(kVtp, "vtp"), std::pair(kPly, "ply"), std::pair(kGlb, "glb")}) {
-        if (!wants(output)) {
-            continue;
-        }
-        try {
-            quasimc::find_field_format(name)->write(shown, sink_of(output));
-        } catch (const quasimc::InputError& error) {
-            outputs_.give_up(*asked_.numbers[output], error);
-        }
-    }
+std::string RunWriters::finish(const quasimc::SeriesSummary& of_the_last) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_end(of_the_last); });
+    files_.commit();
+    return repeated_ ? repeated_->digest() : "";
 }
 
 std::string RunWriters::difference() {
-    return comparison_ && json_ ? comparison_->difference() : "";
+    return comparison_ ? comparison_->difference() : "";
 }
 
 void RunWriters::print_summary(
     const quasimc::SeriesSummary& all, const std::string& comparison) const {
-    const std::string text = summary_.text(all, outputs_.written()) + comparison;
-    std::fputs(text.c_str(), outputs_.uses_standard_output() ? stderr : stdout);
-}
-
-template <typename Action>
-void RunWriters::write_json(Action action) {
-    if (!json_) {
-        return;
-    }
-    try {
-        action(*json_);
-    } catch (const quasimc::InputError& error) {
-        if (!wants(kJson)) {
-            throw;
-        }
-        json_.reset();
-        outputs_.give_up(*asked_.numbers[kJson], error);
-    }
-}
-
-void RunWriters::add_moment(
-    std::size_t time_step, const quasimc::Result& result, std::size_t traced) {
-    end_progress_line();
-    summary_.add_moment(result);
-    for (quasimc::CsvWriter& table : tables_) {
-        table.add_moment(time_step, result);
-    }
-    if (picture_) {
-        picture_->add_moment(result);
-    }
-    if (fields_) {
-        fields_->add_moment(result);
-    }
-    write_netcdf([&](quasimc::NetcdfWriter& netcdf) { netcdf.add_moment(time_step, result); });
-    write_json([&](auto& json) { json.add_moment(time_step, result, traced); });
-}
-
-void RunWriters::add_day(std::size_t day, const quasimc::SeriesSum& sum) {
-    for (quasimc::CsvWriter& table : tables_) {
-        table.add_day(day, sum);
-    }
-    write_netcdf([&](quasimc::NetcdfWriter& netcdf) {
-        netcdf.add_day(day, quasimc::in_summed_units(*run_, sum));
-    });
-    write_json([&](auto& json) { json.add_day(day, sum); });
+    const std::string text = summary_.text(all, files_.written()) + comparison;
+    std::fputs(text.c_str(), files_.uses_standard_output() ? stderr : stdout);
 }

@@ -10,17 +10,6 @@
 
 namespace {
 
-/// @throws quasimc::InputError
-void require_times(const RunArguments& arguments, const quasimc::RunFile& run) {
-    quasimc::Faults faults;
-    for (const Output output : {kDays, kGroupDays}) {
-        if (!arguments.outputs[output].empty() && !run.series) {
-            faults.add({flag_of(output), "the run has no [time]", "sums over days need times", ""});
-        }
-    }
-    faults.throw_if_any();
-}
-
 /// What all points of a sweep have together.
 void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all) {
     all.traced += point.traced;
@@ -108,9 +97,6 @@ std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
     auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
     reading_seconds_ += watch.seconds();
     apply_choice(arguments_.choice, *run);
-    if (point == 0) {
-        require_times(arguments_, *run);
-    }
     return run;
 }
 

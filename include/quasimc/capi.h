@@ -277,6 +277,28 @@ int quasimc_result_get_groups(
     double* values,
     int64_t count);
 
+/** Detectors, in the order in which they were added. */
+int64_t quasimc_result_detector_count(const quasimc_result* result);
+/** NULL and an error if there is no such detector. */
+const char* quasimc_result_detector_name(const quasimc_result* result, int64_t detector);
+/** How many bins a detector sorts light into. -1 and an error if there is no detector of the name.
+ */
+int64_t quasimc_result_detector_bin_count(const quasimc_result* result, const char* detector);
+/** What a bin stands for: "0 to 20". NULL and an error if there is no such detector or bin. */
+const char* quasimc_result_detector_bin(
+    const quasimc_result* result, const char* detector, int64_t bin);
+/** The flux in every bin of a detector: unit of the band times square units of length.
+ *  @param statistic  as of quasimc_result_get
+ *  @param values  room for `count` numbers
+ *  @param count  quasimc_result_detector_bin_count() */
+int quasimc_result_get_detector(
+    const quasimc_result* result,
+    const char* detector,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count);
+
 /** A number of the run: "paths" (per replicate), "replicates", "rays", "fraction_at_target",
  *  "build_seconds", "trace_seconds", "trace_cpu_seconds". */
 int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value);

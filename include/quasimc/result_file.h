@@ -14,6 +14,7 @@
 #include "quasimc/file.h"
 #include "quasimc/result.h"
 #include "quasimc/run_file.h"
+#include "quasimc/run_listener.h"
 
 namespace quasimc {
 
@@ -30,30 +31,41 @@ struct StoredSweep {
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
 
-// What a run writes, while it goes on: each writer is told of every time that is computed, of every
-// day, of the next point of a sweep, and of the end. A run without [time] is a series of one time.
+/// Writes what the runs of a file compute, time by time: a listener of each run (run_listener.h). A
+/// run without [time] is a series of one time. The run must outlive its writer, or the call of
+/// next_run().
+class OutputWriter : public RunListener {
+  public:
+    /// What follows is of the next point of a sweep; the writer's on_end() is for the last one
+    /// alone.
+    /// @param of_the_last  of the point that ends
+    virtual void next_run(const RunFile& run, const SeriesSummary& of_the_last) = 0;
+    /// Ends the file.
+    void on_end(const SeriesSummary& /*of_the_last*/) override {}
+};
 
-/// What the rows of a table are of, and what each of them is told for.
+/// What the rows of a table are of, and what for.
 enum class CsvRows { organs, groups };
 enum class CsvTimes { moments, days };
 
-/// A table of organs or groups, and of times or, of a run with [time], of sums over days
+/// Writes a table of organs or groups, and of times or, of a run with [time], of sums over days
 /// (docs/formats/csv.md, groups.md): comment lines that begin with '#', one header line, one row
-/// per organ or group and time or day. The run must outlive it.
-class CsvWriter {
+/// per organ or group and time or day.
+class CsvWriter : public OutputWriter {
   public:
     CsvWriter(
         const RunFile& run,
         TextSink sink,
         CsvRows rows = CsvRows::organs,
         CsvTimes times = CsvTimes::moments);
+    CsvWriter(const RunFile&&, TextSink, CsvRows = {}, CsvTimes = {}) = delete;
 
-    // A table takes from these what it is of.
-    /// @param moment  which of moments_of(run) the result is of
-    void add_moment(std::size_t time_step, const Result& result);
-    void add_day(std::size_t day, const SeriesSum& sum);
-    /// What follows is of this run, of the same sweep. It must outlive the writer.
-    void next_run(const RunFile& run) { run_ = &run; }
+    void on_time_step(const TimeStepResult& step) override;
+    void on_day(std::size_t day, const SeriesSum& sum) override;
+    [[nodiscard]] bool wants_days() const override { return times_ == CsvTimes::days; }
+    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
+        run_ = &run;
+    }
 
   private:
     void write_head(const Result* result);
@@ -70,38 +82,39 @@ class CsvWriter {
     bool has_head_ = false;
 };
 
-/// Everything that is known of a run and its results (docs/formats/json.md). Days are kept in a
-/// temporary file until all moments are written. The run must outlive it.
-class JsonWriter {
+/// Writes everything that is known of a run and its results (docs/formats/json.md). Days are kept
+/// in a temporary file until all times are written.
+class JsonWriter : public OutputWriter {
   public:
-    /// @param sink  without one nothing is written, and finish() gives the digest
+    /// @param sink  empty: nothing is written but for the digest
     explicit JsonWriter(const RunFile& run, TextSink sink = {});
-    ~JsonWriter();
+    explicit JsonWriter(const RunFile&&, TextSink = {}) = delete;
+    ~JsonWriter() override;
     JsonWriter(JsonWriter&&) = delete;
 
-    /// @param traced  the moment whose trace the result was scaled from, or itself
-    void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
-    void add_day(std::size_t day, const SeriesSum& sum);
-    /// Ends a point of a sweep; what follows is of the next one.
-    /// @param summary  of the point that ends
-    void next_run(const RunFile& run, const SeriesSummary& summary);
-    /// Ends the file. @param summary  of the last point @returns the SHA-256 of the organs' parts
-    /// of all moments, by which two results are compared
-    std::string finish(const SeriesSummary& summary = {});
+    void on_time_step(const TimeStepResult& step) override;
+    void on_day(std::size_t day, const SeriesSum& sum) override;
+    void on_end(const SeriesSummary& of_the_last) override;
+    [[nodiscard]] bool wants_days() const override;
+    [[nodiscard]] bool wants_total() const override;
+    void next_run(const RunFile& run, const SeriesSummary& of_the_last) override;
+
+    /// The SHA-256 of the organs of all times so far, by which two results are compared.
+    [[nodiscard]] std::string digest() const;
 
   private:
     class State;
     std::unique_ptr<State> state_;
 };
 
-/// What a person wants to know at once of a run: ten lines or so. The run must outlive it.
-class Summary {
+/// Tells in ten lines or so what a person wants to know at once of a run.
+class Summary : public OutputWriter {
   public:
     explicit Summary(const RunFile& run) : run_(&run) {}
+    explicit Summary(const RunFile&&) = delete;
 
-    void add_moment(const Result& result);
-    /// Ends a point of a sweep; what follows is of the next one.
-    void next_run(const RunFile& run, const SeriesSummary& summary);
+    void on_time_step(const TimeStepResult& step) override;
+    void next_run(const RunFile& run, const SeriesSummary& of_the_last) override;
     /// @param summary  of the run, or of all points of a sweep
     /// @param written  the files that were written
     [[nodiscard]] std::string text(
@@ -125,10 +138,10 @@ class Summary {
     std::size_t badly_known_ = 0;                          // most organs at a time
 };
 
-// The same of the result of a run without [time].
+// The result of a run without [time], at once.
 
 void write_csv(const RunFile& run, const Result& result, const TextSink& sink);
-/// @returns as JsonWriter::finish
+/// @returns as JsonWriter::digest
 std::string write_json(const RunFile& run, const Result& result, const TextSink& sink);
 [[nodiscard]] std::string digest_of_organs(const RunFile& run, const Result& result);
 [[nodiscard]] std::string summary(

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,16 +56,13 @@ struct TimeSeries {
     Collapse collapse = Collapse::none;
 };
 
-/// Where results go; "-" is standard output.
+/// Where results go, and what of them is written.
 struct OutputSpec {
-    std::optional<std::string> csv, json;
-    std::optional<std::string> days;                     ///< sums over days, of a run with [time]
-    std::optional<std::string> groups_csv, groups_days;  ///< the same of groups of organs
-    std::optional<std::string> picture;        ///< of the light that organs absorb, PNG or SVG
-    std::optional<std::string> vtp, ply, glb;  ///< the scene with its numbers
-    std::optional<std::string> nc;             ///< light by organ, band and time
+    /// The path of each output that is asked for, by its key in [output]: "csv", "json" (`quasimc
+    /// list outputs`); "-" is standard output.
+    std::map<std::string, std::string, std::less<>> files = {};
 
-    // What of it all is written. What is computed, days and groups_days among it, stays the same.
+    // What of it all is written; what is computed stays the same.
     /// Names of quantity_table(), or "sunlit_fraction"; empty: all.
     std::vector<std::string> quantities = {};
     std::vector<std::string> bands = {};  ///< names; empty: all
@@ -116,7 +115,7 @@ struct RunFile {
 /// [sweep] is a sweep of one point.
 ///
 /// All points are read and checked at once. Those that differ in lights, materials and settings
-/// alone share the triangles of one scene (Scene::shared_triangles), so that a Simulator builds one
+/// alone share the triangles of one scene, so that a Simulator builds one
 /// acceleration structure for all of them.
 class RunSweep {
   public:

@@ -14,7 +14,7 @@ docs/guide/python.md is the manual.
 from ._core import version as __version__
 from ._progress import Progress
 from .errors import Error, InputError, QuasimcWarning, Stopped
-from .estimates import Estimate, Estimates
+from .estimates import DetectorResult, Estimate, Estimates
 from .growth import GrowthSession
 from .organs import Organs
 from .result import Groups, Result, Selection, Series, Sums, quantities
@@ -40,6 +40,7 @@ def shapes():
 
 
 __all__ = [
+    "DetectorResult",
     "Error",
     "Estimate",
     "Estimates",

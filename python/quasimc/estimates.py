@@ -71,6 +71,39 @@ class Estimates:
         return f"<Estimates {self.name}{of} of {shape}, {self.unit}>"
 
 
+class DetectorResult(Estimates):
+    """The flux in the bins of a detector: ``result.detectors["up"]["PAR"].mean``, one for each bin.
+
+    Attributes
+    ----------
+    type : str
+    quantity : str
+        By which light is sorted, with its unit.
+    bins : list of str
+        Their names.
+    """
+
+    __slots__ = ("type", "quantity", "bins")
+
+    def __init__(self, seen, units, bands):
+        super().__init__(seen["values"], seen["name"], units, bands)
+        self.type, self.quantity, self.bins = seen["type"], seen["quantity"], seen["bins"]
+
+    def to_xarray(self):
+        """An xarray.DataArray with the dimensions bin, band and statistic."""
+        import xarray
+
+        coordinates = {
+            "bin": ("bin", self.bins, {"long_name": self.quantity}),
+            "band": list(self.bands),
+            "statistic": ["mean", "standard_error", "low", "high"],
+        }
+        units = self.unit[0] if len(set(self.unit)) == 1 else ", ".join(self.unit)
+        return xarray.DataArray(
+            self._values, coordinates, ("bin", "band", "statistic"), self.name, {"units": units}
+        )
+
+
 class Estimate:
     """A number with its error: mean, standard_error, low and high (95 %), unit."""
 

@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from . import _core
-from .estimates import Estimate, Estimates
+from .estimates import DetectorResult, Estimate, Estimates
 
 #: Short names of quantities.
 SHORT_NAMES = {"absorbed": "absorbed_flux"}
@@ -210,13 +210,13 @@ class Result(_Light):
         """
         return self._by_band(self._core.canopy, ("incident",), None)
 
-    @property
+    @cached_property
     def detectors(self):
-        """What the detectors saw: list of dict with name, type, quantity, bins and values.
-
-        values: (bins, bands, 4), flux: mean, standard error, low and high.
-        """
-        return self._core.detectors
+        """What the detectors saw: name -> DetectorResult, in the order in which they were added."""
+        units = tuple(self._unit("absorbed_flux", unit) for unit in self.organs.units)
+        return {
+            seen["name"]: DetectorResult(seen, units, self.bands) for seen in self._core.detectors
+        }
 
     @property
     def audit(self):
@@ -234,9 +234,9 @@ class Result(_Light):
         return result
 
     def select(self, ids):
-        """The light of the organs of these ids, in their order: a Selection.
+        """The light of organs, given by their ids or names, in their order: a Selection.
 
-        Raises KeyError if one is not there.
+        Raises KeyError if one is not there, or a name is of several.
         """
         return Selection(self, ids)
 
@@ -267,7 +267,8 @@ class Result(_Light):
     def to_xarray(self):
         """An xarray.Dataset with the dimensions organ, band and statistic.
 
-        statistic: mean, standard_error, low, high. Units are attributes of the variables.
+        statistic: mean, standard_error, low, high. Units are attributes of the variables. A
+        detector is a variable of its name, with the dimension <name>_bin in place of organ.
         """
         import xarray
 
@@ -287,6 +288,8 @@ class Result(_Light):
         }
         for key, values in _label_columns(self.organs.labels, [*variables, *dimensions]).items():
             coordinates[key] = ("organ", np.asarray(values))
+        for name, detector in self.detectors.items():
+            variables[name] = detector.to_xarray().rename(bin=f"{name}_bin")
         return xarray.Dataset(variables, coordinates, {"method": self.method})
 
     def plot(self, quantity="absorbed_flux_density", band=None, **options):

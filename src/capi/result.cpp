@@ -94,22 +94,19 @@ Column column_of(
     return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
 }
 
-// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
-void copy_column(
-    const quasimc_result& result,
-    const Rows& rows,
-    const char* quantity,
-    const char* band,
+/// Copies a number of every row. @param count  for which there is room
+void copy_rows(
+    const Column& column,
+    std::size_t rows,
     const char* statistic,
     double* values,
     std::int64_t count) {
-    if (count != static_cast<std::int64_t>(rows.count)) {
-        throw Misuse(fmt::format("there is room for {} values: there are {}", count, rows.count));
+    if (count != static_cast<std::int64_t>(rows)) {
+        throw Misuse(fmt::format("there is room for {} values: there are {}", count, rows));
     }
     double Estimate::*member = statistic_of(text_of(statistic, "statistic"));
-    const Column column = column_of(result, rows, quantity, band);
     double* out = &deref(values, "values");
-    for (std::size_t i = 0; i < rows.count; ++i) {
+    for (std::size_t i = 0; i < rows; ++i) {
         out[i] = reported(column.first[i * column.stride]).*member;
     }
 }
@@ -195,6 +192,16 @@ const char* label_by_key(const Organ& organ, const std::string& key) {
     return nullptr;
 }
 
+const DetectorResult& detector_of(const quasimc_result* result, const char* name) {
+    const std::string wanted = text_of(name, "detector");
+    for (const DetectorResult& detector : deref(result, "result").result.detectors) {
+        if (detector.name == wanted) {
+            return detector;
+        }
+    }
+    throw Misuse(fmt::format("there is no detector '{}'", wanted));
+}
+
 constexpr const char* kNoText = nullptr;
 
 }  // namespace
@@ -273,7 +280,8 @@ int quasimc_result_get(
     int64_t count) {
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
-        copy_column(all, rows_of_organs(all.result), quantity, band, statistic, values, count);
+        const Rows rows = rows_of_organs(all.result);
+        copy_rows(column_of(all, rows, quantity, band), rows.count, statistic, values, count);
     });
 }
 
@@ -336,7 +344,7 @@ int quasimc_result_get_groups(
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
         const Rows rows = rows_of_groups(all.result.groups);
-        copy_column(all, rows, quantity, band, statistic, values, count);
+        copy_rows(column_of(all, rows, quantity, band), rows.count, statistic, values, count);
     });
 }
 
@@ -372,5 +380,41 @@ int64_t quasimc_result_warning_count(const quasimc_result* result) {
 const char* quasimc_result_warning(const quasimc_result* result, int64_t warning) {
     return guarded_or(kNoText, [&] {
         return item_at(deref(result, "result").warnings, warning, "warning").c_str();
+    });
+}
+
+int64_t quasimc_result_detector_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(deref(result, "result").result.detectors.size()); });
+}
+
+const char* quasimc_result_detector_name(const quasimc_result* result, int64_t detector) {
+    return guarded_or(kNoText, [&] {
+        return item_at(deref(result, "result").result.detectors, detector, "detector").name.c_str();
+    });
+}
+
+int64_t quasimc_result_detector_bin_count(const quasimc_result* result, const char* detector) {
+    return guarded_or<int64_t>(
+        -1, [&] { return static_cast<int64_t>(detector_of(result, detector).bins.size()); });
+}
+
+const char* quasimc_result_detector_bin(
+    const quasimc_result* result, const char* detector, int64_t bin) {
+    return guarded_or(
+        kNoText, [&] { return item_at(detector_of(result, detector).bins, bin, "bin").c_str(); });
+}
+
+int quasimc_result_get_detector(
+    const quasimc_result* result,
+    const char* detector,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count) {
+    return guarded([&] {
+        const quasimc::DetectorResult& seen = detector_of(result, detector);
+        const Column column{seen.values.data() + band_of(*result, band), result->result.bands};
+        copy_rows(column, seen.bins.size(), statistic, values, count);
     });
 }

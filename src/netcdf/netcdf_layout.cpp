@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "resultio/series_words.h"
+#include "results/evaluate.h"
 #include "results/groups.h"
 #include "results/units.h"
 #include "text/numbers.h"
@@ -46,6 +47,7 @@ NetcdfLayout::NetcdfLayout(const RunFile& run, std::string_view program_version,
     define_days();
     define_organs();
     define_light();
+    define_detectors();
 }
 
 std::optional<std::size_t> NetcdfLayout::row_of(std::size_t time_step) const {
@@ -109,7 +111,10 @@ void NetcdfLayout::define_points() {
         // Of a key with an axis of its own the variable has the name of the dimension.
         const bool is_axis = sweep_.axes()[key.axis].name == key.name;
         const std::string name = is_axis ? axis_names_[key.axis] : free_name(key.name);
-        coordinates_ += is_axis ? "" : " " + name;
+        if (!is_axis) {
+            coordinates_ += (coordinates_.empty() ? "" : " ") + name;
+            organ_coordinates_ += " " + name;
+        }
         const int variable = file_.add_variable(
             name, is_number ? NetcdfType::real : NetcdfType::text, {points_[key.axis]},
             {{"long_name", "value of " + key.name}});
@@ -217,7 +222,7 @@ void NetcdfLayout::define_labels() {
     const std::vector<Organ>& organs = run_.scene.organs();
     for (const std::string_view key : label_keys(run_.scene)) {
         const std::string name = free_name("label_" + std::string(key));
-        coordinates_ += " " + name;
+        organ_coordinates_ += " " + name;
         std::vector<std::string> values(organs.size());
         for (std::size_t i = 0; i < organs.size(); ++i) {
             for (const auto& label : organs[i].labels) {
@@ -235,15 +240,28 @@ NetcdfEstimates NetcdfLayout::define_estimates(
     const std::string& name,
     const std::string& unit,
     const std::string& summary,
-    std::vector<int> dimensions,
-    const std::vector<std::size_t>& sizes) {
+    const std::vector<Axis>& axes,
+    const std::string& coordinates) {
+    std::vector<int> dimensions = points_;
+    std::vector<std::size_t> sizes;
+    for (const NetcdfSweep::Axis& axis : sweep_.axes()) {
+        sizes.push_back(axis.size);
+    }
+    for (const auto& [dimension, size] : axes) {
+        if (dimension) {
+            dimensions.push_back(*dimension);
+            sizes.push_back(size);
+        }
+    }
     const std::string mean = free_name(name), error = free_name(name + "_standard_error"),
                       low = free_name(name + "_interval_low"),
                       high = free_name(name + "_interval_high");
     const auto add = [&](const std::string& variable, const std::string& words,
                          const std::string& ancillary) {
-        NetcdfAttributes attributes{
-            {"long_name", words}, {"units", unit}, {"coordinates", coordinates_}};
+        NetcdfAttributes attributes{{"long_name", words}, {"units", unit}};
+        if (!coordinates.empty()) {
+            attributes.emplace_back("coordinates", coordinates);
+        }
         if (!ancillary.empty()) {
             attributes.emplace_back("ancillary_variables", ancillary);
         }
@@ -260,26 +278,13 @@ NetcdfEstimates NetcdfLayout::define_estimates(
 }
 
 void NetcdfLayout::define_light() {
-    using Axis = std::pair<std::optional<int>, std::size_t>;
-    const Axis time{time_, std::max<std::size_t>(rows_.size(), 1)};
+    const Axis time = time_axis(), band = band_axis();
     const Axis day{day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
-    const Axis band{band_, columns.bands.size()};
     const Axis ratio{ratio_, run_.spec.ratios.size()};
     const Axis organ{organ_, run_.scene.organs().size()};
     const auto define = [&](const std::string& name, const std::string& unit,
                             const std::string& summary, const std::vector<Axis>& axes) {
-        std::vector<int> dimensions = points_;
-        std::vector<std::size_t> sizes;
-        for (const NetcdfSweep::Axis& axis : sweep_.axes()) {
-            sizes.push_back(axis.size);
-        }
-        for (const auto& [dimension, size] : axes) {
-            if (dimension) {
-                dimensions.push_back(*dimension);
-                sizes.push_back(size);
-            }
-        }
-        return define_estimates(name, unit, summary, dimensions, sizes);
+        return define_estimates(name, unit, summary, axes, organ_coordinates_);
     };
     for (const NetcdfBands& list : bands) {
         const Band& first = run_.scene.bands()[list.bands.front()];
@@ -303,6 +308,24 @@ void NetcdfLayout::define_light() {
         ratios = define(
             "light_ratio", "1", "of the light that falls on the organ, both sides",
             {time, ratio, organ});
+    }
+}
+
+void NetcdfLayout::define_detectors() {
+    for (const DetectorResult& detector : dark_detectors(run_.scene)) {
+        const std::string axis = free_name(detector.name + "_bin");
+        const int bin = file_.add_dimension(axis, detector.bins.size());
+        file_.put(
+            file_.add_variable(axis, NetcdfType::text, {bin}, {{"long_name", detector.quantity}}),
+            detector.bins);
+        std::vector<NetcdfEstimates>& of_lists = detectors.emplace_back();
+        for (const NetcdfBands& list : bands) {
+            const Band& first = run_.scene.bands()[list.bands.front()];
+            of_lists.push_back(define_estimates(
+                detector.name + list.suffix, flux_unit(first.unit, run_.scene.length_unit()),
+                fmt::format("flux by {} in a detector {}", detector.quantity, detector.type),
+                {time_axis(), band_axis(), {bin, detector.bins.size()}}, coordinates_));
+        }
     }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "netcdf/netcdf_file.h"
@@ -32,6 +34,7 @@ class NetcdfLayout {
     std::vector<NetcdfEstimates> light;  ///< [bands * quantities + quantity]
     std::vector<NetcdfEstimates> days;   ///< the same, summed; empty without [time]
     std::optional<NetcdfEstimates> sunlit, ratios;
+    std::vector<std::vector<NetcdfEstimates>> detectors;  ///< [detector][list of bands]
 
     /// Puts the areas of the organs of a run, where they may change from point to point.
     void put_areas(const RunFile& run);
@@ -51,12 +54,17 @@ class NetcdfLayout {
     void define_days();
     void define_points();
     void define_light();
+    void define_detectors();
+    using Axis = std::pair<std::optional<int>, std::size_t>;  // dimension, if it is there, and size
+    [[nodiscard]] Axis time_axis() const { return {time_, std::max<std::size_t>(rows_.size(), 1)}; }
+    [[nodiscard]] Axis band_axis() const { return {band_, columns.bands.size()}; }
+    /// Defines an estimate for each point of the sweep along those axes.
     NetcdfEstimates define_estimates(
         const std::string& name,
         const std::string& unit,
         const std::string& summary,
-        std::vector<int> dimensions,
-        const std::vector<std::size_t>& sizes);
+        const std::vector<Axis>& axes,
+        const std::string& coordinates);
     /// A name that netCDF takes, and no variable has yet.
     std::string free_name(std::string_view wish);
 
@@ -64,10 +72,11 @@ class NetcdfLayout {
     NetcdfFile& file_;
     const NetcdfSweep sweep_;
     std::set<std::string> names_;
-    std::string coordinates_ = "organ_name area";  // of the light, beside its dimensions
-    std::vector<std::size_t> rows_;                // time steps in the file
-    std::vector<int> points_;                      // dimensions of the sweep
-    std::vector<std::string> axis_names_;          // theirs
+    // Beside their dimensions, those of all variables, and of the light on organs.
+    std::string coordinates_, organ_coordinates_ = "organ_name area";
+    std::vector<std::size_t> rows_;        // time steps in the file
+    std::vector<int> points_;              // dimensions of the sweep
+    std::vector<std::string> axis_names_;  // theirs
     std::optional<int> time_, day_, band_, ratio_;
     int organ_ = 0, area_ = 0;
 };

@@ -8,17 +8,16 @@
 
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
+#include "resultio/series_words.h"
 #include "runfile/written.h"
 
 namespace quasimc {
 
-bool has_netcdf() {
-    return true;
-}
+namespace {
 
-class NetcdfWriter::State {
+class NetcdfLight final : public NetcdfWriter {
   public:
-    State(const RunFile& run, TextSink sink, std::string_view program_version)
+    NetcdfLight(const RunFile& run, TextSink sink, std::string_view program_version)
         : run_(&run), sink_(std::move(sink)), layout_(run, program_version, file_) {
         times_ = times_of(run);
         if (run.sweep) {
@@ -26,13 +25,14 @@ class NetcdfWriter::State {
         }
     }
 
-    void add_moment(std::size_t time_step, const Result& result) {
+    void on_time_step(const TimeStepResult& step) override {
+        const Result& result = step.result;
         std::vector<std::size_t> start = layout_.place_of(*run_);
-        if (!is_written(*run_, time_step, result)) {
+        if (!is_written(*run_, step.time_step, result)) {
             return;
         }
         if (run_->series) {
-            const auto row = layout_.row_of(time_step);
+            const auto row = layout_.row_of(step.time_step);
             if (!row) {
                 return;
             }
@@ -47,19 +47,24 @@ class NetcdfWriter::State {
         }
         if (layout_.ratios) {
             put(*layout_.ratios, start, {result.ratios, organs},
-                [&](std::size_t i) -> const Estimate& {
-                    return result.ratio(i % organs, i / organs);
-                });
+                [&](std::size_t i) { return result.ratio(i % organs, i / organs); });
         }
+        put_detectors(start, result);
     }
 
-    void add_day(std::size_t day, const SeriesSum& sum) {
+    void on_day(std::size_t day, const SeriesSum& sum) override {
+        add_day(day, in_summed_units(*run_, sum));
+    }
+
+    [[nodiscard]] bool wants_days() const override { return run_->series.has_value(); }
+
+    void add_day(std::size_t day, const SeriesSum& sum) override {
         std::vector<std::size_t> start = layout_.place_of(*run_);
         start.push_back(day);
         put_light(layout_.days, start, sum);
     }
 
-    void next_run(const RunFile& run) {
+    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
         if (times_of(run) != times_) {
             throw InputError(
                 {{"NetCDF", "the points of the sweep have times of their own",
@@ -75,7 +80,7 @@ class NetcdfWriter::State {
         layout_.put_areas(run);
     }
 
-    void finish() { file_.copy_to(sink_); }
+    void on_end(const SeriesSummary& /*of_the_last*/) override { file_.copy_to(sink_); }
 
   private:
     static std::vector<std::string> times_of(const RunFile& run) {
@@ -107,9 +112,23 @@ class NetcdfWriter::State {
             const std::vector<std::size_t> sizes =
                 has_axis ? std::vector{list.bands.size(), organs} : std::vector{organs};
             for (const QuantityEntry& entry : layout_.columns.quantities) {
-                put(variables[number++], start, sizes, [&](std::size_t i) -> const Estimate& {
+                put(variables[number++], start, sizes, [&](std::size_t i) {
                     return light.at(i % organs, entry.quantity, list.bands[i / organs]);
                 });
+            }
+        }
+    }
+
+    void put_detectors(const std::vector<std::size_t>& start, const Result& result) {
+        for (std::size_t d = 0; d < result.detectors.size(); ++d) {
+            const DetectorResult& detector = result.detectors[d];
+            const std::size_t bins = detector.bins.size();
+            for (std::size_t l = 0; l < layout_.bands.size(); ++l) {
+                const NetcdfBands& list = layout_.bands[l];
+                const bool has_axis = list.suffix.empty();
+                put(layout_.detectors[d][l], start,
+                    has_axis ? std::vector{list.bands.size(), bins} : std::vector{bins},
+                    [&](std::size_t i) { return detector.at(i % bins, list.bands[i / bins]); });
             }
         }
     }
@@ -147,25 +166,15 @@ class NetcdfWriter::State {
     std::vector<Organ> organs_;
 };
 
-NetcdfWriter::NetcdfWriter(const RunFile& run, TextSink sink, std::string_view program_version)
-    : state_(std::make_unique<State>(run, std::move(sink), program_version)) {}
+}  // namespace
 
-NetcdfWriter::~NetcdfWriter() = default;
-
-void NetcdfWriter::add_moment(std::size_t time_step, const Result& result) {
-    state_->add_moment(time_step, result);
+bool has_netcdf() {
+    return true;
 }
 
-void NetcdfWriter::add_day(std::size_t day, const SeriesSum& sum) {
-    state_->add_day(day, sum);
-}
-
-void NetcdfWriter::next_run(const RunFile& run) {
-    state_->next_run(run);
-}
-
-void NetcdfWriter::finish() {
-    state_->finish();
+std::unique_ptr<NetcdfWriter> make_netcdf_writer(
+    const RunFile& run, TextSink sink, std::string_view program_version) {
+    return std::make_unique<NetcdfLight>(run, std::move(sink), program_version);
 }
 
 }  // namespace quasimc

@@ -10,7 +10,7 @@ namespace {
 /// Where `behind`, which is not nearer than `front` at `x`, is as near as it: it is nearer by
 /// `lead` at `end`.
 double crossing_of(
-    const LinePiece& front, const LinePiece& behind, double x, double end, double lead) {
+    const VisibleSegment& front, const VisibleSegment& behind, double x, double end, double lead) {
     const double lag = std::max(0.0, behind.depth(x) - front.depth(x));
     return std::min(x + (end - x) * (lag / (lag + lead)), end);
 }
@@ -18,7 +18,9 @@ double crossing_of(
 }  // namespace
 
 void Envelope::find(
-    std::span<const LinePiece> segments, std::vector<LinePiece>& out, const std::stop_token* stop) {
+    std::span<const VisibleSegment> segments,
+    std::vector<VisibleSegment>& out,
+    const std::stop_token* stop) {
     const auto check_stop = [stop] {
         if (stop != nullptr) {
             throw_if_stopped(*stop);
@@ -28,7 +30,7 @@ void Envelope::find(
     out_ = &out;
     front_ = nullptr;
     behind_.clear();
-    for (const LinePiece& segment : segments) {
+    for (const VisibleSegment& segment : segments) {
         if (!(segment.low < segment.high)) {
             continue;
         }
@@ -55,7 +57,7 @@ void Envelope::find(
 }
 
 /// A segment where there is no other.
-void Envelope::begin(const LinePiece& segment) {
+void Envelope::begin(const VisibleSegment& segment) {
     front_ = &segment;
     crossing_ = nullptr;
     from_ = segment.low;
@@ -63,7 +65,7 @@ void Envelope::begin(const LinePiece& segment) {
 }
 
 /// A segment begins in front.
-void Envelope::take_over(const LinePiece& segment, double x) {
+void Envelope::take_over(const VisibleSegment& segment, double x) {
     put(x);
     behind_.push_back(front_);
     front_ = &segment;
@@ -71,7 +73,7 @@ void Envelope::take_over(const LinePiece& segment, double x) {
 }
 
 /// A segment begins behind the one in front.
-void Envelope::watch(const LinePiece& segment, double x) {
+void Envelope::watch(const VisibleSegment& segment, double x) {
     if (look_at(segment, x)) {
         behind_.push_back(&segment);
     }
@@ -79,7 +81,7 @@ void Envelope::watch(const LinePiece& segment, double x) {
 
 /// Notes if a segment behind the front passes it before all others. False if it will not be seen.
 /// Slopes tell what passes what, so that rounding makes no circles.
-bool Envelope::look_at(const LinePiece& segment, double x) {
+bool Envelope::look_at(const VisibleSegment& segment, double x) {
     const double end = std::min(segment.high, front_->high);
     const double lead = front_->depth(end) - segment.depth(end);
     if (lead > 0 && segment.slope < front_->slope) {
@@ -98,7 +100,7 @@ void Envelope::look_behind(double x) {
     until_ = front_->high;
     crossing_ = nullptr;
     std::size_t kept = 0;
-    for (const LinePiece* other : behind_) {
+    for (const VisibleSegment* other : behind_) {
         if (other != front_ && other->high > x && look_at(*other, x)) {
             behind_[kept++] = other;
         }
@@ -115,7 +117,7 @@ void Envelope::go_on() {
         front_ = crossing_;
     } else {
         front_ = nullptr;
-        for (const LinePiece* other : behind_) {
+        for (const VisibleSegment* other : behind_) {
             if (other->high > x && (front_ == nullptr || other->depth(x) < front_->depth(x))) {
                 front_ = other;
             }
@@ -134,7 +136,9 @@ void Envelope::put(double until) {
 }
 
 void Envelope::seen_before(
-    const LinePiece& segment, std::span<const LinePiece> pieces, std::vector<LinePiece>& out) {
+    const VisibleSegment& segment,
+    std::span<const VisibleSegment> pieces,
+    std::vector<VisibleSegment>& out) {
     const auto put = [&](double from, double to) {
         if (from < to) {
             out.push_back(segment.part(from, to));
@@ -145,7 +149,7 @@ void Envelope::seen_before(
     }
     double x = segment.low;
     auto piece = std::partition_point(
-        pieces.begin(), pieces.end(), [x](const LinePiece& p) { return p.high <= x; });
+        pieces.begin(), pieces.end(), [x](const VisibleSegment& p) { return p.high <= x; });
     for (; piece != pieces.end() && piece->low < segment.high; ++piece) {
         put(x, piece->low);
         const double low = std::max(x, piece->low);

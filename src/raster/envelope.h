@@ -9,16 +9,16 @@ namespace quasimc {
 
 /// A segment that a scan line cuts out of a surface, or a stretch of it: from place `low` to `high`
 /// along the line, in any unit; of depths the smaller is nearer.
-struct LinePiece {
-    double low = 0, high = 0;  ///< along the line
-    double at_low = 0;         ///< depth there
-    double slope = 0;          ///< of the depth along the line
-    std::uint32_t segment = 0;
+struct VisibleSegment {
+    double low = 0, high = 0;   ///< along the line
+    double at_low = 0;          ///< depth there
+    double slope = 0;           ///< of the depth along the line
+    std::uint32_t surface = 0;  ///< its number, of the caller's
 
     [[nodiscard]] double depth(double x) const { return at_low + (x - low) * slope; }
     [[nodiscard]] double length() const { return high - low; }
-    [[nodiscard]] LinePiece part(double from, double to) const {
-        return {from, to, depth(from), slope, segment};
+    [[nodiscard]] VisibleSegment part(double from, double to) const {
+        return {from, to, depth(from), slope, surface};
     }
 };
 
@@ -34,29 +34,31 @@ class Envelope {
     /// over.
     /// @throws StopRequested  if `stop`, where there is one, says so
     void find(
-        std::span<const LinePiece> segments,
-        std::vector<LinePiece>& out,
+        std::span<const VisibleSegment> segments,
+        std::vector<VisibleSegment>& out,
         const std::stop_token* stop = nullptr);
 
     /// Appends to `out` what is seen of `segment` in front of pieces in order; nothing if it has no
     /// length.
     static void seen_before(
-        const LinePiece& segment, std::span<const LinePiece> pieces, std::vector<LinePiece>& out);
+        const VisibleSegment& segment,
+        std::span<const VisibleSegment> pieces,
+        std::vector<VisibleSegment>& out);
 
   private:
-    void begin(const LinePiece& segment);
-    void take_over(const LinePiece& segment, double x);
-    void watch(const LinePiece& segment, double x);
-    [[nodiscard]] bool look_at(const LinePiece& segment, double x);
+    void begin(const VisibleSegment& segment);
+    void take_over(const VisibleSegment& segment, double x);
+    void watch(const VisibleSegment& segment, double x);
+    [[nodiscard]] bool look_at(const VisibleSegment& segment, double x);
     void look_behind(double x);
     void go_on();
     void put(double until);
 
-    const LinePiece* front_ = nullptr;      // the nearest at the place at hand
-    double from_ = 0, until_ = 0;           // where it is known to be so
-    const LinePiece* crossing_ = nullptr;   // what passes it at until_; none: it ends there
-    std::vector<const LinePiece*> behind_;  // what may yet come to the front
-    std::vector<LinePiece>* out_ = nullptr;
+    const VisibleSegment* front_ = nullptr;      // the nearest at the place at hand
+    double from_ = 0, until_ = 0;                // where it is known to be so
+    const VisibleSegment* crossing_ = nullptr;   // what passes it at until_; none: it ends there
+    std::vector<const VisibleSegment*> behind_;  // what may yet come to the front
+    std::vector<VisibleSegment>* out_ = nullptr;
 };
 
 }  // namespace quasimc

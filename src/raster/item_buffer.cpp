@@ -32,105 +32,144 @@ Rays rays_of(double size, bool repeats, double pitch) {
 
 }  // namespace
 
-void ItemBuffer::draw(const ProjectedScene& scene, const Spec& spec) {
-    EXPECT(spec.pixels >= 1);
-    scene_ = scene;
-    direction_ = spec.direction;
-    items_.clear();
-    run_count_ = 0;
-    images_.assign(1, {});
-    cosines_.assign(1, 0);
-    keeps_places_ = spec.keeps_places;
-    places_.assign(keeps_places_ ? 1 : 0, {});
-    set_grid(scene, spec);
-    const std::size_t pixels = std::size_t{columns_} * rows_;
-    depths_.assign(pixels + kSpanLanes, std::numeric_limits<float>::infinity());
-    ids_.assign(pixels + kSpanLanes, 0);
-    if (pixels == 0) {
-        return;
-    }
-    const std::uint32_t triangles = scene.mesh->triangle_count();
-    const bool is_open = !repeats_x_ && !repeats_y_;
-    const std::uint32_t step = is_open ? kBlockLanes : 1;
-    for (std::uint32_t i = 0; i < triangles; i += step) {
-        scene.check_stop();
-        if (is_open) {
-            draw_block(i);
-        } else if (scene.role(i) == VisibilityRole::opaque) {
-            draw_opaque(i);
-        }
-    }
-    find_runs();
-    list_items();
-    for (std::uint32_t i = 0; !scene.roles.empty() && i < triangles; ++i) {
-        if (scene.role(i) == VisibilityRole::sensor) {
-            add_sensor(i);
-        }
-    }
+ProjectedTriangle ItemBuffer::seen(std::uint32_t triangle) const {
+    return scene_.seen(triangle, grid_.x, grid_.y, grid_.z);
 }
 
-void ItemBuffer::set_grid(const ProjectedScene& scene, const Spec& spec) {
-    const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
-    columns_ = rows_ = 0;
+ProjectedTriangle ItemBuffer::moved(ProjectedTriangle seen, const Image& image) const {
+    for (int i = 0; i < 3; ++i) {
+        seen.x[i] -= static_cast<double>(image.periods_x) * static_cast<double>(grid_.columns);
+        seen.y[i] -= static_cast<double>(image.periods_y) * static_cast<double>(grid_.rows);
+    }
+    return seen;
+}
+
+Barycentric ItemBuffer::point(std::uint32_t pixel) const {
+    const Image& image = images_[static_cast<std::size_t>(ids_[pixel])];
+    const std::uint32_t row = pixel / columns_;
+    return moved(seen(image.triangle), image)
+        .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
+}
+
+/// Draws one image.
+class ItemDrawing {
+  public:
+    ItemDrawing(const ProjectedScene& scene, const ItemBuffer::View& view, ItemScratch& scratch)
+        : view_(view), scratch_(scratch) {
+        image_.scene_ = scene;
+        set_grid();
+        scratch_.items_.clear();
+        scratch_.images_.assign(1, {});
+        scratch_.cosines_.assign(1, 0);
+        scratch_.points_.assign(view.with_points ? 1 : 0, {});
+        scratch_.depths_.assign(pixels() + kSpanLanes, std::numeric_limits<float>::infinity());
+        scratch_.ids_.assign(pixels() + kSpanLanes, 0);
+    }
+
+    ItemBuffer draw() {
+        if (pixels() > 0) {
+            draw_opaque_triangles();
+            find_runs();
+            list_items();
+            add_sensors();
+        }
+        image_.ids_ = scratch_.ids_;
+        image_.images_ = scratch_.images_;
+        image_.points_ = scratch_.points_;
+        image_.items_ = scratch_.items_;
+        return image_;
+    }
+
+  private:
+    using Image = ItemBuffer::Image;
+
+    void set_grid();
+    [[nodiscard]] std::size_t pixels() const {
+        return static_cast<std::size_t>(image_.grid_.columns * image_.grid_.rows);
+    }
+    /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
+    template <typename Draw>
+    void for_each_image(std::uint32_t triangle, const Draw& draw) const;
+    /// Calls `span(first pixel, count, depth there, depth from pixel to pixel)` row by row.
+    template <typename Span>
+    void rasterize(const ProjectedTriangle& corners, const Span& span) const;
+    void draw_opaque_triangles();
+    void draw_opaque(std::uint32_t triangle);
+    void draw_block(std::uint32_t first);
+    [[nodiscard]] DepthBuffer buffer() {
+        return {scratch_.depths_.data(), scratch_.ids_.data(), image_.columns_};
+    }
+    void add_points(const BlockSpans& block);
+    void find_runs();
+    void list_items();
+    void add_sensors();
+    void add_sensor(std::uint32_t triangle);
+
+    const ItemBuffer::View& view_;
+    ItemScratch& scratch_;
+    SpanLoops loops_ = best_span_loops();
+    DrawLoops draw_ = best_draw_loops();
+    ItemBuffer image_;
+};
+
+void ItemDrawing::set_grid() {
+    const ProjectionPlane plane(
+        image_.scene_, view_.direction, view_.rotation, AlongPeriods::straight);
     if (!(plane.size_s > 0 && plane.size_t > 0)) {
         return;  // seen edge-on
     }
     // Squares, unless the scene is so narrow that there would be no end of them.
     const double pitch = std::max(
-        std::sqrt(plane.size_s * plane.size_t / spec.pixels),
-        std::max(plane.size_s, plane.size_t) / spec.pixels);
+        std::sqrt(plane.size_s * plane.size_t / view_.pixels),
+        std::max(plane.size_s, plane.size_t) / view_.pixels);
     const Rays x = rays_of(plane.size_s, plane.repeats_s, pitch);
     const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
-    columns_ = x.count;
-    rows_ = y.count;
-    x_ = {plane.s / x.pitch, -plane.low_s / x.pitch - spec.shift_s};
-    y_ = {plane.t / y.pitch, -plane.low_t / y.pitch - spec.shift_t};
-    z_ = {plane.depth, 0};
-    repeats_x_ = plane.repeats_s;
-    repeats_y_ = plane.repeats_t;
-    pixel_area_ = x.pitch * y.pitch * plane.area;
-}
-
-ProjectedTriangle ItemBuffer::seen(std::uint32_t triangle) const {
-    return scene_.seen(triangle, x_, y_, z_);
-}
-
-ProjectedTriangle ItemBuffer::moved(ProjectedTriangle seen, const Image& image) const {
-    for (int i = 0; i < 3; ++i) {
-        seen.x[i] -= static_cast<double>(image.periods_x) * columns_;
-        seen.y[i] -= static_cast<double>(image.periods_y) * rows_;
-    }
-    return seen;
+    image_.grid_ = {
+        .x = {plane.s / x.pitch, -plane.low_s / x.pitch - view_.shift_s},
+        .y = {plane.t / y.pitch, -plane.low_t / y.pitch - view_.shift_t},
+        .z = {plane.depth, 0},
+        .columns = x.count,
+        .rows = y.count,
+        .repeats_x = plane.repeats_s,
+        .repeats_y = plane.repeats_t,
+        .has_places = view_.with_points};
+    image_.columns_ = x.count;
+    image_.pixel_area_ = x.pitch * y.pitch * plane.area;
 }
 
 template <typename Draw>
-void ItemBuffer::for_each_image(std::uint32_t triangle, const Draw& draw) const {
-    const ProjectedTriangle corners = seen(triangle);
-    if (!repeats_x_ && !repeats_y_) {
+void ItemDrawing::for_each_image(std::uint32_t triangle, const Draw& draw) const {
+    const RasterGrid& grid = image_.grid_;
+    const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
+    const ProjectedTriangle corners = image_.seen(triangle);
+    if (!grid.repeats_x && !grid.repeats_y) {
         draw(Image{triangle, 0, 0}, corners);
         return;
     }
     const auto [low, high] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
-    const Periods y = periods_of(low, high, rows_, repeats_y_);
+    const Periods y = periods_of(low, high, rows, grid.repeats_y);
     const auto [left, right] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
-    const Periods all_along_x = periods_of(left, right, columns_, repeats_x_);
+    const Periods all_along_x = periods_of(left, right, columns, grid.repeats_x);
     for (std::int32_t py = y.first; py <= y.last; ++py) {
-        const Periods x =
-            repeats_y_ ? periods_in_row(corners, py, rows_, columns_, repeats_x_) : all_along_x;
+        const Periods x = grid.repeats_y
+                              ? periods_in_row(corners, py, rows, columns, grid.repeats_x)
+                              : all_along_x;
         for (std::int32_t px = x.first; px <= x.last; ++px) {
             const Image image{triangle, px, py};
-            draw(image, moved(corners, image));
+            draw(image, image_.moved(corners, image));
         }
     }
 }
 
 template <typename Span>
-void ItemBuffer::rasterize(const ProjectedTriangle& c, const Span& span) const {
+void ItemDrawing::rasterize(const ProjectedTriangle& c, const Span& span) const {
+    const std::uint32_t columns = image_.columns_;
+    const auto rows = static_cast<std::uint32_t>(image_.grid_.rows);
     const auto within = [](double x, std::uint32_t end) {
         return ceil_to_int(std::min(std::max(x, 0.0), static_cast<double>(end)));
     };
-    const std::int32_t end = within(std::max({c.y[0], c.y[1], c.y[2]}), rows_);
-    std::int32_t row = within(std::min({c.y[0], c.y[1], c.y[2]}), rows_);
+    const std::int32_t end = within(std::max({c.y[0], c.y[1], c.y[2]}), rows);
+    std::int32_t row = within(std::min({c.y[0], c.y[1], c.y[2]}), rows);
     if (row >= end) {
         return;
     }
@@ -150,118 +189,140 @@ void ItemBuffer::rasterize(const ProjectedTriangle& c, const Span& span) const {
     const SidesByRow sides(c);
     for (; row < end; ++row) {
         const auto [left, right] = sides.at(row);
-        const std::int32_t first = within(left, columns_);
-        const std::int32_t last = within(right, columns_);
+        const std::int32_t first = within(left, columns);
+        const std::int32_t last = within(right, columns);
         if (first < last) {
             const double z = c.z[0] + (first - c.x[0]) * z_by_x + (row - c.y[0]) * z_by_y;
             span(
-                std::size_t{columns_} * static_cast<std::size_t>(row) +
+                std::size_t{columns} * static_cast<std::size_t>(row) +
                     static_cast<std::size_t>(first),
                 last - first, static_cast<float>(z), static_cast<float>(z_by_x));
         }
     }
 }
 
-void ItemBuffer::draw_opaque(std::uint32_t triangle) {
+void ItemDrawing::draw_opaque_triangles() {
+    const ProjectedScene& scene = image_.scene_;
+    const bool is_open = !image_.grid_.repeats_x && !image_.grid_.repeats_y;
+    const std::uint32_t step = is_open ? kBlockLanes : 1;
+    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); i += step) {
+        scene.check_stop();
+        if (is_open) {
+            draw_block(i);
+        } else if (scene.role(i) == VisibilityRole::opaque) {
+            draw_opaque(i);
+        }
+    }
+}
+
+void ItemDrawing::draw_opaque(std::uint32_t triangle) {
     for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
-        const auto id = static_cast<std::int32_t>(images_.size());
-        spans_.clear();
+        const auto id = static_cast<std::int32_t>(scratch_.images_.size());
+        scratch_.spans_.clear();
         float step = 0;
         rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float z_step) {
-            spans_.push_back({first, count, z});
+            scratch_.spans_.push_back({first, count, z});
             step = z_step;
         });
-        if (!spans_.empty()) {
-            draw_.spans(buffer(), spans_, step, id);
-            images_.push_back(image);
-            cosines_.push_back(scene_.cosine(triangle, direction_));
-            if (keeps_places_) {
+        if (!scratch_.spans_.empty()) {
+            draw_.spans(buffer(), scratch_.spans_, step, id);
+            scratch_.images_.push_back(image);
+            scratch_.cosines_.push_back(image_.scene_.cosine(triangle, view_.direction));
+            if (view_.with_points) {
                 const TrianglePlane plane(corners);
-                places_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
+                scratch_.points_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
             }
         }
     });
 }
 
-/// Triangles from `first` on, side by side, where nothing repeats itself: the same pixels as
+/// Draws triangles from `first` on side by side, where nothing repeats itself: the same pixels as
 /// draw_opaque() finds.
-void ItemBuffer::draw_block(std::uint32_t first) {
-    const TriangleBlock block = block_of(scene_, first);
-    BlockSpans& found = block_spans_;
-    const RasterGrid grid{
-        .x = x_, .y = y_, .z = z_, .columns = columns_, .rows = rows_, .has_places = keeps_places_};
-    if (!loops_.set(block, grid, found)) {
+void ItemDrawing::draw_block(std::uint32_t first) {
+    const TriangleBlock block = block_of(image_.scene_, first);
+    BlockSpans& found = scratch_.spans_of_block_;
+    if (!loops_.set(block, image_.grid_, found)) {
         return;
     }
-    const std::size_t size = images_.size();
+    std::vector<Image>& images = scratch_.images_;
+    const std::size_t size = images.size();
     const auto first_id = static_cast<std::int32_t>(size);
-    images_.resize(size + kBlockLanes);
+    images.resize(size + kBlockLanes);
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-        images_[size + lane] = {first + lane, 0, 0};
+        images[size + lane] = {first + lane, 0, 0};
     }
-    cosines_.resize(size + kBlockLanes);
-    loops_.cosines(block, direction_, &cosines_[size]);
-    if (keeps_places_) {
-        keep_places(found);
+    scratch_.cosines_.resize(size + kBlockLanes);
+    loops_.cosines(block, view_.direction, &scratch_.cosines_[size]);
+    if (view_.with_points) {
+        add_points(found);
     }
-    while (loops_.next(grid, found)) {
+    while (loops_.next(image_.grid_, found)) {
         draw_.rows(buffer(), found, first_id);
     }
 }
 
-void ItemBuffer::keep_places(const BlockSpans& block) {
+void ItemDrawing::add_points(const BlockSpans& block) {
     const auto of_lane = [](const BlockGradient& all, std::size_t lane) {
         return PlaneGradient{all.at[lane], all.by_x[lane], all.by_y[lane]};
     };
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        places_.push_back({of_lane(block.u, lane), of_lane(block.v, lane)});
+        scratch_.points_.push_back({of_lane(block.u, lane), of_lane(block.v, lane)});
     }
 }
 
-DepthBuffer ItemBuffer::buffer() {
-    return {depths_.data(), ids_.data(), columns_};
+void ItemDrawing::find_runs() {
+    std::vector<std::uint32_t>& ends = scratch_.ends_;
+    const auto count = static_cast<std::uint32_t>(pixels());
+    scratch_.ids_[count] = -1;  // ends the last
+    ends.resize(std::max<std::size_t>(ends.size(), count));
+    const std::size_t runs = draw_.run_ends(scratch_.ids_.data(), count, ends.data());
+    image_.run_ends_ = std::span(ends).first(runs);
 }
 
-void ItemBuffer::find_runs() {
-    const auto pixels = static_cast<std::uint32_t>(ids_.size()) - kSpanLanes;
-    ids_[pixels] = -1;  // ends the last
-    ends_.resize(std::max<std::size_t>(ends_.size(), pixels));
-    run_count_ = draw_.run_ends(ids_.data(), pixels, ends_.data());
-}
-
-/// Without a branch for each image: which of them are seen can't be foreseen.
-void ItemBuffer::list_items() {
-    counts_.assign(images_.size(), 0);
-    for_each_run([&](const Run& run) { counts_[run.id] += run.count; });
-    items_.resize(images_.size());
+/// Lists the images that are seen, without a branch for each: which of them are can't be foreseen.
+void ItemDrawing::list_items() {
+    const std::vector<Image>& images = scratch_.images_;
+    std::vector<std::uint32_t>& counts = scratch_.counts_;
+    counts.assign(images.size(), 0);
+    image_.ids_ = scratch_.ids_;
+    image_.for_each_run([&](const ItemBuffer::Run& run) { counts[run.id] += run.count; });
+    scratch_.items_.resize(images.size());
     std::size_t size = 0;
-    for (std::uint32_t id = 1; id < images_.size(); ++id) {
-        items_[size] = {images_[id].triangle, id, counts_[id], cosines_[id]};
-        size += counts_[id] > 0 ? 1 : 0;
+    for (std::uint32_t id = 1; id < images.size(); ++id) {
+        scratch_.items_[size] = {images[id].triangle, id, counts[id], scratch_.cosines_[id]};
+        size += counts[id] > 0 ? 1 : 0;
     }
-    items_.resize(size);
+    scratch_.items_.resize(size);
 }
 
-void ItemBuffer::add_sensor(std::uint32_t triangle) {
+void ItemDrawing::add_sensors() {
+    const ProjectedScene& scene = image_.scene_;
+    for (std::uint32_t i = 0; !scene.roles.empty() && i < scene.mesh->triangle_count(); ++i) {
+        if (scene.role(i) == VisibilityRole::sensor) {
+            add_sensor(i);
+        }
+    }
+}
+
+void ItemDrawing::add_sensor(std::uint32_t triangle) {
     std::uint32_t seen = 0;
     for_each_image(triangle, [&](const Image&, const ProjectedTriangle& corners) {
         rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
             for (std::int32_t i = 0; i < count; ++i) {
                 const std::size_t pixel = first + static_cast<std::size_t>(i);
-                seen += z + step * static_cast<float>(i) < depths_[pixel] ? 1 : 0;
+                seen += z + step * static_cast<float>(i) < scratch_.depths_[pixel] ? 1 : 0;
             }
         });
     });
     if (seen > 0) {
-        items_.push_back({triangle, 0, seen, scene_.cosine(triangle, direction_)});
+        scratch_.items_.push_back(
+            {triangle, 0, seen, image_.scene_.cosine(triangle, view_.direction)});
     }
 }
 
-Barycentric ItemBuffer::place(std::uint32_t pixel) const {
-    const Image& image = images_[static_cast<std::size_t>(ids_[pixel])];
-    const std::uint32_t row = pixel / columns_;
-    return moved(seen(image.triangle), image)
-        .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
+ItemBuffer draw(const ProjectedScene& scene, const ItemBuffer::View& view, ItemScratch& scratch) {
+    EXPECT(view.pixels >= 1);
+    return ItemDrawing(scene, view, scratch).draw();
 }
 
 }  // namespace quasimc

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,32 +14,33 @@
 
 namespace quasimc {
 
-/// What a beam lights first, pixel by pixel: a regular grid of its rays, rasterized with a depth
-/// buffer. With a uniform shift of the grid, pixels x pixel_area() of a triangle is an unbiased
+class ItemScratch;
+
+/// An image of what a beam lights first: which triangle each pixel of a regular grid of its rays
+/// sees. With a uniform shift of the grid, pixels x pixel_area() of a triangle is an unbiased
 /// estimate of the area of the beam that it catches; its variance falls with about the power 1.5 of
-/// the number of pixels. For many beams of which each need not be seen well, as those of a sky;
-/// for one beam ScanLines tell more.
+/// the number of pixels. That suits many beams with a rough view along each, as those of a sky;
+/// ScanLines tell more of one beam.
 ///
-/// Objects are used by one thread, and hold buffers for the next beam.
+/// An image lies in the scratch of draw(), which serves one image at a time.
 class ItemBuffer {
   public:
-    struct Spec {
+    /// A view along a beam.
+    struct View {
         Vec3 direction;                   ///< unit, in which the light travels
         double rotation = 0;              ///< see ProjectionPlane
         double shift_s = 0, shift_t = 0;  ///< of the grid, 0..1 of a pixel
         double pixels = 1;                ///< about as many over the scene, or a period of it
-        bool keeps_places = false;        ///< see places()
+        bool with_points = false;         ///< see points()
     };
 
     /// A triangle that is seen. In a periodic scene each of its images that is.
     struct Item {
         std::uint32_t triangle = 0;  ///< of the mesh
-        std::uint32_t id = 0;        ///< in ids(); sensors, which hide nothing, have none: 0
+        std::uint32_t id = 0;        ///< of its pixels; sensors, which hide nothing, have none: 0
         std::uint32_t pixels = 0;
         double cosine = 0;  ///< dot(unit normal of the upper side, direction of the beam)
     };
-
-    void draw(const ProjectedScene& scene, const Spec& spec);
 
     /// Area across the beam that a pixel stands for, local units squared.
     [[nodiscard]] double pixel_area() const { return pixel_area_; }
@@ -54,9 +56,9 @@ class ItemBuffer {
     template <typename Visit>
     void for_each_run(const Visit& visit) const {
         std::uint32_t first = 0;
-        for (std::size_t i = 0; i < run_count_; ++i) {
-            visit(Run{first, ends_[i] - first, static_cast<std::uint32_t>(ids_[first])});
-            first = ends_[i];
+        for (const std::uint32_t end : run_ends_) {
+            visit(Run{first, end - first, static_cast<std::uint32_t>(ids_[first])});
+            first = end;
         }
     }
     /// Pixels next to each other in a row that see the same.
@@ -88,65 +90,62 @@ class ItemBuffer {
     }
     /// Ids are less than that.
     [[nodiscard]] std::size_t id_count() const { return images_.size(); }
-    /// Where the ray of a pixel ends that sees something.
-    [[nodiscard]] Barycentric place(std::uint32_t pixel) const;
+    /// The point at which the ray of a pixel that sees something ends.
+    [[nodiscard]] Barycentric point(std::uint32_t pixel) const;
 
-    /// Where the rays of pixels end that see one id.
-    struct Places {
+    /// Barycentric coordinates of the points at which rays of pixels end that see one id.
+    struct Points {
         PlaneGradient u, v;
-        /// Barycentric coordinates.
         [[nodiscard]] Point2 of(double x, double row) const {
             return {u.at + u.by_x * x + u.by_y * row, v.at + v.by_x * x + v.by_y * row};
         }
     };
-    /// Where a beam was drawn that keeps them. @param id  of an item
-    [[nodiscard]] const Places& places(std::uint32_t id) const { return places_[id]; }
+    /// The points of an item, in a view with points. @param id  of the item
+    [[nodiscard]] const Points& points(std::uint32_t id) const { return points_[id]; }
 
   private:
+    friend class ItemDrawing;
+    friend class ItemScratch;
+
     /// A triangle, moved by whole periods of the grid.
     struct Image {
         std::uint32_t triangle;
         std::int32_t periods_x, periods_y;
     };
 
-    void set_grid(const ProjectedScene& scene, const Spec& spec);
     /// On the grid, where ray (i, j) passes at x = i, y = j.
     [[nodiscard]] ProjectedTriangle seen(std::uint32_t triangle) const;
     [[nodiscard]] ProjectedTriangle moved(ProjectedTriangle seen, const Image& image) const;
-    /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
-    template <typename Draw>
-    void for_each_image(std::uint32_t triangle, const Draw& draw) const;
-    /// Calls `span(first pixel, count, depth there, depth from pixel to pixel)` row by row.
-    template <typename Span>
-    void rasterize(const ProjectedTriangle& corners, const Span& span) const;
-    void draw_opaque(std::uint32_t triangle);
-    void draw_block(std::uint32_t first);
-    [[nodiscard]] DepthBuffer buffer();
-    void keep_places(const BlockSpans& block);
-    void find_runs();
-    void list_items();
-    void add_sensor(std::uint32_t triangle);
 
-    BlockSpans block_spans_{};  // scratch, of a block
-    SpanLoops loops_ = best_span_loops();
-    DrawLoops draw_ = best_draw_loops();
     ProjectedScene scene_;
-    Vec3 direction_;
-    BeamAxis x_, y_, z_;  // place on the grid, and depth
+    RasterGrid grid_;
+    std::uint32_t columns_ = 0;  // of the grid
     double pixel_area_ = 0;
-    std::uint32_t columns_ = 0, rows_ = 0;
-    bool repeats_x_ = false, repeats_y_ = false;
-    bool keeps_places_ = false;
-    std::vector<float> depths_;        // by pixel
-    std::vector<std::int32_t> ids_;    // by pixel: in images_
-    std::vector<PixelSpan> spans_;     // scratch, of one triangle
-    std::vector<std::uint32_t> ends_;  // of runs, and room for more
-    std::size_t run_count_ = 0;
-    std::vector<Image> images_;    // the first stands for nothing
-    std::vector<double> cosines_;  // by image
-    std::vector<Places> places_;   // by image, if they are kept
-    std::vector<std::uint32_t> counts_;
-    std::vector<Item> items_;
+    std::span<const std::int32_t> ids_;  // by pixel: in images_
+    std::span<const std::uint32_t> run_ends_;
+    std::span<const Image> images_;   // the first stands for nothing
+    std::span<const Points> points_;  // by image
+    std::span<const Item> items_;
 };
+
+/// Memory that draw() uses.
+class ItemScratch {
+    friend class ItemDrawing;
+
+    BlockSpans spans_of_block_{};
+    std::vector<PixelSpan> spans_;  // of one triangle
+    std::vector<float> depths_;     // by pixel
+    std::vector<std::int32_t> ids_;
+    std::vector<std::uint32_t> ends_;  // of runs, and room for more
+    std::vector<ItemBuffer::Image> images_;
+    std::vector<double> cosines_;        // by image
+    std::vector<std::uint32_t> counts_;  // of pixels, by image
+    std::vector<ItemBuffer::Points> points_;
+    std::vector<ItemBuffer::Item> items_;
+};
+
+/// Draws what a beam lights first.
+[[nodiscard]] ItemBuffer draw(
+    const ProjectedScene& scene, const ItemBuffer::View& view, ItemScratch& scratch);
 
 }  // namespace quasimc

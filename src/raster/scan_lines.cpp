@@ -8,27 +8,27 @@
 namespace quasimc {
 namespace {
 
-bool begins_before(const LinePiece& a, const LinePiece& b) {
+bool begins_before(const VisibleSegment& a, const VisibleSegment& b) {
     return a.low < b.low;
 }
 
 /// Sorts what is nearly sorted; what turns out not to be, as where light comes in low and lines are
 /// far apart, in the same order, in n log n.
-void sort_again(std::vector<LinePiece>& pieces) {
+void sort_again(std::vector<VisibleSegment>& cuts) {
     constexpr std::size_t kMostMovesEach = 16;
-    std::size_t moves_left = kMostMovesEach * pieces.size();
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        if (!begins_before(pieces[i], pieces[i - 1])) {
+    std::size_t moves_left = kMostMovesEach * cuts.size();
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+        if (!begins_before(cuts[i], cuts[i - 1])) {
             continue;
         }
-        const LinePiece moved = pieces[i];
+        const VisibleSegment moved = cuts[i];
         std::size_t to = i;
-        for (; to > 0 && begins_before(moved, pieces[to - 1]); --to) {
-            pieces[to] = pieces[to - 1];
+        for (; to > 0 && begins_before(moved, cuts[to - 1]); --to) {
+            cuts[to] = cuts[to - 1];
         }
-        pieces[to] = moved;
+        cuts[to] = moved;
         if (i - to > moves_left) {
-            std::stable_sort(pieces.begin(), pieces.end(), begins_before);
+            std::stable_sort(cuts.begin(), cuts.end(), begins_before);
             return;
         }
         moves_left -= i - to;
@@ -37,15 +37,13 @@ void sort_again(std::vector<LinePiece>& pieces) {
 
 }  // namespace
 
-void ScanLines::set(const ProjectedScene& scene, const Spec& spec) {
+ScanLines::ScanLines(const ProjectedScene& scene, const Spec& spec)
+    : scene_(scene),
+      spec_(spec),
+      plane_(scene, spec.direction, spec.rotation, AlongPeriods::slanted),
+      pitch_(plane_.size_t / spec.lines) {
     EXPECT(spec.lines > 0);
     EXPECT(scene.roles.empty() || scene.roles.size() == scene.mesh->triangle_count());
-    scene_ = scene;
-    spec_ = spec;
-    plane_.emplace(scene, spec.direction, spec.rotation, AlongPeriods::slanted);
-    pitch_ = plane_->size_t / spec.lines;
-    area_ = pitch_ * plane_->area;
-    next_line_ = end_line_ = 0;
     find_images();
     sort_into_strips();
 }
@@ -53,18 +51,18 @@ void ScanLines::set(const ProjectedScene& scene, const Spec& spec) {
 /// Finds the triangles, and in a scene that repeats itself their images, that touch the lines, with
 /// the strips that they may touch.
 void ScanLines::find_images() {
-    images_.clear();
+    images_.reserve(scene_.mesh->triangle_count());
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
         scene_.check_stop();
         if (scene_.role(i) == VisibilityRole::left_out) {
             continue;
         }
-        const auto [from, to] = scene_.extent(i, plane_->t);
+        const auto [from, to] = scene_.extent(i, plane_.t);
         const Periods across =
-            periods_of(from - plane_->low_t, to - plane_->low_t, plane_->size_t, plane_->repeats_t);
+            periods_of(from - plane_.low_t, to - plane_.low_t, plane_.size_t, plane_.repeats_t);
         for (std::int32_t k = across.first; k <= across.last; ++k) {
-            const double offset = -k * plane_->size_t;
-            if (plane_->repeats_s) {
+            const double offset = -k * plane_.size_t;
+            if (plane_.repeats_s) {
                 add_images_along({.triangle = i, .offset_t = offset});
             } else {
                 add_image({.triangle = i, .offset_t = offset}, from + offset, to + offset);
@@ -77,23 +75,23 @@ void ScanLines::find_images() {
 /// triangle is seen long and slanted: of the periods that it reaches into most lie beside it.
 void ScanLines::add_images_along(Image image) {
     constexpr double kRounding = 1e-9;
-    const double margin_s = kRounding * plane_->size_s;
-    const double margin_t = kRounding * plane_->size_t;
+    const double margin_s = kRounding * plane_.size_s;
+    const double margin_t = kRounding * plane_.size_t;
     const ProjectedTriangle at = seen(image);
-    const auto in_t = extent_within(
-        at.x, at.y, plane_->low_t - margin_t, plane_->low_t + plane_->size_t + margin_t);
+    const auto in_t =
+        extent_within(at.x, at.y, plane_.low_t - margin_t, plane_.low_t + plane_.size_t + margin_t);
     if (!in_t) {
         return;
     }
     const Periods along = periods_of(
-        in_t->first - margin_s - plane_->low_s, in_t->second + margin_s - plane_->low_s,
-        plane_->size_s, true);
+        in_t->first - margin_s - plane_.low_s, in_t->second + margin_s - plane_.low_s,
+        plane_.size_s, true);
     for (std::int32_t j = along.first; j <= along.last; ++j) {
         scene_.check_stop();
-        image.offset_s = -j * plane_->size_s;
-        const double begin = plane_->low_s - image.offset_s;
+        image.offset_s = -j * plane_.size_s;
+        const double begin = plane_.low_s - image.offset_s;
         const auto in_s =
-            extent_within(at.y, at.x, begin - margin_s, begin + plane_->size_s + margin_s);
+            extent_within(at.y, at.x, begin - margin_s, begin + plane_.size_s + margin_s);
         if (in_s) {
             add_image(image, in_s->first - margin_t, in_s->second + margin_t);
         }
@@ -117,12 +115,12 @@ void ScanLines::add_image(Image image, double from, double to) {
 }
 
 double ScanLines::line_at(double number) const {
-    return plane_->low_t + (number + spec_.shift) * pitch_;
+    return plane_.low_t + (number + spec_.shift) * pitch_;
 }
 
 /// Whether a line runs between two places; in doubt it may.
 bool ScanLines::may_be_cut(double from, double to) const {
-    const double below = std::floor((from - plane_->low_t) / pitch_ - spec_.shift);
+    const double below = std::floor((from - plane_.low_t) / pitch_ - spec_.shift);
     return line_at(below) > from || line_at(below + 1) <= to;
 }
 
@@ -149,11 +147,10 @@ void ScanLines::sort_into_strips() {
 
 ProjectedTriangle ScanLines::seen(const Image& image) const {
     return scene_.seen(
-        image.triangle, {plane_->s, image.offset_s}, {plane_->t, image.offset_t},
-        {plane_->depth, 0});
+        image.triangle, {plane_.s, image.offset_s}, {plane_.t, image.offset_t}, {plane_.depth, 0});
 }
 
-ScanLines::Slice ScanLines::slice_of(const ProjectedTriangle& seen) {
+LineScratch::Slice LineScratch::slice_of(const ProjectedTriangle& seen) {
     const auto [low, middle, high] = seen.upwards();
     const auto edge = [&](int from, int to) {
         const double height = seen.y[to] - seen.y[from];
@@ -166,101 +163,123 @@ ScanLines::Slice ScanLines::slice_of(const ProjectedTriangle& seen) {
     return {whole, edge(low, middle), edge(middle, high), seen.y[high], seen.x[middle] > opposite};
 }
 
-/// Triangles are read in the order in which they stand in memory, and sorted then.
-void ScanLines::begin(std::uint32_t strip) {
-    items_.clear();
-    seen_.clear();
-    slices_.clear();
-    order_.clear();
-    for (std::size_t i = first_in_strip_[strip]; i < first_in_strip_[strip + 1]; ++i) {
-        // What is seen at less than this cosine, or has no area, is seen edge-on: corners are told
-        // apart in single precision.
+/// Triangles are read in the order in which they are in memory, and sorted then.
+LineStrip::LineStrip(const ScanLines& lines, std::uint32_t strip, LineScratch& scratch)
+    : lines_(lines),
+      scratch_(scratch),
+      first_line_(strip * ScanLines::kStrip),
+      end_line_(std::min(first_line_ + ScanLines::kStrip, lines.spec_.lines)) {
+    scratch_.triangles_.clear();
+    scratch_.seen_.clear();
+    scratch_.slices_.clear();
+    scratch_.order_.clear();
+    std::uint32_t triangles = 0;
+    for (std::size_t i = lines.first_in_strip_[strip]; i < lines.first_in_strip_[strip + 1]; ++i) {
+        // A triangle of a smaller cosine, or without area, is seen edge-on: corners are told apart
+        // in single precision.
         constexpr double kEdgeOn = 0x1p-24;
-        scene_.check_stop();
-        const Image& image = images_[in_strip_[i]];
-        const double cosine = scene_.cosine(image.triangle, spec_.direction);
+        lines.scene_.check_stop();
+        const ScanLines::Image& image = lines.images_[lines.in_strip_[i]];
+        const double cosine = lines.scene_.cosine(image.triangle, lines.spec_.direction);
         if (std::abs(cosine) > kEdgeOn) {
-            items_.push_back({image.triangle, 0, cosine, 0});
-            seen_.push_back(seen(image));
-            slices_.push_back(slice_of(seen_.back()));
-            order_.emplace_back(slices_.back().whole.t, static_cast<std::uint32_t>(order_.size()));
+            scratch_.triangles_.push_back({image.triangle, cosine});
+            scratch_.seen_.push_back(lines.seen(image));
+            scratch_.slices_.push_back(LineScratch::slice_of(scratch_.seen_.back()));
+            scratch_.order_.emplace_back(scratch_.slices_.back().whole.t, triangles++);
         }
     }
-    std::sort(order_.begin(), order_.end());
-    opaque_.clear();
-    sensors_.clear();
-    next_in_order_ = 0;
-    next_line_ = strip * kStrip;
-    end_line_ = std::min(next_line_ + kStrip, spec_.lines);
+    std::sort(scratch_.order_.begin(), scratch_.order_.end());
 }
 
-bool ScanLines::next() {
-    if (next_line_ == end_line_) {
-        return false;
-    }
-    line_ = line_at(next_line_);
-    ++next_line_;
-    cut_again(opaque_);
-    cut_again(sensors_);
-    add_new_cuts();
-    envelope_.find(opaque_, pieces_, scene_.stop);
-    before_.clear();
-    for (const LinePiece& sensor : sensors_) {
-        Envelope::seen_before(sensor, pieces_, before_);
-    }
-    pieces_.insert(pieces_.end(), before_.begin(), before_.end());
-    for (const LinePiece& piece : pieces_) {
-        Item& item = items_[piece.segment];
-        item.length += piece.length();
-        ++item.pieces;
-    }
-    return true;
+std::span<const LineStrip::Triangle> LineStrip::triangles() const {
+    return scratch_.triangles_;
 }
 
-/// Moves cuts of the last line to this one, and forgets what it has passed.
-void ScanLines::cut_again(std::vector<LinePiece>& cuts) const {
-    std::size_t kept = 0;
-    for (const LinePiece& piece : cuts) {
-        if (slices_[piece.segment].top >= line_) {
-            cuts[kept++] = cut(piece.segment);
+std::span<const LineStrip::Visible> LineStrip::visible() const {
+    return scratch_.visible_;
+}
+
+Barycentric LineStrip::point(const Line& line, const VisibleSegment& segment, double f) const {
+    return scratch_.seen_[segment.surface].place((1 - f) * segment.low + f * segment.high, line.t);
+}
+
+void LineStrip::clear_cuts() const {
+    scratch_.visible_.assign(scratch_.triangles_.size(), {});
+    scratch_.opaque_.clear();
+    scratch_.sensors_.clear();
+    scratch_.next_in_order_ = 0;
+}
+
+/// Cuts the line after the last one.
+LineStrip::Line LineStrip::cut_line(std::uint32_t number) const {
+    const double t = lines_.line_at(number);
+    cut_again(t, scratch_.opaque_);
+    cut_again(t, scratch_.sensors_);
+    add_new_cuts(t);
+    std::vector<VisibleSegment>& segments = scratch_.segments_;
+    scratch_.envelope_.find(scratch_.opaque_, segments, lines_.scene_.stop);
+    scratch_.before_.clear();
+    for (const VisibleSegment& sensor : scratch_.sensors_) {
+        Envelope::seen_before(sensor, segments, scratch_.before_);
+    }
+    segments.insert(segments.end(), scratch_.before_.begin(), scratch_.before_.end());
+    for (const VisibleSegment& segment : segments) {
+        Visible& sum = scratch_.visible_[segment.surface];
+        sum.length += segment.length();
+        ++sum.segments;
+    }
+    return {number, t, segments};
+}
+
+/// Moves cuts of the last line to this one, without those of triangles that it has passed.
+void LineStrip::cut_again(double t, std::vector<VisibleSegment>& cuts) const {
+    std::size_t left = 0;
+    for (const VisibleSegment& segment : cuts) {
+        if (scratch_.slices_[segment.surface].top >= t) {
+            cuts[left++] = cut(t, segment.surface);
         }
     }
-    cuts.resize(kept);
+    cuts.resize(left);
     sort_again(cuts);
 }
 
-void ScanLines::add_new_cuts() {
-    new_opaque_.clear();
-    new_sensors_.clear();
-    for (; next_in_order_ < order_.size() && order_[next_in_order_].first < line_;
-         ++next_in_order_) {
-        const std::uint32_t item = order_[next_in_order_].second;
-        if (slices_[item].top >= line_) {
-            const bool sensor = scene_.role(items_[item].triangle) == VisibilityRole::sensor;
-            (sensor ? new_sensors_ : new_opaque_).push_back(cut(item));
+void LineStrip::add_new_cuts(double t) const {
+    std::vector<VisibleSegment>& new_opaque = scratch_.new_opaque_;
+    std::vector<VisibleSegment>& new_sensors = scratch_.new_sensors_;
+    new_opaque.clear();
+    new_sensors.clear();
+    std::size_t& next = scratch_.next_in_order_;
+    for (; next < scratch_.order_.size() && scratch_.order_[next].first < t; ++next) {
+        const std::uint32_t i = scratch_.order_[next].second;
+        if (scratch_.slices_[i].top >= t) {
+            const bool sensor =
+                lines_.scene_.role(scratch_.triangles_[i].triangle) == VisibilityRole::sensor;
+            (sensor ? new_sensors : new_opaque).push_back(cut(t, i));
         }
     }
-    const auto merge_in = [&](std::vector<LinePiece>& added, std::vector<LinePiece>& cuts) {
+    const auto merge_in = [&](std::vector<VisibleSegment>& added,
+                              std::vector<VisibleSegment>& cuts) {
         if (added.empty()) {
             return;
         }
+        std::vector<VisibleSegment>& merged = scratch_.merged_;
         std::sort(added.begin(), added.end(), begins_before);
-        merged_.resize(cuts.size() + added.size());
+        merged.resize(cuts.size() + added.size());
         std::merge(
-            cuts.begin(), cuts.end(), added.begin(), added.end(), merged_.begin(), begins_before);
-        cuts.swap(merged_);
+            cuts.begin(), cuts.end(), added.begin(), added.end(), merged.begin(), begins_before);
+        cuts.swap(merged);
     };
-    merge_in(new_opaque_, opaque_);
-    merge_in(new_sensors_, sensors_);
+    merge_in(new_opaque, scratch_.opaque_);
+    merge_in(new_sensors, scratch_.sensors_);
 }
 
-/// What the line at hand cuts out of an item. In a scene that repeats itself along the line, of the
-/// one period that the line is long.
-LinePiece ScanLines::cut(std::uint32_t item) const {
-    const Slice& slice = slices_[item];
-    const Edge& other = line_ > slice.upper.t ? slice.upper : slice.lower;
-    const double up = line_ - slice.whole.t;
-    const double other_up = line_ - other.t;
+/// Cuts a line out of a triangle. In a scene that repeats itself along the line, out of the one
+/// period that the line is long.
+VisibleSegment LineStrip::cut(double t, std::uint32_t triangle) const {
+    const LineScratch::Slice& slice = scratch_.slices_[triangle];
+    const LineScratch::Edge& other = t > slice.upper.t ? slice.upper : slice.lower;
+    const double up = t - slice.whole.t;
+    const double other_up = t - other.t;
     const double s = slice.whole.s + up * slice.whole.s_by_t;
     const double z = slice.whole.z + up * slice.whole.z_by_t;
     const double other_s = other.s + other_up * other.s_by_t;
@@ -269,15 +288,12 @@ LinePiece ScanLines::cut(std::uint32_t item) const {
     const double high = slice.is_middle_right ? other_s : s;
     const double at_low = slice.is_middle_right ? z : other_z;
     const double at_high = slice.is_middle_right ? other_z : z;
-    const LinePiece whole{low, high, at_low, (at_high - at_low) / (high - low), item};
-    if (!plane_->repeats_s) {
+    const VisibleSegment whole{low, high, at_low, (at_high - at_low) / (high - low), triangle};
+    const ProjectionPlane& plane = lines_.plane_;
+    if (!plane.repeats_s) {
         return whole;
     }
-    return whole.part(std::max(low, plane_->low_s), std::min(high, plane_->low_s + plane_->size_s));
-}
-
-Barycentric ScanLines::place(const LinePiece& piece, double f) const {
-    return seen_[piece.segment].place((1 - f) * piece.low + f * piece.high, line_);
+    return whole.part(std::max(low, plane.low_s), std::min(high, plane.low_s + plane.size_s));
 }
 
 }  // namespace quasimc

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/text.h"
 #include "quasimc/error.h"
 #include "resultio/read_rows.h"
+#include "results/evaluate.h"
 #include "runfile/written.h"
 
 namespace quasimc {
@@ -86,6 +89,47 @@ class LightColumns {
     std::vector<std::vector<std::string>> names_;
 };
 
+double number_in(const Node& table, std::string_view key) {
+    const Node* node = table.find(key);
+    const auto* real = node != nullptr ? node->as<double>() : nullptr;
+    const auto* whole = node != nullptr ? node->as<std::int64_t>() : nullptr;
+    return real != nullptr    ? *real
+           : whole != nullptr ? static_cast<double>(*whole)
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+const Node* item_at(const Node* list, std::size_t index) {
+    const auto* items = list != nullptr ? list->as<Node::List>() : nullptr;
+    return items != nullptr && index < items->size() ? &(*items)[index] : nullptr;
+}
+
+/// What detectors saw, NaN where the result does not say it.
+/// @param rest  of the result
+std::vector<DetectorResult> read_detectors(
+    const Node& rest, const RowsPlace& place, const RunFile& run) {
+    const Node* at = run.sweep ? item_at(rest.find("points"), place.point) : &rest;
+    at = at != nullptr && run.series ? item_at(at->find("moments"), place.index) : at;
+    const Node* list = at != nullptr ? at->find("detectors") : nullptr;
+    std::vector<DetectorResult> detectors = dark_detectors(run.scene);
+    const std::size_t bands = run.scene.bands().size();
+    for (std::size_t d = 0; d < detectors.size(); ++d) {
+        const Node* detector = item_at(list, d);
+        for (std::size_t i = 0; i < detectors[d].values.size(); ++i) {
+            const Node* bin =
+                detector != nullptr ? item_at(detector->find("bins"), i / bands) : nullptr;
+            const Node* flux = bin != nullptr ? bin->find("flux") : nullptr;
+            const Node* of_band =
+                flux != nullptr ? flux->find(run.scene.bands()[i % bands].name) : nullptr;
+            detectors[d].values[i] =
+                of_band != nullptr
+                    ? Estimate{number_in(*of_band, "mean"), number_in(*of_band, "standard_error"),
+                               number_in(*of_band, "low"), number_in(*of_band, "high")}
+                    : kUnknownEstimate;
+        }
+    }
+    return detectors;
+}
+
 /// The number of a time or day of the run, from one on.
 std::size_t find_label(
     const std::vector<std::string>& labels,
@@ -112,6 +156,17 @@ void read_light(
     for (std::size_t i = 0; series && i < series->notes.size(); ++i) {
         times.push_back(series->notes[i].time);
     }
+    const auto rest =
+        run.scene.detectors().empty()
+            ? std::nullopt
+            : std::optional(read_rows(text, path, {.rest = RowsQuery::Rest::all}, {}));
+    const auto light_at = [&](PlacedRows& rows) {
+        Result result = columns.result(rows.columns);
+        if (rest) {
+            result.detectors = read_detectors(*rest, rows.place, run);
+        }
+        return result;
+    };
     std::optional<std::size_t> point;
     std::size_t next_time = 0, next_day = 0;  // of the point; two times may be called the same
     const auto take = [&](PlacedRows rows) {
@@ -131,9 +186,9 @@ void read_light(
         } else if (place.part == "moments" && series) {
             const std::size_t time = find_label(times, next_time, place, path);
             next_time = time + 1;
-            events.on_time_step(time, columns.result(rows.columns));
+            events.on_time_step(time, light_at(rows));
         } else if (place.part.empty() && !series) {
-            events.on_time_step(0, columns.result(rows.columns));
+            events.on_time_step(0, light_at(rows));
         }
     };
     read_rows(text, path, {.columns = columns.names()}, take);

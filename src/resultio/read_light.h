@@ -15,8 +15,9 @@ namespace quasimc {
 struct LightEvents {
     /// Before what a point of a sweep has. May refuse it.
     std::function<void(std::size_t point)> on_point = [](std::size_t) {};
-    /// Of each time that the result has. Only the light of organs is filled in, of those quantities
-    /// and bands that were written; NaN the rest, and what the result does not know.
+    /// Of each time that the result has. Only the light of organs and detectors is filled in, of
+    /// those quantities and bands that were written; NaN the rest, and what the result does not
+    /// know.
     std::function<void(std::size_t time_step, const Result& result)> on_time_step;
     /// Of each day. @param sum  in the units of sums (in_summed_units)
     std::function<void(std::size_t day, const SeriesSum& sum)> on_day;

@@ -8,7 +8,7 @@
 #include "files/sha256.h"
 #include "resultio/json_parts.h"
 #include "resultio/read_rows.h"
-#include "runfile/output_files.h"
+#include "runfile/output_catalogue.h"
 
 namespace quasimc {
 namespace {
@@ -89,8 +89,9 @@ InputFiles::Reader checking_reader(
 
 /// Whether a key of [output] names a file.
 bool names_a_file(const Member& key) {
-    return std::any_of(kOutputFiles.begin(), kOutputFiles.end(), [&](const OutputFile& file) {
-        return file.key == key.key;
+    const std::vector<OutputKey> keys = output_keys();
+    return std::any_of(keys.begin(), keys.end(), [&](const OutputKey& output) {
+        return output.name == key.key;
     });
 }
 

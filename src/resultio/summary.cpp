@@ -327,7 +327,8 @@ std::string point_text(const std::vector<std::string>& points) {
 
 }  // namespace
 
-void Summary::add_moment(const Result& result) {
+void Summary::on_time_step(const TimeStepResult& step) {
+    const Result& result = step.result;
     if (!run_->series && !run_->sweep) {
         result_lines_ = result_lines(*run_, result);
         return;
@@ -417,7 +418,7 @@ std::string Summary::text(
 std::string summary(
     const RunFile& run, const Result& result, const std::vector<std::string>& written) {
     Summary summary(run);
-    summary.add_moment(result);
+    summary.on_time_step({0, result});
     return summary.text({}, written);
 }
 

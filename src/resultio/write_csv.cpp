@@ -10,6 +10,7 @@
 #include "quasimc/run_file.h"
 #include "resultio/csv_parts.h"
 #include "resultio/fraction_table.h"
+#include "resultio/output_input.h"
 #include "resultio/series_words.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
@@ -165,7 +166,8 @@ void CsvWriter::write_rows(
     sink_(out);
 }
 
-void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
+void CsvWriter::on_time_step(const TimeStepResult& step) {
+    const auto& [time_step, result, computed] = step;
     if (times_ == CsvTimes::days) {
         return;
     }
@@ -190,7 +192,7 @@ void CsvWriter::add_moment(std::size_t time_step, const Result& result) {
         });
 }
 
-void CsvWriter::add_day(std::size_t day, const SeriesSum& raw) {
+void CsvWriter::on_day(std::size_t day, const SeriesSum& raw) {
     if (times_ != CsvTimes::days) {
         return;
     }
@@ -205,8 +207,24 @@ void CsvWriter::add_day(std::size_t day, const SeriesSum& raw) {
         });
 }
 
+std::unique_ptr<OutputWriter> make_csv(const OutputInput& input) {
+    return std::make_unique<CsvWriter>(input.run, input.sink);
+}
+
+std::unique_ptr<OutputWriter> make_days(const OutputInput& input) {
+    return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::organs, CsvTimes::days);
+}
+
+std::unique_ptr<OutputWriter> make_groups_csv(const OutputInput& input) {
+    return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups);
+}
+
+std::unique_ptr<OutputWriter> make_groups_days(const OutputInput& input) {
+    return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups, CsvTimes::days);
+}
+
 void write_csv(const RunFile& run, const Result& result, const TextSink& sink) {
-    CsvWriter(run, sink).add_moment(0, result);
+    CsvWriter(run, sink).on_time_step({0, result});
 }
 
 }  // namespace quasimc

@@ -6,6 +6,7 @@
 #include "files/spool.h"
 #include "quasimc/result_file.h"
 #include "resultio/json_parts.h"
+#include "resultio/output_input.h"
 #include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
@@ -80,10 +81,13 @@ class JsonWriter::State {
   public:
     State(const RunFile& run, TextSink sink);
 
-    void add_moment(std::size_t time_step, const Result& result, std::size_t traced);
+    void add_time_step(const TimeStepResult& step);
     void add_day(std::size_t day, const SeriesSum& sum);
     void next_run(const RunFile& run, const SeriesSummary& summary);
-    std::string finish(const SeriesSummary& summary);
+    void finish(const SeriesSummary& summary);
+    [[nodiscard]] bool writes() const { return writes_; }
+    [[nodiscard]] bool has_times() const { return run_->series.has_value(); }
+    [[nodiscard]] std::string digest() const { return digest_.hex(); }
 
   private:
     void begin_series();
@@ -188,8 +192,8 @@ void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
     }
 }
 
-void JsonWriter::State::add_moment(
-    std::size_t time_step, const Result& result, std::size_t traced) {
+void JsonWriter::State::add_time_step(const TimeStepResult& step) {
+    const auto& [time_step, result, computed] = step;
     ++time_steps_;
     if (writes_ && run_->sweep && !is_point_open_) {
         begin_point();
@@ -209,7 +213,7 @@ void JsonWriter::State::add_moment(
     }
     json_.begin('{');
     json_.members(moment_head(run_->series->notes[time_step]));
-    json_.members({{"traced", run_->series->notes[traced].time}});
+    json_.members({{"traced", run_->series->notes[computed].time}});
     write_light(result);
     json_.end('}');
 }
@@ -246,52 +250,68 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
          {"seconds", summary.seconds}});
 }
 
-std::string JsonWriter::State::finish(const SeriesSummary& summary) {
-    std::string digest = digest_.hex();
-    if (writes_) {
-        if (run_->sweep) {
-            end_point(summary);
-            json_.end(']');
-            json_.members(
-                {{"done",
-                  {{"points", points_},
-                   {"points_asked", run_->sweep->size()},
-                   {"stop", stop_name(stop_)}}}});
-        } else if (run_->series) {
-            write_series_end(summary);
-        }
-        json_.members({{"organs_sha256", digest}});
-        json_.end('}');
-        json_.text("\n");
-        json_.flush();
+void JsonWriter::State::finish(const SeriesSummary& summary) {
+    if (!writes_) {
+        return;
     }
-    return digest;
+    if (run_->sweep) {
+        end_point(summary);
+        json_.end(']');
+        json_.members(
+            {{"done",
+              {{"points", points_},
+               {"points_asked", run_->sweep->size()},
+               {"stop", stop_name(stop_)}}}});
+    } else if (run_->series) {
+        write_series_end(summary);
+    }
+    json_.members({{"organs_sha256", digest()}});
+    json_.end('}');
+    json_.text("\n");
+    json_.flush();
 }
 
 JsonWriter::JsonWriter(const RunFile& run, TextSink sink)
     : state_(std::make_unique<State>(run, std::move(sink))) {}
 JsonWriter::~JsonWriter() = default;
 
-void JsonWriter::add_moment(std::size_t time_step, const Result& result, std::size_t traced) {
-    state_->add_moment(time_step, result, traced);
+void JsonWriter::on_time_step(const TimeStepResult& step) {
+    state_->add_time_step(step);
 }
 
-void JsonWriter::add_day(std::size_t day, const SeriesSum& sum) {
+void JsonWriter::on_day(std::size_t day, const SeriesSum& sum) {
     state_->add_day(day, sum);
 }
 
-void JsonWriter::next_run(const RunFile& run, const SeriesSummary& summary) {
-    state_->next_run(run, summary);
+void JsonWriter::on_end(const SeriesSummary& of_the_last) {
+    state_->finish(of_the_last);
 }
 
-std::string JsonWriter::finish(const SeriesSummary& summary) {
-    return state_->finish(summary);
+void JsonWriter::next_run(const RunFile& run, const SeriesSummary& of_the_last) {
+    state_->next_run(run, of_the_last);
+}
+
+bool JsonWriter::wants_days() const {
+    return wants_total();
+}
+
+bool JsonWriter::wants_total() const {
+    return state_->writes() && state_->has_times();
+}
+
+std::string JsonWriter::digest() const {
+    return state_->digest();
+}
+
+std::unique_ptr<OutputWriter> make_json(const OutputInput& input) {
+    return std::make_unique<JsonWriter>(input.run, input.sink);
 }
 
 std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {
     JsonWriter writer(run, sink);
-    writer.add_moment(0, result, 0);
-    return writer.finish();
+    writer.on_time_step({0, result});
+    writer.on_end({});
+    return writer.digest();
 }
 
 std::string digest_of_organs(const RunFile& run, const Result& result) {

@@ -1,6 +1,7 @@
 // [output]: the files that results go to, and what of them is written.
 
 #include <array>
+#include <map>
 #include <utility>
 
 #include <unistd.h>
@@ -8,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "files/file_identity.h"
-#include "runfile/output_files.h"
+#include "runfile/output_catalogue.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/written.h"
 
@@ -35,31 +36,35 @@ std::optional<std::string> read_path(
     return resolved;
 }
 
-/// No two files may be one.
-void check_apart(TableReader& table, const OutputSpec& output) {
-    for (std::size_t i = 0; i < kOutputFiles.size(); ++i) {
-        for (std::size_t j = i + 1; j < kOutputFiles.size(); ++j) {
-            const auto& first = output.*kOutputFiles[i].path;
-            if (first && first == output.*kOutputFiles[j].path) {
-                table.fault(fmt::format(
-                    "{} and {} name the same file", kOutputFiles[i].key, kOutputFiles[j].key));
-            }
-        }
+/// Reports a key whose table the run file lacks.
+void check_need(
+    TableReader& table, TableReader& top, std::string_view key, const OutputNeed& need) {
+    if (!need.table.empty() && top.any(need.table) == nullptr) {
+        table.fault_at(
+            key, fmt::format("{} without {}", key, need.shown), std::string(need.reason));
     }
 }
 
-/// What only a run with [time] has.
-void check_times(TableReader& table, const OutputSpec& output, bool has_time) {
-    const auto require = [&](bool is_stated, std::string_view key, std::string_view what) {
-        if (is_stated && !has_time) {
-            table.fault_at(
-                key, fmt::format("{} without [time]", key), fmt::format("{} need times", what));
+/// Reads the paths of all outputs, of which no two may be one file.
+std::map<std::string, std::string, std::less<>> read_paths(
+    TableReader& table, const InputFiles& files, TableReader& top) {
+    std::map<std::string, std::string, std::less<>> paths;
+    std::vector<std::string_view> read;
+    for (const OutputKey& key : output_keys()) {
+        const std::optional<std::string> path = read_path(table, key.name, files);
+        if (!path) {
+            continue;
         }
-    };
-    require(output.days.has_value(), "days", "sums over days");
-    require(output.groups_days.has_value(), "groups_days", "sums over days");
-    require(output.night, "night", "nights");
-    require(output.hours.has_value(), "hours", "hours");
+        for (const std::string_view other : read) {
+            if (paths.find(other)->second == *path) {
+                table.fault(fmt::format("{} and {} name the same file", other, key.name));
+            }
+        }
+        read.push_back(key.name);
+        paths.emplace(key.name, *path);
+        check_need(table, top, key.name, key.need);
+    }
+    return paths;
 }
 
 /// The groups of a run are asked for in [run], for they are computed, not only written.
@@ -105,6 +110,12 @@ void check_collapse(TableReader& table, TableReader& top, const OutputSpec& outp
 
 }  // namespace
 
+std::vector<OutputKey> output_keys() {
+    std::vector<OutputKey> keys;
+    for_each_output([&](const OutputKey& key, auto) { keys.push_back(key); });
+    return keys;
+}
+
 OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vector<Band>& bands) {
     OutputSpec output;
     const Node* node = top.any("output");
@@ -112,13 +123,15 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
         return output;
     }
     TableReader table(*node, "[output]", top.reporter());
-    for (const OutputFile& file : kOutputFiles) {
-        output.*file.path = read_path(table, file.key, files);
-    }
-    check_apart(table, output);
+    output.files = read_paths(table, files, top);
     read_choice(table, bands, output);
     refuse_groups(table);
-    check_times(table, output, top.any("time") != nullptr);
+    if (output.night) {
+        check_need(table, top, "night", {"time", "[time]", "nights need times"});
+    }
+    if (output.hours) {
+        check_need(table, top, "hours", {"time", "[time]", "hours need times"});
+    }
     check_collapse(table, top, output);
     table.finish();
     return output;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -10,6 +11,21 @@
 #include "sums/sum_collector.h"
 
 namespace quasimc {
+
+/// The number of blocks of at most `size` items that hold `total` items.
+[[nodiscard]] constexpr std::uint64_t block_count(std::uint64_t total, std::uint64_t size) {
+    return (total + size - 1) / size;
+}
+
+/// Consecutive items, [begin, end).
+struct BlockRange {
+    std::uint64_t begin = 0, end = 0;
+};
+/// The items of a block: `size` of them, or what is left of `total` in the last one.
+[[nodiscard]] constexpr BlockRange block_range(
+    std::uint64_t total, std::uint64_t size, std::uint64_t block) {
+    return {block * size, std::min(total, (block + 1) * size)};
+}
 
 /// Runs the rounds of a solver that cuts them into independent blocks.
 ///

@@ -36,13 +36,55 @@ namespace quasimc {
 [[nodiscard]] LightKind kind_of_traced_suns(
     const PreparedScene& prepared, const std::vector<bool>& has_lines);
 
-/// Counts finds: what a look (along a direction, or some lines) brought to each side of a region is
-/// told triangle after triangle, those of a region next to each other.
-class FindCounter {
+/// Counts the contributions of one sample (a direction, or some lines) to each side of each region.
+class ContributionCounter {
   public:
+    /// Counts what `add_all(counter)` adds.
     /// @param kind  place in SumUnits::kinds
-    /// @param lines  that the look consists of; 1 for a direction
-    FindCounter(
+    /// @param lines  that the sample consists of; 1 for a direction
+    template <typename AddAll>
+    static void count(
+        const PreparedScene& prepared,
+        const SumUnits& units,
+        std::size_t kind,
+        double lines,
+        Tally& tally,
+        const AddAll& add_all) {
+        ContributionCounter counter(prepared, units, kind, lines, tally);
+        add_all(counter);
+        counter.finish_region();
+    }
+
+    /// Adds light on a triangle. Triangles of a region follow each other.
+    /// @param along  dot(unit normal of the upper side, direction of the light)
+    /// @param amount  units of light
+    /// @param segments  along lines
+    void add(std::uint32_t triangle, double along, double amount, std::uint32_t segments = 1) {
+        const std::uint32_t region = prepared_.region(triangle);
+        if (region != region_) {
+            finish_region();
+            region_ = region;
+        }
+        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+            return;
+        }
+        // Nothing comes to one side, and no branch could guess to which.
+        const auto is_lower = static_cast<std::uint32_t>(along > 0);
+        upper_.add(amount * (1 - is_lower), segments * (1 - is_lower));
+        lower_.add(amount * is_lower, segments * is_lower);
+    }
+
+  private:
+    struct Contribution {
+        double amount = 0, segments = 0;
+
+        void add(double more, std::uint32_t more_segments) {
+            amount += more;
+            segments += more_segments;
+        }
+    };
+
+    ContributionCounter(
         const PreparedScene& prepared,
         const SumUnits& units,
         std::size_t kind,
@@ -56,50 +98,22 @@ class FindCounter {
           stride_(tally.layout().stride()),
           tally_(tally) {}
 
-    /// @param along  dot(unit normal of the upper side, direction of the light)
-    /// @param amount  units of light
-    /// @param pieces  along lines
-    void add(std::uint32_t triangle, double along, double amount, std::uint32_t pieces = 1) {
-        const std::uint32_t region = prepared_.region(triangle);
-        if (region != region_) {
-            finish();
-            region_ = region;
-        }
-        if (!prepared_.in_field_of_view(region, std::abs(along))) {
-            return;
-        }
-        // To one side comes nothing: to which no branch could guess.
-        const auto is_lower = static_cast<std::uint32_t>(along > 0);
-        upper_.add(amount * (1 - is_lower), pieces * (1 - is_lower));
-        lower_.add(amount * is_lower, pieces * is_lower);
-    }
-    /// To be called after the last triangle.
-    void finish() {
+    void finish_region() {
         if (std::min(upper_.amount, lower_.amount) > 0) [[unlikely]] {
             add_squares(0, upper_);
             add_squares(1, lower_);
         } else {
-            const double pieces = upper_.pieces + lower_.pieces;
-            add_squares(lower_.amount > 0 ? 1 : 0, {upper_.amount + lower_.amount, pieces});
+            const double segments = upper_.segments + lower_.segments;
+            add_squares(lower_.amount > 0 ? 1 : 0, {upper_.amount + lower_.amount, segments});
         }
         upper_ = lower_ = {};
     }
 
-  private:
-    struct Found {
-        double amount = 0, pieces = 0;
-
-        void add(double more, std::uint32_t more_pieces) {
-            amount += more;
-            pieces += more_pieces;
-        }
-    };
-
-    void add_squares(std::size_t side, const Found& found) {
+    void add_squares(std::size_t side, const Contribution& found) {
         const double most = reach_[std::size_t{2} * region_ + side] * step_;
         if (found.amount > 0 && most > 0) {
             const double square =
-                found.amount * found.amount / (most * most * std::min(found.pieces, lines_));
+                found.amount * found.amount / (most * most * std::min(found.segments, lines_));
             tally_.add(first_bin_ + region_ * stride_ + side, to_fixed(square));
         }
     }
@@ -110,7 +124,7 @@ class FindCounter {
     std::size_t first_bin_, stride_;
     Tally& tally_;
     std::uint32_t region_ = 0;
-    Found upper_, lower_;  // of the region
+    Contribution upper_, lower_;  // of the region
 };
 
 }  // namespace quasimc

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -10,22 +8,9 @@
 #include "base/parallel.h"
 #include "samplers/sampler.h"
 #include "sums/tally.h"
-#include "transport/light_vertices.h"
-#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
-#include "transport/surface.h"
 
 namespace quasimc {
-
-/// Which paths count.
-enum class PathFilter {
-    all,
-    /// Only those that tracing from the organs does not look for: whose first scattering is by a
-    /// sharp lobe, or near a lamp (PathRules::near). Light straight from the source is scored only
-    /// near a lamp. What leaves a place near a lamp by other lobes is kept as a light vertex:
-    /// regions that look for it (PathRules::connected) get from the path what that leaves out.
-    left_out,
-};
 
 /// What all light paths of a block have in common.
 struct PathRules {
@@ -35,15 +20,8 @@ struct PathRules {
     std::uint32_t scatter_dimension = 0;  ///< of the first hit; two more for each further hit
     std::uint32_t max_depth = 0;          ///< hits; 0: no limit
     double roulette_threshold = 1;        ///< Draw::roulette_threshold
-    PathFilter filter = PathFilter::all;
-    std::span<const double> scales = {};  ///< factor on what each region scores; empty: 1
     /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
     const std::stop_token* stop = nullptr;
-    const NearLamps* near = nullptr;  ///< with PathFilter::left_out
-    double sharp_from = kSharpPeak;   ///< the same: peak_brightness() of lobes that count as sharp
-    /// The same: regions that take light from vertices (VertexLight), not 0; empty: none does.
-    std::span<const char> connected = {};
-    bool has_others = true;  ///< whether light counts on regions that do not
 };
 
 /// The light of one path, from its start at a source to its end. The weight of band b is
@@ -57,7 +35,7 @@ struct Particle {
 
 /// Light that was scattered at a surface and has not met the next one.
 struct ScatteredRay {
-    Vec3 place, direction;
+    Vec3 p, direction;
     std::uint32_t triangle = 0;  ///< from which it comes
     std::size_t vertex = 0;      ///< number of its path in the block
 };
@@ -70,7 +48,6 @@ struct ParticleScratch {
     }
     std::vector<double> weights;      // per band
     std::vector<std::int64_t> fixed;  // the same in fixed point
-    LightVertices vertices;           // of the last path, with PathFilter::left_out
 };
 
 /// Whether a path's first hit has been scored.
@@ -88,21 +65,8 @@ std::uint64_t trace_particle(
     ParticleScratch& scratch,
     Tally& tally);
 
-/// Scatters the light of `path` at its first hit, which was scored and for which roulette was
-/// played: it is sure to be scattered, and weighted down.
-/// @param surface  where that is
-/// @param numbers  that decide how: the first two of path.point
-/// @param weights  the light that goes on, or with max_depth 1 is cut off, per band
-/// @return its direction; none if it goes nowhere
-[[nodiscard]] std::optional<Vec3> scatter_first(
-    const PathRules& rules,
-    const Particle& path,
-    const Surface& surface,
-    const std::array<double, 2>& numbers,
-    std::span<double> weights,
-    Tally& tally);
-
 /// Traces light that was scattered at its first hit, as trace_particle() does.
+/// @param weights  of that light, per band
 std::uint64_t trace_scattered(
     const PathRules& rules,
     const Particle& path,

@@ -7,7 +7,6 @@
 #include "base/distribution.h"
 #include "base/stop.h"
 #include "detectors/catalogue.h"
-#include "geometry/cast/rounding.h"
 
 namespace quasimc {
 namespace {
@@ -199,56 +198,6 @@ double PreparedScene::grazed_share(std::uint32_t mesh_triangle, const Vec3& dire
 bool PreparedScene::lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const {
     const Vec3 across = area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
     return std::abs(dot(across, direction)) > kEdgeOn * length(across);
-}
-
-bool PreparedScene::reaches(
-    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
-    if (std::isfinite(distance)) {
-        // A lamp may lie on a surface: what is next to it is looked for from there.
-        const double most = distance - static_cast<double>(kTouch);
-        if (most > 0 && !is_open(place, direction, most, self)) {
-            return false;
-        }
-        const Hit at = caster_->hit_at_lamp(
-            place + distance * direction, -direction, distance - static_cast<double>(kNear), self);
-        return !at.found() || material(region(at.triangle)).is_transparent();
-    }
-    return is_open(place, direction, distance, self);
-}
-
-bool PreparedScene::is_open(
-    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
-    if (!has_transparent_) {
-        return !caster_->occluded(place, direction, self, distance);
-    }
-    const auto [at, left] = cast_past_sensors(place, direction, distance, self);
-    return at.end != RayEnd::hit || at.hit.t >= left;
-}
-
-PreparedScene::SolidHit PreparedScene::cast_past_sensors(
-    const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const {
-    SolidHit first{caster_->cast(place, direction, self), distance};
-    CastHit& at = first.at;
-    while (at.end == RayEnd::hit && at.hit.t < first.left &&
-           material(region(at.hit.triangle)).is_transparent()) {
-        const Hit hit = at.hit;
-        first.left -= hit.t;
-        at = caster_->cast(
-            caster_->mesh().point(hit.triangle, hit.u, hit.v), direction, hit.triangle);
-    }
-    return first;
-}
-
-bool PreparedScene::connects(
-    const Vec3& place,
-    const Vec3& direction,
-    double distance,
-    std::uint32_t self,
-    std::uint32_t other) const {
-    const auto [at, left] = cast_past_sensors(place, direction, distance, self);
-    // What the place at the end lies on, to rounding.
-    return at.end != RayEnd::hit || at.hit.triangle == other ||
-           at.hit.t >= left - static_cast<double>(kTouch);
 }
 
 LightPick PreparedScene::pick_light(double u) const {

@@ -132,19 +132,6 @@ class PreparedScene {
         constexpr double kSteep = 1e-3;
         return std::abs(cosine) > kSteep || lights_as_given(mesh_triangle, direction);
     }
-    /// Whether light passes between `place` on triangle `self` of the mesh and what is at
-    /// `distance` (local units; infinite: the sky). Sensors let it pass.
-    [[nodiscard]] bool reaches(
-        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
-    /// Whether light passes between `place` on triangle `self` of the mesh and a place at
-    /// `distance` (local units) on triangle `other`. Sensors let it pass. Not in periodic scenes.
-    [[nodiscard]] bool connects(
-        const Vec3& place,
-        const Vec3& direction,
-        double distance,
-        std::uint32_t self,
-        std::uint32_t other) const;
-    [[nodiscard]] Vec3 to_world(const Vec3& local) const { return caster_->mesh().to_world(local); }
     /// Regions of the ground, which stand last.
     [[nodiscard]] std::size_t ground_regions() const { return ground_regions_; }
     /// Of Scene::detectors(), in their order.
@@ -161,15 +148,6 @@ class PreparedScene {
   private:
     [[nodiscard]] double grazed_share(std::uint32_t mesh_triangle, const Vec3& direction) const;
     [[nodiscard]] bool lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const;
-    [[nodiscard]] bool is_open(
-        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
-    // The first hit before `distance` that is no sensor; `left` is what is left of it from there.
-    struct SolidHit {
-        CastHit at;
-        double left = 0;
-    };
-    [[nodiscard]] SolidHit cast_past_sensors(
-        const Vec3& place, const Vec3& direction, double distance, std::uint32_t self) const;
     void set_regions();
     void set_fields_of_view();
     void set_lights(const Sources& sources, const std::stop_token& stop);

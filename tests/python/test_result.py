@@ -135,8 +135,30 @@ def test_plotting_is_imported_when_it_is_asked_for():
 def test_a_detector_counts_what_escapes():
     scene = canopy()
     scene.add_detector("escaped_by_zenith", rings=3)
-    seen = scene.run(**FEW, method="light_tracing").detectors[0]
-    assert seen["values"].shape == (3, 2, 4) and len(seen["bins"]) == 3
+    scene.add_detector("escaped_by_zenith", name="up", rings=2)
+    result = scene.run(**FEW, method="light_tracing")
+    assert list(result.detectors) == ["escaped_by_zenith", "up"]
+    seen = result.detectors["escaped_by_zenith"]
+    assert seen.mean.shape == (3, 2) and len(seen.bins) == 3
+    assert (seen.type, seen.quantity) == ("escaped_by_zenith", "zenith angle (deg)")
+    assert seen["NIR"].mean.shape == (3,) and seen["NIR"].unit == "W"
+    assert (seen.low <= seen.mean).all() and (seen.mean <= seen.high).all()
+    with pytest.raises(KeyError):
+        seen["blue"]
+
+
+def test_detectors_have_dimensions_of_their_own_in_xarray():
+    pytest.importorskip("xarray")
+    scene = canopy()
+    scene.add_detector("escaped_by_zenith", name="up", rings=2)
+    result = scene.run(**FEW, method="light_tracing")
+    up = result.detectors["up"]
+    assert up.to_xarray().dims == ("bin", "band", "statistic")
+    data = result.to_xarray()
+    assert data.up.dims == ("up_bin", "band", "statistic")
+    assert list(data.up_bin.values) == ["0 to 90", "90 to 180"] and data.up.attrs["units"] == "W"
+    mean = data.up.sel(up_bin="0 to 90", band="NIR", statistic="mean")
+    assert float(mean) == up["NIR"].mean[0]
 
 
 def test_sunlit_fractions_are_there_where_a_source_is_directional(result):

@@ -56,6 +56,12 @@ center = [2, 0, 10]
 normal = [0.2, 0, 1]
 radius = 5
 """
+DETECTORS = """
+[[detector]]
+type = "escaped_by_zenith"
+name = "up"
+rings = 3
+"""
 ONE_UNIT = 'bands = ["PAR", "NIR"]'
 TWO_UNITS = """
 [[band]]
@@ -161,6 +167,34 @@ def check_series(program, folder):
     assert float(at_noon) > 0
 
 
+def check_detector(data, where, detector, suffixed):
+    """Whether the variables hold what the detector of the JSON saw."""
+    for b, band in enumerate(["PAR", "NIR"]):
+        for i, seen in enumerate(detector["bins"]):
+            for suffix, part in PARTS.items():
+                name = detector["name"] + (f"_{band}" if suffixed else "") + suffix
+                place = where + ((i,) if suffixed else (b, i))
+                theirs = estimate(seen["flux"][band])[part]
+                assert np.array_equal(data[name].values[place], theirs, equal_nan=True), (name, place)
+
+
+def check_detectors(program, folder):
+    sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
+    text = HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format() + DETECTORS
+    case = Case(program, folder, text)
+    assert case.data.up.dims == ("material_leaf_reflectance", "band", "up_bin")
+    assert list(case.data.up_bin.values) == ["0 to 60", "60 to 120", "120 to 180"]
+    assert case.data.up_bin.attrs["long_name"] == "zenith angle (deg)"
+    assert case.data.up.attrs["units"] == "1e-4 W"
+    for row, point in enumerate(case.json["points"]):
+        check_detector(case.data, (row,), point["detectors"][0], False)
+    case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + DETECTORS)
+    assert case.data.up_PAR.dims == ("time", "up_bin")
+    assert case.data.up_PAR.attrs["units"] == "1e-4 umol s-1"
+    for row, moment in enumerate(case.json["moments"]):
+        check_detector(case.data, (row,), moment["detectors"][0], True)
+
+
 def check_sweep(program, folder):
     sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
     case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
@@ -256,6 +290,7 @@ def main():
             check_single,
             check_series,
             check_sweep,
+            check_detectors,
             check_product,
             check_together,
             check_swept_geometry,

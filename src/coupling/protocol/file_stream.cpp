@@ -12,8 +12,7 @@
 
 #include "base/checks.h"
 #include "coupling/protocol/byte_stream.h"
-#include "coupling/protocol/messages.h"
-#include "coupling/protocol/semaphores.h"
+#include "coupling/protocol/semaphore_stream.h"
 #include "files/descriptor.h"
 
 namespace quasimc {
@@ -51,61 +50,19 @@ bool write_at(const Descriptor& file, std::string_view text, std::size_t place) 
     throw InputError({{path, problem, std::generic_category().message(error), ""}});
 }
 
-class FileStream final : public ByteStream {
+class FilePair {
   public:
-    FileStream(long key, const std::string& extension)
-        : semaphores_(key), to_us_(".to_field" + extension), from_us_(".from_field" + extension) {}
-    ~FileStream() override {
-        // The simulator removes what it made, and our file; if it died, nobody else does.
-        if (semaphores_.master_died()) {
-            std::remove(to_us_.c_str());
-            std::remove(from_us_.c_str());
-            semaphores_.remove();
-        }
-    }
+    static constexpr std::size_t kCapacity = std::numeric_limits<std::size_t>::max();
+    static constexpr std::size_t kDefaultChunk = 1000;
 
-    FileStream(const FileStream&) = delete;
-    FileStream& operator=(const FileStream&) = delete;
+    explicit FilePair(const std::string& extension)
+        : to_us_(".to_field" + extension), from_us_(".from_field" + extension) {}
 
-    void announce() override {
-        write(kEmptyAnswer);
-        semaphores_.announce();
+    [[nodiscard]] const std::string& name() const { return to_us_; }
+    void remove() const {
+        std::remove(to_us_.c_str());
+        std::remove(from_us_.c_str());
     }
-    /// lpfg takes silence for an answer that is there, and waits for the next one for ever.
-    [[nodiscard]] AfterRefusal refuse() override {
-        announce();
-        return AfterRefusal::it_asks;
-    }
-    [[nodiscard]] std::string_view receive() override {
-        semaphores_.wait_for_master();
-        prepare_for_our_end();
-        read();
-        const std::size_t end = message_end(buffer_);
-        if (end == std::string::npos) {
-            throw InputError({{to_us_, "the message breaks off", "it has no line 'Control'", ""}});
-        }
-        return std::string_view(buffer_).substr(0, end);
-    }
-    void send(std::string_view message, Continuation /*continuation*/) override {
-        write_answer(message);
-        semaphores_.post_to_master();
-    }
-    void send_last(std::string_view message) override {
-        write_answer(message);
-        semaphores_.post_last();
-    }
-    void await_request() override { semaphores_.wait_for_master(); }
-    void check() override { semaphores_.check(); }
-    void resign() noexcept override {
-        prepare_for_our_end();
-        semaphores_.post_forever();
-    }
-    [[nodiscard]] std::size_t capacity() const override {
-        return std::numeric_limits<std::size_t>::max();
-    }
-    [[nodiscard]] std::size_t default_chunk() const override { return 1000; }
-
-  private:
     /// What the simulator reads if we come to an end before we have answered: the head of the file
     /// becomes an empty answer, behind which nothing is read.
     void prepare_for_our_end() const noexcept {
@@ -124,41 +81,30 @@ class FileStream final : public ByteStream {
             fail(from_us_, "can't be written", errno);
         }
     }
-    /// If not even an empty answer can be written, what stands in the file must do.
-    void write_answer(std::string_view message) const {
-        try {
-            write(message);
-        } catch (const InputError&) {
-            if (message != kEmptyAnswer) {
-                throw;
-            }
-        }
-    }
-    void read() {
+    void read(std::string& text) const {
         const File file(std::fopen(to_us_.c_str(), "rb"));
         if (!file) {
             fail(to_us_, "can't be read", errno);
         }
         constexpr std::size_t kPiece = 262144;
         std::size_t count = 0;
-        buffer_.clear();
+        text.clear();
         do {
-            buffer_.resize(count + kPiece);
-            const std::size_t more = std::fread(buffer_.data() + count, 1, kPiece, file.get());
+            text.resize(count + kPiece);
+            const std::size_t more = std::fread(text.data() + count, 1, kPiece, file.get());
             count += more;
-            buffer_.resize(count);
+            text.resize(count);
         } while (std::feof(file.get()) == 0 && std::ferror(file.get()) == 0);
     }
 
-    SemaphorePair semaphores_;
+  private:
     std::string to_us_, from_us_;
-    std::string buffer_;
 };
 
 }  // namespace
 
 std::unique_ptr<ByteStream> make_file_stream(long key, const std::string& extension) {
-    return std::make_unique<FileStream>(key, extension);
+    return std::make_unique<SemaphoreStream<FilePair>>(key, extension);
 }
 
 }  // namespace quasimc

@@ -94,9 +94,9 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
             own.replicates.resize(spec_.replicates);
         }
     });
-    std::vector<std::unique_ptr<ItemBuffer>> buffers;
+    std::vector<std::unique_ptr<ItemScratch>> scratch;
     for (unsigned i = 0; i < threads; ++i) {
-        buffers.push_back(std::make_unique<ItemBuffer>());
+        scratch.push_back(std::make_unique<ItemScratch>());
     }
     parallel_blocks(
         times.size() * spec_.replicates, threads, [&](std::uint64_t block, unsigned worker) {
@@ -104,7 +104,7 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
             Looked& own = looked[block / spec_.replicates];
             const auto replicate = static_cast<std::uint32_t>(block % spec_.replicates);
             if (own.pixels) {
-                own.replicates[replicate] = own.pixels->find(replicate, *buffers[worker]);
+                own.replicates[replicate] = own.pixels->find(replicate, *scratch[worker]);
             }
         });
     std::vector<std::optional<LightResponse>> found(times.size());

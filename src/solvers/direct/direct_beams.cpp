@@ -32,7 +32,16 @@ std::size_t kind_of(const VisibilityTask& task, const SumUnits& units) {
     return static_cast<std::size_t>(kind - units.kinds.begin());
 }
 
-/// How many paths' light a light brings.
+/// A block's part of the light of a beam; all parts add up to it.
+double share_of_block(double paths, const DirectBeams::Work& work) {
+    const auto until = [&](std::uint64_t i) {
+        return from_fixed(
+            to_fixed(paths * static_cast<double>(i) / static_cast<double>(work.task.blocks)));
+    };
+    return until(work.block + 1) - until(work.block);
+}
+
+/// How many paths' light a light emits.
 double paths_of(const BoundSource& light, const Round& round) {
     return light.probability * static_cast<double>(round.count);
 }
@@ -89,6 +98,7 @@ Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
     return {spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
 }
 
+/// What places the directions of a task: three dimensions of its first point.
 std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t dimension) const {
     const auto coordinate = [&](std::uint32_t i) {
         return sampler_.coordinate(first, first.first, dimension + i);
@@ -96,19 +106,20 @@ std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t
     return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-DirectBeams::Beam DirectBeams::beam_of(
+/// A light's part in one of `count` directions.
+DirectBeams::Beam DirectBeams::beam_along(
+    const DrawnDirection& from,
     const BoundSource& light,
-    const Vec3& direction,
-    double density,
     const Work& work,
     std::uint32_t count) const {
-    const double area = prepared_.projection().entry_box().projected_area(direction);
+    const double area = prepared_.projection().entry_box().projected_area(from.direction);
     const double entering =
-        model_of(*light.source).radiance(-direction) * area / light.source_sampler->flux();
-    const double paths = paths_of(light, work.round) * entering / (density * count);
-    return {{&light, direction, paths}, area};
+        model_of(*light.source).radiance(-from.direction) * area / light.source_sampler->flux();
+    const double paths = paths_of(light, work.round) * entering / (from.density * count);
+    return {{&light, from.direction, paths}, area};
 }
 
+/// The beam of a task that is cut into lines.
 DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
     const BoundSource& light = prepared_.lights()[work.task.light];
     if (const auto direction = light.source_sampler->beam_direction()) {
@@ -119,76 +130,87 @@ DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
                      work.task,  work.units,     work.kind,
                      0};
     const Stream placing = stream_of(first, 0);
-    const DrawnDirection from =
-        lattice_direction(light, work.task.beam, work.task.beams, placing_of(placing, 3));
-    return beam_of(light, from.direction, from.density, work, work.task.beams);
+    return beam_along(
+        lattice_direction(light, work.task.beam, work.task.beams, placing_of(placing, 3)), light,
+        work, work.task.beams);
 }
 
-double DirectBeams::share_of_block(double paths, const Work& work) {
-    const auto until = [&](std::uint64_t i) {
-        return from_fixed(
-            to_fixed(paths * static_cast<double>(i) / static_cast<double>(work.task.blocks)));
-    };
-    return until(work.block + 1) - until(work.block);
-}
-
-void DirectBeams::set_lines(
-    const Work& work, const Beam& beam, const Stream& placing, Scratch& scratch) const {
+const ScanLines& DirectBeams::lines_of(const Work& work, const Beam& beam, Scratch& scratch) const {
     const std::array<std::uint64_t, 3> key{work.number, work.replicate, work.round.first};
-    if (scratch.lines_of != key) {
-        scratch.lines.set(
-            scene(), {.direction = beam.direction,
-                      .rotation = sampler_.coordinate(placing, placing.first, 0),
-                      .shift = sampler_.coordinate(placing, placing.first, 1),
-                      .lines = work.task.count});
+    if (!scratch.lines || scratch.lines_of != key) {
+        const Stream placing = stream_of(work, 0);
+        scratch.lines.emplace(
+            scene(), ScanLines::Spec{
+                         .direction = beam.direction,
+                         .rotation = sampler_.coordinate(placing, placing.first, 0),
+                         .shift = sampler_.coordinate(placing, placing.first, 1),
+                         .lines = work.task.count});
         scratch.lines_of = key;
     }
+    return *scratch.lines;
 }
 
-void DirectBeams::score_lines(
-    const Work& work,
-    const SurfaceBeam& share,
-    double per_length,
-    const ScanLines& lines,
-    Tally& tally) const {
-    DirectLightScore direct(prepared_, share, tally);
-    const double most = std::min(work.task.count, ScanLines::kStrip);
-    FindCounter finds(prepared_, work.units, work.kind, most, tally);
-    for (const ScanLines::Item& item : lines.items()) {
-        if (item.length > 0) {
-            const double amount = per_length * item.length;
-            direct.add(item.triangle, item.cosine, amount);
-            finds.add(item.triangle, item.cosine, amount, item.pieces);
-        }
-    }
-    finds.finish();
-    direct.add_escaped();
-}
-
-ItemBuffer::Spec DirectBeams::look_of(
-    const Work& work, const Stream& placing, std::uint32_t i, const Vec3& direction) const {
-    const std::uint64_t point = placing.first + 1 + i;
+DirectBeams::LitStrip DirectBeams::lit_strip(const Work& work, Scratch& scratch) const {
+    const Beam beam = beam_of(work);
+    const ScanLines& lines = lines_of(work, beam, scratch);
     return {
-        .direction = direction,
-        .rotation = sampler_.coordinate(placing, point, 3),
-        .shift_s = sampler_.coordinate(placing, point, 4),
-        .shift_t = sampler_.coordinate(placing, point, 5),
-        .pixels = work.task.pixels};
+        {beam.light, beam.direction, share_of_block(beam.paths, work)},
+        beam.paths * lines.area() / beam.area,
+        LineStrip(lines, static_cast<std::uint32_t>(work.block), scratch.strip)};
 }
 
-void DirectBeams::count_finds(
+void DirectBeams::score_strip(
     const Work& work,
-    const Vec3& direction,
-    double paths,
-    const ItemBuffer& pixels,
+    const LitStrip& lit,
+    std::span<const LineStrip::Visible> visible,
     Tally& tally) const {
-    const double area = prepared_.projection().entry_box().projected_area(direction);
-    const double amount = paths * pixels.pixel_area() / area;
-    FindCounter finds(prepared_, work.units, work.kind, 1, tally);
-    for (const ItemBuffer::Item& item : pixels.items()) {
-        finds.add(item.triangle, item.cosine, amount * item.pixels);
+    const std::span<const LineStrip::Triangle> triangles = lit.strip.triangles();
+    const double most = std::min(work.task.count, ScanLines::kStrip);
+    DirectLightScore::score(prepared_, lit.share, tally, [&](DirectLightScore& direct) {
+        ContributionCounter::count(
+            prepared_, work.units, work.kind, most, tally, [&](ContributionCounter& counter) {
+                for (std::size_t i = 0; i < triangles.size(); ++i) {
+                    const auto [triangle, cosine] = triangles[i];
+                    if (visible[i].length > 0) {
+                        const double amount = lit.per_length * visible[i].length;
+                        direct.add(triangle, cosine, amount);
+                        counter.add(triangle, cosine, amount, visible[i].segments);
+                    }
+                }
+            });
+    });
+}
+
+DirectBeams::SkyView DirectBeams::sky_view(
+    const Work& work, std::uint32_t i, bool with_points, Scratch& scratch) const {
+    const Stream placing = stream_of(work, 0);
+    const std::uint64_t point = placing.first + 1 + i;
+    SkyView view{skies_.direction(i, work.task.count, placing_of(placing, 0)), {}, 0, {}};
+    view.image = draw(
+        scene(),
+        {.direction = view.from.direction,
+         .rotation = sampler_.coordinate(placing, point, 3),
+         .shift_s = sampler_.coordinate(placing, point, 4),
+         .shift_t = sampler_.coordinate(placing, point, 5),
+         .pixels = work.task.pixels,
+         .with_points = with_points},
+        scratch.image);
+    for (const BoundSource* sky : skies_.skies()) {
+        view.beams.push_back(beam_along(view.from, *sky, work, work.task.count));
+        view.paths += std::max(0.0, view.beams.back().paths);
     }
-    finds.finish();
+    return view;
+}
+
+void DirectBeams::count_contributions(const Work& work, const SkyView& view, Tally& tally) const {
+    const double area = prepared_.projection().entry_box().projected_area(view.from.direction);
+    const double amount = view.paths * view.image.pixel_area() / area;
+    ContributionCounter::count(
+        prepared_, work.units, work.kind, 1, tally, [&](ContributionCounter& counter) {
+            for (const ItemBuffer::Item& item : view.image.items()) {
+                counter.add(item.triangle, item.cosine, amount * item.pixels);
+            }
+        });
 }
 
 SumMeaning direct_beams_meaning(

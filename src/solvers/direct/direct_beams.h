@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -17,8 +18,8 @@
 
 namespace quasimc {
 
-/// Direct light of suns and skies, which geometry finds: where beams are placed, what they see, and
-/// its score. What becomes of what is lit is the solver's own.
+/// Direct light of suns and skies by geometry: the beams, what each of them lights, and the score.
+/// Scattered light is the solver's own.
 class DirectBeams {
   public:
     explicit DirectBeams(const SolverInput& input, ScatteredBy scattered = ScatteredBy::paths);
@@ -37,11 +38,30 @@ class DirectBeams {
     struct Beam : SurfaceBeam {
         double area = 1;
     };
-    /// What a worker keeps between blocks.
+    /// Memory of a worker, which holds nothing to be read.
     struct Scratch {
-        ScanLines lines;
-        std::optional<std::array<std::uint64_t, 3>> lines_of;  // their task, replicate and round
-        ItemBuffer pixels;
+        std::optional<ScanLines> lines;           // cached between the strips of a beam
+        std::array<std::uint64_t, 3> lines_of{};  // their task, replicate and round
+        LineScratch strip;
+        ItemScratch image;
+    };
+    /// A strip of scan lines across the beam of a sun, with its part of the light of the beam.
+    struct LitStrip {
+        SurfaceBeam share;
+        double per_length = 0;  ///< paths' light on a unit of length of a segment
+        LineStrip strip;
+    };
+    /// What is seen along one direction of the skies.
+    struct SkyView {
+        DrawnDirection from;
+        std::vector<Beam> beams;  ///< of each sky, some without light
+        double paths = 0;         ///< of all beams together
+        ItemBuffer image;
+
+        /// Paths' light that a pixel gets from a beam.
+        [[nodiscard]] double per_pixel(const Beam& beam) const {
+            return beam.paths * image.pixel_area() / beam.area;
+        }
     };
 
     [[nodiscard]] const ProjectedScene& scene() const { return seen_.projected(); }
@@ -49,7 +69,7 @@ class DirectBeams {
     [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
-    /// The tasks of a round; tells the sums what each of their finds brings at most.
+    /// The tasks of a round; raises the bounds of contributions in the sums.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round, Sums& sums) const;
     /// Block `block` of all blocks of the tasks.
     [[nodiscard]] static Work work_of(
@@ -62,43 +82,34 @@ class DirectBeams {
     /// The point set number `i` of a task's blocks; number 0 places its beams. Light tracing
     /// has sequence 0.
     [[nodiscard]] Stream stream_of(const Work& work, std::uint64_t i) const;
-    /// What places the directions of a task: three dimensions of its first point.
-    [[nodiscard]] std::array<double, 3> placing_of(
-        const Stream& first, std::uint32_t dimension) const;
-    /// A light's share of one of `count` directions, drawn with `density`.
-    [[nodiscard]] Beam beam_of(
-        const BoundSource& light,
-        const Vec3& direction,
-        double density,
-        const Work& work,
-        std::uint32_t count) const;
-    /// The beam of a task that is cut into lines.
-    [[nodiscard]] Beam beam_of(const Work& work) const;
-    /// A block's part of the light of a beam; all parts add up to it.
-    [[nodiscard]] static double share_of_block(double paths, const Work& work);
 
-    /// Sets the lines of a task, where they are not yet.
-    void set_lines(
-        const Work& work, const Beam& beam, const Stream& placing, Scratch& scratch) const;
-    /// Scores what a strip of lines found.
-    void score_lines(
+    /// The strip that is a block of a sun's task. It lies in the scratch.
+    [[nodiscard]] LitStrip lit_strip(const Work& work, Scratch& scratch) const;
+    /// Scores the direct light of a strip.
+    void score_strip(
         const Work& work,
-        const SurfaceBeam& share,
-        double per_length,
-        const ScanLines& lines,
+        const LitStrip& lit,
+        std::span<const LineStrip::Visible> visible,
         Tally& tally) const;
-    /// How direction `i` of the skies is looked along.
-    [[nodiscard]] ItemBuffer::Spec look_of(
-        const Work& work, const Stream& placing, std::uint32_t i, const Vec3& direction) const;
-    /// Counts what is lit along a direction that brings so many paths' light of all skies.
-    void count_finds(
-        const Work& work,
-        const Vec3& direction,
-        double paths,
-        const ItemBuffer& pixels,
-        Tally& tally) const;
+    /// What is seen along direction `i` of the skies' task. It lies in the scratch.
+    /// @param with_points  see ItemBuffer::View
+    [[nodiscard]] SkyView sky_view(
+        const Work& work, std::uint32_t i, bool with_points, Scratch& scratch) const;
+    /// Counts the contributions of a direction of the skies.
+    void count_contributions(const Work& work, const SkyView& view, Tally& tally) const;
 
   private:
+    [[nodiscard]] Beam beam_of(const Work& work) const;
+    [[nodiscard]] Beam beam_along(
+        const DrawnDirection& from,
+        const BoundSource& light,
+        const Work& work,
+        std::uint32_t count) const;
+    [[nodiscard]] const ScanLines& lines_of(
+        const Work& work, const Beam& beam, Scratch& scratch) const;
+    [[nodiscard]] std::array<double, 3> placing_of(
+        const Stream& first, std::uint32_t dimension) const;
+
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;

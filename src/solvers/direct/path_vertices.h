@@ -95,18 +95,19 @@ class SystematicPlacement {
 /// Scores the direct light of one beam: what falls on triangles, and that the rest escapes.
 class DirectLightScore {
   public:
-    DirectLightScore(const PreparedScene& prepared, const SurfaceBeam& beam, Tally& tally)
-        : prepared_(prepared),
-          beam_(beam),
-          tally_(tally),
-          stride_(tally.layout().stride()),
-          sides_{
-              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
-              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
-          finds_sunlit_(beam.light->lit_area > 0),
-          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
+    /// Scores what `add_all(score)` adds, and the rest of the beam as escaped.
+    template <typename AddAll>
+    static void score(
+        const PreparedScene& prepared,
+        const SurfaceBeam& beam,
+        Tally& tally,
+        const AddAll& add_all) {
+        DirectLightScore direct(prepared, beam, tally);
+        add_all(direct);
+        direct.add_escaped();
+    }
 
-    /// `amount` paths' light falls on a triangle. @param along  as in scattering_piece()
+    /// Adds `amount` paths' light on a triangle. @param along  as in scattering_piece()
     void add(std::uint32_t triangle, double along, double amount) {
         const std::uint32_t region = prepared_.region(triangle);
         // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is
@@ -125,12 +126,22 @@ class DirectLightScore {
             add_absorbed(region, along, exact);
         }
     }
-    /// What fell on nothing escapes. To be called once, when all is added.
-    void add_escaped();
 
   private:
+    DirectLightScore(const PreparedScene& prepared, const SurfaceBeam& beam, Tally& tally)
+        : prepared_(prepared),
+          beam_(beam),
+          tally_(tally),
+          stride_(tally.layout().stride()),
+          sides_{
+              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
+              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
+          finds_sunlit_(beam.light->lit_area > 0),
+          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
+
     void add_sunlit(std::uint32_t triangle, double along, double amount);
     void add_absorbed(std::uint32_t region, double along, double amount);
+    void add_escaped();
 
     const PreparedScene& prepared_;
     const SurfaceBeam& beam_;

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// Dimensions of a beam's point: how the pixels stand, and where on its disk a sun is looked at.
+/// Dimensions of a beam's point: how the pixels stand, and where on its disk a sun is viewed.
 constexpr std::uint32_t kPixelDimension = 0, kDiskDimension = 3;
 /// Each beam of a disk has at least so many.
 constexpr double kFewestOfBeam = 256;
@@ -29,7 +29,7 @@ SunPixels::SunPixels(const SolverInput& input, double pixels)
     seen_.store_blocks();
 }
 
-SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
+SunLight SunPixels::find(std::uint32_t replicate, ItemScratch& scratch) const {
     const std::size_t regions = prepared_.scene().regions().size();
     const std::size_t bands = prepared_.bands();
     SunLight found{
@@ -46,16 +46,17 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
         const std::uint32_t count = beams_of(light);
         const std::uint64_t first = point;
         for (; point < first + count; ++point) {
-            Look look = look_at(light, {stream, first, point});
-            buffer.draw(
+            View view = view_of(light, {stream, first, point});
+            const ItemBuffer image = draw(
                 seen_.projected(),
-                {.direction = look.direction,
+                {.direction = view.direction,
                  .rotation = sampler_.coordinate(stream, point, kPixelDimension),
                  .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
                  .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
-                 .pixels = std::max(kFewestOfBeam, pixels_ / count)});
-            look.of_pixel *= buffer.pixel_area();
-            score(look, buffer, found);
+                 .pixels = std::max(kFewestOfBeam, pixels_ / count)},
+                scratch);
+            view.of_pixel *= image.pixel_area();
+            score(view, image, found);
         }
     }
     settle(found);
@@ -63,7 +64,7 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemBuffer& buffer) const {
 }
 
 /// All beams of a disk are placed by the same three numbers.
-SunPixels::Look SunPixels::look_at(const BoundSource& light, const Placing& placing) const {
+SunPixels::View SunPixels::view_of(const BoundSource& light, const Placing& placing) const {
     const SourceSampler& sampler = *light.source_sampler;
     if (const auto direction = sampler.beam_direction()) {
         return {light, *direction, light.probability, light.probability / sampler.flux()};
@@ -81,17 +82,17 @@ SunPixels::Look SunPixels::look_at(const BoundSource& light, const Placing& plac
         light, from.direction, light.probability * per_area * area, light.probability * per_area};
 }
 
-/// Adds what one look brings: what falls on nothing opaque escapes.
-void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& found) const {
+/// Adds the light of one view: what falls on nothing opaque escapes.
+void SunPixels::score(const View& view, const ItemBuffer& image, SunLight& found) const {
     const std::size_t bands = prepared_.bands();
-    const std::vector<double>& weights = look.light.start_weights;
+    const std::vector<double>& weights = view.light.start_weights;
     double stopped = 0;
-    for (const ItemBuffer::Item& item : buffer.items()) {
+    for (const ItemBuffer::Item& item : image.items()) {
         const std::uint32_t region = prepared_.region(item.triangle);
-        const double seen = look.of_pixel * item.pixels;
+        const double seen = view.of_pixel * item.pixels;
         const double cosine = std::abs(item.cosine);
         const double amount =
-            seen * prepared_.exact_share(item.triangle, look.direction, item.cosine);
+            seen * prepared_.exact_share(item.triangle, view.direction, item.cosine);
         stopped += prepared_.material(region).is_transparent() ? 0 : amount;
         if (!prepared_.in_field_of_view(region, cosine)) {
             continue;
@@ -101,15 +102,15 @@ void SunPixels::score(const Look& look, const ItemBuffer& buffer, SunLight& foun
         for (std::size_t b = 0; b < bands; ++b) {
             flux[b] += amount * weights[b];
         }
-        if (look.light.lit_area > 0 && cosine > 0 &&
-            prepared_.is_sunlit(item.triangle, look.direction, item.cosine)) {
+        if (view.light.lit_area > 0 && cosine > 0 &&
+            prepared_.is_sunlit(item.triangle, view.direction, item.cosine)) {
             found.sunlit_area[region] +=
-                seen * prepared_.sunlit_share(item.triangle) * look.light.lit_area / cosine;
+                seen * prepared_.sunlit_share(item.triangle) * view.light.lit_area / cosine;
         }
     }
     for (std::size_t b = 0; b < bands; ++b) {
-        found.emitted[b] += look.part * weights[b];
-        found.escaped[b] += (look.part - stopped) * weights[b];
+        found.emitted[b] += view.part * weights[b];
+        found.escaped[b] += (view.part - stopped) * weights[b];
     }
 }
 

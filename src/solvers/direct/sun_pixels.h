@@ -18,7 +18,7 @@ struct SunLight {
     std::vector<double> escaped;      ///< per band, past all that is opaque
 };
 
-/// Direct light of suns alone, each looked at pixel by pixel. Of several looks at organs that need
+/// Direct light of suns alone, each viewed pixel by pixel. For several views of organs that need
 /// not be seen to a percent each this is faster than scan lines, of which the first few cost as
 /// much as all pixels (docs/theory/time-series.md).
 class SunPixels {
@@ -27,13 +27,13 @@ class SunPixels {
     /// @param pixels  about as many of each beam, over the scene or a period of it
     SunPixels(const SolverInput& input, double pixels);
 
-    /// @param buffer  of this thread
+    /// The light of a replicate.
     /// @throws StopRequested  if a stop was requested
-    [[nodiscard]] SunLight find(std::uint32_t replicate, ItemBuffer& buffer) const;
+    [[nodiscard]] SunLight find(std::uint32_t replicate, ItemScratch& scratch) const;
 
   private:
     /// Light along one direction, in parts of the light of all suns.
-    struct Look {
+    struct View {
         const BoundSource& light;
         Vec3 direction;
         double part = 0;
@@ -46,8 +46,8 @@ class SunPixels {
         std::uint64_t first, point;
     };
 
-    [[nodiscard]] Look look_at(const BoundSource& light, const Placing& placing) const;
-    void score(const Look& look, const ItemBuffer& buffer, SunLight& found) const;
+    [[nodiscard]] View view_of(const BoundSource& light, const Placing& placing) const;
+    void score(const View& view, const ItemBuffer& image, SunLight& found) const;
     void settle(SunLight& found) const;
 
     const PreparedScene& prepared_;

@@ -11,7 +11,6 @@
 #include "solvers/first_hits/first_hits.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <stop_token>
 
@@ -88,32 +87,26 @@ class FirstHits final : public Solver {
     }
 
     void trace_lines(const Work& work, Scratch& scratch, Tally& tally) const {
-        const Beam beam = direct_.beam_of(work);
+        const DirectBeams::LitStrip lit = direct_.lit_strip(work, scratch.direct);
         const Stream placing = direct_.stream_of(work, 0);
-        direct_.set_lines(work, beam, placing, scratch.direct);
-        ScanLines& lines = scratch.direct.lines;
-        const SurfaceBeam share{
-            beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
-        scratch.beams.assign(1, share);
+        scratch.beams.assign(1, lit.share);
         scratch.vertices.clear();
-        const double per_length = beam.paths * lines.area() / beam.area;
-        lines.begin(static_cast<std::uint32_t>(work.block));
         scratch.pieces.clear();
-        for (const ScanLines::Item& item : lines.items()) {
-            scratch.pieces.push_back(scattering_piece(
-                prepared_, shares_, share, item.triangle, item.cosine, per_length));
+        for (const auto [triangle, cosine] : lit.strip.triangles()) {
+            scratch.pieces.push_back(
+                scattering_piece(prepared_, shares_, lit.share, triangle, cosine, lit.per_length));
         }
         SystematicPlacement placement(
             sampler_.coordinate(placing, placing.first + 1 + work.block, 2));
-        while (lines.next()) {
+        const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(stop_);
-            for (const LinePiece& piece : lines.pieces()) {
+            for (const VisibleSegment& segment : line.segments) {
                 placement.place(
-                    scratch.pieces[piece.segment], piece.length(), 0,
-                    [&](double f) { return lines.place(piece, f); }, scratch.vertices);
+                    scratch.pieces[segment.surface], segment.length(), 0,
+                    [&](double f) { return lit.strip.point(line, segment, f); }, scratch.vertices);
             }
-        }
-        direct_.score_lines(work, share, per_length, lines, tally);
+        });
+        direct_.score_strip(work, lit, visible, tally);
         trace_from_vertices(
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
@@ -121,32 +114,25 @@ class FirstHits final : public Solver {
     /// Every so many-th direction of the skies: what is seen of it serves all of them.
     void trace_skies(const Work& work, Scratch& scratch, Tally& tally) const {
         const Stream placing = direct_.stream_of(work, 0);
-        const std::array<double, 3> lattice = direct_.placing_of(placing, 0);
         scratch.beams.clear();
         scratch.vertices.clear();
-        const std::span<const BoundSource* const> skies = direct_.skies().skies();
+        const std::size_t skies = direct_.skies().skies().size();
         std::vector<SystematicPlacement> placements;
-        for (std::size_t k = 0; k < skies.size(); ++k) {
-            const std::uint64_t point = 1 + work.task.count + work.block * skies.size() + k;
+        for (std::size_t k = 0; k < skies; ++k) {
+            const std::uint64_t point = 1 + work.task.count + work.block * skies + k;
             placements.emplace_back(sampler_.coordinate(placing, placing.first + point, 2));
         }
         for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
              i += static_cast<std::uint32_t>(work.task.blocks)) {
             throw_if_stopped(stop_);
-            const DrawnDirection from = direct_.skies().direction(i, work.task.count, lattice);
-            scratch.direct.pixels.draw(
-                direct_.scene(), direct_.look_of(work, placing, i, from.direction));
-            double paths = 0;
-            for (std::size_t k = 0; k < skies.size(); ++k) {
-                const Beam beam =
-                    direct_.beam_of(*skies[k], from.direction, from.density, work, work.task.count);
-                if (beam.paths > 0) {
-                    paths += beam.paths;
-                    scratch.beams.push_back(beam);
-                    light_pixels(beam, placements[k], scratch, tally);
+            const DirectBeams::SkyView view = direct_.sky_view(work, i, false, scratch.direct);
+            for (std::size_t k = 0; k < skies; ++k) {
+                if (view.beams[k].paths > 0) {
+                    scratch.beams.push_back(view.beams[k]);
+                    light_pixels(view, view.beams[k], placements[k], scratch, tally);
                 }
             }
-            direct_.count_finds(work, from.direction, paths, scratch.direct.pixels, tally);
+            direct_.count_contributions(work, view, tally);
         }
         trace_from_vertices(
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
@@ -154,25 +140,29 @@ class FirstHits final : public Solver {
 
     /// Scores what a beam, the last of scratch.beams, brings to pixels, and places vertices there.
     void light_pixels(
-        const Beam& beam, SystematicPlacement& placement, Scratch& scratch, Tally& tally) const {
-        const ItemBuffer& pixels = scratch.direct.pixels;
-        const double amount = beam.paths * pixels.pixel_area() / beam.area;
-        DirectLightScore direct(prepared_, beam, tally);
-        scratch.pieces.assign(pixels.id_count(), {});
-        for (const ItemBuffer::Item& item : pixels.items()) {
-            direct.add(item.triangle, item.cosine, amount * item.pixels);
-            if (item.id > 0) {
-                scratch.pieces[item.id] =
-                    scattering_piece(prepared_, shares_, beam, item.triangle, item.cosine, amount);
+        const DirectBeams::SkyView& view,
+        const Beam& beam,
+        SystematicPlacement& placement,
+        Scratch& scratch,
+        Tally& tally) const {
+        const ItemBuffer& image = view.image;
+        const double amount = view.per_pixel(beam);
+        scratch.pieces.assign(image.id_count(), {});
+        DirectLightScore::score(prepared_, beam, tally, [&](DirectLightScore& direct) {
+            for (const ItemBuffer::Item& item : image.items()) {
+                direct.add(item.triangle, item.cosine, amount * item.pixels);
+                if (item.id > 0) {
+                    scratch.pieces[item.id] = scattering_piece(
+                        prepared_, shares_, beam, item.triangle, item.cosine, amount);
+                }
             }
-        }
-        direct.add_escaped();
+        });
         const auto number = static_cast<std::uint32_t>(scratch.beams.size() - 1);
-        pixels.for_each_run([&](const ItemBuffer::Run& run) {
+        image.for_each_run([&](const ItemBuffer::Run& run) {
             placement.place(
                 scratch.pieces[run.id], run.count, number,
                 [&](double f) {
-                    return pixels.place(run.first + static_cast<std::uint32_t>(f * run.count));
+                    return image.point(run.first + static_cast<std::uint32_t>(f * run.count));
                 },
                 scratch.vertices);
         });

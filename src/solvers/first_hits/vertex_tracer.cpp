@@ -1,11 +1,11 @@
 #include "solvers/first_hits/vertex_tracer.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
-#include "base/stop.h"
+#include "transport/scatter.h"
 
 namespace quasimc {
 namespace {
@@ -40,9 +40,7 @@ class VertexTracer {
             std::clamp<std::size_t>(kWeightsAtOnce / prepared_.bands(), 1, kMostAtOnce);
         std::uint64_t rays = 0;
         for (std::size_t first = 0; first < vertices_.size(); first += at_once) {
-            if (rules_.stop != nullptr) {
-                throw_if_stopped(*rules_.stop);
-            }
+            throw_if_stopped(rules_);
             scatter_batch(first, std::min(first + at_once, vertices_.size()));
             for (std::size_t i = 0; i < scratch_.rays.size(); ++i) {
                 const ScatteredRay& ray = scratch_.rays[i];
@@ -88,14 +86,27 @@ class VertexTracer {
             at.side = side_facing(along);
             at.cosine = std::abs(along);
             at.normal = at.side == SurfaceSide::upper ? up : -up;
-            const std::array<double, 2> numbers{scratch_.u0[i - first], scratch_.u1[i - first]};
-            const auto direction =
-                scatter_first(rules_, path, at, numbers, weights_of(scratch_.rays.size()), tally_);
-            if (direction) {
+            const Draw draw{scratch_.u0[i - first], scratch_.u1[i - first], 0};
+            const auto scattered = scatter(path, at, draw, weights_of(scratch_.rays.size()));
+            if (scattered) {
                 scratch_.rays.push_back(
-                    {mesh.point(at.triangle, vertex.u, vertex.v), *direction, at.triangle, i});
+                    {mesh.point(at.triangle, vertex.u, vertex.v), scattered->wo, at.triangle, i});
             }
         }
+    }
+
+    /// Scatters the light of a path at its first vertex. Light that is absorbed there starts no
+    /// path: with a roulette threshold of 0 the light goes on surely, and its weight is reduced.
+    /// @param weights  of the scattered light, per band
+    std::optional<Side::Scattered> scatter(
+        const Particle& path, const Surface& at, const Draw& draw, std::span<double> weights) {
+        const Side& side = prepared_.material(at.region).side(at.side);
+        set_start_weights(path, weights);
+        if (rules_.max_depth == 1) {
+            score_cut_off(side, at.cosine, weights, tally_);
+            return std::nullopt;
+        }
+        return side.scatter(at.normal, path.direction, draw, weights);
     }
 
     void draw_numbers(std::size_t first, std::size_t end) {

@@ -60,7 +60,7 @@ double brightest(const PreparedScene& prepared, std::size_t band, double sharp_f
 /// What a light vertex brings to a point by way of another surface, about: of all light of a lamp,
 /// for a spectrum of 1, spread over twice the radius about it. As irradiance, over the square of
 /// the albedo.
-double irradiance_by_vertex(const NearLamps& near, const BoundSource& light) {
+double irradiance_by_vertex(const LampNearField& near, const BoundSource& light) {
     const double radius = near.scatter_radius(light);
     return radius > 0 ? light.source_sampler->flux() / (2 * std::numbers::pi * radius * radius) : 0;
 }
@@ -83,9 +83,9 @@ constexpr double kFewOfPaths = 0.05;
 double part_by_vertices(
     const PreparedScene& prepared,
     const MeasuredArea& measured,
-    const NearLamps& near,
+    const LampNearField& near,
     const Organ& organ) {
-    constexpr double kLegs = 2;  // that may be followed one after the other
+    constexpr double kConnections = 2;  // that may be followed one after the other
     const Bounds box = local_bounds(prepared, organ);
     const double area = organ.area / prepared.world_area();
     double part = 0;
@@ -94,7 +94,9 @@ double part_by_vertices(
                                                    : std::numeric_limits<double>::infinity();
         const double all = static_cast<double>(measured.organs.size()) * area;
         part = std::max(
-            part, gap < kLegs * near.leg(light) ? 1 : all / (std::numbers::pi * gap * gap));
+            part, gap < kConnections * near.min_connection_distance(light)
+                      ? 1
+                      : all / (std::numbers::pi * gap * gap));
     }
     return std::min(1.0, part);
 }
@@ -151,8 +153,18 @@ std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measur
     return coarseness;
 }
 
+std::vector<double> parts_of_unit(
+    const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near) {
+    const bool needs_coarser = needs_light_paths(prepared, near);
+    std::vector<double> parts = coarseness_of(prepared.scene(), measured);
+    for (double& part : parts) {
+        part = needs_coarser ? 1 / part : 1;
+    }
+    return parts;
+}
+
 std::vector<double> parts_by_vertices(
-    const PreparedScene& prepared, const MeasuredArea& measured, const NearLamps& near) {
+    const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near) {
     const Scene& scene = prepared.scene();
     std::vector<double> parts;
     for (const Region& region : scene.regions()) {
@@ -173,7 +185,7 @@ std::vector<char> connected_regions(
     return connected;
 }
 
-bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near) {
+bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near) {
     return near.any() || has_followed_lobes(prepared);
 }
 
@@ -185,7 +197,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         .measured = MeasuredOrgans::asked_for,
         .unoccluded_light = UnoccludedLight::summed};
     SumUnits& units = meaning.units;
-    const NearLamps near(prepared);
+    const LampNearField near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
     const double sharp_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
     const std::vector<double> parts =

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "transport/near_lamps.h"
+#include "solvers/from_organs/lamp_near_field.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -31,11 +31,16 @@ struct MeasuredArea {
 /// block may meet one.
 [[nodiscard]] std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured);
 
+/// By region, the part of a unit that light of 1 brings: 1 over coarseness_of() where light
+/// subpaths are needed, else 1.
+[[nodiscard]] std::vector<double> parts_of_unit(
+    const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
+
 /// How much of the light that leaves the places near lamps comes to the organ of each region, at
 /// most; 1 for those so near that they look for none of it there, and for others than measured
 /// ones.
 [[nodiscard]] std::vector<double> parts_by_vertices(
-    const PreparedScene& prepared, const MeasuredArea& measured, const NearLamps& near);
+    const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
 
 /// By region, whether its points take light from vertices (VertexLight): those that hardly any
 /// light path meets.
@@ -44,6 +49,6 @@ struct MeasuredArea {
     const PreparedScene& prepared, const std::vector<double>& parts);
 
 /// Whether points do not look for all light.
-[[nodiscard]] bool needs_light_paths(const PreparedScene& prepared, const NearLamps& near);
+[[nodiscard]] bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near);
 
 }  // namespace quasimc

@@ -7,13 +7,14 @@
 #include "base/distribution.h"
 #include "light/models/hemisphere.h"
 #include "light/models/source.h"
+#include "solvers/from_organs/visibility.h"
 
 namespace quasimc {
 
 NextEvent::NextEvent(
     const PreparedScene& prepared,
     const Sampler& sampler,
-    const NearLamps& near,
+    const LampNearField& near,
     double scale,
     double sharp_from,
     std::uint64_t points)
@@ -38,7 +39,7 @@ NextEvent::NextEvent(
 
 /// About the irradiance that a light would bring to a place, mean over the bands; of a lamp as if
 /// it shone alike in all directions.
-double NextEvent::worth(std::size_t index, const Vec3& place) const {
+double NextEvent::importance(std::size_t index, const Vec3& place) const {
     const BoundSource& light = prepared_.lights()[index];
     const double spectrum = light.probability / light.source_sampler->flux();
     if (!light.source->is_lamp()) {
@@ -51,7 +52,8 @@ double NextEvent::worth(std::size_t index, const Vec3& place) const {
     return spectrum / (4 * std::numbers::pi * prepared_.world_area() * (square + kNearest));
 }
 
-/// A fifth by the flux of the lights, so that none is left out that is worth more than it seems.
+/// A fifth by the flux of the lights, so that none is left out that is importance more than it
+/// seems.
 NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     const auto& lights = prepared_.lights();
     if (lamps_.empty()) {
@@ -60,13 +62,13 @@ NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     }
     double sum = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        sum += worth(i, place);
+        sum += importance(i, place);
     }
     constexpr double kByFlux = 0.2;
     double before = 0;
     for (std::size_t i = 0;; ++i) {
         const double probability =
-            kByFlux * lights[i].probability + (1 - kByFlux) * worth(i, place) / sum;
+            kByFlux * lights[i].probability + (1 - kByFlux) * importance(i, place) / sum;
         if (u < before + probability || i + 1 == lights.size()) {
             return {
                 &lights[i], std::clamp((u - before) / probability, 0.0, kBelowOne), probability};
@@ -96,7 +98,7 @@ Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, d
 
 }  // namespace
 
-Sight NextEvent::look(
+LightSample NextEvent::sample_light(
     const Stream& stream,
     std::uint64_t point,
     std::uint32_t dimension,
@@ -113,40 +115,41 @@ Sight NextEvent::look(
     const Illumination seen =
         view.least_cosine > 0 && light.is_extended()
             ? sky_within(*light.source, view, picked.u, u1)
-            : model_of(*light.source).illuminate(prepared_.to_world(place), picked.u, u1);
+            : model_of(*light.source)
+                  .illuminate(prepared_.caster().mesh().to_world(place), picked.u, u1);
     const double rarer = light.probability / picked.probability;
     return {
         &light, seen.to_light, seen.weight * scale_of(light) * rarer,
         seen.distance * prepared_.caster().mesh().scale, picked.probability};
 }
 
-bool NextEvent::is_in_plane(const Sight& sight, const Vec3& normal) {
+bool NextEvent::is_in_plane(const LightSample& sample, const Vec3& normal) {
     // Half a digit of the coordinates of either, and a little.
     constexpr double kHeight = 8e-8;
-    return std::isfinite(sight.distance) &&
-           std::abs(dot(sight.to_light, normal)) * sight.distance < kHeight;
+    return std::isfinite(sample.distance) &&
+           std::abs(dot(sample.to_light, normal)) * sample.distance < kHeight;
 }
 
 std::uint64_t NextEvent::add_light(
-    const Sight& sight,
+    const LightSample& sample,
     const Surface& surface,
     const Vec3& place,
     const Vec3& out,
     GatherScratch& path) const {
-    const bool is_same_side = dot(sight.to_light, surface.normal) > 0;
+    const bool is_same_side = dot(sample.to_light, surface.normal) > 0;
     const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
     const Material& material = prepared_.material(surface.region);
-    if (material.side(arrival).lobes().empty() || sight.factor == 0 ||
-        is_in_plane(sight, surface.normal) || near_.scatters_near(*sight.light, place) ||
-        !prepared_.reaches(place, sight.to_light, sight.distance, surface.triangle)) {
+    if (material.side(arrival).lobes().empty() || sample.factor == 0 ||
+        is_in_plane(sample, surface.normal) || near_.scatters_near(*sample.light, place) ||
+        !is_visible_source(prepared_, place, sample.to_light, sample.distance, surface.triangle)) {
         return 0;
     }
     for (std::size_t b = 0; b < path.weights.size(); ++b) {
-        path.products[b] = path.weights[b] * sight.light->start_weights[b];
+        path.products[b] = path.weights[b] * sample.light->start_weights[b];
     }
     material.add_reflected(
-        surface.normal, surface.side, out, -sight.to_light, sight.factor, path.products,
-        path.gathered, sight.light->is_extended() ? kSharpPeak : sharp_from_);
+        surface.normal, surface.side, out, -sample.to_light, sample.factor, path.products,
+        path.gathered, sample.light->is_extended() ? kSharpPeak : sharp_from_);
     return 1;
 }
 

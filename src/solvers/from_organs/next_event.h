@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "samplers/sampler.h"
+#include "solvers/from_organs/lamp_near_field.h"
 #include "transport/light_shares.h"
-#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -14,7 +14,7 @@ namespace quasimc {
 
 /// A light and a direction to it, as seen from a place. `factor` times start weights and cosine is
 /// the irradiance it brings there, unless something stands in its way.
-struct Sight {
+struct LightSample {
     const BoundSource* light = nullptr;
     Vec3 to_light;
     double factor = 0;
@@ -34,10 +34,12 @@ struct GatherScratch {
         resize_apart(weights, bands);
         resize_apart(products, bands);
         resize_apart(gathered, bands);
+        resize_apart(irradiance, bands);
     }
     std::vector<double> weights;   // per band: of what the path finds
     std::vector<double> gathered;  // per band: radiance found so far
     std::vector<double> products;
+    std::vector<double> irradiance;  // per band: of a connection
 };
 
 /// Next-event estimation: looks for light from the places of a path that runs backwards.
@@ -53,18 +55,18 @@ class NextEvent {
     NextEvent(
         const PreparedScene& prepared,
         const Sampler& sampler,
-        const NearLamps& near,
+        const LampNearField& near,
         double scale,
         double sharp_from,
         std::uint64_t points);
 
-    /// Numbers that look() draws: none if all light comes from one direction.
+    /// Numbers that sample_light() draws: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
     /// Picks a light, and a direction to it. Where there are lamps, each light mostly by what it
     /// would bring to the place.
     /// @param place  local coordinates
     /// @param view  skies are looked for within it
-    [[nodiscard]] Sight look(
+    [[nodiscard]] LightSample sample_light(
         const Stream& stream,
         std::uint64_t point,
         std::uint32_t dimension,
@@ -73,12 +75,12 @@ class NextEvent {
 
     /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
     /// neither lights the surface nor is hidden by it.
-    [[nodiscard]] static bool is_in_plane(const Sight& sight, const Vec3& normal);
+    [[nodiscard]] static bool is_in_plane(const LightSample& sample, const Vec3& normal);
 
     /// Adds to path.gathered what the light sends by the surface along `out`, times path.weights.
     /// Returns the rays cast.
     std::uint64_t add_light(
-        const Sight& sight,
+        const LightSample& sample,
         const Surface& surface,
         const Vec3& place,
         const Vec3& out,
@@ -95,7 +97,7 @@ class NextEvent {
         double probability = 1;
     };
     [[nodiscard]] Pick pick(double u, const Vec3& place) const;
-    [[nodiscard]] double worth(std::size_t light, const Vec3& place) const;
+    [[nodiscard]] double importance(std::size_t light, const Vec3& place) const;
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
@@ -104,7 +106,7 @@ class NextEvent {
 
     const PreparedScene& prepared_;
     const Sampler& sampler_;
-    const NearLamps& near_;
+    const LampNearField& near_;
     double scale_, sharp_from_;
     std::uint32_t dimensions_;
     std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty

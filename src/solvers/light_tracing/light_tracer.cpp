@@ -13,7 +13,9 @@
 #include "base/checks.h"
 #include "base/stop.h"
 #include "scene/scene.h"
+#include "solvers/block_runner.h"
 #include "transport/absorbed_light.h"
+#include "transport/scatter.h"
 
 namespace quasimc {
 namespace {
@@ -61,7 +63,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
 }
 
 std::uint64_t LightTracer::blocks(const Round& round) {
-    return (round.count + kPathsPerBlock - 1) / kPathsPerBlock;
+    return block_count(round.count, kPathsPerBlock);
 }
 
 void LightTracer::trace(
@@ -79,8 +81,9 @@ void LightTracer::trace(
         .max_depth = spec_.max_depth,
         .roulette_threshold = roulette_threshold_,
         .stop = &stop_};
-    points.first = round.first + block * kPathsPerBlock;
-    points.count = std::min(kPathsPerBlock, round.count - block * kPathsPerBlock);
+    const auto [begin, end] = block_range(round.count, kPathsPerBlock, block);
+    points.first = round.first + begin;
+    points.count = end - begin;
     prepare(points, scratch);
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < points.count;) {
@@ -178,10 +181,7 @@ std::uint64_t LightTracer::trace_single(
         }
         emission.weight *= weight;
         tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
-        const CastHit at =
-            light.source->is_lamp()
-                ? prepared_.caster().cast_from_lamp(emission.origin, emission.direction)
-                : prepared_.caster().cast(emission.origin, emission.direction, kNoTriangle);
+        const CastHit at = cast_from_source(prepared_, light, emission);
         rays += 1 + trace_particle(
                         block.rules, {&light, point, emission.direction, emission.weight}, at,
                         FirstHit::to_score, scratch.particle, tally);

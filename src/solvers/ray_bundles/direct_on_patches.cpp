@@ -127,92 +127,77 @@ void DirectOnPatches::find(
 
 void DirectOnPatches::find_by_lines(
     const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const {
-    const Beam beam = beams_.beam_of(work);
-    beams_.set_lines(work, beam, beams_.stream_of(work, 0), scratch.beams);
-    ScanLines& lines = scratch.beams.lines;
-    const SurfaceBeam share{
-        beam.light, beam.direction, DirectBeams::share_of_block(beam.paths, work)};
-    const double per_length = beam.paths * lines.area() / beam.area;
+    const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch.beams);
     const LaidLooks laid(beams_.stream_of(work, 0), work.task.count, kLaidLines);
-    const std::vector<LitBands> lit = light.lit_bands(beam.light->start_weights);
-    auto line = static_cast<std::uint32_t>(work.block) * ScanLines::kStrip;
-    lines.begin(static_cast<std::uint32_t>(work.block));
-    for (; lines.next(); ++line) {
+    const std::vector<LitBands> bands = light.lit_bands(lit.share.light->start_weights);
+    const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
         throw_if_stopped(stop_);
-        if (laid.share(line) > 0) {
-            lay_line(beam, laid.share(line) * per_length, lit, scratch);
+        const std::uint32_t share = laid.share(line.number);
+        if (share > 0) {
+            lay_line(lit, line, share * lit.per_length, bands, scratch);
         }
-    }
-    beams_.score_lines(work, share, per_length, lines, tally);
+    });
+    beams_.score_strip(work, lit, visible, tally);
 }
 
 void DirectOnPatches::lay_line(
-    const Beam& beam, double per_length, std::span<const LitBands> lit, Scratch& scratch) const {
-    const ScanLines& lines = scratch.beams.lines;
+    const DirectBeams::LitStrip& lit,
+    const LineStrip::Line& line,
+    double per_length,
+    std::span<const LitBands> bands,
+    Scratch& scratch) const {
     const LocalMesh& mesh = prepared_.caster().mesh();
-    for (const LinePiece& piece : lines.pieces()) {
-        const ScanLines::Item& item = lines.items()[piece.segment];
-        if (prepared_.material(prepared_.region(item.triangle)).is_transparent() ||
-            !(piece.length() > 0)) {
+    for (const VisibleSegment& segment : line.segments) {
+        const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
+        if (prepared_.material(prepared_.region(triangle)).is_transparent() ||
+            !(segment.length() > 0)) {
             continue;
         }
         const double amount =
-            per_length * piece.length() * mesh.exact_share(item.triangle, beam.direction);
-        const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+            per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
+        const SurfaceSide side = cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
         patches_.patches.cut(
-            item.triangle, lines.place(piece, 0), lines.place(piece, 1), scratch.stretches,
-            [&](std::uint32_t patch, double share) {
-                add_to(lit, side_of(patch, side), amount * share);
+            triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
+            scratch.stretches, [&](std::uint32_t patch, double share) {
+                add_to(bands, side_of(patch, side), amount * share);
             });
     }
 }
 
 void DirectOnPatches::find_by_pixels(
     const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const {
-    const Stream placing = beams_.stream_of(work, 0);
-    const std::array<double, 3> lattice = beams_.placing_of(placing, 0);
-    const SkyDirections& skies = beams_.skies();
-    const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
+    const auto of_each = work.task.count / std::max<std::size_t>(beams_.skies().skies().size(), 1);
     const LaidLooks laid(
-        placing, static_cast<std::uint32_t>(of_each),
+        beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
         patches_.mean_albedo < kDark ? kLaidOnDark : kLaidDirections);
     for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
          i += static_cast<std::uint32_t>(work.task.blocks)) {
         throw_if_stopped(stop_);
-        const DrawnDirection from = skies.direction(i, work.task.count, lattice);
         const std::uint32_t share = laid.share(i);
-        ItemBuffer::Spec look = beams_.look_of(work, placing, i, from.direction);
-        look.keeps_places = share > 0;
-        scratch.beams.pixels.draw(beams_.scene(), look);
-        double paths = 0;
+        const DirectBeams::SkyView view = beams_.sky_view(work, i, share > 0, scratch.beams);
         std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
-        for (const BoundSource* sky : skies.skies()) {
-            const Beam beam =
-                beams_.beam_of(*sky, from.direction, from.density, work, work.task.count);
+        for (const Beam& beam : view.beams) {
             if (beam.paths > 0) {
-                paths += beam.paths;
-                score_pixels(beam, scratch.beams.pixels, tally);
-                const double of_pixel =
-                    share * beam.paths * scratch.beams.pixels.pixel_area() / beam.area;
+                score_pixels(beam, view, tally);
+                const double of_pixel = share * beam.paths * view.image.pixel_area() / beam.area;
                 add_weights(beam.light->start_weights, of_pixel, weights);
             }
         }
-        if (paths > 0 && share > 0) {
-            lay_pixels(
-                from.direction, scratch.beams.pixels, laid.rows(i), light.lit_bands(weights));
+        if (view.paths > 0 && share > 0) {
+            lay_pixels(view.from.direction, view.image, laid.rows(i), light.lit_bands(weights));
         }
-        beams_.count_finds(work, from.direction, paths, scratch.beams.pixels, tally);
-        open.add_seen(scratch.beams.pixels, from, work.task.count);
+        beams_.count_contributions(work, view, tally);
+        open.add_seen(view.image, view.from, work.task.count);
     }
 }
 
-void DirectOnPatches::score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const {
-    const double of_pixel = beam.paths * pixels.pixel_area() / beam.area;
-    DirectLightScore direct(prepared_, beam, tally);
-    for (const ItemBuffer::Item& item : pixels.items()) {
-        direct.add(item.triangle, item.cosine, of_pixel * item.pixels);
-    }
-    direct.add_escaped();
+void DirectOnPatches::score_pixels(
+    const Beam& beam, const DirectBeams::SkyView& view, Tally& tally) const {
+    DirectLightScore::score(prepared_, beam, tally, [&](DirectLightScore& direct) {
+        for (const ItemBuffer::Item& item : view.image.items()) {
+            direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
+        }
+    });
 }
 
 /// @param lit  what a pixel brings
@@ -239,11 +224,11 @@ void DirectOnPatches::lay_pixels(
             return;
         }
         const SurfaceSide side = seen.item->cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        const ItemBuffer::Places& places = pixels.places(run.id);
+        const ItemBuffer::Points& points = pixels.points(run.id);
         // Pixels next to each other mostly see the same patch.
         std::uint32_t patch = 0, count = 0;
         for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
-            const Point2 at = places.of(x, run.row);
+            const Point2 at = points.of(x, run.row);
             const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
             if (count > 0 && next != patch) {
                 adds.add(side_of(patch, side), count * seen.share);

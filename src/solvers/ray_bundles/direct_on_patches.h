@@ -40,10 +40,14 @@ class DirectOnPatches {
 
     void find_by_lines(const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const;
     void lay_line(
-        const Beam& beam, double per_length, std::span<const LitBands> lit, Scratch& scratch) const;
+        const DirectBeams::LitStrip& lit,
+        const LineStrip::Line& line,
+        double per_length,
+        std::span<const LitBands> bands,
+        Scratch& scratch) const;
     void find_by_pixels(
         const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const;
-    void score_pixels(const Beam& beam, const ItemBuffer& pixels, Tally& tally) const;
+    void score_pixels(const Beam& beam, const DirectBeams::SkyView& view, Tally& tally) const;
     void lay_pixels(
         const Vec3& direction,
         const ItemBuffer& pixels,

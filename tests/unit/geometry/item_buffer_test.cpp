@@ -18,9 +18,9 @@ using test::kDown;
 using test::kLeaf;
 
 /// Area of the beam that each triangle catches.
-std::map<std::uint32_t, double> caught(const ProjectedScene& scene, const ItemBuffer::Spec& spec) {
-    ItemBuffer buffer;
-    buffer.draw(scene, spec);
+std::map<std::uint32_t, double> caught(const ProjectedScene& scene, const ItemBuffer::View& spec) {
+    ItemScratch scratch;
+    const ItemBuffer buffer = draw(scene, spec, scratch);
     std::map<std::uint32_t, double> areas;
     for (const ItemBuffer::Item& item : buffer.items()) {
         areas[item.triangle] += item.pixels * buffer.pixel_area();
@@ -33,8 +33,9 @@ TEST(ItemBuffer, MeasuresATriangleFromAllSides) {
     const double area = .5 * mesh.scale * mesh.scale;
     for (const double rotation : {.03, .1, .37, .9}) {
         for (const Vec3& direction : {kDown, -kDown, normalized(Vec3{1, 2, -3})}) {
-            ItemBuffer buffer;
-            buffer.draw({&mesh, {}}, {direction, rotation, .3, .6, 1e6});
+            ItemScratch scratch;
+            const ItemBuffer buffer =
+                draw({&mesh, {}}, {direction, rotation, .3, .6, 1e6}, scratch);
             ASSERT_EQ(buffer.items().size(), 1U);
             const ItemBuffer::Item& item = buffer.items()[0];
             EXPECT_NEAR(item.pixels * buffer.pixel_area(), area * std::abs(direction.z), 1e-4);
@@ -47,11 +48,12 @@ TEST(ItemBuffer, IsUnbiasedHoweverFewPixelsThereAre) {
     const LocalMesh mesh = make_local_mesh({kLeaf});
     constexpr int kShifts = 200;
     const ProjectedScene scene{&mesh, {}};
-    ItemBuffer buffer;
+    ItemScratch scratch;
     double sum = 0;
     for (int i = 0; i < kShifts; ++i) {
         for (int j = 0; j < kShifts; ++j) {
-            buffer.draw(scene, {kDown, .123, (i + .5) / kShifts, (j + .5) / kShifts, 3});
+            const ItemBuffer buffer =
+                draw(scene, {kDown, .123, (i + .5) / kShifts, (j + .5) / kShifts, 3}, scratch);
             for (const ItemBuffer::Item& item : buffer.items()) {
                 sum += item.pixels * buffer.pixel_area();
             }
@@ -80,14 +82,13 @@ TEST(ItemBuffer, SeesNothingEdgeOn) {
     EXPECT_TRUE(caught({&mesh, {}}, {{1, 0, 0}, .2, .4, .1, 1000}).empty());
 }
 
-/// The same buffer serves scenes of different size one after the other.
-TEST(ItemBuffer, ForgetsTheSceneBefore) {
+/// The same scratch serves scenes of different size one after the other.
+TEST(ItemBuffer, DoesNotDependOnUsedScratch) {
     const LocalMesh many = make_local_mesh(test::random_leaves(50, .3, 1, 7));
     const LocalMesh one = make_local_mesh({kLeaf});
-    ItemBuffer buffer;
-    buffer.draw({&many, {}}, {kDown, .2, .4, .1, 1e4});
-    EXPECT_GT(buffer.items().size(), 10U);
-    buffer.draw({&one, {}}, {kDown, .2, .4, .1, 1e4});
+    ItemScratch scratch;
+    EXPECT_GT(draw({&many, {}}, {kDown, .2, .4, .1, 1e4}, scratch).items().size(), 10U);
+    const ItemBuffer buffer = draw({&one, {}}, {kDown, .2, .4, .1, 1e4}, scratch);
     ASSERT_EQ(buffer.items().size(), 1U);
     EXPECT_EQ(buffer.items()[0].triangle, 0U);
 }
@@ -104,8 +105,9 @@ std::uint32_t columns_of(const ItemBuffer& buffer) {
 /// Rows that are looked at a few at a time are, all together, all pixels; runs end where rows do.
 TEST(ItemBuffer, TellsRunsOfEachFewRows) {
     const LocalMesh mesh = make_local_mesh(test::random_leaves(50, .3, 1, 7));
-    ItemBuffer buffer;
-    buffer.draw({&mesh, {}}, {normalized(Vec3{.3, -.2, -1}), .3, .7, .2, 3000});
+    ItemScratch scratch;
+    const ItemBuffer buffer =
+        draw({&mesh, {}}, {normalized(Vec3{.3, -.2, -1}), .3, .7, .2, 3000}, scratch);
     const std::uint32_t columns = columns_of(buffer);
     std::map<std::uint32_t, std::uint32_t> all;
     buffer.for_each_run([&](const ItemBuffer::Run& run) {
@@ -134,8 +136,8 @@ TEST(ItemBuffer, AgreesWithRays) {
     const LocalMesh mesh = make_local_mesh(leaves);
     const auto engine = make_brute_force_intersector(mesh);
     const Vec3 direction = normalized(Vec3{.3, -.2, -1});
-    ItemBuffer buffer;
-    buffer.draw({&mesh, {}}, {direction, .3, .7, .2, 3000, true});
+    ItemScratch scratch;
+    const ItemBuffer buffer = draw({&mesh, {}}, {direction, .3, .7, .2, 3000, true}, scratch);
     std::map<std::uint32_t, std::uint32_t> triangle_of;
     for (const ItemBuffer::Item& item : buffer.items()) {
         triangle_of[item.id] = item.triangle;
@@ -149,11 +151,11 @@ TEST(ItemBuffer, AgreesWithRays) {
         next = run.first + run.count;
         for (std::uint32_t i = run.first; run.id > 0 && i < next; ++i) {
             const std::uint32_t triangle = triangle_of.at(run.id);
-            const auto [u, v] = buffer.place(i);
+            const auto [u, v] = buffer.point(i);
             EXPECT_GT(u, -1e-6);
             EXPECT_GT(v, -1e-6);
             EXPECT_LT(u + v, 1 + 1e-6);
-            const Point2 same = buffer.places(run.id).of(i % columns, i / columns);
+            const Point2 same = buffer.points(run.id).of(i % columns, i / columns);
             EXPECT_NEAR(same.s, u, 1e-6);
             EXPECT_NEAR(same.t, v, 1e-6);
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
@@ -175,8 +177,9 @@ TEST(ItemBuffer, JoinsNeighbours) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 50; ++i) {
-        ItemBuffer buffer;
-        buffer.draw({&mesh, {}}, {kDown, uniform(random), uniform(random), uniform(random), 1000});
+        ItemScratch scratch;
+        const ItemBuffer buffer = draw(
+            {&mesh, {}}, {kDown, uniform(random), uniform(random), uniform(random), 1000}, scratch);
         const double area = 1.09 * mesh.scale * mesh.scale;
         double seen = 0;
         for (const ItemBuffer::Item& item : buffer.items()) {

@@ -70,24 +70,25 @@ TEST_P(PeriodicBeams, LightAFloorWholly) {
     for (const Vec3& direction : kDirections) {
         const double area = size.x * size.y * scale * scale * std::abs(direction.z);
         for (const double rotation : {.05, .3, .45, .6, .8, .95}) {
-            ItemBuffer buffer;
-            buffer.draw(repeated.scene, {direction, rotation, .3, .8, 1e5});
+            ItemScratch scratch;
+            const ItemBuffer buffer =
+                draw(repeated.scene, {direction, rotation, .3, .8, 1e5}, scratch);
             double seen = 0;
             for (const ItemBuffer::Item& item : buffer.items()) {
                 seen += item.pixels * buffer.pixel_area();
             }
             EXPECT_NEAR(seen, area, 2e-3 * area);
-            ScanLines lines;
             const ScanLines::Spec spec{direction, rotation, .4, 500};
-            lines.set(repeated.scene, spec);
+            const ScanLines lines(repeated.scene, spec);
+            LineScratch line_scratch;
             double lit = 0;
             for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
-                lines.begin(strip);
-                while (lines.next()) {
-                    for (const LinePiece& piece : lines.pieces()) {
-                        lit += piece.length() * lines.area();
-                    }
-                }
+                LineStrip(lines, strip, line_scratch)
+                    .for_visible_segments([&](const LineStrip::Line& line) {
+                        for (const VisibleSegment& segment : line.segments) {
+                            lit += segment.length() * lines.area();
+                        }
+                    });
             }
             EXPECT_NEAR(lit, area, 2e-3 * area);
         }
@@ -101,23 +102,22 @@ TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
     const double low = std::sin(1 * std::numbers::pi / 180);
     const Vec3 direction = normalized(Vec3{.8, .6, -low});
     std::map<std::uint32_t, double> by_lines;
-    ScanLines lines;
     const ScanLines::Spec spec{direction, .3, .7, 2000};
-    lines.set(repeated.scene, spec);
-    std::size_t most_items = 0;
+    const ScanLines lines(repeated.scene, spec);
+    LineScratch line_scratch;
+    std::size_t most_triangles = 0;
     double by_all_lines = 0;
-    for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
-        lines.begin(strip);
-        while (lines.next()) {
-        }
-        most_items = std::max(most_items, lines.items().size());
-        for (const ScanLines::Item& item : lines.items()) {
-            by_lines[item.triangle] += item.length * lines.area();
-            by_all_lines += item.length * lines.area();
+    for (std::uint32_t i = 0; i < ScanLines::strips(spec.lines); ++i) {
+        const LineStrip strip(lines, i, line_scratch);
+        const auto visible = strip.for_visible_segments([](const LineStrip::Line&) {});
+        most_triangles = std::max(most_triangles, visible.size());
+        for (std::size_t k = 0; k < visible.size(); ++k) {
+            by_lines[strip.triangles()[k].triangle] += visible[k].length * lines.area();
+            by_all_lines += visible[k].length * lines.area();
         }
     }
-    ItemBuffer buffer;
-    buffer.draw(repeated.scene, {direction, .8, .2, .7, 1e6});
+    ItemScratch scratch;
+    const ItemBuffer buffer = draw(repeated.scene, {direction, .8, .2, .7, 1e6}, scratch);
     double apart = 0;
     for (const ItemBuffer::Item& item : buffer.items()) {
         by_lines[item.triangle] -= item.pixels * buffer.pixel_area();
@@ -127,7 +127,7 @@ TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
     }
     EXPECT_LT(apart, .02 * by_all_lines);
     // A leaf is seen over some fifty periods, and not in all squares of as many on a side.
-    EXPECT_LT(most_items, 30U * 200U);
+    EXPECT_LT(most_triangles, 30U * 200U);
 }
 
 /// Every place that is lit sees the sky between the images of the leaves, and both ways of looking
@@ -145,22 +145,22 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
     for (const Vec3& direction : kDirections) {
         std::map<std::uint32_t, double> by_lines;
         std::map<std::uint32_t, double> by_pixels;
-        ScanLines lines;
         const ScanLines::Spec spec{direction, .3, .7, 400};
-        lines.set(repeated.scene, spec);
-        for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
-            lines.begin(strip);
-            while (lines.next()) {
-                for (const LinePiece& piece : lines.pieces()) {
-                    const std::uint32_t triangle = lines.items()[piece.segment].triangle;
-                    by_lines[triangle] += piece.length() * lines.area();
-                    const auto [u, v] = lines.place(piece, .5);
+        const ScanLines lines(repeated.scene, spec);
+        LineScratch line_scratch;
+        for (std::uint32_t i = 0; i < ScanLines::strips(spec.lines); ++i) {
+            const LineStrip strip(lines, i, line_scratch);
+            strip.for_visible_segments([&](const LineStrip::Line& line) {
+                for (const VisibleSegment& segment : line.segments) {
+                    const std::uint32_t triangle = strip.triangles()[segment.surface].triangle;
+                    by_lines[triangle] += segment.length() * lines.area();
+                    const auto [u, v] = strip.point(line, segment, .5);
                     look(triangle, u, v, direction);
                 }
-            }
+            });
         }
-        ItemBuffer buffer;
-        buffer.draw(repeated.scene, {direction, .8, .2, .7, 4e4, true});
+        ItemScratch scratch;
+        const ItemBuffer buffer = draw(repeated.scene, {direction, .8, .2, .7, 4e4, true}, scratch);
         std::map<std::uint32_t, std::uint32_t> triangle_of;
         for (const ItemBuffer::Item& item : buffer.items()) {
             by_pixels[item.triangle] += item.pixels * buffer.pixel_area();
@@ -169,15 +169,15 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
         std::size_t run_number = 0;
         buffer.for_each_run([&](const ItemBuffer::Run& run) {
             if (run_number++ % 3 == 0 && run.id > 0) {
-                const auto [u, v] = buffer.place(run.first + run.count / 2);
+                const auto [u, v] = buffer.point(run.first + run.count / 2);
                 look(triangle_of.at(run.id), u, v, direction);
             }
         });
         std::uint32_t pixel = 0;
         buffer.for_each_run_of_rows(0, 1, [&](const ItemBuffer::RowRun& run) {
             if (run.id > 0) {
-                const auto [u, v] = buffer.place(pixel);
-                const Point2 same = buffer.places(run.id).of(run.x, run.row);
+                const auto [u, v] = buffer.point(pixel);
+                const Point2 same = buffer.points(run.id).of(run.x, run.row);
                 EXPECT_NEAR(same.s, u, 1e-6);
                 EXPECT_NEAR(same.t, v, 1e-6);
             }

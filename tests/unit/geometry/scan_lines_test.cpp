@@ -21,16 +21,17 @@ std::map<std::uint32_t, double> caught(
     const LocalMesh& mesh,
     const ScanLines::Spec& spec,
     std::span<const VisibilityRole> roles = {}) {
-    ScanLines lines;
-    lines.set({&mesh, {}, roles}, spec);
+    const ScanLines lines({&mesh, {}, roles}, spec);
+    LineScratch scratch;
     std::map<std::uint32_t, double> areas;
-    for (std::uint32_t strip = 0; strip < ScanLines::strips(spec.lines); ++strip) {
-        lines.begin(strip);
-        while (lines.next()) {
-            for (const LinePiece& piece : lines.pieces()) {
-                areas[lines.items()[piece.segment].triangle] += piece.length() * lines.area();
+    for (std::uint32_t i = 0; i < ScanLines::strips(spec.lines); ++i) {
+        const LineStrip strip(lines, i, scratch);
+        strip.for_visible_segments([&](const LineStrip::Line& line) {
+            for (const VisibleSegment& segment : line.segments) {
+                areas[strip.triangles()[segment.surface].triangle] +=
+                    segment.length() * lines.area();
             }
-        }
+        });
     }
     return areas;
 }
@@ -95,72 +96,69 @@ TEST(ScanLines, AgreeWithRays) {
     const auto engine = make_brute_force_intersector(mesh);
     const Vec3 direction = normalized(Vec3{.3, -.2, -1});
     const ScanLines::Spec spec{direction, .3, .7, 40};
-    ScanLines lines;
-    lines.set({&mesh, {}}, spec);
+    const ScanLines lines({&mesh, {}}, spec);
+    LineScratch scratch;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform;
     int looks = 0;
     int agreed = 0;
-    lines.begin(0);
-    while (lines.next()) {
-        for (const LinePiece& piece : lines.pieces()) {
-            const auto [u, v] = lines.place(piece, uniform(random));
-            const std::uint32_t triangle = lines.items()[piece.segment].triangle;
+    const LineStrip strip(lines, 0, scratch);
+    strip.for_visible_segments([&](const LineStrip::Line& line) {
+        for (const VisibleSegment& segment : line.segments) {
+            const auto [u, v] = strip.point(line, segment, uniform(random));
+            const std::uint32_t triangle = strip.triangles()[segment.surface].triangle;
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
             ++looks;
             agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
-            EXPECT_GT(piece.length(), 0);
+            EXPECT_GT(segment.length(), 0);
         }
-    }
+    });
     EXPECT_GT(looks, 400);
     // Rays in single precision may miss a leaf by its very edge.
     EXPECT_GE(agreed, looks - looks / 200);
 }
 
-/// Lines do not depend on those before them: a strip alone, or another scene before, changes
-/// nothing.
-TEST(ScanLines, ForgetWhatWasBefore) {
+/// A strip does not depend on what its scratch was used for.
+TEST(ScanLines, DoNotDependOnUsedScratch) {
     const LocalMesh many = make_local_mesh(test::random_leaves(300, .2, 1, 9));
     const LocalMesh one = make_local_mesh({kLeaf});
     const ScanLines::Spec spec{kDown, .3, .6, 3 * ScanLines::kStrip};
-    const auto lengths_of = [](ScanLines& lines, std::uint32_t strip) {
-        lines.begin(strip);
-        while (lines.next()) {
-        }
+    const auto lengths_of = [](const ScanLines& lines, std::uint32_t i, LineScratch& scratch) {
+        const LineStrip strip(lines, i, scratch);
+        const auto visible = strip.for_visible_segments([](const LineStrip::Line&) {});
         std::map<std::uint32_t, double> lengths;
-        for (const ScanLines::Item& item : lines.items()) {
-            lengths[item.triangle] = item.length;
+        for (std::size_t k = 0; k < visible.size(); ++k) {
+            lengths[strip.triangles()[k].triangle] = visible[k].length;
         }
         return lengths;
     };
-    ScanLines fresh;
-    fresh.set({&many, {}}, spec);
-    const auto last = lengths_of(fresh, 2);
+    const ScanLines lines({&many, {}}, spec);
+    LineScratch fresh, used;
+    const auto last = lengths_of(lines, 2, fresh);
     EXPECT_GT(last.size(), 50U);
-    ScanLines used;
-    used.set({&one, {}}, spec);
-    lengths_of(used, 1);
-    used.set({&many, {}}, spec);
+    lengths_of(ScanLines({&one, {}}, spec), 1, used);
     for (const std::uint32_t strip : {0U, 1U}) {
-        lengths_of(used, strip);
+        lengths_of(lines, strip, used);
     }
-    EXPECT_EQ(lengths_of(used, 2), last);
+    EXPECT_EQ(lengths_of(lines, 2, used), last);
 }
 
-/// What the items sum up is what the pieces of the lines are long.
-TEST(ScanLines, SumUpTheirPieces) {
+/// What is visible of triangles is what their segments sum up to; asked twice it is the same.
+TEST(ScanLines, SumUpTheirSegments) {
     const LocalMesh mesh = make_local_mesh(test::random_leaves(100, .3, 1, 4));
-    ScanLines lines;
-    lines.set({&mesh, {}}, {kDown, .1, .2, 100});
-    lines.begin(0);
-    std::map<std::uint32_t, double> lengths;
-    while (lines.next()) {
-        for (const LinePiece& piece : lines.pieces()) {
-            lengths[piece.segment] += piece.length();
+    const ScanLines lines({&mesh, {}}, {kDown, .1, .2, 100});
+    LineScratch scratch;
+    const LineStrip strip(lines, 0, scratch);
+    for (int i = 0; i < 2; ++i) {
+        std::map<std::uint32_t, double> lengths;
+        const auto visible = strip.for_visible_segments([&](const LineStrip::Line& line) {
+            for (const VisibleSegment& segment : line.segments) {
+                lengths[segment.surface] += segment.length();
+            }
+        });
+        for (std::uint32_t k = 0; k < visible.size(); ++k) {
+            EXPECT_DOUBLE_EQ(visible[k].length, lengths[k]);
         }
-    }
-    for (std::uint32_t i = 0; i < lines.items().size(); ++i) {
-        EXPECT_DOUBLE_EQ(lines.items()[i].length, lengths[i]);
     }
 }
 

@@ -58,7 +58,7 @@ TEST_F(StoredRunTest, KeepsOptionsAndForgetsOutputs) {
     EXPECT_EQ(run.spec.paths, 256U);
     EXPECT_EQ(run.spec.seed, 11U);
     EXPECT_EQ(run.spec.layer_heights, (std::vector<double>{0, .5, 2}));
-    EXPECT_FALSE(run.output.csv);
+    EXPECT_TRUE(run.output.files.empty());
     EXPECT_EQ(run.output.quantities, std::vector<std::string>{"incident_upper"});
     EXPECT_EQ(run.inputs.size(), 2U);
 }

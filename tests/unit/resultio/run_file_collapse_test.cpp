@@ -110,8 +110,8 @@ std::string series_json(RunFile run) {
     run.output.night = true;  // the result is dark
     std::string text;
     JsonWriter json(run, [&](std::string_view part) { text += part; });
-    json.add_moment(0, dark_result(run.scene, run.spec), 0);
-    static_cast<void>(json.finish({}));
+    json.on_time_step({0, dark_result(run.scene, run.spec)});
+    json.on_end({});
     return text;
 }
 
@@ -150,13 +150,14 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
         const Result dark = dark_result(run.scene, run.spec);
         for (std::size_t day = 0; day < 3; ++day) {
             for (std::size_t hour = 0; hour < 24; ++hour) {
-                json.add_moment(24 * day + hour, dark, 24 * day + hour);
+                json.on_time_step({24 * day + hour, dark, 24 * day + hour});
             }
-            json.add_day(day, flat_sum(run, 86400, 1 + static_cast<double>(day)));
+            json.on_day(day, flat_sum(run, 86400, 1 + static_cast<double>(day)));
         }
         SeriesSummary summary;
         summary.total = flat_sum(run, 3 * 86400, 6);
-        digest = json.finish(summary);
+        json.on_end(summary);
+        digest = json.digest();
     }
     const auto json = nlohmann::ordered_json::parse(text);
     EXPECT_EQ(json["moments"].size(), 72U);
@@ -187,12 +188,11 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
     JsonWriter written(run, [&](std::string_view part) { text += part; });
     JsonWriter unwritten(run);
     for (JsonWriter* json : {&written, &unwritten}) {
-        json->add_moment(0, dark, 0);
-        json->add_day(0, flat_sum(run, 1, 1));
+        json->on_time_step({0, dark});
+        json->on_day(0, flat_sum(run, 1, 1));
     }
-    const std::string digest = written.finish();
-    EXPECT_EQ(unwritten.finish(), digest);
-    EXPECT_NE(digest, JsonWriter(run).finish()) << "of nothing";
+    EXPECT_EQ(unwritten.digest(), written.digest());
+    EXPECT_NE(written.digest(), JsonWriter(run).digest()) << "of nothing";
 }
 
 TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {

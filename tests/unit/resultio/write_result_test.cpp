@@ -215,7 +215,7 @@ std::string groups_text(const RunFile& run) {
     std::string text;
     CsvWriter groups(
         run, [&](std::string_view piece) { text += piece; }, CsvRows::groups);
-    groups.add_moment(0, grouped_result());
+    groups.on_time_step({0, grouped_result()});
     return text;
 }
 

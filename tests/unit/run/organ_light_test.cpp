@@ -1,3 +1,4 @@
+#include <array>
 #include <memory>
 #include <string>
 
@@ -8,7 +9,7 @@
 namespace quasimc::test {
 namespace {
 
-SceneBuilder two_leaves() {
+SceneBuilder builder_of_leaves() {
     SceneBuilder builder({{.name = "PAR"}, {.name = "NIR"}});
     builder.add_material(lambertian("leaf", {.1, .4}, {.05, .4}));
     for (const std::int64_t id : {3, 8}) {
@@ -30,6 +31,11 @@ Result light_of(const Scene& scene) {
         {.paths = 256});
 }
 
+/// The numbers of an estimate, to be compared.
+std::array<double, 4> numbers(const Estimate& e) {
+    return {e.mean, e.standard_error, e.low, e.high};
+}
+
 std::string error_of(const auto& ask) {
     try {
         static_cast<void>(ask());
@@ -40,25 +46,32 @@ std::string error_of(const auto& ask) {
 }
 
 TEST(OrganLight, IsFoundByNameByIdAndByIndex) {
-    const Result result = light_of(two_leaves().build());
-    const Estimate upper = result.at(1, Quantity::absorbed_flux, 1);
-    EXPECT_EQ(result["upper leaf"].absorbed_flux("NIR"), upper);
-    EXPECT_EQ(result["upper leaf"].absorbed_flux(1), upper);
-    EXPECT_EQ(result.organ(8).absorbed_flux(std::string("NIR")), upper);
+    const Result result = light_of(builder_of_leaves().build());
+    const auto upper = numbers(result.at(1, Quantity::absorbed_flux, 1));
+    EXPECT_EQ(numbers(result["upper leaf"].absorbed_flux("NIR")), upper);
+    EXPECT_EQ(numbers(result["upper leaf"].absorbed_flux(1)), upper);
+    EXPECT_EQ(numbers(result.organ(8).absorbed_flux(std::string("NIR"))), upper);
     const OrganLight lower = result["lower leaf"];
     for (const QuantityEntry& entry : quantity_table()) {
-        EXPECT_EQ(lower.at(entry.quantity, "PAR"), result.at(0, entry.quantity, 0)) << entry.name;
+        EXPECT_EQ(
+            numbers(lower.at(entry.quantity, "PAR")), numbers(result.at(0, entry.quantity, 0)))
+            << entry.name;
     }
-    EXPECT_EQ(lower.incident_upper(0), result.at(0, Quantity::incident_upper, 0));
-    EXPECT_EQ(lower.incident_lower(0), result.at(0, Quantity::incident_lower, 0));
-    EXPECT_EQ(lower.incident_direct(0), result.at(0, Quantity::incident_direct, 0));
-    EXPECT_EQ(lower.incident_scattered(0), result.at(0, Quantity::incident_scattered, 0));
-    EXPECT_EQ(lower.absorbed_flux_density(0), result.at(0, Quantity::absorbed_flux_density, 0));
-    EXPECT_EQ(lower.sunlit_fraction(), result.sunlit_fraction[0]);
+    EXPECT_EQ(numbers(lower.incident_upper(0)), numbers(result.at(0, Quantity::incident_upper, 0)));
+    EXPECT_EQ(numbers(lower.incident_lower(0)), numbers(result.at(0, Quantity::incident_lower, 0)));
+    EXPECT_EQ(
+        numbers(lower.incident_direct(0)), numbers(result.at(0, Quantity::incident_direct, 0)));
+    EXPECT_EQ(
+        numbers(lower.incident_scattered(0)),
+        numbers(result.at(0, Quantity::incident_scattered, 0)));
+    EXPECT_EQ(
+        numbers(lower.absorbed_flux_density(0)),
+        numbers(result.at(0, Quantity::absorbed_flux_density, 0)));
+    EXPECT_EQ(numbers(lower.sunlit_fraction()), numbers(result.sunlit_fraction[0]));
 }
 
 TEST(OrganLight, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
-    const Result result = light_of(two_leaves().build());
+    const Result result = light_of(builder_of_leaves().build());
     EXPECT_EQ(
         error_of([&] { return result["uper leaf"]; }),
         "organ 'uper leaf': the scene has no organ of this name; did you mean 'upper leaf'?");
@@ -70,11 +83,12 @@ TEST(OrganLight, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
         "band 'UV': the scene has no band of this name; bands are 'PAR', 'NIR'");
     EXPECT_NE(error_of([&] { return result["upper leaf"].absorbed_flux(2); }), "");
     EXPECT_NE(error_of([&] { return result.organ(4); }), "");
-    EXPECT_NE(error_of([&] { return Result{}["upper leaf"]; }), "");
+    const Result nameless;
+    EXPECT_NE(error_of([&] { return nameless["upper leaf"]; }), "");
 }
 
 TEST(OrganLight, ANameOfSeveralOrgansIsRefused) {
-    SceneBuilder builder = two_leaves();
+    SceneBuilder builder = builder_of_leaves();
     builder.add_organ(
         {.id = 9,
          .name = "upper leaf",
@@ -87,7 +101,7 @@ TEST(OrganLight, ANameOfSeveralOrgansIsRefused) {
 }
 
 TEST(OrganLight, NamesOutliveTheSceneAndAreKeptOnce) {
-    auto scene = std::make_unique<const Scene>(two_leaves().build());
+    auto scene = std::make_unique<const Scene>(builder_of_leaves().build());
     const Result first = light_of(*scene), second = light_of(*scene);
     EXPECT_EQ(first.names, second.names);
     scene.reset();
@@ -95,7 +109,7 @@ TEST(OrganLight, NamesOutliveTheSceneAndAreKeptOnce) {
 }
 
 TEST(SceneBuilder, CanBeBuiltAndUsedOn) {
-    SceneBuilder builder = two_leaves();
+    SceneBuilder builder = builder_of_leaves();
     EXPECT_EQ(builder.build().organs().size(), 2U);
     builder.set_ground({.material = "leaf"});
     EXPECT_EQ(builder.build().organs().size(), 3U);
@@ -108,11 +122,14 @@ TEST(Lambertian, NeedsATransmittanceOfEachBandOrNone) {
 }
 
 TEST(Run, TakesItsDefaultsInAnyForm) {
-    const Scene scene = two_leaves().build();
+    const Scene scene = builder_of_leaves().build();
     const Sources sources{make_uniform_sky("sky", {100, 50})};
     const RunSpec spec{.paths = 64};
     EXPECT_EQ(spec.method, Method::automatic);
-    EXPECT_EQ(run(scene, sources, spec).values, run(scene, sources, spec, {}).values);
+    const Result result = run(scene, sources, spec, {});
+    EXPECT_EQ(
+        numbers(run(scene, sources, spec).at(0, Quantity::absorbed_flux, 0)),
+        numbers(result.at(0, Quantity::absorbed_flux, 0)));
 }
 
 }  // namespace

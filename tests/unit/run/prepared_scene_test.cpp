@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/scene.h"
+#include "solvers/from_organs/visibility.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -114,10 +115,10 @@ TEST(PreparedScene, SplitsTheSunlitAreaAmongTheSuns) {
 TEST(PreparedScene, LightPassesSensorsOnItsWayToTheSky) {
     const auto reaches = [](Scene scene) {
         const Staged staged(std::move(scene), {sky({1})});
-        const PreparedScene& prepared = staged.prepared;
-        const Vec3 place = prepared.caster().mesh().point(0, .3, .3);
-        return prepared.reaches(
-            place, normalized({.1, .2, 1}), std::numeric_limits<double>::infinity(), 0);
+        const Vec3 p = staged.prepared.caster().mesh().point(0, .3, .3);
+        return is_visible_source(
+            staged.prepared, p, normalized({.1, .2, 1}), std::numeric_limits<double>::infinity(),
+            0);
     };
     EXPECT_TRUE(reaches(make_layer(1)));
     EXPECT_TRUE(reaches(make_layer(

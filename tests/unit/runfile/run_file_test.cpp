@@ -21,8 +21,7 @@ TEST(RunFile, OfTheLeastThatIsNeededHasTheDefaults) {
     ASSERT_EQ(run.scene.bands().size(), 1U);
     EXPECT_EQ(run.scene.bands()[0], (Band{"PAR", "W m-2"}));
     EXPECT_EQ(run.scene.orientation().up(), UpAxis::z);
-    EXPECT_FALSE(run.output.csv);
-    EXPECT_FALSE(run.output.json);
+    EXPECT_TRUE(run.output.files.empty());
     for (const Option& option : option_table()) {
         EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
     }
@@ -77,14 +76,14 @@ TEST(RunFile, OutputPathsCountFromItsFolder) {
     RunText text;
     text.rest = "[output]\ncsv = 'out/a.csv'\njson = '/abs/b.json'\n";
     const RunFile run = read_text(text.text());
-    EXPECT_EQ(run.output.csv, "/run/out/a.csv");
-    EXPECT_EQ(run.output.json, "/abs/b.json");
+    EXPECT_EQ(run.output.files.at("csv"), "/run/out/a.csv");
+    EXPECT_EQ(run.output.files.at("json"), "/abs/b.json");
 }
 
 TEST(RunFile, OutputMayBeStandardOutput) {
     RunText text;
     text.rest = "[output]\ncsv = '-'\n";
-    EXPECT_EQ(read_text(text.text()).output.csv, "-");
+    EXPECT_EQ(read_text(text.text()).output.files.at("csv"), "-");
 }
 
 TEST(RunFile, AsksForGroupsAndLayers) {
@@ -129,7 +128,7 @@ TEST(RunFile, ChoosesWhatIsWritten) {
     const RunFile run = read_text(text.text());
     EXPECT_EQ(run.output.quantities.size(), 2U);
     EXPECT_EQ(run.output.bands, std::vector<std::string>{"PAR"});
-    EXPECT_EQ(run.output.groups_csv, "/run/g.csv");
+    EXPECT_EQ(run.output.files.at("groups_csv"), "/run/g.csv");
     EXPECT_FALSE(run.output.night);
 }
 

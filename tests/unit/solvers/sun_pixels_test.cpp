@@ -41,10 +41,10 @@ std::vector<SunLight> looks(const PreparedScene& prepared, double pixels) {
     spec.method = Method::light_tracing;
     const auto sampler = make_sampler(spec.sampler);
     const SunPixels suns({prepared, *sampler, spec}, pixels);
-    ItemBuffer buffer;
+    ItemScratch scratch;
     std::vector<SunLight> found;
     for (std::uint32_t i = 0; i < kLooks; ++i) {
-        found.push_back(suns.find(i, buffer));
+        found.push_back(suns.find(i, scratch));
     }
     return found;
 }

@@ -1,20 +1,23 @@
-#include "transport/light_vertices.h"
+#include "solvers/from_organs/light_vertices.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "solvers/from_organs/visibility.h"
+
 namespace quasimc {
 
-VertexLight::Arrival VertexLight::find(
+VertexLight::Connection VertexLight::connect(
     const LightVertex& vertex,
     std::span<const double> weights,
-    const Vec3& place,
+    const Vec3& p,
     std::uint32_t triangle,
-    double leg,
+    double min_distance,
     std::span<double> irradiance) const {
-    const Vec3 way = place - vertex.place;
+    const Vec3 way = p - vertex.p;
     const double square = dot(way, way);
-    if (square == 0 || square < leg * leg || triangle == vertex.surface.triangle) {
+    if (square == 0 || square < min_distance * min_distance ||
+        triangle == vertex.surface.triangle) {
         return {};
     }
     const double distance = std::sqrt(square);
@@ -30,7 +33,9 @@ VertexLight::Arrival VertexLight::find(
     for (double& x : irradiance) {
         x *= scale;
     }
-    return {wi, true, prepared_.connects(place, -wi, distance, triangle, vertex.surface.triangle)};
+    const bool arrives =
+        is_visible_point(prepared_, p, -wi, distance, triangle, vertex.surface.triangle);
+    return {wi, true, arrives};
 }
 
 }  // namespace quasimc

@@ -6,7 +6,7 @@
 namespace quasimc {
 
 /// A direction from a point of an organ, in which it looks for light that surfaces send to it.
-struct AwayLook {
+struct GatherSample {
     Vec3 away;           ///< unit
     SurfaceSide side{};  ///< of the organ, on which the direction lies
     double cosine = 0;   ///< with the normal of that side
@@ -20,10 +20,10 @@ struct AwayLook {
 /// radiance grows as one over the cosine of the angle of exit. To what stands upright over an
 /// endless ground each factor of the cosine brings as much light as the next one; of directions by
 /// the cosine law hardly any look there, and those that do find so much that no error tells.
-class LookDirections {
+class GatherDirections {
   public:
-    explicit LookDirections(const PreparedScene& prepared);
-    [[nodiscard]] AwayLook draw(const OrganPoint& point, double u0, double u1) const;
+    explicit GatherDirections(const PreparedScene& prepared);
+    [[nodiscard]] GatherSample draw(const OrganPoint& point, double u0, double u1) const;
 
   private:
     [[nodiscard]] double mixed(double factor, double cosine, const Vec3& away) const;

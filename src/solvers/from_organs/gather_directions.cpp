@@ -1,4 +1,4 @@
-#include "solvers/from_organs/look_directions.h"
+#include "solvers/from_organs/gather_directions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +55,11 @@ double density_along_ground(const Vec3& away) {
 
 }  // namespace
 
-LookDirections::LookDirections(const PreparedScene& prepared)
+GatherDirections::GatherDirections(const PreparedScene& prepared)
     : prepared_(prepared),
       along_ground_(has_ground_that_sends_along(prepared.scene()) ? kAlongGround : 0) {}
 
-AwayLook LookDirections::draw(const OrganPoint& point, double u0, double u1) const {
+GatherSample GatherDirections::draw(const OrganPoint& point, double u0, double u1) const {
     // Of the square of the sine; less than 1 for sensors with a narrow field of view.
     const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
     // pi for the cosine law, 2 for the choice of a side.
@@ -81,7 +81,7 @@ AwayLook LookDirections::draw(const OrganPoint& point, double u0, double u1) con
 }
 
 /// The balance heuristic: whichever way a direction was drawn, the density is that of both.
-double LookDirections::mixed(double factor, double cosine, const Vec3& away) const {
+double GatherDirections::mixed(double factor, double cosine, const Vec3& away) const {
     return cosine /
            ((1 - along_ground_) * cosine / factor + along_ground_ * density_along_ground(away));
 }

@@ -4,23 +4,22 @@
 #include <span>
 #include <vector>
 
-#include "transport/near_lamps.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
 namespace quasimc {
 
-/// A place near a lamp where a path of its light is scattered, from which points elsewhere may take
-/// light. Local coordinates.
+/// A vertex of a light subpath near its lamp, to which paths from organs are connected. Local
+/// coordinates.
 struct LightVertex {
     const BoundSource* light = nullptr;
-    Vec3 place;
+    Vec3 p;
     Surface surface;
     Vec3 wi;                  ///< in which the light came
     std::uint32_t depth = 0;  ///< scatterings up to here, this one with them
 };
 
-/// The light vertices of one path.
+/// The light vertices of one subpath.
 class LightVertices {
   public:
     void clear() { all_.clear(), weights_.clear(); }
@@ -40,9 +39,9 @@ class LightVertices {
     std::vector<double> weights_;
 };
 
-/// Takes light from light vertices to other places: it connects a path from a lamp and one from an
-/// organ (Lafortune and Willems 1993; of lit places as lamps, Keller 1997). Which way of light a
-/// connection brings, and which is followed, the length of the way tells (NearLamps::leg).
+/// Connects paths from organs to light vertices (bidirectional path tracing, Lafortune and Willems
+/// 1993). Connections shorter than LampNearField::min_connection_distance() are left to the light
+/// subpath, which bounds the geometry term (Keller 1997).
 class VertexLight {
   public:
     /// @param scale  as that of NextEvent
@@ -50,21 +49,22 @@ class VertexLight {
     VertexLight(const PreparedScene& prepared, double scale, double sharp_from)
         : prepared_(prepared), scale_(scale), sharp_from_(sharp_from) {}
 
-    /// What comes to a place from a vertex.
-    struct Arrival {
-        Vec3 wi;                    ///< in which the light travels
-        bool is_asked_for = false;  ///< a ray was cast
-        bool arrives = false;       ///< otherwise the irradiance is not set
+    /// The light of one connection.
+    struct Connection {
+        Vec3 wi;                 ///< in which the light travels
+        bool is_traced = false;  ///< a ray was cast
+        bool arrives = false;    ///< otherwise the irradiance is not set
     };
-    /// @param triangle  on which the place lies
-    /// @param leg  the shortest way to there
+    /// Connects point `p` with a vertex.
+    /// @param triangle  on which the point lies
+    /// @param min_distance  of a connection
     /// @param irradiance  on a plane facing the light, per band, units of NextEvent
-    Arrival find(
+    Connection connect(
         const LightVertex& vertex,
         std::span<const double> weights,
-        const Vec3& place,
+        const Vec3& p,
         std::uint32_t triangle,
-        double leg,
+        double min_distance,
         std::span<double> irradiance) const;
 
   private:

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "coupling/protocol/byte_stream.h"
+#include "coupling/protocol/messages.h"
+#include "coupling/protocol/semaphores.h"
+
+namespace quasimc {
+
+/// Messages that lie in a mailbox which both sides open, a pair of files or a piece of memory, and
+/// are handed over with a pair of semaphores.
+///
+/// A mailbox reads the whole text that is there, writes an answer whose head becomes visible last,
+/// makes the head of an answer an empty one (prepare_for_our_end), and can be removed.
+template <typename Mailbox>
+class SemaphoreStream final : public ByteStream {
+  public:
+    template <typename... Arguments>
+    explicit SemaphoreStream(long key, Arguments&&... arguments)
+        : semaphores_(key), mailbox_(std::forward<Arguments>(arguments)...) {}
+    ~SemaphoreStream() override {
+        // The simulator removes what it made, and our answer; if it died, nobody else does.
+        if (semaphores_.master_died()) {
+            mailbox_.remove();
+            semaphores_.remove();
+        }
+    }
+    SemaphoreStream(const SemaphoreStream&) = delete;
+    SemaphoreStream& operator=(const SemaphoreStream&) = delete;
+
+    void announce() override {
+        mailbox_.write(kEmptyAnswer);
+        semaphores_.announce();
+    }
+    /// lpfg takes silence for an answer that is there, and waits for the next one for ever; cpfg
+    /// takes it for a refusal, but then leaves its semaphores and memory behind.
+    [[nodiscard]] AfterRefusal refuse() override {
+        announce();
+        return AfterRefusal::it_asks;
+    }
+    [[nodiscard]] std::string_view receive() override {
+        semaphores_.wait_for_master();
+        mailbox_.prepare_for_our_end();
+        mailbox_.read(message_);
+        const std::size_t end = message_end(message_);
+        if (end == std::string::npos) {
+            throw InputError(
+                {{mailbox_.name(), "the message breaks off", "it has no line 'Control'", ""}});
+        }
+        message_.resize(end);
+        return message_;
+    }
+    void send(std::string_view message, Continuation /*continuation*/) override {
+        write_answer(message);
+        semaphores_.post_to_master();
+    }
+    void send_last(std::string_view message) override {
+        write_answer(message);
+        semaphores_.post_last();
+    }
+    void await_request() override { semaphores_.wait_for_master(); }
+    void check() override { semaphores_.check(); }
+    void resign() noexcept override {
+        mailbox_.prepare_for_our_end();
+        semaphores_.post_forever();
+    }
+    [[nodiscard]] std::size_t capacity() const override { return Mailbox::kCapacity; }
+    [[nodiscard]] std::size_t default_chunk() const override { return Mailbox::kDefaultChunk; }
+
+  private:
+    /// If not even an empty answer can be written, what stands in the mailbox must do.
+    void write_answer(std::string_view message) const {
+        try {
+            mailbox_.write(message);
+        } catch (const InputError&) {
+            if (message != kEmptyAnswer) {
+                throw;
+            }
+        }
+    }
+
+    SemaphorePair semaphores_;
+    Mailbox mailbox_;
+    std::string message_;
+};
+
+}  // namespace quasimc

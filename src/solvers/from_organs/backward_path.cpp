@@ -1,0 +1,116 @@
+#include "solvers/from_organs/backward_path.h"
+
+#include <algorithm>
+
+#include "base/stop.h"
+
+namespace quasimc {
+
+BackwardPaths::BackwardPaths(
+    const SolverInput& input,
+    const NextEvent& next_event,
+    const VertexLight& vertex_light,
+    const LampNearField& near,
+    double sharp_from)
+    : prepared_(input.prepared),
+      sampler_(input.sampler),
+      next_event_(next_event),
+      vertex_light_(vertex_light),
+      near_(near),
+      stop_(input.stop),
+      max_depth_(input.spec.max_depth),
+      roulette_threshold_(input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+      sharp_from_(sharp_from) {}
+
+std::uint64_t BackwardPaths::gather(
+    const Stream& stream,
+    std::uint64_t index,
+    std::uint32_t dimension,
+    const OrganPoint& point,
+    Vec3 away,
+    const LightVertices& vertices,
+    GatherScratch& path) const {
+    std::fill(path.weights.begin(), path.weights.end(), 1.0);
+    std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
+    Vec3 p = point.place;
+    std::uint32_t triangle = point.triangle;
+    bool by_sharp = false;
+    std::uint64_t rays = 0;
+    for (std::uint32_t depth = 1;;) {
+        throw_if_stopped(stop_);
+        // After the last hit that counts only the sky does, if a sharp lobe shows it.
+        const bool is_last = depth == max_depth_;
+        if (is_last && !by_sharp) {
+            return rays;
+        }
+        const CastHit at = prepared_.caster().cast(p, away, triangle);
+        ++rays;
+        if (at.end != RayEnd::hit) {
+            if (by_sharp && at.end == RayEnd::escaped) {
+                next_event_.add_sky(away, path);
+            }
+            return rays;
+        }
+        const Surface surface = surface_at(prepared_, at.hit, away);
+        const Material& material = prepared_.material(surface.region);
+        p = place_of(prepared_, at.hit);
+        triangle = surface.triangle;
+        if (material.is_transparent()) {
+            continue;
+        }
+        if (is_last) {
+            return rays;
+        }
+        const LightSample light = next_event_.sample_light(stream, index, dimension, p);
+        rays += next_event_.add_light(light, surface, p, -away, path);
+        rays += add_vertices(vertices, surface, p, -away, depth, path);
+        dimension += next_event_.dimensions();
+        const auto from = material.gather(
+            surface.normal, surface.side, -away,
+            {sampler_.coordinate(stream, index, dimension),
+             sampler_.coordinate(stream, index, dimension + 1), roulette_threshold_},
+            path.weights);
+        if (!from) {
+            return rays;
+        }
+        dimension += 2;
+        ++depth;
+        by_sharp = from->sharp;
+        away = -from->wi;
+    }
+}
+
+/// Adds to path.gathered the light that a surface sends along `out` from the light vertices to
+/// which it is connected. Returns the rays cast.
+/// @param depth  hits of the path that runs backwards, this one with them
+std::uint64_t BackwardPaths::add_vertices(
+    const LightVertices& vertices,
+    const Surface& surface,
+    const Vec3& p,
+    const Vec3& out,
+    std::uint32_t depth,
+    GatherScratch& path) const {
+    std::uint64_t rays = 0;
+    for (std::size_t i = 0; i < vertices.all().size(); ++i) {
+        const LightVertex& vertex = vertices.all()[i];
+        if (max_depth_ > 0 && vertex.depth + depth >= max_depth_) {
+            continue;
+        }
+        const auto [wi, is_traced, arrives] = vertex_light_.connect(
+            vertex, vertices.weights(i), p, surface.triangle,
+            near_.min_connection_distance(*vertex.light), path.irradiance);
+        rays += is_traced ? 1 : 0;
+        for (std::size_t b = 0; b < path.products.size(); ++b) {
+            path.products[b] = path.weights[b] * path.irradiance[b];
+        }
+        if (arrives) {
+            prepared_.material(surface.region)
+                .add_reflected(
+                    surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
+                    sharp_from_);
+        }
+    }
+    return rays;
+}
+
+}  // namespace quasimc

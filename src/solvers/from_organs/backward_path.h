@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "solvers/from_organs/light_vertices.h"
+#include "solvers/from_organs/next_event.h"
+#include "solvers/from_organs/organ_points.h"
+#include "solvers/solver.h"
+
+namespace quasimc {
+
+/// Paths that run backwards from points of organs, and the estimators of light at their vertices.
+class BackwardPaths {
+  public:
+    /// @param sharp_from  peak_brightness() of lobes through which suns and lamps are not sampled
+    BackwardPaths(
+        const SolverInput& input,
+        const NextEvent& next_event,
+        const VertexLight& vertex_light,
+        const LampNearField& near,
+        double sharp_from);
+
+    /// Sets path.gathered to the radiance that comes to a point of an organ along -away, in units
+    /// of NextEvent. Returns the rays cast.
+    /// @param dimension  of the first random number of point `index`
+    /// @param vertices  of the light subpath that belongs to the point
+    /// @throws StopRequested  if a stop was requested
+    std::uint64_t gather(
+        const Stream& stream,
+        std::uint64_t index,
+        std::uint32_t dimension,
+        const OrganPoint& point,
+        Vec3 away,
+        const LightVertices& vertices,
+        GatherScratch& path) const;
+
+  private:
+    std::uint64_t add_vertices(
+        const LightVertices& vertices,
+        const Surface& surface,
+        const Vec3& p,
+        const Vec3& out,
+        std::uint32_t depth,
+        GatherScratch& path) const;
+
+    const PreparedScene& prepared_;
+    const Sampler& sampler_;
+    const NextEvent& next_event_;
+    const VertexLight& vertex_light_;
+    const LampNearField& near_;
+    std::stop_token stop_;
+    std::uint32_t max_depth_;
+    double roulette_threshold_, sharp_from_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,45 @@
+#pragma once
+
+// How light that arrives at a surface is scored, whichever method has found it.
+
+#include <cstdint>
+#include <span>
+
+#include "sums/tally.h"
+#include "transport/absorbed_light.h"
+#include "transport/surface.h"
+
+namespace quasimc {
+
+/// Adds light that falls on a surface straight from its source, `amount` times its start weights.
+inline void score_direct(
+    const PreparedScene& prepared,
+    const Surface& at,
+    const BoundSource& light,
+    double amount,
+    Tally& tally) {
+    const SumLayout& layout = tally.layout();
+    tally.add(layout.direct(at.region, at.side, light.spectrum), to_fixed(amount));
+    score_absorbed(
+        prepared, {at.region, at.side, at.cosine, LightPart::direct, amount, light.start_weights},
+        tally);
+}
+
+/// Adds light that falls on a surface from others that scattered it, per band `factor` times
+/// weights[b].
+inline void score_scattered(
+    const PreparedScene& prepared,
+    const Surface& at,
+    double factor,
+    std::span<const double> weights,
+    Tally& tally) {
+    const SumLayout& layout = tally.layout();
+    const std::size_t bins = layout.scattered(at.region, at.side);
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+        tally.add(bins + b, to_fixed(weights[b] * factor));
+    }
+    score_absorbed(
+        prepared, {at.region, at.side, at.cosine, LightPart::scattered, factor, weights}, tally);
+}
+
+}  // namespace quasimc
