@@ -233,6 +233,8 @@ class Pattern {
     /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
     [[nodiscard]] double total() const;
     [[nodiscard]] double intensity(const Vec3& direction) const;
+    /// The borders of its cells and the light in each, by which patterns are told apart.
+    [[nodiscard]] std::vector<double> parameters() const;
 
     struct Drawn {
         Vec3 direction;

@@ -1,7 +1,6 @@
 #include "quasimc/growth_session.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/function_ref.h"
 #include "quasimc/error.h"
 #include "scene/build_scene.h"
 #include "scene/lint.h"
@@ -37,7 +37,7 @@ Fault twice(std::int64_t id) {
 /// @param has  whether the session has an organ. @param of_frame  ids of its frame
 void check_known(
     std::span<const std::int64_t> ids,
-    const std::function<bool(std::int64_t)>& has,
+    FunctionRef<bool(std::int64_t)> has,
     const std::unordered_set<std::int64_t>& of_frame) {
     Faults faults;
     std::unordered_set<std::int64_t> seen;

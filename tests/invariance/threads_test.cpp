@@ -63,6 +63,9 @@ class SlowSource final : public SourceModel {
               source->traits(),
               source->horizontal_irradiance()),
           source_(std::move(source)) {}
+    [[nodiscard]] ModelParameters parameters() const override {
+        return model_of(*source_).parameters();
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return std::make_unique<SlowEmitter>(model_of(*source_).make_sampler_in(projection));

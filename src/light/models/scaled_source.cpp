@@ -25,6 +25,9 @@ class ScaledSource final : public SourceModel {
           source_(std::move(source)),
           is_off_(factor == 0) {}
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        return model_of(*source_).parameters();
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return is_off_ ? nullptr : model_of(*source_).make_sampler_in(projection);

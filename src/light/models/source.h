@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/model_parameters.h"
 #include "quasimc/source.h"
 #include "raster/scene_projection.h"
 
@@ -100,6 +101,9 @@ class SourceModel : public Source {
         double horizontal_irradiance)
         : Source(std::move(name), std::move(spectrum), traits, horizontal_irradiance) {}
 
+    /// The model of the light and its parameters, but for name and spectrum. A parameter that is a
+    /// function is given by its values in the cells from which directions are drawn.
+    [[nodiscard]] virtual ModelParameters parameters() const = 0;
     /// Null when no light of this source meets the scene.
     [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const = 0;
