@@ -74,7 +74,7 @@ class TriangleCutter {
     void cut() {
         std::vector<std::vector<std::uint32_t>> families(to_.parts_ / 4);
         for (std::uint32_t part = 0; part < to_.parts_; ++part) {
-            families[Patches::parent(level_, part)].push_back(part);
+            families[TriangleParts(level_).parent(part)].push_back(part);
         }
         for (const std::vector<std::uint32_t>& parts : families) {
             cut_family(parts);
@@ -94,13 +94,13 @@ class TriangleCutter {
     };
 
     void sort_into_parts(const SurfaceCrossing& crossing) {
-        std::vector<Patches::Stretch> stretches;
+        std::vector<TriangleParts::Segment> scratch;
         const Barycentric from{
             static_cast<float>(crossing.from.s), static_cast<float>(crossing.from.t)};
         const Barycentric to{static_cast<float>(crossing.to.s), static_cast<float>(crossing.to.t)};
-        Patches::cut(level_, from, to, stretches);
-        for (const Patches::Stretch& stretch : stretches) {
-            crossings_[stretch.part].push_back({crossing.from, crossing.to});
+        for (const TriangleParts::Segment& segment :
+             TriangleParts(level_).segments(from, to, scratch)) {
+            crossings_[segment.part].push_back({crossing.from, crossing.to});
         }
     }
 
@@ -142,7 +142,7 @@ class TriangleCutter {
     /// Adds the pieces of a part: cut by the lines of all that crosses it, the longest first.
     void cut_part(std::uint32_t part, std::vector<Piece>& pieces) {
         const std::size_t first = pieces.size();
-        pieces.push_back({Patches::corners(level_, part), part, part});
+        pieces.push_back({TriangleParts(level_).corners(part), part, part});
         const ConvexPiece whole = pieces.back().corners;
         std::stable_sort(
             crossings_[part].begin(), crossings_[part].end(),

@@ -81,34 +81,29 @@ BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::ve
         std::max({kMeetingsOfOrgan * organs, kMeetingsOfTriangle * triangles, kFewestOfDirection}));
 }
 
-BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint64_t key) {
+BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint64_t key) const {
     double part = 0;
     for (std::size_t c = 0; c < first_.size(); ++c) {
         part = std::max(part, first_[c] > 0 ? leaving[c] / first_[c] : 0);
     }
     const double strength = std::min(1.0, std::max(part, passed_on_));
-    const Wanted wanted{
-        part * of_first_, strength * kFewestPerPatch * patches_,
-        std::max(kFewestOfWeak, kFewestInGroup * std::sqrt(strength)), key};
-    of_orders_ += stretches(wanted);
-    return group(wanted);
+    return group(
+        {part * of_first_, strength * kFewestPerPatch * patches_,
+         std::max(kFewestOfWeak, kFewestInGroup * std::sqrt(strength)), key});
 }
 
-BundleGroup BundleBudget::of_all(std::uint64_t key) const {
-    const double fewest = std::max(kFewestPerPatch * patches_, kLastOverOrders * of_orders_);
+BundleGroup BundleBudget::of_all(double of_orders, std::uint64_t key) const {
+    const double fewest = std::max(kFewestPerPatch * patches_, kLastOverOrders * of_orders);
     return group({of_all_, fewest, kFewestInGroup, key});
 }
 
-double BundleBudget::stretches(const Wanted& wanted) {
-    return std::max(wanted.stretches, wanted.fewest);
-}
-
 BundleGroup BundleBudget::group(const Wanted& wanted) const {
+    const double segments = std::max(wanted.stretches, wanted.fewest);
     const double directions =
-        std::clamp(stretches(wanted) / of_direction_, wanted.fewest_directions, kMostInGroup);
+        std::clamp(segments / of_direction_, wanted.fewest_directions, kMostInGroup);
     const double even = 2 * std::round(directions / 2);
     // Along a direction surfaces look half as large, on average.
-    return {static_cast<std::uint32_t>(even), area_ / 2 * even / stretches(wanted), wanted.key};
+    return {static_cast<std::uint32_t>(even), area_ / 2 * even / segments, wanted.key, segments};
 }
 
 }  // namespace quasimc

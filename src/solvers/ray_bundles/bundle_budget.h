@@ -24,24 +24,24 @@ class BundleBudget {
     /// @param first  light that leaves surfaces at first, by column of PatchLight
     BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first);
 
-    /// Of a step in which so much light of one order leaves surfaces.
-    [[nodiscard]] BundleGroup of_order(const std::vector<double>& leaving, std::uint64_t key);
-    /// Of the step in which all orders told until now go together.
-    [[nodiscard]] BundleGroup of_all(std::uint64_t key) const;
+    /// The bundles of a step for light of one order.
+    /// @param leaving  the flux that leaves surfaces, [column]
+    [[nodiscard]] BundleGroup of_order(const std::vector<double>& leaving, std::uint64_t key) const;
+    /// The bundles of the step in which light of all orders goes together.
+    /// @param of_orders  BundleGroup::segments of all single orders together
+    [[nodiscard]] BundleGroup of_all(double of_orders, std::uint64_t key) const;
 
   private:
     struct Wanted {
         double stretches = 0, fewest = 0, fewest_directions = 0;
         std::uint64_t key = 0;
     };
-    [[nodiscard]] static double stretches(const Wanted& wanted);
     [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
 
     double patches_, area_;
     double passed_on_;          // by the brightest surface, twice; of nearly white ones 1
     double of_direction_;       // stretches
     double of_first_, of_all_;  // stretches of the first order, and of all orders together
-    double of_orders_ = 0;      // stretches that single orders have got until now
     std::vector<double> first_;
 };
 

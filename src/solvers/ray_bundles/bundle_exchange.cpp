@@ -4,18 +4,20 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "samplers/hash.h"
 #include "solvers/ray_bundles/for_bands.h"
 #include "solvers/ray_bundles/line_exchange.h"
+#include "solvers/ray_bundles/sky_view.h"
 
 namespace quasimc {
 namespace {
 
-/// Lines that are kept take so many numbers of 4 bytes.
-constexpr std::size_t kMostKept = std::size_t{1} << 21U;
+/// The cache of lines takes at most this number of 4 bytes each.
+constexpr std::size_t kMostCached = std::size_t{1} << 21U;
 /// Directions nearer to the horizon would follow lines through an endless canopy for ever; light
 /// that goes so flat is 1e-10 of what falls on the horizontal.
 constexpr double kFlattest = 1e-5;
@@ -38,117 +40,186 @@ Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i) {
     return {flat * std::cos(angle), flat * std::sin(angle), height};
 }
 
-std::uint64_t BundleExchange::exchange(
-    const BundleGroup& group, unsigned threads, PatchLight& light, const Tell& tell) {
-    while (columns_.size() < std::max(threads, 1U)) {
-        columns_.push_back(std::make_unique<Columns>());
-    }
-    kept_.clear();
-    beams_.clear();
-    std::uint64_t stretches = 0;
-    const auto draw = [&](std::uint64_t block, unsigned thread) {
-        const auto i = static_cast<std::uint32_t>(block);
-        columns_[thread]->draw(
-            seen_, patches_.drawn,
-            {.direction = bundle_direction(group, i),
-             .rotation = number_of(group, i, 0),
-             .shift_s = number_of(group, i, 1),
-             .shift_t = number_of(group, i, 2),
-             .line_area = group.line_area});
-    };
-    const bool is_kept = light.packs().size() > 1;
-    const auto exchange = [&](std::uint64_t block, unsigned thread) {
-        const Columns& lines = *columns_[thread];
-        stretches += lines.size();
-        // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine law.
-        const Beam beam{
-            bundle_direction(group, static_cast<std::uint32_t>(block)),
-            2 * lines.line_area() / group.directions};
-        light.count_lines(lines.counts(), beam.weight);
-        if (!is_kept) {
-            exchange_along(lines, beam, light, tell);
-            return;
+/// One exchange.
+class BundleExchange {
+  public:
+    BundleExchange(
+        PatchExitance exitance,
+        const BundleGroup& group,
+        const ExchangeOptions& options,
+        BundleScratch& scratch)
+        : group_(group),
+          options_(options),
+          scratch_(scratch),
+          field_(static_cast<PatchField&&>(exitance)),
+          light_(*field_.light),
+          scene_(light_.scene()),
+          found_areas_(scene_.surfaces.size()),
+          open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0) {
+        while (scratch.threads_.size() < std::max(options.threads, 1U)) {
+            scratch.threads_.push_back(std::make_unique<BundleScratch::Thread>());
         }
-        if (kept_.size() + lines.size() > kMostKept) {
-            exchange_kept(threads, light, tell);
-        }
-        kept_.add(lines);
-        beams_.push_back(beam);
-    };
-    ordered_blocks(group.directions, threads, draw, exchange);
-    if (is_kept) {
-        exchange_kept(threads, light, tell);
+        scratch.cache_.clear();
+        scratch.cached_beams_.clear();
     }
-    return stretches;
-}
 
-/// In bands of one pack.
-void BundleExchange::exchange_along(
-    const Columns& lines, const Beam& beam, PatchLight& light, const Tell& tell) {
-    const bool finds_ends = static_cast<bool>(tell.on_ends);
-    found_.begin(light.columns(), finds_ends ? lines.size() : 0);
-    exchange_pack(lines, beam, {0, finds_ends}, light, found_);
-    tell_found(beam, found_, tell);
-}
+    PatchIrradiance run() {
+        const bool is_cached = light_.packs().size() > 1;
+        ordered_blocks(
+            group_.directions, options_.threads,
+            [&](std::uint64_t i, unsigned thread) {
+                BundleScratch::Thread& own = *scratch_.threads_[thread];
+                own.lines = lines_along(static_cast<std::uint32_t>(i), own.scratch);
+            },
+            [&](std::uint64_t i, unsigned thread) {
+                const LineHits& lines = scratch_.threads_[thread]->lines;
+                // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine
+                // law.
+                const Beam beam{
+                    bundle_direction(group_, static_cast<std::uint32_t>(i)),
+                    2 * lines.line_area() / group_.directions};
+                count(lines, beam);
+                is_cached ? cache(lines, beam) : exchange_along(lines, beam);
+            });
+        exchange_cached();
+        const double lines_per_area = group_.directions / (2 * group_.line_area);
+        return {
+            std::move(field_),
+            LineStatistics{
+                met_areas(scene_, found_areas_, lines_per_area), std::move(open_), segments_}};
+    }
 
-/// Lets light go along all lines that were kept, pack by pack. The first one finds their ends, if
-/// somebody asks for them.
-void BundleExchange::exchange_kept(unsigned threads, PatchLight& light, const Tell& tell) {
-    std::vector<std::size_t> packs;
-    for (std::size_t pack = 0; pack < light.packs().size(); ++pack) {
-        if (!light.rests(pack)) {
-            packs.push_back(pack);
+  private:
+    using Beam = BundleScratch::Beam;
+    using Leaving = BundleScratch::Leaving;
+
+    [[nodiscard]] LineHits lines_along(std::uint32_t i, LineHitScratch& scratch) const {
+        return find_line_hits(
+            scene_.seen, scene_.drawn,
+            {.direction = bundle_direction(group_, i),
+             .rotation = number_of(group_, i, 0),
+             .shift_s = number_of(group_, i, 1),
+             .shift_t = number_of(group_, i, 2),
+             .line_area = group_.line_area},
+            scratch);
+    }
+
+    void count(const LineHits& lines, const Beam& beam) {
+        segments_ += lines.size();
+        const std::span<const std::uint32_t> counts = lines.counts();
+        EXPECT(counts.size() == found_areas_.size());
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            found_areas_[i] += beam.weight * counts[i];
         }
     }
-    const bool finds_ends = static_cast<bool>(tell.on_ends);
-    std::vector<Found> found(beams_.size());
-    for (std::size_t i = 0; i < beams_.size(); ++i) {
-        found[i].begin(light.columns(), finds_ends ? kept_.beam(i).size() : 0);
-    }
-    parallel_blocks(packs.size(), threads, [&](std::uint64_t block, unsigned) {
-        for (std::size_t i = 0; i < beams_.size(); ++i) {
-            const Pack pack{packs[block], finds_ends && block == 0};
-            exchange_pack(kept_.beam(i), beams_[i], pack, light, found[i]);
-        }
-    });
-    for (std::size_t i = 0; i < beams_.size(); ++i) {
-        tell_found(beams_[i], found[i], tell);
-    }
-    kept_.clear();
-    beams_.clear();
-}
 
-template <typename Lines>
-void BundleExchange::exchange_pack(
-    const Lines& lines, const Beam& beam, const Pack& pack, PatchLight& light, Found& found) {
-    const PatchSides<0> sides = light.sides(pack.index);
-    const std::size_t bands = light.packs()[pack.index].bands;
-    std::array<double, 2 * kMostInPack> forwards{}, backwards{};
-    std::uint32_t* const ends = pack.finds_ends ? found.ends.data() : nullptr;
-    const bool has_sensors = patches_.prepared.has_transparent();
-    for_bands(bands, [&]<std::size_t kBands>() {
-        LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
-        lines.for_each_line([&](std::span<const Columns::Passed> line) {
-            has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
+    /// Lets light go along lines, in bands of one pack.
+    void exchange_along(const LineHits& lines, const Beam& beam) {
+        const bool has_ends = options_.skies != nullptr;
+        clear(scratch_.leaving_, has_ends ? lines.size() : 0);
+        exchange_pack(lines, beam, {0, has_ends}, scratch_.leaving_);
+        report(beam, scratch_.leaving_);
+    }
+
+    void cache(const LineHits& lines, const Beam& beam) {
+        if (scratch_.cache_.size() + lines.size() > kMostCached) {
+            exchange_cached();
+        }
+        scratch_.cache_.add(lines);
+        scratch_.cached_beams_.push_back(beam);
+    }
+
+    /// Lets light go along all lines of the cache, pack by pack, and empties it. The first pack
+    /// finds the ends of lines, if they are asked for.
+    void exchange_cached() {
+        std::vector<std::size_t> packs;
+        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
+            if (!field_.converged[pack]) {
+                packs.push_back(pack);
+            }
+        }
+        const std::vector<Beam>& beams = scratch_.cached_beams_;
+        const bool has_ends = options_.skies != nullptr;
+        std::vector<Leaving> leaving(beams.size());
+        for (std::size_t i = 0; i < beams.size(); ++i) {
+            clear(leaving[i], has_ends ? scratch_.cache_.beam(i).size() : 0);
+        }
+        parallel_blocks(packs.size(), options_.threads, [&](std::uint64_t block, unsigned) {
+            for (std::size_t i = 0; i < beams.size(); ++i) {
+                const Pack pack{packs[block], has_ends && block == 0};
+                exchange_pack(scratch_.cache_.beam(i), beams[i], pack, leaving[i]);
+            }
         });
-        if (pack.finds_ends) {
-            found.end_count = static_cast<std::size_t>(along.ends() - ends);
+        for (std::size_t i = 0; i < beams.size(); ++i) {
+            report(beams[i], leaving[i]);
         }
-    });
-    for (std::size_t i = 0; i < 2 * bands; ++i) {
-        found.forwards[light.column(pack.index, i)] = forwards[i];
-        found.backwards[light.column(pack.index, i)] = backwards[i];
+        scratch_.cache_.clear();
+        scratch_.cached_beams_.clear();
     }
-}
 
-void BundleExchange::tell_found(const Beam& beam, const Found& found, const Tell& tell) {
-    if (tell.on_escape) {
-        tell.on_escape(beam.direction, found.forwards);
-        tell.on_escape(-1 * beam.direction, found.backwards);
+    /// @param segments  among which the ends of lines are
+    void clear(Leaving& leaving, std::size_t segments) const {
+        leaving.forwards.assign(light_.columns(), 0);
+        leaving.backwards.assign(light_.columns(), 0);
+        leaving.ends.resize(std::max(leaving.ends.size(), segments));
+        leaving.end_count = 0;
     }
-    if (tell.on_ends) {
-        tell.on_ends(std::span(found.ends).first(found.end_count), beam.direction, beam.weight);
+
+    struct Pack {
+        std::size_t index = 0;
+        bool has_ends = false;
+    };
+    template <typename Lines>
+    void exchange_pack(const Lines& lines, const Beam& beam, const Pack& pack, Leaving& leaving) {
+        const PatchSides<0> sides = light_.sides(pack.index);
+        const std::size_t bands = light_.packs()[pack.index].bands;
+        std::array<double, 2 * kMostInPack> forwards{}, backwards{};
+        std::uint32_t* const ends = pack.has_ends ? leaving.ends.data() : nullptr;
+        const bool has_sensors = scene_.prepared.optics().has_transparent;
+        for_bands(bands, [&]<std::size_t kBands>() {
+            LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
+            lines.for_each_line([&](std::span<const LineHits::Hit> line) {
+                has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
+            });
+            if (pack.has_ends) {
+                leaving.end_count = static_cast<std::size_t>(along.ends() - ends);
+            }
+        });
+        for (std::size_t i = 0; i < 2 * bands; ++i) {
+            leaving.forwards[light_.column(pack.index, i)] = forwards[i];
+            leaving.backwards[light_.column(pack.index, i)] = backwards[i];
+        }
     }
+
+    void report(const Beam& beam, const Leaving& leaving) {
+        if (options_.on_escape) {
+            options_.on_escape(beam.direction, leaving.forwards);
+            options_.on_escape(-1 * beam.direction, leaving.backwards);
+        }
+        if (options_.skies != nullptr) {
+            add_open_ends(
+                scene_, std::span(leaving.ends).first(leaving.end_count),
+                beam.weight * sky_weight(*options_.skies, -1 * beam.direction), open_);
+        }
+    }
+
+    const BundleGroup& group_;
+    const ExchangeOptions& options_;
+    BundleScratch& scratch_;
+    PatchField field_;
+    PatchLight& light_;
+    const PatchScene& scene_;
+    std::vector<double> found_areas_;  // by surface
+    OpenAreas open_;
+    std::uint64_t segments_ = 0;
+};
+
+PatchIrradiance exchange(
+    PatchExitance exitance,
+    const BundleGroup& group,
+    const ExchangeOptions& options,
+    BundleScratch& scratch) {
+    return BundleExchange(std::move(exitance), group, options, scratch).run();
 }
 
 }  // namespace quasimc

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
 
 #include "base/stop.h"
 #include "samplers/hash.h"
@@ -11,42 +14,86 @@
 namespace quasimc {
 namespace {
 
-/// Which of many lines or directions are laid on patches: one of each few, as many times as bright.
-/// What falls on organs is scored with all; scattered light comes from many patches, the noise of
-/// which hardly counts beside that of bundles, and laying takes longer than looking.
-class LaidLooks {
+/// One of each few rows of pixels, of that times the light, the first drawn at random.
+struct DepositedRows {
+    std::uint32_t first = 0, of = 1;
+};
+
+/// Which of many lines or directions are deposited on patches: one of each few, of as many times
+/// the light. Light on organs is scored with all; scattered light comes from many patches, the
+/// noise of which hardly counts beside that of bundles, and depositing takes longer than viewing.
+class DepositedSamples {
   public:
     /// @param stream  that places them
     /// @param count  for each light
-    /// @param most  of which one is laid, where they are very many
-    LaidLooks(const Stream& stream, std::uint32_t count, std::uint32_t most)
+    /// @param most  of which one is deposited, where they are very many
+    DepositedSamples(const Stream& stream, std::uint32_t count, std::uint32_t most)
         : key_(stream_key(stream, 0, 0)),
-          of_(count >= kMany ? std::min(most, count / kFewestLaid) : 1) {}
+          of_(count >= kMany ? std::min(most, count / kFewest) : 1) {}
 
-    /// How many times as bright look `i` is laid; 0: not at all.
-    [[nodiscard]] std::uint32_t share(std::uint32_t i) const {
+    /// The factor for the light of sample `i`; 0: it is not deposited.
+    [[nodiscard]] std::uint32_t factor(std::uint32_t i) const {
         return mix64(key_ ^ mix64(i / of_)) % of_ == i % of_ ? of_ : 0;
     }
-    /// Which rows of pixels of look `i` are laid.
-    [[nodiscard]] LaidRows rows(std::uint32_t i) const {
+    /// The rows of pixels of sample `i` that are deposited.
+    [[nodiscard]] DepositedRows rows(std::uint32_t i) const {
         const std::uint32_t of = of_ > 1 ? kRows : 1;
         return {static_cast<std::uint32_t>(mix64(~key_ ^ mix64(i)) % of), of};
     }
 
   private:
-    static constexpr std::uint32_t kMany = 256, kFewestLaid = 64, kRows = 2;
+    static constexpr std::uint32_t kMany = 256, kFewest = 64, kRows = 2;
     std::uint64_t key_;
     std::uint32_t of_;
 };
 
-constexpr std::uint32_t kLaidLines = 4;
-/// Of dark leaves scattered light is a small part of what they get.
+constexpr std::uint32_t kDepositedLines = 4;
+/// Scattered light is a small part of the light of dark leaves.
 constexpr double kDark = 0.5;
-constexpr std::uint32_t kLaidDirections = 4, kLaidOnDark = 8;
+constexpr std::uint32_t kDepositedDirections = 4, kDepositedOnDark = 8;
 
 /// Side `side` of a patch, as PatchSides counts them.
 std::size_t side_of(std::uint32_t patch, SurfaceSide side) {
     return std::size_t{2} * patch + index_of(side);
+}
+
+/// The side to which light comes. @param along  dot(unit normal of the upper side, its direction)
+SurfaceSide lit_side(double along) {
+    return along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+}
+
+/// Bands of a pack that a source lights, and its light in each.
+struct LitBands {
+    PatchSides<0> sides;              // in the bands of the pack
+    std::size_t first = 0;            // in the pack
+    std::span<const double> weights;  // of the bands from the first on
+
+    /// Adds `amount` times the weights to the light on a side.
+    void add(std::size_t side, double amount) const {
+        double* to = sides.incident(side) + first;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            to[i] += amount * weights[i];
+        }
+    }
+    void fetch(std::size_t side) const { sides.fetch_incident(side, first, weights.size()); }
+};
+
+/// All bands that a source lights, pack by pack; of those between them, some may get 0.
+/// @param weights  of all bands, which must outlive it
+std::vector<LitBands> lit_bands(PatchLight& light, std::span<const double> weights) {
+    const auto is_lit = [](double weight) { return weight != 0; };
+    std::vector<LitBands> lit;
+    for (std::size_t p = 0; p < light.packs().size(); ++p) {
+        const BandPack& pack = light.packs()[p];
+        const auto own = weights.subspan(pack.first, pack.bands);
+        const auto first = std::find_if(own.begin(), own.end(), is_lit);
+        if (first != own.end()) {
+            const auto end = std::find_if(own.rbegin(), own.rend(), is_lit).base();
+            lit.push_back(
+                {light.sides(p), static_cast<std::size_t>(first - own.begin()), {first, end}});
+        }
+    }
+    return lit;
 }
 
 void add_to(std::span<const LitBands> lit, std::size_t side, double amount) {
@@ -55,29 +102,27 @@ void add_to(std::span<const LitBands> lit, std::size_t side, double amount) {
     }
 }
 
-/// Adds light to patches some additions later than it is told, in the same order: by then what they
-/// hold has come from memory, for which each addition would wait.
-class LateAdds {
+/// Adds light to patches some additions later, in the same order: by then their numbers have come
+/// from memory, for which each addition would wait.
+class PrefetchedAdds {
   public:
-    explicit LateAdds(std::span<const LitBands> lit) : lit_(lit) {}
+    /// Adds all light that `add_all(adds)` adds.
+    template <typename AddAll>
+    static void add(std::span<const LitBands> lit, const AddAll& add_all) {
+        PrefetchedAdds adds(lit);
+        add_all(adds);
+        adds.add_rest();
+    }
 
     void add(std::size_t side, double amount) {
         for (const LitBands& bands : lit_) {
             bands.fetch(side);
         }
-        Add& place = adds_[told_ % kLate];
-        if (told_++ >= kLate) {
-            add_to(lit_, place.side, place.amount);
+        Add& oldest = adds_[count_ % kLate];
+        if (count_++ >= kLate) {
+            add_to(lit_, oldest.side, oldest.amount);
         }
-        place = {side, amount};
-    }
-    /// Adds what is left.
-    void finish() {
-        for (std::size_t i = told_ > kLate ? told_ - kLate : 0; i < told_; ++i) {
-            const Add& place = adds_[i % kLate];
-            add_to(lit_, place.side, place.amount);
-        }
-        told_ = 0;
+        oldest = {side, amount};
     }
 
   private:
@@ -86,66 +131,110 @@ class LateAdds {
         std::size_t side = 0;
         double amount = 0;
     };
+
+    explicit PrefetchedAdds(std::span<const LitBands> lit) : lit_(lit) {}
+
+    void add_rest() const {
+        for (std::size_t i = count_ > kLate ? count_ - kLate : 0; i < count_; ++i) {
+            const Add& each = adds_[i % kLate];
+            add_to(lit_, each.side, each.amount);
+        }
+    }
+
     std::span<const LitBands> lit_;
     std::array<Add, kLate> adds_{};
-    std::size_t told_ = 0;
+    std::size_t count_ = 0;
 };
 
-/// Adds what a light brings, times a factor, to the weights of bands.
-void add_weights(const std::vector<double>& brought, double factor, std::vector<double>& weights) {
-    for (std::size_t b = 0; b < weights.size(); ++b) {
-        weights[b] += factor * brought[b];
+/// Finds and deposits the direct light of one replicate.
+class DirectDeposit {
+  public:
+    DirectDeposit(
+        const SolverInput& input,
+        const DirectBeams& beams,
+        const ReplicateTask& task,
+        PatchLight& light,
+        DirectScratch& scratch,
+        Tally& tally)
+        : input_(input),
+          prepared_(input.prepared),
+          beams_(beams),
+          patches_(light.scene()),
+          task_(task),
+          light_(light),
+          scratch_(scratch),
+          tally_(tally),
+          open_(beams.looks_at_skies() ? 2 * patches_.region_areas.size() : 0) {}
+
+    /// @returns how open sides are
+    OpenAreas run() {
+        const std::vector<VisibilityTask>& tasks = task_.tasks;
+        const std::uint64_t blocks =
+            tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
+        for (std::uint64_t block = 0; block < blocks; ++block) {
+            const Work work =
+                DirectBeams::work_of(tasks, task_.round, task_.units, task_.replicate, block);
+            work.task.is_sky ? deposit_skies(work) : deposit_strip(work);
+        }
+        const TracedLights& traced = beams_.traced();
+        if (std::find(traced.begin(), traced.end(), true) != traced.end()) {
+            trace();
+        }
+        copy_to_coarse();
+        return std::move(open_);
     }
-}
 
-}  // namespace
+  private:
+    using Work = DirectBeams::Work;
+    using Beam = DirectBeams::Beam;
 
-DirectOnPatches::DirectOnPatches(
-    const SolverInput& input, const DirectBeams& beams, const PatchScene& patches)
-    : prepared_(input.prepared),
-      sampler_(input.sampler),
-      spec_(input.spec),
-      stop_(input.stop),
-      patches_(patches),
-      beams_(beams) {}
+    void deposit_strip(const Work& work);
+    void deposit_line(
+        const DirectBeams::LitStrip& lit,
+        const LineStrip::Line& line,
+        double per_length,
+        std::span<const LitBands> bands);
+    void deposit_skies(const Work& work);
+    void score(const DirectBeams::SkyView& view, const Beam& beam);
+    void deposit_pixels(
+        const DirectBeams::SkyView& view,
+        const DepositedRows& rows,
+        std::span<const LitBands> lit) const;
+    void trace();
+    std::uint64_t trace_path(
+        const BoundSource& source, const Emission& start, std::span<const LitBands> lit);
+    void copy_to_coarse();
 
-void DirectOnPatches::find(
-    const Task& task, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const {
-    const std::uint64_t blocks =
-        task.tasks.empty() ? 0 : task.tasks.back().first_block + task.tasks.back().blocks;
-    for (std::uint64_t block = 0; block < blocks; ++block) {
-        const Work work =
-            DirectBeams::work_of(task.tasks, task.round, task.units, task.replicate, block);
-        work.task.is_sky ? find_by_pixels(work, scratch, light, open, tally)
-                         : find_by_lines(work, scratch, light, tally);
-    }
-    const TracedLights& traced = beams_.traced();
-    if (std::find(traced.begin(), traced.end(), true) != traced.end()) {
-        trace(task.round, task.replicate, light, tally);
-    }
-}
+    const SolverInput& input_;
+    const PreparedScene& prepared_;
+    const DirectBeams& beams_;
+    const PatchScene& patches_;
+    const ReplicateTask& task_;
+    PatchLight& light_;
+    DirectScratch& scratch_;
+    Tally& tally_;
+    OpenAreas open_;
+};
 
-void DirectOnPatches::find_by_lines(
-    const Work& work, Scratch& scratch, PatchLight& light, Tally& tally) const {
-    const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch.beams);
-    const LaidLooks laid(beams_.stream_of(work, 0), work.task.count, kLaidLines);
-    const std::vector<LitBands> bands = light.lit_bands(lit.share.light->start_weights);
+void DirectDeposit::deposit_strip(const Work& work) {
+    const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
+    const DepositedSamples deposited(beams_.stream_of(work, 0), work.task.count, kDepositedLines);
+    const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
     const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
-        throw_if_stopped(stop_);
-        const std::uint32_t share = laid.share(line.number);
-        if (share > 0) {
-            lay_line(lit, line, share * lit.per_length, bands, scratch);
+        throw_if_stopped(input_.stop);
+        const std::uint32_t factor = deposited.factor(line.number);
+        if (factor > 0) {
+            deposit_line(lit, line, factor * lit.per_length, bands);
         }
     });
-    beams_.score_strip(work, lit, visible, tally);
+    beams_.score_strip(work, lit, visible, tally_);
 }
 
-void DirectOnPatches::lay_line(
+void DirectDeposit::deposit_line(
     const DirectBeams::LitStrip& lit,
     const LineStrip::Line& line,
     double per_length,
-    std::span<const LitBands> bands,
-    Scratch& scratch) const {
+    std::span<const LitBands> bands) {
     const LocalMesh& mesh = prepared_.caster().mesh();
     for (const VisibleSegment& segment : line.segments) {
         const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
@@ -155,76 +244,80 @@ void DirectOnPatches::lay_line(
         }
         const double amount =
             per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
-        const SurfaceSide side = cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
+        const SurfaceSide side = lit_side(cosine);
         patches_.patches.cut(
             triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
-            scratch.stretches, [&](std::uint32_t patch, double share) {
+            scratch_.segments, [&](std::uint32_t patch, double share) {
                 add_to(bands, side_of(patch, side), amount * share);
             });
     }
 }
 
-void DirectOnPatches::find_by_pixels(
-    const Work& work, Scratch& scratch, PatchLight& light, OpenSides& open, Tally& tally) const {
-    const auto of_each = work.task.count / std::max<std::size_t>(beams_.skies().skies().size(), 1);
-    const LaidLooks laid(
+void DirectDeposit::deposit_skies(const Work& work) {
+    const SkyDirections& skies = beams_.skies();
+    const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
+    const DepositedSamples deposited(
         beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
-        patches_.mean_albedo < kDark ? kLaidOnDark : kLaidDirections);
+        patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
     for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
          i += static_cast<std::uint32_t>(work.task.blocks)) {
-        throw_if_stopped(stop_);
-        const std::uint32_t share = laid.share(i);
-        const DirectBeams::SkyView view = beams_.sky_view(work, i, share > 0, scratch.beams);
+        throw_if_stopped(input_.stop);
+        const std::uint32_t factor = deposited.factor(i);
+        const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
         std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
         for (const Beam& beam : view.beams) {
             if (beam.paths > 0) {
-                score_pixels(beam, view, tally);
-                const double of_pixel = share * beam.paths * view.image.pixel_area() / beam.area;
-                add_weights(beam.light->start_weights, of_pixel, weights);
+                score(view, beam);
+                const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
+                for (std::size_t b = 0; b < weights.size(); ++b) {
+                    weights[b] += of_pixel * beam.light->start_weights[b];
+                }
             }
         }
-        if (view.paths > 0 && share > 0) {
-            lay_pixels(view.from.direction, view.image, laid.rows(i), light.lit_bands(weights));
+        if (view.paths > 0 && factor > 0) {
+            deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
         }
-        beams_.count_contributions(work, view, tally);
-        open.add_seen(view.image, view.from, work.task.count);
+        beams_.count_contributions(work, view, tally_);
+        // An exitance of 1 is a radiance of 1 / pi.
+        const double open = sky_weight(skies, view.from.direction) /
+                            (view.from.density * work.task.count) / std::numbers::pi *
+                            view.image.pixel_area();
+        add_open_pixels(patches_, view.image, open, open_);
     }
 }
 
-void DirectOnPatches::score_pixels(
-    const Beam& beam, const DirectBeams::SkyView& view, Tally& tally) const {
-    DirectLightScore::score(prepared_, beam, tally, [&](DirectLightScore& direct) {
+void DirectDeposit::score(const DirectBeams::SkyView& view, const Beam& beam) {
+    DirectLightScore::score(prepared_, beam, tally_, [&](DirectLightScore& direct) {
         for (const ItemBuffer::Item& item : view.image.items()) {
             direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
         }
     });
 }
 
-/// @param lit  what a pixel brings
-void DirectOnPatches::lay_pixels(
-    const Vec3& direction,
-    const ItemBuffer& pixels,
-    const LaidRows& laid,
+/// @param lit  by one pixel
+void DirectDeposit::deposit_pixels(
+    const DirectBeams::SkyView& view,
+    const DepositedRows& rows,
     std::span<const LitBands> lit) const {
     struct Seen {
         const ItemBuffer::Item* item = nullptr;
         double share = 1;
     };
+    const ItemBuffer& image = view.image;
     const LocalMesh& mesh = prepared_.caster().mesh();
-    std::vector<Seen> by_id(pixels.id_count());
-    for (const ItemBuffer::Item& item : pixels.items()) {
+    std::vector<Seen> by_id(image.id_count());
+    for (const ItemBuffer::Item& item : image.items()) {
         if (item.id > 0) {
-            by_id[item.id] = {&item, mesh.exact_share(item.triangle, direction)};
+            by_id[item.id] = {&item, mesh.exact_share(item.triangle, view.from.direction)};
         }
     }
-    LateAdds adds(lit);
-    pixels.for_each_run_of_rows(laid.first, laid.of, [&](const ItemBuffer::RowRun& run) {
+    const auto deposit_run = [&](const ItemBuffer::RowRun& run, PrefetchedAdds& adds) {
         const Seen& seen = by_id[run.id];
         if (seen.item == nullptr) {
             return;
         }
-        const SurfaceSide side = seen.item->cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        const ItemBuffer::Points& points = pixels.points(run.id);
+        const SurfaceSide side = lit_side(seen.item->cosine);
+        const ItemBuffer::Points& points = image.points(run.id);
         // Pixels next to each other mostly see the same patch.
         std::uint32_t patch = 0, count = 0;
         for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
@@ -235,47 +328,48 @@ void DirectOnPatches::lay_pixels(
                 count = 0;
             }
             patch = next;
-            count += laid.of;
+            count += rows.of;
         }
         adds.add(side_of(patch, side), count * seen.share);
+    };
+    PrefetchedAdds::add(lit, [&](PrefetchedAdds& adds) {
+        image.for_each_run_of_rows(
+            rows.first, rows.of, [&](const ItemBuffer::RowRun& run) { deposit_run(run, adds); });
     });
-    adds.finish();
 }
 
-/// Paths of light tracing, to their first hits.
-void DirectOnPatches::trace(
-    const Round& round, std::uint32_t replicate, PatchLight& light, Tally& tally) const {
-    const Stream stream{spec_.seed, 0, replicate, round.first, round.count};
+/// Traces paths from sources, to their first hits.
+void DirectDeposit::trace() {
+    const Round& round = task_.round;
+    const Sampler& sampler = input_.sampler;
+    const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
     std::vector<std::vector<LitBands>> lit;
     for (const BoundSource& source : prepared_.lights()) {
-        lit.push_back(light.lit_bands(source.start_weights));
+        lit.push_back(lit_bands(light_, source.start_weights));
     }
     std::uint64_t rays = 0;
     for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
-        throw_if_stopped(stop_);
-        const LightPick pick = prepared_.pick_light(sampler_.coordinate(stream, point, 0));
+        throw_if_stopped(input_.stop);
+        const LightPick pick = prepared_.lights().pick(sampler.coordinate(stream, point, 0));
         if (!beams_.traced()[pick.index]) {
             continue;
         }
         const BoundSource& source = prepared_.lights()[pick.index];
-        const auto u = [&](std::uint32_t i) { return sampler_.coordinate(stream, point, i); };
+        const auto u = [&](std::uint32_t i) { return sampler.coordinate(stream, point, i); };
         const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
         if (start.weight > 0) {
-            rays += trace_path(source, start, lit[pick.index], tally);
+            rays += trace_path(source, start, lit[pick.index]);
         }
     }
-    tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+    tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
 }
 
 /// @returns the rays cast
-std::uint64_t DirectOnPatches::trace_path(
-    const BoundSource& source,
-    const Emission& start,
-    std::span<const LitBands> lit,
-    Tally& tally) const {
-    const SumLayout& layout = tally.layout();
+std::uint64_t DirectDeposit::trace_path(
+    const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
+    const SumLayout& layout = tally_.layout();
     const RayCaster& caster = prepared_.caster();
-    tally.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
+    tally_.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
     CastHit at = source.source->is_lamp() ? caster.cast_from_lamp(start.origin, start.direction)
                                           : caster.cast(start.origin, start.direction, kNoTriangle);
     std::uint64_t rays = 1;
@@ -283,19 +377,19 @@ std::uint64_t DirectOnPatches::trace_path(
         const Surface surface = surface_at(prepared_, at.hit, start.direction);
         const double amount =
             start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
-        if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
-            tally.add(
+        if (prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
+            tally_.add(
                 layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
             const bool is_sunlit =
                 source.lit_area > 0 && surface.cosine > 0 &&
-                prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
+                prepared_.rounding().is_sunlit(surface.triangle, start.direction, surface.cosine);
             const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
-            tally.add(
+            tally_.add(
                 layout.sunlit(surface.region),
-                to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
+                to_fixed(start.weight * prepared_.rounding().area_share(surface.triangle) * area));
         }
         if (!prepared_.material(surface.region).is_transparent()) {
-            tally.add_signed(
+            tally_.add_signed(
                 layout.escaped_direct() + source.spectrum,
                 to_fixed(start.weight) - to_fixed(amount));
             const std::uint32_t triangle = patches_.representative(surface.triangle);
@@ -307,13 +401,39 @@ std::uint64_t DirectOnPatches::trace_path(
         at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
     }
     if (at.end == RayEnd::escaped) {
-        tally.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
+        tally_.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
         return rays;
     }
     for (std::size_t b = 0; b < layout.bands; ++b) {
-        tally.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+        tally_.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
     }
     return rays;
+}
+
+/// Light straight from a source is the same on both levels.
+void DirectDeposit::copy_to_coarse() {
+    for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
+        const PatchSides<0> all = light_.sides(pack);
+        const std::size_t bands = light_.packs()[pack].bands;
+        for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
+            double* came = all.incident(side);
+            std::copy_n(came, bands, came + bands);
+        }
+    }
+}
+
+}  // namespace
+
+DirectOnPatches direct_on_patches(
+    const SolverInput& input,
+    const DirectBeams& beams,
+    const ReplicateTask& task,
+    std::unique_ptr<PatchLight> memory,
+    DirectScratch& scratch,
+    Tally& tally) {
+    PatchIrradiance irradiance = no_irradiance(std::move(memory));
+    OpenAreas open = DirectDeposit(input, beams, task, *irradiance.light, scratch, tally).run();
+    return {std::move(irradiance), std::move(open)};
 }
 
 }  // namespace quasimc

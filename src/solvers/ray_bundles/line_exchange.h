@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 #include "solvers/ray_bundles/patch_sides.h"
 
 namespace quasimc {
@@ -28,7 +28,7 @@ class LineExchange {
           next_end_(ends) {}
 
     /// @param line  without sensors
-    void exchange(std::span<const Columns::Passed> line) {
+    void exchange(std::span<const LineHits::Hit> line) {
         fetch_ahead(line[0]);
         add(backwards_, sides_.exitance(line[0]));
         for (std::size_t i = 1; i < line.size(); ++i) {
@@ -42,14 +42,14 @@ class LineExchange {
     }
 
     /// Light passes sensors, which count it.
-    void exchange_through_sensors(std::span<const Columns::Passed> line) {
+    void exchange_through_sensors(std::span<const LineHits::Hit> line) {
         std::uint32_t last = 0;        // side that light leaves forwards
         const double* from = nullptr;  // its exitance
         double* to = backwards_;       // where light goes that travels backwards
         std::size_t first = 0;         // sensor since then
         for (std::size_t i = 0; i < line.size(); ++i) {
             fetch_ahead(line[i]);
-            if ((line[i] & Columns::kSensor) != 0) {
+            if ((line[i] & LineHits::kSensor) != 0) {
                 continue;
             }
             const std::size_t at = line[i];
@@ -88,14 +88,14 @@ class LineExchange {
         }
     }
     /// Asks for the patch that is passed some steps later: each step would wait for it else.
-    void fetch_ahead(const Columns::Passed& passed) const {
-        const Columns::Passed later = *(&passed + Columns::kReadAhead) & ~Columns::kSensor;
+    void fetch_ahead(const LineHits::Hit& passed) const {
+        const LineHits::Hit later = *(&passed + LineHits::kReadAhead) & ~LineHits::kSensor;
         sides_.fetch(later / 2);
     }
     void pass_sensors(
-        std::span<const Columns::Passed> sensors, const double* forwards, const double* backwards) {
-        for (const Columns::Passed passed : sensors) {
-            const std::size_t front = passed & ~Columns::kSensor;
+        std::span<const LineHits::Hit> sensors, const double* forwards, const double* backwards) {
+        for (const LineHits::Hit passed : sensors) {
+            const std::size_t front = passed & ~LineHits::kSensor;
             if (forwards != nullptr) {
                 add(sides_.incident(front), forwards);
             }

@@ -45,6 +45,23 @@ std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
     return found;
 }
 
+/// By level of triangles that have patches, and part: the part of the level above that holds it.
+std::vector<std::vector<std::uint32_t>> parents_of(const Patches& patches) {
+    std::vector<std::vector<std::uint32_t>> parents(Patches::kFinest + 1);
+    for (std::uint32_t triangle = 0; triangle < patches.triangles(); ++triangle) {
+        if (!patches.has(triangle)) {
+            continue;
+        }
+        const int level = patches.level(triangle);
+        std::vector<std::uint32_t>& of_level = parents[static_cast<std::size_t>(level)];
+        const std::uint32_t parts = 1U << (2U * static_cast<unsigned>(level));
+        for (auto i = static_cast<std::uint32_t>(of_level.size()); level > 0 && i < parts; ++i) {
+            of_level.push_back(TriangleParts(level).parent(i));
+        }
+    }
+    return parents;
+}
+
 /// Where surfaces cross those that light leaves, on the triangles that have patches.
 std::vector<SurfaceCrossing> crossings_of(
     const PreparedScene& prepared, const std::stop_token& stop) {
@@ -58,7 +75,7 @@ std::vector<SurfaceCrossing> crossings_of(
         }});
     }
     const auto is_sensor = [&](std::uint32_t triangle) {
-        return prepared.has_transparent() &&
+        return prepared.optics().has_transparent &&
                prepared.material(prepared.region(triangle)).is_transparent();
     };
     const std::vector<std::uint32_t> representatives = find_representatives(prepared);
@@ -102,8 +119,12 @@ Patches make_patches(
     return Patches(std::move(levels), crossings_of(prepared, stop));
 }
 
-PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut)
-    : prepared(scene), patches(std::move(cut)) {
+PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& projected, Patches cut)
+    : prepared(scene),
+      seen(projected),
+      patches(std::move(cut)),
+      region_areas(scene.scene().regions().size()),
+      parents(parents_of(patches)) {
     const std::size_t bands = prepared.bands();
     for (const Material& material : prepared.scene().materials()) {
         for (const SurfaceSide side : kSurfaceSides) {
@@ -119,8 +140,9 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
     std::vector<double> scattered(bands);
     std::vector<float> least_cosines;
     for (std::uint32_t i = 0; i < triangles; ++i) {
-        if (prepared.has_narrow()) {
-            least_cosines.push_back(static_cast<float>(prepared.least_cosine(prepared.region(i))));
+        if (prepared.fields_of_view().any_narrow()) {
+            least_cosines.push_back(
+                static_cast<float>(prepared.fields_of_view().least_cosine(prepared.region(i))));
         }
         if (!patches.has(i)) {
             continue;
@@ -131,6 +153,8 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
             {i, info.region, info.material, own, length(mesh.exact_across(i)) / (2 * own),
              is_sensor(seen.roles, i)});
         area += own;
+        region_areas[info.region] += surfaces.back().is_sensor ? 0 : own;
+        region_of_patch.resize(patches.first(i + 1), info.region);
         for (std::size_t b = 0; b < bands; ++b) {
             for (const SurfaceSide side : kSurfaceSides) {
                 const PatchOptics& o = of(info.material, side);
@@ -138,7 +162,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& seen, P
             }
         }
     }
-    drawn = column_triangles(seen, patches, least_cosines);
+    drawn = line_triangles(seen, patches, least_cosines);
     mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
 }
 

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 #include "raster/patches.h"
 #include "transport/prepared_scene.h"
 
@@ -30,8 +30,8 @@ struct PatchOptics {
 
 /// What the matt surfaces of a scene are made of, patch by patch: const, shared by all threads.
 struct PatchScene {
-    /// @param seen  the scene as beams see it
-    PatchScene(const PreparedScene& scene, const ProjectedScene& seen, Patches cut);
+    /// @param projected  the scene as beams see it
+    PatchScene(const PreparedScene& scene, const ProjectedScene& projected, Patches cut);
 
     /// A triangle that has patches.
     struct Surface {
@@ -43,12 +43,16 @@ struct PatchScene {
     };
 
     const PreparedScene& prepared;
+    const ProjectedScene& seen;
     Patches patches;
     std::vector<Surface> surfaces;
     std::vector<PatchOptics> optics;  ///< [2 * material + side]
-    ColumnTriangles drawn;
-    double area = 0;         ///< of all surfaces
-    double mean_albedo = 0;  ///< by area, in the band where it is largest
+    LineTriangles drawn;
+    std::vector<double> region_areas;  ///< true ones, without sensors
+    std::vector<std::uint32_t> region_of_patch;
+    std::vector<std::vector<std::uint32_t>> parents;  ///< TriangleParts::parent by level and part
+    double area = 0;                                  ///< of all surfaces
+    double mean_albedo = 0;                           ///< by area, in the band where it is largest
 
     [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];

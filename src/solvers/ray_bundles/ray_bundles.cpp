@@ -34,16 +34,12 @@
 namespace quasimc {
 namespace {
 
-/// Steps end where what is left is this part of the light that came from the sources and was
-/// scattered: less than any error.
-constexpr double kLeft = 1e-5;
 /// Point sets of other purposes have smaller numbers.
 constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
 
-/// Sums of one replicate, [column of PatchLight].
+/// Scattered light of one replicate that came to no surface, [column of PatchLight]; fixed point.
 struct Flow {
-    explicit Flow(std::size_t columns) : escaped(columns), cut_off(columns) {}
-    std::vector<std::int64_t> escaped, cut_off;  // fixed point
+    std::vector<std::int64_t> escaped, cut_off;
 };
 
 class RayBundles final : public Solver {
@@ -54,7 +50,7 @@ class RayBundles final : public Solver {
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
-        executor.announce(sums.replicates.size());
+        TaskRound replicates = executor.begin(sums.replicates.size());
         std::atomic<std::size_t> left = sums.replicates.size();
         // Where fewer replicates are left than there are threads, each uses several.
         const auto threads = [&left, workers = executor.workers()] {
@@ -62,7 +58,7 @@ class RayBundles final : public Solver {
             return static_cast<unsigned>(workers / busy);
         };
         runner_.run(
-            1, executor, sums,
+            1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
                 solve_replicate({round, tasks, sums.units, replicate}, threads, scratch, tally);
                 --left;
@@ -79,21 +75,18 @@ class RayBundles final : public Solver {
               scene(
                   input.prepared,
                   beams.scene(),
-                  make_patches(input.prepared, beams.scene().roles, patches, input.stop)),
-              direct(input, beams, scene) {}
+                  make_patches(input.prepared, beams.scene().roles, patches, input.stop)) {}
         double most;
         PatchScene scene;
-        DirectOnPatches direct;
     };
 
-    /// What a worker keeps between replicates.
+    /// Memory of a worker, which holds nothing to be read.
     struct Scratch {
         explicit Scratch(std::size_t) {}
-        DirectOnPatches::Scratch direct;
-        std::uint64_t cut = 0;  // which one the rest is made for
+        DirectScratch direct;
+        BundleScratch bundles;
         std::unique_ptr<PatchLight> light;
-        std::unique_ptr<BundleExchange> exchange;
-        std::unique_ptr<OpenSides> open;
+        std::uint64_t cut = 0;  // which one the light is made for
     };
 
     /// Patches become finer with the paths of all rounds: their error falls as that of lines does.
@@ -106,75 +99,79 @@ class RayBundles final : public Solver {
         }
     }
 
+    /// Solves the radiosity equation, order by order, for the exitance B and the irradiance E of
+    /// patches: R scatters, and T exchanges light along a bundle of lines
+    /// (docs/theory/ray-bundles.md).
     /// @param threads  tells how many may be at work now
     void solve_replicate(
-        const DirectOnPatches::Task& task,
+        const ReplicateTask& task,
         const std::function<unsigned()>& threads,
         Scratch& scratch,
         Tally& tally) const {
-        if (scratch.cut != cuts_) {
-            scratch.light = make_light();
-            scratch.exchange = std::make_unique<BundleExchange>(cut_->scene, beams_.scene());
-            scratch.open = std::make_unique<OpenSides>(cut_->scene, beams_.skies());
-            scratch.cut = cuts_;
-        }
-        PatchLight& light = *scratch.light;
-        light.clear();
-        scratch.open->clear();
-        cut_->direct.find(task, scratch.direct, light, *scratch.open, tally);
-        Flow flow(light.columns());
-        std::uint64_t stretches = 0;
-        const auto exchange = [&](const BundleGroup& group, const BundleExchange::Tell& tell) {
+        const auto exchange_along = [&](PatchExitance exitance, const BundleGroup& bundle,
+                                        ExchangeOptions options) {
             throw_if_stopped(input_.stop);
-            stretches += scratch.exchange->exchange(group, threads(), light, tell);
-            light.correct_areas(group.directions / (2 * group.line_area));
+            options.threads = threads();
+            auto irradiance = exchange(std::move(exitance), bundle, options, scratch.bundles);
+            const std::uint64_t segments = irradiance.lines->segments;
+            tally.add(tally.layout().rays(), static_cast<std::int64_t>(segments));
+            return irradiance;
         };
-        const std::vector<double> first = light.scatter(true);
-        BundleBudget budget(cut_->scene, task.round.count, first);
-        std::vector<double> left = first;
-        std::uint64_t order = 1;
-        for (; goes_on(order, left, first, light); ++order) {
-            const bool is_first = order == 1;
-            exchange(
-                budget.of_order(left, key_of(task, order)),
-                {{}, is_first ? looking_at(*scratch.open) : BundleExchange::OnEnds{}});
-            left = light.scatter(false);
-            if (is_first) {
-                scratch.open->choose_sides(light);
+        const SkyDirections* skies = beams_.looks_at_skies() ? &beams_.skies() : nullptr;
+
+        // E_direct, whose flux is in the tally, and B = R E_direct
+        DirectOnPatches direct =
+            direct_on_patches(input_, beams_, task, memory_of(scratch), scratch.direct, tally);
+        PatchExitance exitance = scatter(std::move(direct.irradiance));
+        const BundleBudget budget(cut_->scene, task.round.count, exitance.first);
+        double segments = 0;
+        std::vector<bool> is_surrounded;
+        std::uint64_t k = 1;
+        for (; goes_on(k, exitance); ++k) {
+            // E_k = T_k B
+            const BundleGroup bundle = budget.of_order(exitance.leaving, key_of(task, k));
+            segments += bundle.segments;
+            PatchIrradiance irradiance =
+                exchange_along(std::move(exitance), bundle, {.skies = k == 1 ? skies : nullptr});
+            if (k == 1) {
+                is_surrounded = surrounded_sides(*irradiance.lines);
             }
+            // B = R E_k
+            exitance = scatter(std::move(irradiance));
         }
-        for (std::size_t c = 0; c < left.size(); ++c) {
-            flow.cut_off[c] = to_fixed(left[c]);
+        Flow flow{std::vector<std::int64_t>(exitance.leaving.size()), fixed(exitance.leaving)};
+        if (k == 1) {
+            add_sums(RegionFlux(tally.layout().regions, flow.escaped.size()), flow, tally);
+            scratch.light = std::move(exitance.light);
+            return;
         }
-        if (order > 1) {
-            light.send_all_kept();
-            scratch.open->forget_ends();
-            exchange(
-                budget.of_all(key_of(task, order)),
-                {[&](const Vec3& direction, std::span<const double> flux) {
-                     add_escaped(direction, flux, flow, tally);
-                 },
-                 looking_at(*scratch.open)});
-            const std::vector<double> passed_by = light.collect();
-            for (std::size_t c = 0; c < left.size(); ++c) {
-                flow.escaped[c] += signed_fixed(passed_by[c]);
-            }
-        }
-        add_sums(light, *scratch.open, flow, tally);
-        tally.add(tally.layout().rays(), static_cast<std::int64_t>(stretches));
+        // E = E_direct + T sum B
+        PatchIrradiance irradiance = exchange_along(
+            sum_of_orders(std::move(exitance)), budget.of_all(segments, key_of(task, k)),
+            {.skies = skies, .on_escape = [&](const Vec3& direction, auto flux) {
+                 add_escaped(direction, flux, flow, tally);
+             }});
+        const std::vector<double> corrections =
+            sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
+        add_sums(RegionFlux(irradiance, corrections), flow, tally);
+        scratch.light = std::move(irradiance.light);
     }
 
-    /// What looks at the ends of lines, where the sky is looked at for direct light.
-    [[nodiscard]] BundleExchange::OnEnds looking_at(OpenSides& open) const {
-        if (!beams_.looks_at_skies()) {
-            return {};
-        }
-        return [&open](std::span<const std::uint32_t> sides, const Vec3& direction, double weight) {
-            open.add_ends(sides, direction, weight);
-        };
+    /// Whether light is sent on that was scattered k times.
+    [[nodiscard]] bool goes_on(std::uint64_t k, const PatchExitance& exitance) const {
+        const std::vector<bool>& converged = exitance.converged;
+        const bool is_deepest = input_.spec.max_depth > 0 && k >= input_.spec.max_depth;
+        return std::find(converged.begin(), converged.end(), false) != converged.end() &&
+               !is_deepest;
     }
 
-    [[nodiscard]] std::unique_ptr<PatchLight> make_light() const {
+    /// Memory for the light on the patches of now.
+    [[nodiscard]] std::unique_ptr<PatchLight> memory_of(Scratch& scratch) const {
+        if (scratch.cut == cuts_ && scratch.light != nullptr) {
+            return std::move(scratch.light);
+        }
+        scratch.light.reset();
+        scratch.cut = cuts_;
         const std::size_t patches = cut_->scene.patches.count();
         const std::size_t bands = input_.prepared.bands();
         return make_big(
@@ -183,63 +180,51 @@ class RayBundles final : public Solver {
             [&] { return std::make_unique<PatchLight>(cut_->scene); });
     }
 
-    /// Whether light is sent on that was scattered `order` times. Packs of bands in which little is
-    /// left rest from now on.
-    [[nodiscard]] bool goes_on(
-        std::uint64_t order,
-        const std::vector<double>& left,
-        const std::vector<double>& first,
-        PatchLight& light) const {
-        std::vector<bool> is_little;
-        for (std::size_t c = 0; c < left.size(); ++c) {
-            is_little.push_back(left[c] <= kLeft * first[c]);
-        }
-        light.rest(is_little);
-        const bool is_deepest = input_.spec.max_depth > 0 && order >= input_.spec.max_depth;
-        return !light.all_rest() && !is_deepest;
-    }
-
-    [[nodiscard]] std::uint64_t key_of(
-        const DirectOnPatches::Task& task, std::uint64_t order) const {
+    [[nodiscard]] std::uint64_t key_of(const ReplicateTask& task, std::uint64_t order) const {
         const Stream stream{
             input_.spec.seed, kBundleSequence + order, task.replicate, task.round.first,
             task.round.count};
         return stream_key(stream, task.round.first, 0);
     }
 
-    static std::int64_t signed_fixed(double amount) {
-        return amount < 0 ? -to_fixed(-amount) : to_fixed(amount);
+    static std::vector<std::int64_t> fixed(std::span<const double> flux) {
+        std::vector<std::int64_t> all;
+        for (const double amount : flux) {
+            all.push_back(amount < 0 ? -to_fixed(-amount) : to_fixed(amount));
+        }
+        return all;
     }
 
     void add_escaped(
         const Vec3& direction, std::span<const double> flux, Flow& flow, Tally& tally) const {
-        std::vector<std::int64_t> fixed;
+        const std::vector<std::int64_t> amounts = fixed(flux);
         for (std::size_t c = 0; c < flux.size(); ++c) {
-            fixed.push_back(to_fixed(flux[c]));
-            flow.escaped[c] += fixed[c];
+            flow.escaped[c] += amounts[c];
         }
         const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
             detectors[i]->on_escape(
-                direction, std::span(fixed).first(input_.prepared.bands()),
+                direction, std::span(amounts).first(input_.prepared.bands()),
                 tally.layout().detector(i), tally);
         }
     }
 
     /// What went out is what came to surfaces, escaped or was cut off: exactly.
-    void add_sums(
-        const PatchLight& light, const OpenSides& open, const Flow& flow, Tally& tally) const {
+    void add_sums(const RegionFlux& flux, Flow flow, Tally& tally) const {
+        const std::vector<std::int64_t> missed = fixed(flux.missed());
+        for (std::size_t c = 0; c < missed.size(); ++c) {
+            flow.escaped[c] += missed[c];
+        }
         const SumLayout& layout = tally.layout();
         const std::size_t bands = input_.prepared.bands();
-        std::vector<std::int64_t> out(light.columns());
+        std::vector<std::int64_t> out(flow.escaped.size());
         for (std::uint32_t region = 0; region < layout.regions; ++region) {
             const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
-                const std::span<const double> sum = light.sum(region, side);
-                const double correction = open.correction(region, side, light);
+                const std::span<const double> sum = flux.of(region, side);
                 for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t fine = to_fixed(correction * sum[b]);
-                    const std::int64_t coarse = to_fixed(correction * sum[bands + b]);
+                    const std::int64_t fine = to_fixed(sum[b]);
+                    const std::int64_t coarse = to_fixed(sum[bands + b]);
                     tally.add(layout.scattered(region, side) + b, fine);
                     tally.add(layout.coarse_scattered(region, side) + b, coarse);
                     out[b] += is_opaque ? fine : 0;
@@ -296,7 +281,7 @@ void check_matt(const Scene& scene, Faults& faults) {
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
     meaning.patch_levels = PatchLevels::two;
-    meaning.units.scattered_flux_per_find = prepared.flux();
+    meaning.units.scattered_flux_per_find = prepared.lights().flux();
     for (double& flux : meaning.units.scattered_flux_per_find) {
         flux *= light_of_stretch();
     }

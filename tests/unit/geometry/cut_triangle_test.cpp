@@ -22,7 +22,7 @@ Point2 random_point(test::Random& random) {
 }
 
 std::uint32_t patch_at(const CutTriangle& cut, int level, const Point2& p) {
-    return cut.patch(Patches::part(level, p.s, p.t), p.s, p.t);
+    return cut.patch(TriangleParts(level).at(p.s, p.t), p.s, p.t);
 }
 
 /// The sides of a closed stem that a triangle passes through.
@@ -129,7 +129,8 @@ TEST(CutTriangle, JoinsWhatIsSmallToANeighbourOnItsSide) {
     // Strips .01 high stand on parts of the height .125: they are no patches of their own.
     EXPECT_EQ(small, 0U);
     EXPECT_EQ(
-        cut.patch(Patches::part(kLevel, .05, .13), .05, .13), Patches::part(kLevel, .05, .12));
+        cut.patch(TriangleParts(kLevel).at(.05, .13), .05, .13),
+        TriangleParts(kLevel).at(.05, .12));
 }
 
 TEST(CutTriangle, CutsALineWhereItPassesFromPatchToPatch) {
@@ -139,7 +140,7 @@ TEST(CutTriangle, CutsALineWhereItPassesFromPatchToPatch) {
     const Patches patches({kLevel}, crossings);
     test::Random random(4);
     constexpr int kPoints = 20000;
-    std::vector<Patches::Stretch> scratch;
+    std::vector<TriangleParts::Segment> scratch;
     for (int i = 0; i < 20; ++i) {
         const auto place = [&] {
             const Point2 p = random_point(random);

@@ -26,7 +26,7 @@ TEST(Patches, AreEquallyLargePartsOfATriangle) {
     std::vector<int> counts(64);
     for (int i = 0; i < 64 * kEach; ++i) {
         const auto [u, v] = random_place(random);
-        ++counts.at(Patches::part(kLevel, u, v));
+        ++counts.at(TriangleParts(kLevel).at(u, v));
     }
     double chi = 0;
     for (const int count : counts) {
@@ -42,7 +42,8 @@ TEST(Patches, LieInThoseOfTheLevelAbove) {
         for (int i = 0; i < 2000; ++i) {
             const auto [u, v] = random_place(random);
             EXPECT_EQ(
-                Patches::parent(level, Patches::part(level, u, v)), Patches::part(level - 1, u, v))
+                TriangleParts(level).parent(TriangleParts(level).at(u, v)),
+                TriangleParts(level - 1).at(u, v))
                 << level << " " << u << " " << v;
         }
     }
@@ -51,7 +52,7 @@ TEST(Patches, LieInThoseOfTheLevelAbove) {
 TEST(Patches, HaveFourInEachOfTheLevelAbove) {
     std::multiset<std::uint32_t> parents;
     for (std::uint32_t part = 0; part < 256; ++part) {
-        parents.insert(Patches::parent(4, part));
+        parents.insert(TriangleParts(4).parent(part));
     }
     for (std::uint32_t parent = 0; parent < 64; ++parent) {
         EXPECT_EQ(parents.count(parent), 4U);
@@ -70,31 +71,31 @@ TEST(Patches, AreNumberedFromTriangleToTriangle) {
 TEST(Patches, HoldPlacesOnTheBorder) {
     for (const auto& [u, v] :
          {std::array{1., 0.}, {0., 1.}, {0., 0.}, {.5, .5}, {1 + 1e-9, -1e-9}}) {
-        EXPECT_LT(Patches::part(3, u, v), 64U);
+        EXPECT_LT(TriangleParts(3).at(u, v), 64U);
     }
 }
 
-/// A line over a triangle: the stretches are those that many points of it count.
+/// A line over a triangle: the segments are those that many points of it count.
 TEST(Patches, CutALineWhereItPassesFromOneToTheNext) {
     test::Random random(3);
     constexpr int kPoints = 20000;
-    std::vector<Patches::Stretch> stretches;
+    std::vector<TriangleParts::Segment> scratch;
     for (int i = 0; i < 20; ++i) {
         const auto [au, av] = random_place(random);
         const auto [bu, bv] = random_place(random);
         const Barycentric a{static_cast<float>(au), static_cast<float>(av)};
         const Barycentric b{static_cast<float>(bu), static_cast<float>(bv)};
-        Patches::cut(3, a, b, stretches);
         std::vector<double> shares(64);
         double sum = 0;
-        for (const Patches::Stretch& stretch : stretches) {
-            shares.at(stretch.part) += stretch.share();
-            sum += stretch.share();
+        for (const auto& segment : TriangleParts(3).segments(a, b, scratch)) {
+            shares.at(segment.part) += segment.share();
+            sum += segment.share();
         }
         EXPECT_NEAR(sum, 1, 1e-12);
         for (int k = 0; k < kPoints; ++k) {
             const double f = (k + .5) / kPoints;
-            shares[Patches::part(3, a.u + f * (b.u - a.u), a.v + f * (b.v - a.v))] -= 1. / kPoints;
+            shares[TriangleParts(3).at(a.u + f * (b.u - a.u), a.v + f * (b.v - a.v))] -=
+                1. / kPoints;
         }
         for (const double share : shares) {
             EXPECT_NEAR(share, 0, 2. / kPoints);

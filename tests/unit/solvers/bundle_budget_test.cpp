@@ -32,10 +32,7 @@ class Stand {
         return patches_.area / 2 * group.directions / group.line_area / patches_.patches.count();
     }
     /// Of a step in which a thousandth of the first light is left.
-    [[nodiscard]] BundleGroup of_weak() const {
-        BundleBudget own = budget();
-        return own.of_order({.001, 0}, 0);
-    }
+    [[nodiscard]] BundleGroup of_weak() const { return budget().of_order({.001, 0}, 0); }
     [[nodiscard]] BundleBudget budget() const { return {patches_, kPaths, {1, 0}}; }
 
   private:
@@ -73,8 +70,8 @@ TEST(BundleBudget, MeetsEachPatchThreeTimesWhereALeafIsBright) {
 
 TEST(BundleBudget, MeetsEachPatchThreeTimesInStrongSteps) {
     const Stand dark(.2);
-    BundleBudget budget = dark.budget();
-    for (const BundleGroup& group : {budget.of_order({1, 0}, 0), budget.of_all(0)}) {
+    const BundleBudget budget = dark.budget();
+    for (const BundleGroup& group : {budget.of_order({1, 0}, 0), budget.of_all(0, 0)}) {
         EXPECT_GE(dark.meetings(group), 3 - 1e-9);
         EXPECT_GE(group.directions, 8);
     }
@@ -86,19 +83,21 @@ TEST(BundleBudget, MeetsEachPatchThreeTimesInStrongSteps) {
 TEST(BundleBudget, GivesTheLastStepWhatManyOrdersTake) {
     const Stand bright(.95);
     constexpr int kOrders = 30;
-    BundleBudget budget = bright.budget();
+    const BundleBudget budget = bright.budget();
     double of_orders = 0;
+    double segments = 0;
     for (int order = 0; order < kOrders; ++order) {
-        of_orders += bright.meetings(budget.of_order({std::pow(.7, order), 0}, 0));
+        const BundleGroup group = budget.of_order({std::pow(.7, order), 0}, 0);
+        of_orders += bright.meetings(group);
+        segments += group.segments;
     }
     EXPECT_GE(of_orders, 3 * kOrders);
-    EXPECT_NEAR(bright.meetings(budget.of_all(0)), of_orders, 1e-9 * of_orders);
+    EXPECT_NEAR(bright.meetings(budget.of_all(segments, 0)), of_orders, 1e-9 * of_orders);
     // Where orders take little, it has what paths bring, whatever they take.
-    const double own = bright.meetings(bright.budget().of_all(0));
-    BundleBudget of_one = bright.budget();
-    const double one = bright.meetings(of_one.of_order({1, 0}, 0));
-    EXPECT_LT(one, own);
-    EXPECT_NEAR(bright.meetings(of_one.of_all(0)), own, 1e-9 * own);
+    const double own = bright.meetings(budget.of_all(0, 0));
+    const BundleGroup one = budget.of_order({1, 0}, 0);
+    EXPECT_LT(bright.meetings(one), own);
+    EXPECT_NEAR(bright.meetings(budget.of_all(one.segments, 0)), own, 1e-9 * own);
 }
 
 /// So that directions grow in number as well, which otherwise would be what is left of the error.

@@ -1,4 +1,4 @@
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,9 @@ using test::kDown;
 using test::kLeaf;
 
 /// Each triangle is a patch.
-ColumnTriangles whole(const LocalMesh& mesh) {
+LineTriangles whole(const LocalMesh& mesh) {
     const Patches patches(std::vector<std::uint8_t>(mesh.triangle_count(), 0));
-    return column_triangles({&mesh, {}}, patches);
+    return line_triangles({&mesh, {}}, patches);
 }
 
 /// A horizontal square of the side 1 about the origin.
@@ -30,21 +30,21 @@ std::vector<Triangle> square_at(double height) {
 }
 
 /// However few pixels there are, the parts of a leaf are met as often as they are seen large.
-TEST(Columns, MeasureEveryPatchWithoutBias) {
+TEST(LineHits, MeasureEveryPatchWithoutBias) {
     const LocalMesh mesh = make_local_mesh({kLeaf});
     const Patches patches({2});
     constexpr int kShifts = 200;
     const Vec3 direction = normalized(Vec3{1, 2, -3});
     std::vector<double> areas(16);
-    Columns columns;
+    LineHitScratch scratch;
     for (int i = 0; i < kShifts; ++i) {
         for (int j = 0; j < kShifts; ++j) {
-            columns.draw(
-                {&mesh, {}}, column_triangles({&mesh, {}}, patches),
-                {direction, .123, (i + .5) / kShifts, (j + .5) / kShifts, .3});
-            columns.for_each_line([&](std::span<const Columns::Passed> line) {
-                for (const Columns::Passed passed : line) {
-                    areas.at(passed / 2) += columns.line_area();
+            const LineHits hits = find_line_hits(
+                {&mesh, {}}, line_triangles({&mesh, {}}, patches),
+                {direction, .123, (i + .5) / kShifts, (j + .5) / kShifts, .3}, scratch);
+            hits.for_each_line([&](std::span<const LineHits::Hit> line) {
+                for (const LineHits::Hit passed : line) {
+                    areas.at(passed / 2) += hits.line_area();
                     EXPECT_EQ(passed % 2, 0U);  // light comes to the upper side
                 }
             });
@@ -57,17 +57,18 @@ TEST(Columns, MeasureEveryPatchWithoutBias) {
 }
 
 /// Leaves stand over one another: along each line their numbers grow.
-TEST(Columns, PassSurfacesInTheirOrder) {
+TEST(LineHits, PassSurfacesInTheirOrder) {
     std::vector<Triangle> leaves;
     for (int i = 0; i < 40; ++i) {
         const double z = -.02 * i;
         leaves.push_back({Vec3{.01 * i, 0, z}, Vec3{1, .3, z}, Vec3{0, 1, z}});
     }
     const LocalMesh mesh = make_local_mesh(leaves);
-    Columns columns;
-    columns.draw({&mesh, {}}, whole(mesh), {normalized(Vec3{.1, .2, -1}), .3, .5, .5, 1e-4});
+    LineHitScratch scratch;
+    const LineHits hits = find_line_hits(
+        {&mesh, {}}, whole(mesh), {normalized(Vec3{.1, .2, -1}), .3, .5, .5, 1e-4}, scratch);
     std::size_t longest = 0;
-    columns.for_each_line([&](std::span<const Columns::Passed> line) {
+    hits.for_each_line([&](std::span<const LineHits::Hit> line) {
         longest = std::max(longest, line.size());
         for (std::size_t i = 1; i < line.size(); ++i) {
             EXPECT_LT(line[i - 1], line[i]);
@@ -77,24 +78,25 @@ TEST(Columns, PassSurfacesInTheirOrder) {
 }
 
 /// Each triangle is one patch.
-TEST(Columns, CountTheLinesThatPassEachTriangle) {
+TEST(LineHits, CountTheLinesThatPassEachTriangle) {
     const LocalMesh mesh = make_local_mesh(test::random_leaves(100, .3, 1, 7));
-    Columns columns;
-    columns.draw({&mesh, {}}, whole(mesh), {normalized(Vec3{.3, .2, -1}), .3, .5, .5, 1e-3});
+    LineHitScratch scratch;
+    const LineHits hits = find_line_hits(
+        {&mesh, {}}, whole(mesh), {normalized(Vec3{.3, .2, -1}), .3, .5, .5, 1e-3}, scratch);
     std::vector<std::uint32_t> passed(mesh.triangle_count());
-    columns.for_each_line([&](std::span<const Columns::Passed> line) {
-        for (const Columns::Passed patch : line) {
+    hits.for_each_line([&](std::span<const LineHits::Hit> line) {
+        for (const LineHits::Hit patch : line) {
             ++passed.at(patch / 2);
         }
     });
-    EXPECT_GT(columns.size(), 1000U);
+    EXPECT_GT(hits.size(), 1000U);
     EXPECT_TRUE(
-        std::equal(passed.begin(), passed.end(), columns.counts().begin(), columns.counts().end()));
+        std::equal(passed.begin(), passed.end(), hits.counts().begin(), hits.counts().end()));
 }
 
 /// Squares that fill a cell are passed once by every line through the endless stand, from
 /// wherever, and however few lines there are.
-TEST(Columns, MeetEachLayerOfAnEndlessStandOnce) {
+TEST(LineHits, MeetEachLayerOfAnEndlessStandOnce) {
     std::vector<Triangle> layers = square_at(.3);
     for (const Triangle& triangle : square_at(-.2)) {
         layers.push_back(triangle);
@@ -103,20 +105,20 @@ TEST(Columns, MeetEachLayerOfAnEndlessStandOnce) {
     const Cell world{
         .along_x = true, .along_y = true, .low_x = -.5, .low_y = -.5, .size_x = 1, .size_y = 1};
     const Cell cell = local_cell(mesh, world);
-    const ColumnTriangles triangles = whole(mesh);
+    const LineTriangles triangles = whole(mesh);
     test::Random random(1);
-    Columns columns;
+    LineHitScratch scratch;
     std::size_t lines = 0;
     for (int i = 0; i < 2000; ++i) {
         Vec3 direction = random.direction();
         direction.z = std::max(std::abs(direction.z), 1e-4);
         direction = normalized(direction);
         const double line_area = cell.size_x * cell.size_y / (2 + 100 * random.uniform());
-        columns.draw(
+        const LineHits hits = find_line_hits(
             {&mesh, cell}, triangles,
-            {direction, random.uniform(), random.uniform(), random.uniform(), line_area});
+            {direction, random.uniform(), random.uniform(), random.uniform(), line_area}, scratch);
         std::size_t own = 0;
-        columns.for_each_line([&](std::span<const Columns::Passed> line) {
+        hits.for_each_line([&](std::span<const LineHits::Hit> line) {
             ++own;
             ASSERT_EQ(line.size(), 2U);
             EXPECT_GE(line[0] / 2, 2U);  // upwards: the lower square first
@@ -125,14 +127,14 @@ TEST(Columns, MeetEachLayerOfAnEndlessStandOnce) {
         });
         // All lines together are the cell as it is seen.
         EXPECT_NEAR(
-            static_cast<double>(own) * columns.line_area(), cell.size_x * cell.size_y * direction.z,
+            static_cast<double>(own) * hits.line_area(), cell.size_x * cell.size_y * direction.z,
             1e-9);
         lines += own;
     }
     EXPECT_GT(lines, 10000U);
 }
 
-TEST(Columns, MarkSensorsAndLeaveOutWhatHasNoPatches) {
+TEST(LineHits, MarkSensorsAndLeaveOutWhatHasNoPatches) {
     const LocalMesh mesh = make_local_mesh(
         {kLeaf,
          {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}},
@@ -142,38 +144,39 @@ TEST(Columns, MarkSensorsAndLeaveOutWhatHasNoPatches) {
     const Patches patches({0, 0, Patches::kNone});
     ProjectedScene scene{&mesh, {}};
     scene.roles = roles;
-    Columns columns;
-    columns.draw(scene, column_triangles(scene, patches), {kDown, .3, .5, .5, .01});
+    LineHitScratch scratch;
+    const LineHits hits =
+        find_line_hits(scene, line_triangles(scene, patches), {kDown, .3, .5, .5, .01}, scratch);
     std::size_t lines = 0;
-    columns.for_each_line([&](std::span<const Columns::Passed> line) {
+    hits.for_each_line([&](std::span<const LineHits::Hit> line) {
         ++lines;
         ASSERT_EQ(line.size(), 2U);
         EXPECT_EQ(line[0], 0U);
-        EXPECT_EQ(line[1], Columns::kSensor | 2U);
+        EXPECT_EQ(line[1], LineHits::kSensor | 2U);
     });
     EXPECT_GT(lines, 5U);
-    // A sensor that looks straight up sees nothing of what comes slantwise.
+    // A sensor that faces straight up sees nothing that comes slantwise.
     const std::vector<float> narrow{0, .9F, 0};
-    columns.draw(
-        scene, column_triangles(scene, patches, narrow),
-        {normalized(Vec3{1, 0, -1}), .3, .5, .5, .01});
-    columns.for_each_line(
-        [&](std::span<const Columns::Passed> line) { EXPECT_EQ(line.size(), 1U); });
+    const LineHits slanted = find_line_hits(
+        scene, line_triangles(scene, patches, narrow),
+        {normalized(Vec3{1, 0, -1}), .3, .5, .5, .01}, scratch);
+    slanted.for_each_line([&](std::span<const LineHits::Hit> line) { EXPECT_EQ(line.size(), 1U); });
 }
 
 /// Where lines are many for what they meet, they are put in order otherwise.
-TEST(Columns, FindTheSameInAWideScene) {
+TEST(LineHits, FindTheSameInAWideScene) {
     std::vector<Triangle> leaves = test::random_leaves(20, .02, .03, 4);
     leaves.push_back({Vec3{9, 9, 0}, Vec3{9.001, 9, 0}, Vec3{9, 9.001, 0}});
     const LocalMesh mesh = make_local_mesh(leaves);
-    Columns columns;
-    columns.draw({&mesh, {}}, whole(mesh), {kDown, .1, .5, .5, 1e-9});
+    LineHitScratch scratch;
+    const LineHits hits =
+        find_line_hits({&mesh, {}}, whole(mesh), {kDown, .1, .5, .5, 1e-9}, scratch);
     std::size_t longest = 0, met = 0;
     double area = 0;
-    columns.for_each_line([&](std::span<const Columns::Passed> line) {
+    hits.for_each_line([&](std::span<const LineHits::Hit> line) {
         longest = std::max(longest, line.size());
         met += line.size();
-        area += columns.line_area() * static_cast<double>(line.size());
+        area += hits.line_area() * static_cast<double>(line.size());
     });
     double expected = 0;
     for (std::uint32_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -181,7 +184,7 @@ TEST(Columns, FindTheSameInAWideScene) {
     }
     EXPECT_NEAR(area, expected, .02 * expected);
     EXPECT_GT(longest, 1U);
-    EXPECT_EQ(met, columns.size());
+    EXPECT_EQ(met, hits.size());
 }
 
 }  // namespace

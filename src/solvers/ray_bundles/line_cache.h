@@ -5,22 +5,22 @@
 #include <span>
 #include <vector>
 
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 
 namespace quasimc {
 
-/// What the lines of several beams pass, kept so that light can go along them again and again.
-class KeptLines {
+/// What the lines of several beams pass, cached so that light can go along them again and again.
+class LineCache {
   public:
-    /// The lines of a beam, as Columns have them.
+    /// The lines of a beam, as LineHits has them.
     class Beam {
       public:
-        Beam(std::span<const Columns::Passed> passed, std::span<const std::uint32_t> lengths)
+        Beam(std::span<const LineHits::Hit> passed, std::span<const std::uint32_t> lengths)
             : passed_(passed), lengths_(lengths) {}
 
         /// Of all lines.
         [[nodiscard]] std::size_t size() const { return passed_.size(); }
-        /// See Columns::for_each_line().
+        /// See LineHits::for_each_line().
         template <typename Visit>
         void for_each_line(const Visit& visit) const {
             std::size_t first = 0;
@@ -31,19 +31,19 @@ class KeptLines {
         }
 
       private:
-        std::span<const Columns::Passed> passed_;
+        std::span<const LineHits::Hit> passed_;
         std::span<const std::uint32_t> lengths_;
     };
 
-    void add(const Columns& lines) {
+    void add(const LineHits& lines) {
         passed_.resize(size_);
         starts_.push_back({size_, lengths_.size()});
-        lines.for_each_line([&](std::span<const Columns::Passed> line) {
+        lines.for_each_line([&](std::span<const LineHits::Hit> line) {
             passed_.insert(passed_.end(), line.begin(), line.end());
             lengths_.push_back(static_cast<std::uint32_t>(line.size()));
         });
         size_ = passed_.size();
-        passed_.resize(size_ + Columns::kReadAhead);
+        passed_.resize(size_ + LineHits::kReadAhead);
     }
     void clear() {
         passed_.clear();
@@ -67,9 +67,9 @@ class KeptLines {
     struct Start {
         std::size_t passed = 0, line = 0;
     };
-    std::vector<Columns::Passed> passed_;  // the first size_, and as many as may be read ahead
-    std::vector<std::uint32_t> lengths_;   // by line
-    std::vector<Start> starts_;            // by beam
+    std::vector<LineHits::Hit> passed_;   // the first size_, and as many as may be read ahead
+    std::vector<std::uint32_t> lengths_;  // by line
+    std::vector<Start> starts_;           // by beam
     std::size_t size_ = 0;
 };
 

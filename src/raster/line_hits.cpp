@@ -1,4 +1,4 @@
-#include "raster/columns.h"
+#include "raster/line_hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ bool is_in_view(
 }
 
 /// What a line passes in the first patch of a triangle, if light along it comes to the upper side.
-Columns::Passed first_passed(const ColumnTriangle& triangle) {
-    return (triangle.is_sensor ? Columns::kSensor : 0) | 2 * triangle.first_patch;
+LineHits::Hit first_passed(const LineTriangle& triangle) {
+    return (triangle.is_sensor ? LineHits::kSensor : 0) | 2 * triangle.first_patch;
 }
 
 /// i modulo n, 0 <= result < n.
@@ -84,9 +84,9 @@ void sort_keys(std::uint64_t* keys, std::uint32_t count) {
 
 }  // namespace
 
-ColumnTriangles column_triangles(
+LineTriangles line_triangles(
     const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines) {
-    ColumnTriangles triangles;
+    LineTriangles triangles;
     for (std::uint32_t i = 0; i < patches.triangles(); ++i) {
         if (!patches.has(i)) {
             continue;
@@ -104,7 +104,7 @@ ColumnTriangles column_triangles(
              .is_sensor = scene.role(i) == VisibilityRole::sensor,
              .least_cosine = least_cosines.empty() ? 0 : least_cosines[i],
              .cut = patches.cut_of(i)});
-        const ColumnTriangle& triangle = triangles.each.back();
+        const LineTriangle& triangle = triangles.each.back();
         triangles.patches.back().parts[lane] = std::ldexp(1.0, triangle.level);
         triangles.patches.back().passed[lane] = first_passed(triangle);
         const bool is_plain = triangle.cut == nullptr && !(triangle.least_cosine > 0);
@@ -113,30 +113,59 @@ ColumnTriangles column_triangles(
     return triangles;
 }
 
-void Columns::draw(
-    const ProjectedScene& scene, const ColumnTriangles& triangles, const Spec& spec) {
-    size_ = 0;
-    first_.clear();
-    counts_.assign(triangles.each.size(), 0);
-    set_grid(scene, spec);
-    if (grid_.columns == 0) {
-        return;
+/// Finds the hits of one beam.
+class LineHitFinder {
+  public:
+    LineHitFinder(
+        const ProjectedScene& scene,
+        const LineTriangles& triangles,
+        const LineHits::Spec& spec,
+        LineHitScratch& scratch)
+        : triangles_(triangles), direction_(spec.direction), scratch_(scratch) {
+        scratch.first_.clear();
+        scratch.counts_.assign(triangles.each.size(), 0);
+        set_grid(scene, spec);
     }
-    direction_ = spec.direction;
-    is_turned_ = dot(cross(grid_.x.along, grid_.y.along), direction_) < 0;
-    scene.check_stop();
-    for (std::size_t block = 0; block < triangles.corners.size(); ++block) {
-        draw_block(triangles, block);
+
+    LineHits find() {
+        if (grid_.columns > 0) {
+            is_turned_ = dot(cross(grid_.x.along, grid_.y.along), direction_) < 0;
+            for (std::size_t block = 0; block < triangles_.corners.size(); ++block) {
+                draw_block(block);
+            }
+            sort_lines();
+        }
+        found_.counts_ = scratch_.counts_;
+        found_.first_ = scratch_.first_;
+        found_.hits_ = scratch_.hits_.data();
+        return found_;
     }
-    sort_lines();
-}
+
+  private:
+    using Hit = LineHits::Hit;
+
+    void set_grid(const ProjectedScene& scene, const LineHits::Spec& spec);
+    void set_square_rows(const ProjectionPlane& plane, const LineHits::Spec& spec, double lines);
+    void draw_block(std::size_t block);
+    void draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span);
+    /// Makes room for `more` hits.
+    void reserve(std::size_t more);
+    void sort_lines();
+    void sort_sparse_lines();
+
+    const LineTriangles& triangles_;
+    Vec3 direction_;
+    LineHitScratch& scratch_;
+    SpanLoops loops_ = best_span_loops();
+    RasterGrid grid_;
+    bool is_turned_ = false;  // grid and direction are no right-handed frame
+    LineHits found_;
+};
 
 /// Across an open scene lines stand on squares. Along the periods of a periodic one there is a
 /// whole number of them.
-void Columns::set_grid(const ProjectedScene& scene, const Spec& spec) {
+void LineHitFinder::set_grid(const ProjectedScene& scene, const LineHits::Spec& spec) {
     const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
-    grid_.columns = grid_.rows = 0;
-    grid_.row_shift = 0;
     if (!(plane.size_s > 0 && plane.size_t > 0)) {
         return;  // seen edge-on
     }
@@ -163,12 +192,13 @@ void Columns::set_grid(const ProjectedScene& scene, const Spec& spec) {
     grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
     grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
     grid_.z = {plane.depth, 0};
-    line_area_ = pitch_x * pitch_y * plane.area;
+    found_.line_area_ = pitch_x * pitch_y * plane.area;
 }
 
 /// Of a layer without end: as many columns as make squares across the beam, not on the horizontal,
 /// and each row so far beside the last that these are squares, not rhombs.
-void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, double lines) {
+void LineHitFinder::set_square_rows(
+    const ProjectionPlane& plane, const LineHits::Spec& spec, double lines) {
     // Steps along s and t on the horizontal, as seen across the beam.
     const Vec3 s{plane.s.x, plane.s.y, 0};
     const Vec3 t{plane.t.x, plane.t.y, 0};
@@ -187,26 +217,27 @@ void Columns::set_square_rows(const ProjectionPlane& plane, const Spec& spec, do
     grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
     grid_.z = {plane.depth, 0};
     grid_.row_shift = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
-    line_area_ = pitch_x * pitch_y * plane.area;
+    found_.line_area_ = pitch_x * pitch_y * plane.area;
 }
 
-void Columns::draw_block(const ColumnTriangles& triangles, std::size_t block) {
-    const TriangleBlock& corners = triangles.corners[block];
-    if (!loops_.set(corners, grid_, spans_)) {
+void LineHitFinder::draw_block(std::size_t block) {
+    const TriangleBlock& corners = triangles_.corners[block];
+    if (!loops_.set(corners, grid_, scratch_.spans_)) {
         return;
     }
-    const ColumnTriangle* each = &triangles.each[block * kBlockLanes];
+    const LineTriangle* each = &triangles_.each[block * kBlockLanes];
     // Light comes to the lower side if the corners turn to the left, seen along it.
-    BlockPatches patches = triangles.patches[block];
+    BlockPatches patches = triangles_.patches[block];
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        patches.passed[lane] |= (spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+        patches.passed[lane] |= (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
     }
-    const std::uint32_t plain = triangles.plain[block];
-    while (loops_.next(grid_, spans_)) {
+    const std::uint32_t plain = triangles_.plain[block];
+    while (loops_.next(grid_, scratch_.spans_)) {
         std::size_t places = 0;
-        spans_.for_each([&](std::size_t lane, std::size_t span) {
-            const ColumnTriangle& triangle = each[lane];
-            const auto count = static_cast<std::uint32_t>(spans_.last[span] - spans_.first[span]);
+        scratch_.spans_.for_each([&](std::size_t lane, std::size_t span) {
+            const LineTriangle& triangle = each[lane];
+            const auto count = static_cast<std::uint32_t>(
+                scratch_.spans_.last[span] - scratch_.spans_.first[span]);
             if ((plain >> lane & 1U) != 0) {
                 places += count;
             } else if (
@@ -216,38 +247,39 @@ void Columns::draw_block(const ColumnTriangles& triangles, std::size_t block) {
             } else {
                 return;
             }
-            counts_[block * kBlockLanes + lane] += count;
+            scratch_.counts_[block * kBlockLanes + lane] += count;
         });
         reserve(places);
-        size_ += loops_.place(
-            grid_, spans_, patches, plain, {lines_.data() + size_, keys_.data() + size_});
+        found_.size_ += loops_.place(
+            grid_, scratch_.spans_, patches, plain,
+            {scratch_.lines_.data() + found_.size_, scratch_.keys_.data() + found_.size_});
     }
 }
 
-void Columns::reserve(std::size_t more) {
-    if (keys_.size() < size_ + more) {
-        lines_.resize(2 * size_ + more);
-        keys_.resize(lines_.size());
+void LineHitFinder::reserve(std::size_t more) {
+    if (scratch_.keys_.size() < found_.size_ + more) {
+        scratch_.lines_.resize(2 * found_.size_ + more);
+        scratch_.keys_.resize(scratch_.lines_.size());
     }
 }
 
-void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::size_t span) {
+void LineHitFinder::draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span) {
     const auto gradient = [lane](const BlockGradient& g) {
         return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
     };
-    const PlaneGradient of_depth = gradient(spans_.depth);
-    const PlaneGradient of_u = gradient(spans_.u), of_v = gradient(spans_.v);
-    const double y = spans_.y[span], shift = spans_.shift[span];
+    const PlaneGradient of_depth = gradient(scratch_.spans_.depth);
+    const PlaneGradient of_u = gradient(scratch_.spans_.u), of_v = gradient(scratch_.spans_.v);
+    const double y = scratch_.spans_.y[span], shift = scratch_.spans_.shift[span];
     const double z = of_depth.at + of_depth.by_y * y;
     const double u = of_u.at + of_u.by_y * y;
     const double v = of_v.at + of_v.by_y * y;
-    const double low = spans_.low_depth[lane], high = spans_.high_depth[lane];
+    const double low = scratch_.spans_.low_depth[lane], high = scratch_.spans_.high_depth[lane];
     // Light comes to the lower side if the corners turn to the left, seen along it.
-    const Passed lower = (spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
-    const Passed passed = first_passed(triangle) | lower;
-    const auto first = static_cast<std::int64_t>(spans_.first[span]);
-    const auto last = static_cast<std::int64_t>(spans_.last[span]);
-    const auto row_begin = static_cast<std::int64_t>(spans_.in_row[span]) * grid_.columns;
+    const Hit lower = (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
+    const Hit passed = first_passed(triangle) | lower;
+    const auto first = static_cast<std::int64_t>(scratch_.spans_.first[span]);
+    const auto last = static_cast<std::int64_t>(scratch_.spans_.last[span]);
+    const auto row_begin = static_cast<std::int64_t>(scratch_.spans_.in_row[span]) * grid_.columns;
     std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
     const auto count = static_cast<std::size_t>(last - first);
     reserve(count);
@@ -258,60 +290,72 @@ void Columns::draw_span(const ColumnTriangle& triangle, std::size_t lane, std::s
         if (triangle.level > 0) {
             const double at_u = u + of_u.by_x * x;
             const double at_v = v + of_v.by_x * x;
-            part = Patches::part(triangle.level, at_u, at_v);
+            part = TriangleParts(triangle.level).at(at_u, at_v);
             part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
         }
-        lines_[size_] = static_cast<std::uint32_t>(row_begin + line);
-        keys_[size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
+        scratch_.lines_[found_.size_] = static_cast<std::uint32_t>(row_begin + line);
+        scratch_.keys_[found_.size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
         ++line;
         line = line == grid_.columns && grid_.repeats_x ? 0 : line;
     }
 }
 
 /// By line, and along each by depth.
-void Columns::sort_lines() {
+void LineHitFinder::sort_lines() {
     const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
-    if (passed_.size() < size_ + kReadAhead) {
-        passed_.resize(keys_.size() + kReadAhead);
-        sorted_.resize(keys_.size());
+    if (scratch_.hits_.size() < found_.size_ + LineHits::kReadAhead) {
+        scratch_.hits_.resize(scratch_.keys_.size() + LineHits::kReadAhead);
+        scratch_.sorted_.resize(scratch_.keys_.size());
     }
-    if (lines > kSparse * size_ + kSparse) {
+    if (lines > kSparse * found_.size_ + kSparse) {
         sort_sparse_lines();
         return;
     }
-    first_.assign(lines + 1, 0);
-    for (std::size_t i = 0; i < size_; ++i) {
-        ++first_[lines_[i]];
+    scratch_.first_.assign(lines + 1, 0);
+    for (std::size_t i = 0; i < found_.size_; ++i) {
+        ++scratch_.first_[scratch_.lines_[i]];
     }
     std::uint32_t end = 0;
-    for (std::uint32_t& first : first_) {
+    for (std::uint32_t& first : scratch_.first_) {
         end += first;
         first = end;
     }
-    for (std::size_t i = 0; i < size_; ++i) {
-        sorted_[--first_[lines_[i]]] = keys_[i];
+    for (std::size_t i = 0; i < found_.size_; ++i) {
+        scratch_.sorted_[--scratch_.first_[scratch_.lines_[i]]] = scratch_.keys_[i];
     }
     for (std::size_t line = 0; line < lines; ++line) {
-        sort_keys(sorted_.data() + first_[line], first_[line + 1] - first_[line]);
+        sort_keys(
+            scratch_.sorted_.data() + scratch_.first_[line],
+            scratch_.first_[line + 1] - scratch_.first_[line]);
     }
-    for (std::size_t i = 0; i < size_; ++i) {
-        passed_[i] = static_cast<Passed>(sorted_[i]);
+    for (std::size_t i = 0; i < found_.size_; ++i) {
+        scratch_.hits_[i] = static_cast<Hit>(scratch_.sorted_[i]);
     }
 }
 
-void Columns::sort_sparse_lines() {
-    std::vector<std::uint32_t> order(size_);
+void LineHitFinder::sort_sparse_lines() {
+    std::vector<std::uint32_t> order(found_.size_);
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return lines_[a] != lines_[b] ? lines_[a] < lines_[b] : keys_[a] < keys_[b];
+        return scratch_.lines_[a] != scratch_.lines_[b] ? scratch_.lines_[a] < scratch_.lines_[b]
+                                                        : scratch_.keys_[a] < scratch_.keys_[b];
     });
-    for (std::size_t i = 0; i < size_; ++i) {
-        if (i == 0 || lines_[order[i]] != lines_[order[i - 1]]) {
-            first_.push_back(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < found_.size_; ++i) {
+        if (i == 0 || scratch_.lines_[order[i]] != scratch_.lines_[order[i - 1]]) {
+            scratch_.first_.push_back(static_cast<std::uint32_t>(i));
         }
-        passed_[i] = static_cast<Passed>(keys_[order[i]]);
+        scratch_.hits_[i] = static_cast<Hit>(scratch_.keys_[order[i]]);
     }
-    first_.push_back(static_cast<std::uint32_t>(size_));
+    scratch_.first_.push_back(static_cast<std::uint32_t>(found_.size_));
+}
+
+LineHits find_line_hits(
+    const ProjectedScene& scene,
+    const LineTriangles& triangles,
+    const LineHits::Spec& spec,
+    LineHitScratch& scratch) {
+    scene.check_stop();
+    return LineHitFinder(scene, triangles, spec, scratch).find();
 }
 
 }  // namespace quasimc
