@@ -62,6 +62,8 @@ PUBLIC_HEADERS = {
     "capi.h": "capi",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"
+# Words of compilers, not of standard C++: public headers have none.
+NOT_STANDARD = re.compile(r"__int128|__extension__|__builtin_\w+|__attribute__|__declspec")
 
 # Headers so slow to compile that they stay out of ours.
 SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/", "hwy/", "boost/")
@@ -263,6 +265,9 @@ class Checker:
             call = ENGINE_CALLS.search(code) if engine else None
             if call:
                 self.fault(path, number, f"the engine neither prints nor exits: {call.group(0)}")
+            word = NOT_STANDARD.search(code) if path.parts[0] == "include" else None
+            if word:
+                self.fault(path, number, f"{word.group(0)} is not standard C++, as public headers are")
         if len(lines) > FILE_LINES_HINT:
             self.hints.append(f"{path}: {len(lines)} lines; usually at most {FILE_LINES_HINT}")
         if path.suffix == ".cpp" and not self.is_listed(path):

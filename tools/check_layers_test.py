@@ -98,6 +98,10 @@ class CheckLayers(unittest.TestCase):
         text = '#include "quasimc/more.h"\n'
         self.assert_one_fault("src/geometry/a.cpp", text, "no such header")
 
+    def test_a_word_of_a_compiler_in_a_public_header_is_refused(self):
+        for word in ("unsigned __int128 wide", "__builtin_add_overflow(a, b, &c)"):
+            self.assert_one_fault("include/quasimc/mesh.h", f"#pragma once\n{word};\n", "standard C++")
+
     def test_the_header_of_all_is_for_users(self):
         text = '#include "quasimc/quasimc.h"\n'
         self.assert_one_fault("src/geometry/a.cpp", text, "is for users")

@@ -4,12 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <optional>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "quasimc/run.h"
@@ -59,9 +55,9 @@ class GrowthSession {
     void remove(std::span<const std::int64_t> ids);
     void remove(std::int64_t id);
     /// Whether the session has an organ of this id. Those of the frame do not count.
-    [[nodiscard]] bool has(std::int64_t id) const { return places_.contains(id); }
+    [[nodiscard]] bool has(std::int64_t id) const;
     /// Organs of the session: those that were added and not removed, without those of the frame.
-    [[nodiscard]] std::size_t size() const { return organs_.size(); }
+    [[nodiscard]] std::size_t size() const;
 
     /// The scene of this step. @throws InputError  as SceneBuilder::build; the session may be
     ///         mended and used on
@@ -79,24 +75,12 @@ class GrowthSession {
     [[nodiscard]] std::vector<std::size_t> places_of(std::span<const std::int64_t> ids);
 
     /// How often a scene, and how often an acceleration structure, had to be made.
-    [[nodiscard]] std::size_t scene_builds() const { return scene_builds_; }
-    [[nodiscard]] std::size_t tree_builds() const { return simulator_.builds(); }
+    [[nodiscard]] std::size_t scene_builds() const;
+    [[nodiscard]] std::size_t tree_builds() const;
 
   private:
-    /// Notes that the scene is another one.
-    void forget_scene();
-
-    SceneBuilder frame_;
-    std::unordered_set<std::int64_t> frame_ids_;
-    std::map<std::uint64_t, OrganSpec> organs_;  // in the order in which they were added
-    std::unordered_map<std::int64_t, std::uint64_t> places_;  // of ids among them
-    std::uint64_t next_ = 0;
-    std::int64_t largest_id_ = 0;
-    std::shared_ptr<const Scene> scene_;            // none: something changed
-    std::optional<std::vector<Warning>> warnings_;  // of scene_, if they were asked for
-    std::unique_ptr<KnownOverlaps> overlaps_;       // of the scene before
-    std::size_t scene_builds_ = 0;
-    Simulator simulator_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace quasimc

@@ -121,7 +121,7 @@ class Stopped : public std::runtime_error {
 [[nodiscard]] Result run(
     const Scene& scene,
     const Sources& sources,
-    const RunSpec& spec,
+    const RunSpec& spec = {},
     const RunControl& control = {});
 
 /// What sums say of each organ, as run() would have reported it: everything but how it was found

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -16,11 +15,6 @@
 #include "quasimc/vec3.h"
 
 namespace quasimc {
-
-class SceneProjection;
-class SourceSampler;
-struct ModelParameters;
-struct Illumination;
 
 /// What kind of light a source gives, by which solvers decide how to follow it.
 struct SourceTraits {
@@ -54,17 +48,10 @@ inline constexpr double kLeastIrradiance = 1e-60;
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
 /// spectrum varies over it is several sources.) Places and directions are in the world with z up;
-/// immutable.
+/// immutable. It is made by the functions below.
 class Source {
   public:
     virtual ~Source() = default;
-    /// @param spectrum  see spectrum(); a value below kLeastIrradiance is no light and becomes 0
-    /// @param horizontal_irradiance  see horizontal_irradiance()
-    Source(
-        std::string name,
-        std::vector<double> spectrum,
-        SourceTraits traits,
-        double horizontal_irradiance);
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
 
@@ -84,27 +71,14 @@ class Source {
     /// !traits().at_infinity
     [[nodiscard]] bool is_lamp() const { return !traits_.at_infinity; }
 
-    // For the engine; what these take and give is private.
-
-    /// The model of the light and its parameters, but for name and spectrum. A parameter that is a
-    /// function is given by its values in the cells from which directions are drawn.
-    [[nodiscard]] virtual ModelParameters parameters() const = 0;
-    /// Null when no light of this source meets the scene.
-    [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
-        const SceneProjection& projection) const = 0;
-    /// Draws a direction from which light reaches `point` (world coordinates).
-    [[nodiscard]] virtual Illumination illuminate(
-        const Vec3& point, double u0, double u1) const = 0;
-    /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
-    [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
-    /// What a side with this unit normal would get at most, for a spectrum of 1, if nothing stood
-    /// in its way: an upper bound of its irradiance, for suns the irradiance itself or nearly.
-    /// Infinite where there is none, as next to a lamp.
-    [[nodiscard]] virtual double most_irradiance(const Vec3& /*normal*/) const {
-        return std::numeric_limits<double>::infinity();
-    }
-
   private:
+    friend class SourceModel;  // src/light/models/source.h: all sources are of it
+    Source(
+        std::string name,
+        std::vector<double> spectrum,
+        SourceTraits traits,
+        double horizontal_irradiance);
+
     std::string name_;
     std::vector<double> spectrum_;
     SourceTraits traits_;

@@ -163,6 +163,7 @@ Result evaluate_sums(
     EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
     Result result;
     result.bands = sums.layout.bands;
+    result.names = scene.names();
     result.ratios = spec.ratios.size();
     // All that reads the sums of many organs comes before these are given back.
     result.groups = evaluate_groups(sums, scene, spec);

@@ -35,7 +35,7 @@ class FlowReader {
     /// What falls on a region, and what it absorbs and may scatter of it.
     void add_region(std::size_t index, std::vector<Flows>& flows) const {
         const Region& region = scene_.regions()[index];
-        const Material& material = scene_.material(region);
+        const Material& material = data_of(scene_).material(region);
         const bool is_ground = scene_.organs()[region.organ.value].is_ground;
         double Flows::*absorbed = is_ground ? &Flows::ground : &Flows::organs;
         const bool is_summed = layout_.absorbed_light == AbsorbedLight::summed;

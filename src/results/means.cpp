@@ -132,6 +132,7 @@ Result evaluate_means(
     EXPECT(sums.samples > 0 && sums.replicates.size() == 1);
     Result result;
     result.bands = sums.layout.bands;
+    result.names = scene.names();
     result.ratios = spec.ratios.size();
     const BandFlows flows = read_flows(sums, scene);
     result.budget = evaluate_budget(flows);

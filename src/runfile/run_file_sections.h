@@ -57,7 +57,7 @@ struct RunFileContext {
 // run_file_options.cpp
 /// The options of a run, and where each was stated.
 struct RunOptions {
-    RunSpec spec = default_run_spec();
+    RunSpec spec;
     std::map<std::string_view, std::string> places;
 };
 

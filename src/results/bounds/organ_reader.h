@@ -186,7 +186,7 @@ class OrganReader {
     [[nodiscard]] bool is_flat() const {
         constexpr double kParallel = 1 - 1e-9;
         const auto across = [&](std::size_t i) {
-            return area_vector(scene_.triangles()[organ_.first_triangle + i]);
+            return area_vector(data_of(scene_).triangles()[organ_.first_triangle + i]);
         };
         Vec3 sum = across(0);
         for (std::size_t i = 1; i < organ_.triangle_count; ++i) {
@@ -312,7 +312,7 @@ class OrganReader {
     template <typename Visit>
     void for_each_triangle(const Visit& visit) const {
         for (std::size_t i = 0; i < organ_.triangle_count; ++i) {
-            visit(scene_.triangles()[organ_.first_triangle + i]);
+            visit(data_of(scene_).triangles()[organ_.first_triangle + i]);
         }
     }
 
@@ -343,7 +343,7 @@ class OrganReader {
                              : reach[std::size_t{2} * region + index_of(side)];
     }
     [[nodiscard]] const Material& material_of(std::uint32_t region) const {
-        return scene_.material(scene_.regions()[region]);
+        return data_of(scene_).material(scene_.regions()[region]);
     }
 
     [[nodiscard]] Incident region_incident(

@@ -15,6 +15,7 @@
 #include "light/models/source.h"
 #include "run/trace_plan.h"
 #include "scene/repeat_bands.h"
+#include "scene/scene.h"
 #include "series/basis/season_errors.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/patch_light.h"
@@ -76,7 +77,7 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
 std::vector<double> albedos_of(const Scene& scene) {
     std::vector<double> albedos;
     for (const Region& region : scene.regions()) {
-        const Material& material = scene.materials()[region.material.value];
+        const Material& material = data_of(scene).materials[region.material.value];
         for (const SurfaceSide side : kSurfaceSides) {
             for (const double albedo : material.side(side).albedo()) {
                 albedos.push_back(material.is_transparent() ? 0 : albedo);
@@ -89,7 +90,7 @@ std::vector<double> albedos_of(const Scene& scene) {
 }  // namespace
 
 SunBeam beam_of(const Source& sun) {
-    const Illumination light = sun.illuminate({0, 0, 0}, 0.5, 0.5);
+    const Illumination light = model_of(sun).illuminate({0, 0, 0}, 0.5, 0.5);
     std::vector<double> facing(sun.spectrum().begin(), sun.spectrum().end());
     for (double& x : facing) {
         x *= light.weight;
@@ -227,7 +228,7 @@ SeasonBasis::SeasonBasis(
     for (LeftOut& left : left_out) {
         if (left.sky) {
             solving.add_sky(
-                {[sky = left.sky](const Vec3& d) { return sky->radiance(d); }, {}, {}},
+                {[sky = left.sky](const Vec3& d) { return model_of(*sky).radiance(d); }, {}, {}},
                 left.of_sky);
         }
         if (left.sun) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "light/models/source.h"
 #include "solvers/light_kinds.h"
 #include "solvers/light_tracing/light_tracing.h"
 
@@ -113,7 +114,7 @@ DirectBeams::Beam DirectBeams::beam_along(
     std::uint32_t count) const {
     const double area = prepared_.projection().entry_box().projected_area(from.direction);
     const double entering =
-        light.source->radiance(-from.direction) * area / light.source_sampler->flux();
+        model_of(*light.source).radiance(-from.direction) * area / light.source_sampler->flux();
     const double paths = paths_of(light, work.round) * entering / (from.density * count);
     return {{&light, from.direction, paths}, area};
 }

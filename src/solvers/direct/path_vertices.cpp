@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/scene.h"
 #include "transport/absorbed_light.h"
 #include "transport/start_order.h"
 
@@ -44,11 +45,11 @@ void find_keys(
 }  // namespace
 
 ScatteredShares::ScatteredShares(const PreparedScene& prepared)
-    : materials_(prepared.scene().materials().size()) {
+    : materials_(data_of(prepared.scene()).materials.size()) {
     const std::vector<bool> is_used = used_materials(prepared.scene());
     for (const auto& spectrum : prepared.lights().spectra()) {
         for (std::size_t m = 0; m < materials_; ++m) {
-            const Material& material = prepared.scene().materials()[m];
+            const Material& material = data_of(prepared.scene()).materials[m];
             const bool scatters = is_used[m] && !material.is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 shares_.push_back(scatters ? mean_albedo(material.side(side), spectrum) : 0);

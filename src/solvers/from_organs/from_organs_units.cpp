@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "scene/scene.h"
 #include "solvers/from_organs/from_organs.h"
 #include "sums/fixed_point.h"
 #include "transport/organ_shares.h"
@@ -69,7 +70,7 @@ Bounds local_bounds(const PreparedScene& prepared, const Organ& organ) {
     Bounds box;
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         for (const Vec3& corner :
-             prepared.scene().triangles()[std::size_t{organ.first_triangle} + i]) {
+             data_of(prepared.scene()).triangles()[std::size_t{organ.first_triangle} + i]) {
             box.add(prepared.caster().mesh().to_local(corner));
         }
     }

@@ -12,6 +12,7 @@
 
 #include "base/checks.h"
 #include "base/stop.h"
+#include "scene/scene.h"
 #include "solvers/block_runner.h"
 #include "transport/absorbed_light.h"
 #include "transport/scatter.h"
@@ -53,7 +54,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
         only_beams_ = only_beams_ && beams_.back().has_value();
     }
     for (const std::vector<double>& spectrum : brightest_paths()) {
-        for (const Material& material : prepared_.scene().materials()) {
+        for (const Material& material : data_of(prepared_.scene()).materials) {
             for (const SurfaceSide side : kSurfaceSides) {
                 survival_.push_back(survival(spectrum, material, side));
             }
@@ -227,7 +228,8 @@ std::uint64_t LightTracer::shade(
     Tally& tally) const {
     const SumLayout& layout = tally.layout();
     const BoundSource& light = prepared_.lights()[group.source];
-    const double* survival = &survival_[2 * light.spectrum * prepared_.scene().materials().size()];
+    const double* survival =
+        &survival_[2 * light.spectrum * data_of(prepared_.scene()).materials.size()];
     const Facing facing = facing_of(packet);
     Particle path{&light, 0, *beams_[group.source], shares_.weight(group.source)};
     std::uint64_t rays = 0;

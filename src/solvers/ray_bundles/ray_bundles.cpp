@@ -25,6 +25,7 @@
 #include "base/memory_need.h"
 #include "base/stop.h"
 #include "samplers/hash.h"
+#include "scene/scene.h"
 #include "solvers/block_runner.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/bundle_exchange.h"
@@ -265,7 +266,7 @@ class RayBundles final : public Solver {
 void check_matt(const Scene& scene, Faults& faults) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
-        const Material& material = scene.materials()[m];
+        const Material& material = data_of(scene).materials[m];
         if (is_used[m] && !is_matt(material)) {
             faults.add(
                 {"method",

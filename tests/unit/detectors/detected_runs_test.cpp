@@ -31,6 +31,7 @@ const DetectorSpec kNineRings{.type = "escaped_by_zenith"};
 
 RunSpec short_spec() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.replicates = 4;
     return spec;
