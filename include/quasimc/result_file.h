@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result.h"
+#include "quasimc/run.h"
 #include "quasimc/run_file.h"
-#include "quasimc/run_listener.h"
 
 namespace quasimc {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "sums/sum_layout.h"
 
 namespace quasimc {
