@@ -222,22 +222,23 @@ void LineHitFinder::set_square_rows(
 
 void LineHitFinder::draw_block(std::size_t block) {
     const TriangleBlock& corners = triangles_.corners[block];
-    if (!loops_.set(corners, grid_, scratch_.spans_)) {
+    BlockSpans& spans = scratch_.spans_;
+    if (!loops_.set(corners, grid_, spans)) {
         return;
     }
+    std::uint32_t* counts = &scratch_.counts_[block * kBlockLanes];
     const LineTriangle* each = &triangles_.each[block * kBlockLanes];
     // Light comes to the lower side if the corners turn to the left, seen along it.
     BlockPatches patches = triangles_.patches[block];
     for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        patches.passed[lane] |= (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+        patches.passed[lane] |= (spans.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
     }
     const std::uint32_t plain = triangles_.plain[block];
-    while (loops_.next(grid_, scratch_.spans_)) {
+    while (loops_.next(grid_, spans)) {
         std::size_t places = 0;
-        scratch_.spans_.for_each([&](std::size_t lane, std::size_t span) {
+        spans.for_each([&](std::size_t lane, std::size_t span) {
             const LineTriangle& triangle = each[lane];
-            const auto count = static_cast<std::uint32_t>(
-                scratch_.spans_.last[span] - scratch_.spans_.first[span]);
+            const auto count = static_cast<std::uint32_t>(spans.last[span] - spans.first[span]);
             if ((plain >> lane & 1U) != 0) {
                 places += count;
             } else if (
@@ -247,11 +248,11 @@ void LineHitFinder::draw_block(std::size_t block) {
             } else {
                 return;
             }
-            scratch_.counts_[block * kBlockLanes + lane] += count;
+            counts[lane] += count;
         });
         reserve(places);
         found_.size_ += loops_.place(
-            grid_, scratch_.spans_, patches, plain,
+            grid_, spans, patches, plain,
             {scratch_.lines_.data() + found_.size_, scratch_.keys_.data() + found_.size_});
     }
 }
@@ -264,25 +265,28 @@ void LineHitFinder::reserve(std::size_t more) {
 }
 
 void LineHitFinder::draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span) {
+    const BlockSpans& spans = scratch_.spans_;
     const auto gradient = [lane](const BlockGradient& g) {
         return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
     };
-    const PlaneGradient of_depth = gradient(scratch_.spans_.depth);
-    const PlaneGradient of_u = gradient(scratch_.spans_.u), of_v = gradient(scratch_.spans_.v);
-    const double y = scratch_.spans_.y[span], shift = scratch_.spans_.shift[span];
+    const PlaneGradient of_depth = gradient(spans.depth);
+    const PlaneGradient of_u = gradient(spans.u), of_v = gradient(spans.v);
+    const double y = spans.y[span], shift = spans.shift[span];
     const double z = of_depth.at + of_depth.by_y * y;
     const double u = of_u.at + of_u.by_y * y;
     const double v = of_v.at + of_v.by_y * y;
-    const double low = scratch_.spans_.low_depth[lane], high = scratch_.spans_.high_depth[lane];
+    const double low = spans.low_depth[lane], high = spans.high_depth[lane];
     // Light comes to the lower side if the corners turn to the left, seen along it.
-    const Hit lower = (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
+    const Hit lower = (spans.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
     const Hit passed = first_passed(triangle) | lower;
-    const auto first = static_cast<std::int64_t>(scratch_.spans_.first[span]);
-    const auto last = static_cast<std::int64_t>(scratch_.spans_.last[span]);
-    const auto row_begin = static_cast<std::int64_t>(scratch_.spans_.in_row[span]) * grid_.columns;
+    const auto first = static_cast<std::int64_t>(spans.first[span]);
+    const auto last = static_cast<std::int64_t>(spans.last[span]);
+    const auto row_begin = static_cast<std::int64_t>(spans.in_row[span]) * grid_.columns;
     std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
-    const auto count = static_cast<std::size_t>(last - first);
-    reserve(count);
+    reserve(static_cast<std::size_t>(last - first));
+    std::uint32_t* next_line = scratch_.lines_.data() + found_.size_;
+    std::uint64_t* next_key = scratch_.keys_.data() + found_.size_;
+    found_.size_ += static_cast<std::size_t>(last - first);
     for (std::int64_t column = first; column < last; ++column) {
         const double x = static_cast<double>(column) + shift;
         const double depth = std::clamp(z + of_depth.by_x * x, low, high);
@@ -293,60 +297,63 @@ void LineHitFinder::draw_span(const LineTriangle& triangle, std::size_t lane, st
             part = TriangleParts(triangle.level).at(at_u, at_v);
             part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
         }
-        scratch_.lines_[found_.size_] = static_cast<std::uint32_t>(row_begin + line);
-        scratch_.keys_[found_.size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
+        *next_line++ = static_cast<std::uint32_t>(row_begin + line);
+        *next_key++ = depth_key(static_cast<float>(depth), passed + 2 * part);
         ++line;
         line = line == grid_.columns && grid_.repeats_x ? 0 : line;
     }
 }
 
-/// By line, and along each by depth.
+/// Sorts hits by line, and along each by depth.
 void LineHitFinder::sort_lines() {
     const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
-    if (scratch_.hits_.size() < found_.size_ + LineHits::kReadAhead) {
-        scratch_.hits_.resize(scratch_.keys_.size() + LineHits::kReadAhead);
-        scratch_.sorted_.resize(scratch_.keys_.size());
+    const std::size_t size = found_.size_;
+    std::vector<std::uint64_t>& sorted = scratch_.sorted_;
+    std::vector<Hit>& hits = scratch_.hits_;
+    if (hits.size() < size + LineHits::kReadAhead) {
+        hits.resize(scratch_.keys_.size() + LineHits::kReadAhead);
+        sorted.resize(scratch_.keys_.size());
     }
-    if (lines > kSparse * found_.size_ + kSparse) {
+    if (lines > kSparse * size + kSparse) {
         sort_sparse_lines();
         return;
     }
-    scratch_.first_.assign(lines + 1, 0);
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        ++scratch_.first_[scratch_.lines_[i]];
+    std::vector<std::uint32_t>& first = scratch_.first_;
+    first.assign(lines + 1, 0);
+    for (std::size_t i = 0; i < size; ++i) {
+        ++first[scratch_.lines_[i]];
     }
     std::uint32_t end = 0;
-    for (std::uint32_t& first : scratch_.first_) {
-        end += first;
-        first = end;
+    for (std::uint32_t& each : first) {
+        end += each;
+        each = end;
     }
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        scratch_.sorted_[--scratch_.first_[scratch_.lines_[i]]] = scratch_.keys_[i];
+    for (std::size_t i = 0; i < size; ++i) {
+        sorted[--first[scratch_.lines_[i]]] = scratch_.keys_[i];
     }
     for (std::size_t line = 0; line < lines; ++line) {
-        sort_keys(
-            scratch_.sorted_.data() + scratch_.first_[line],
-            scratch_.first_[line + 1] - scratch_.first_[line]);
+        sort_keys(sorted.data() + first[line], first[line + 1] - first[line]);
     }
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        scratch_.hits_[i] = static_cast<Hit>(scratch_.sorted_[i]);
+    for (std::size_t i = 0; i < size; ++i) {
+        hits[i] = static_cast<Hit>(sorted[i]);
     }
 }
 
 void LineHitFinder::sort_sparse_lines() {
+    const std::vector<std::uint32_t>& lines = scratch_.lines_;
+    const std::vector<std::uint64_t>& keys = scratch_.keys_;
     std::vector<std::uint32_t> order(found_.size_);
     std::iota(order.begin(), order.end(), 0U);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return scratch_.lines_[a] != scratch_.lines_[b] ? scratch_.lines_[a] < scratch_.lines_[b]
-                                                        : scratch_.keys_[a] < scratch_.keys_[b];
+        return lines[a] != lines[b] ? lines[a] < lines[b] : keys[a] < keys[b];
     });
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        if (i == 0 || scratch_.lines_[order[i]] != scratch_.lines_[order[i - 1]]) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || lines[order[i]] != lines[order[i - 1]]) {
             scratch_.first_.push_back(static_cast<std::uint32_t>(i));
         }
-        scratch_.hits_[i] = static_cast<Hit>(scratch_.keys_[order[i]]);
+        scratch_.hits_[i] = static_cast<Hit>(keys[order[i]]);
     }
-    scratch_.first_.push_back(static_cast<std::uint32_t>(found_.size_));
+    scratch_.first_.push_back(static_cast<std::uint32_t>(order.size()));
 }
 
 LineHits find_line_hits(

@@ -22,7 +22,7 @@ TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& 
     return traced;
 }
 
-/// The kind of lights that a task looks at: place in units.kinds.
+/// The kind of lights that a task samples: index in units.kinds.
 std::size_t kind_of(const VisibilityTask& task, const SumUnits& units) {
     const FoundBy by = task.is_sky ? FoundBy::directions : FoundBy::lines;
     const auto kind = std::find_if(
@@ -64,7 +64,7 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
     std::vector<VisibilityTask> tasks = budget_.tasks(round);
     for (const VisibilityTask& task : tasks) {
-        const double brought = budget_.light_per_look(task, round);
+        const double brought = budget_.light_per_sample(task, round);
         double& most = sums.per_find[kind_of(task, sums.units)];
         most = std::max(most, brought);
     }
@@ -223,7 +223,7 @@ SumMeaning direct_beams_meaning(
     double of_line = 0;
     double spacing = 0;
     for (const VisibilityTask& task : budget.tasks(first)) {
-        const double step = budget.light_per_look(task, first);
+        const double step = budget.light_per_sample(task, first);
         if (task.is_sky) {
             counted.push_back(kind_by_direction(prepared, task.count, step));
         } else {

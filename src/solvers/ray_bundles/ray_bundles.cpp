@@ -117,7 +117,7 @@ class RayBundles final : public Solver {
             tally.add(tally.layout().rays(), static_cast<std::int64_t>(segments));
             return irradiance;
         };
-        const SkyDirections* skies = beams_.looks_at_skies() ? &beams_.skies() : nullptr;
+        const SkyDirections* skies = beams_.viewed_skies();
 
         // E_direct, whose flux is in the tally, and B = R E_direct
         DirectOnPatches direct =
