@@ -104,22 +104,215 @@ class DirectDeposit {
     using Work = DirectBeams::Work;
     using Beam = DirectBeams::Beam;
 
-    void deposit_strip(const Work& work);
+    void deposit_strip(const Work& work) {
+        const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
+        const DepositedSamples deposited(
+            beams_.stream_of(work, 0), work.task.count, kDepositedLines);
+        const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
+        const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
+            throw_if_stopped(input_.stop);
+            const std::uint32_t factor = deposited.factor(line.number);
+            if (factor > 0) {
+                deposit_line(lit, line, factor * lit.per_length, bands);
+            }
+        });
+        beams_.score_strip(work, lit, visible, tally_);
+    }
+
     void deposit_line(
         const DirectBeams::LitStrip& lit,
         const LineStrip::Line& line,
         double per_length,
-        std::span<const LitBands> bands);
-    void deposit_skies(const Work& work);
-    void score(const DirectBeams::SkyView& view, const Beam& beam);
+        std::span<const LitBands> bands) {
+        const LocalMesh& mesh = prepared_.caster().mesh();
+        for (const VisibleSegment& segment : line.segments) {
+            const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
+            if (prepared_.material(prepared_.region(triangle)).is_transparent() ||
+                !(segment.length() > 0)) {
+                continue;
+            }
+            const double amount =
+                per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
+            const SurfaceSide side = lit_side(cosine);
+            patches_.patches.cut(
+                triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
+                scratch_.segments, [&](std::uint32_t patch, double share) {
+                    add_to(bands, side_of(patch, side), amount * share);
+                });
+        }
+    }
+
+    void deposit_skies(const Work& work) {
+        const SkyDirections& skies = beams_.skies();
+        const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
+        const DepositedSamples deposited(
+            beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
+            patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
+        for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
+             i += static_cast<std::uint32_t>(work.task.blocks)) {
+            throw_if_stopped(input_.stop);
+            const std::uint32_t factor = deposited.factor(i);
+            const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
+            std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
+            for (const Beam& beam : view.beams) {
+                if (beam.paths > 0) {
+                    score(view, beam);
+                    const double of_pixel =
+                        factor * beam.paths * view.image.pixel_area() / beam.area;
+                    for (std::size_t b = 0; b < weights.size(); ++b) {
+                        weights[b] += of_pixel * beam.light->start_weights[b];
+                    }
+                }
+            }
+            if (view.paths > 0 && factor > 0) {
+                deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
+            }
+            beams_.count_contributions(work, view, tally_);
+            // An exitance of 1 is a radiance of 1 / pi.
+            const double open = sky_weight(skies, view.from.direction) /
+                                (view.from.density * work.task.count) / std::numbers::pi *
+                                view.image.pixel_area();
+            add_open_pixels(patches_, view.image, open, open_);
+        }
+    }
+
+    void score(const DirectBeams::SkyView& view, const Beam& beam) {
+        DirectLightScore::score(prepared_, beam, tally_, [&](DirectLightScore& direct) {
+            for (const ItemBuffer::Item& item : view.image.items()) {
+                direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
+            }
+        });
+    }
+
+    /// @param lit  by one pixel
     void deposit_pixels(
         const DirectBeams::SkyView& view,
         const DepositedRows& rows,
-        std::span<const LitBands> lit) const;
-    void trace();
+        std::span<const LitBands> lit) const {
+        struct Seen {
+            const ItemBuffer::Item* item = nullptr;
+            double share = 1;
+        };
+        const ItemBuffer& image = view.image;
+        const LocalMesh& mesh = prepared_.caster().mesh();
+        std::vector<Seen> by_id(image.id_count());
+        for (const ItemBuffer::Item& item : image.items()) {
+            if (item.id > 0) {
+                by_id[item.id] = {&item, mesh.exact_share(item.triangle, view.from.direction)};
+            }
+        }
+        const auto deposit_run = [&](const ItemBuffer::RowRun& run, PrefetchedAdds& adds) {
+            const Seen& seen = by_id[run.id];
+            if (seen.item == nullptr) {
+                return;
+            }
+            const SurfaceSide side = lit_side(seen.item->cosine);
+            const ItemBuffer::Points& points = image.points(run.id);
+            // Pixels next to each other mostly see the same patch.
+            std::uint32_t patch = 0, count = 0;
+            for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
+                const Point2 at = points.of(x, run.row);
+                const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
+                if (count > 0 && next != patch) {
+                    adds.add(side_of(patch, side), count * seen.share);
+                    count = 0;
+                }
+                patch = next;
+                count += rows.of;
+            }
+            adds.add(side_of(patch, side), count * seen.share);
+        };
+        PrefetchedAdds::add(lit, [&](PrefetchedAdds& adds) {
+            image.for_each_run_of_rows(rows.first, rows.of, [&](const ItemBuffer::RowRun& run) {
+                deposit_run(run, adds);
+            });
+        });
+    }
+
+    /// Traces paths from sources, to their first hits.
+    void trace() {
+        const Round& round = task_.round;
+        const Sampler& sampler = input_.sampler;
+        const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
+        std::vector<std::vector<LitBands>> lit;
+        for (const BoundSource& source : prepared_.lights()) {
+            lit.push_back(lit_bands(light_, source.start_weights));
+        }
+        std::uint64_t rays = 0;
+        for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
+            throw_if_stopped(input_.stop);
+            const LightPick pick = prepared_.pick_light(sampler.coordinate(stream, point, 0));
+            if (!beams_.traced()[pick.index]) {
+                continue;
+            }
+            const BoundSource& source = prepared_.lights()[pick.index];
+            const auto u = [&](std::uint32_t i) { return sampler.coordinate(stream, point, i); };
+            const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
+            if (start.weight > 0) {
+                rays += trace_path(source, start, lit[pick.index]);
+            }
+        }
+        tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
+    }
+
+    /// @returns the rays cast
     std::uint64_t trace_path(
-        const BoundSource& source, const Emission& start, std::span<const LitBands> lit);
-    void copy_to_coarse();
+        const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
+        const SumLayout& layout = tally_.layout();
+        const RayCaster& caster = prepared_.caster();
+        tally_.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
+        CastHit at = source.source->is_lamp()
+                         ? caster.cast_from_lamp(start.origin, start.direction)
+                         : caster.cast(start.origin, start.direction, kNoTriangle);
+        std::uint64_t rays = 1;
+        for (; at.end == RayEnd::hit; ++rays) {
+            const Surface surface = surface_at(prepared_, at.hit, start.direction);
+            const double amount =
+                start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
+            if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
+                tally_.add(
+                    layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
+                const bool is_sunlit =
+                    source.lit_area > 0 && surface.cosine > 0 &&
+                    prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
+                const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
+                tally_.add(
+                    layout.sunlit(surface.region),
+                    to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
+            }
+            if (!prepared_.material(surface.region).is_transparent()) {
+                tally_.add_signed(
+                    layout.escaped_direct() + source.spectrum,
+                    to_fixed(start.weight) - to_fixed(amount));
+                const std::uint32_t triangle = patches_.representative(surface.triangle);
+                add_to(
+                    lit, side_of(patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side),
+                    amount);
+                return rays;
+            }
+            at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
+        }
+        if (at.end == RayEnd::escaped) {
+            tally_.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
+            return rays;
+        }
+        for (std::size_t b = 0; b < layout.bands; ++b) {
+            tally_.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+        }
+        return rays;
+    }
+
+    /// Light straight from a source is the same on both levels.
+    void copy_to_coarse() {
+        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
+            const PatchSides<0> all = light_.sides(pack);
+            const std::size_t bands = light_.packs()[pack].bands;
+            for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
+                double* came = all.incident(side);
+                std::copy_n(came, bands, came + bands);
+            }
+        }
+    }
 
     const SolverInput& input_;
     const PreparedScene& prepared_;
@@ -131,212 +324,6 @@ class DirectDeposit {
     Tally& tally_;
     OpenAreas open_;
 };
-
-void DirectDeposit::deposit_strip(const Work& work) {
-    const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
-    const DepositedSamples deposited(beams_.stream_of(work, 0), work.task.count, kDepositedLines);
-    const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
-    const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
-        throw_if_stopped(input_.stop);
-        const std::uint32_t factor = deposited.factor(line.number);
-        if (factor > 0) {
-            deposit_line(lit, line, factor * lit.per_length, bands);
-        }
-    });
-    beams_.score_strip(work, lit, visible, tally_);
-}
-
-void DirectDeposit::deposit_line(
-    const DirectBeams::LitStrip& lit,
-    const LineStrip::Line& line,
-    double per_length,
-    std::span<const LitBands> bands) {
-    const LocalMesh& mesh = prepared_.caster().mesh();
-    for (const VisibleSegment& segment : line.segments) {
-        const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
-        if (prepared_.material(prepared_.region(triangle)).is_transparent() ||
-            !(segment.length() > 0)) {
-            continue;
-        }
-        const double amount =
-            per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
-        const SurfaceSide side = lit_side(cosine);
-        patches_.patches.cut(
-            triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
-            scratch_.segments, [&](std::uint32_t patch, double share) {
-                add_to(bands, side_of(patch, side), amount * share);
-            });
-    }
-}
-
-void DirectDeposit::deposit_skies(const Work& work) {
-    const SkyDirections& skies = beams_.skies();
-    const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
-    const DepositedSamples deposited(
-        beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
-        patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
-    for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
-         i += static_cast<std::uint32_t>(work.task.blocks)) {
-        throw_if_stopped(input_.stop);
-        const std::uint32_t factor = deposited.factor(i);
-        const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
-        std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
-        for (const Beam& beam : view.beams) {
-            if (beam.paths > 0) {
-                score(view, beam);
-                const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
-                for (std::size_t b = 0; b < weights.size(); ++b) {
-                    weights[b] += of_pixel * beam.light->start_weights[b];
-                }
-            }
-        }
-        if (view.paths > 0 && factor > 0) {
-            deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
-        }
-        beams_.count_contributions(work, view, tally_);
-        // An exitance of 1 is a radiance of 1 / pi.
-        const double open = sky_weight(skies, view.from.direction) /
-                            (view.from.density * work.task.count) / std::numbers::pi *
-                            view.image.pixel_area();
-        add_open_pixels(patches_, view.image, open, open_);
-    }
-}
-
-void DirectDeposit::score(const DirectBeams::SkyView& view, const Beam& beam) {
-    DirectLightScore::score(prepared_, beam, tally_, [&](DirectLightScore& direct) {
-        for (const ItemBuffer::Item& item : view.image.items()) {
-            direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
-        }
-    });
-}
-
-/// @param lit  by one pixel
-void DirectDeposit::deposit_pixels(
-    const DirectBeams::SkyView& view,
-    const DepositedRows& rows,
-    std::span<const LitBands> lit) const {
-    struct Seen {
-        const ItemBuffer::Item* item = nullptr;
-        double share = 1;
-    };
-    const ItemBuffer& image = view.image;
-    const LocalMesh& mesh = prepared_.caster().mesh();
-    std::vector<Seen> by_id(image.id_count());
-    for (const ItemBuffer::Item& item : image.items()) {
-        if (item.id > 0) {
-            by_id[item.id] = {&item, mesh.exact_share(item.triangle, view.from.direction)};
-        }
-    }
-    const auto deposit_run = [&](const ItemBuffer::RowRun& run, PrefetchedAdds& adds) {
-        const Seen& seen = by_id[run.id];
-        if (seen.item == nullptr) {
-            return;
-        }
-        const SurfaceSide side = lit_side(seen.item->cosine);
-        const ItemBuffer::Points& points = image.points(run.id);
-        // Pixels next to each other mostly see the same patch.
-        std::uint32_t patch = 0, count = 0;
-        for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
-            const Point2 at = points.of(x, run.row);
-            const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
-            if (count > 0 && next != patch) {
-                adds.add(side_of(patch, side), count * seen.share);
-                count = 0;
-            }
-            patch = next;
-            count += rows.of;
-        }
-        adds.add(side_of(patch, side), count * seen.share);
-    };
-    PrefetchedAdds::add(lit, [&](PrefetchedAdds& adds) {
-        image.for_each_run_of_rows(
-            rows.first, rows.of, [&](const ItemBuffer::RowRun& run) { deposit_run(run, adds); });
-    });
-}
-
-/// Traces paths from sources, to their first hits.
-void DirectDeposit::trace() {
-    const Round& round = task_.round;
-    const Sampler& sampler = input_.sampler;
-    const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
-    std::vector<std::vector<LitBands>> lit;
-    for (const BoundSource& source : prepared_.lights()) {
-        lit.push_back(lit_bands(light_, source.start_weights));
-    }
-    std::uint64_t rays = 0;
-    for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
-        throw_if_stopped(input_.stop);
-        const LightPick pick = prepared_.pick_light(sampler.coordinate(stream, point, 0));
-        if (!beams_.traced()[pick.index]) {
-            continue;
-        }
-        const BoundSource& source = prepared_.lights()[pick.index];
-        const auto u = [&](std::uint32_t i) { return sampler.coordinate(stream, point, i); };
-        const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
-        if (start.weight > 0) {
-            rays += trace_path(source, start, lit[pick.index]);
-        }
-    }
-    tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
-}
-
-/// @returns the rays cast
-std::uint64_t DirectDeposit::trace_path(
-    const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
-    const SumLayout& layout = tally_.layout();
-    const RayCaster& caster = prepared_.caster();
-    tally_.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
-    CastHit at = source.source->is_lamp() ? caster.cast_from_lamp(start.origin, start.direction)
-                                          : caster.cast(start.origin, start.direction, kNoTriangle);
-    std::uint64_t rays = 1;
-    for (; at.end == RayEnd::hit; ++rays) {
-        const Surface surface = surface_at(prepared_, at.hit, start.direction);
-        const double amount =
-            start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
-        if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
-            tally_.add(
-                layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
-            const bool is_sunlit =
-                source.lit_area > 0 && surface.cosine > 0 &&
-                prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
-            const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
-            tally_.add(
-                layout.sunlit(surface.region),
-                to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
-        }
-        if (!prepared_.material(surface.region).is_transparent()) {
-            tally_.add_signed(
-                layout.escaped_direct() + source.spectrum,
-                to_fixed(start.weight) - to_fixed(amount));
-            const std::uint32_t triangle = patches_.representative(surface.triangle);
-            add_to(
-                lit, side_of(patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side),
-                amount);
-            return rays;
-        }
-        at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
-    }
-    if (at.end == RayEnd::escaped) {
-        tally_.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
-        return rays;
-    }
-    for (std::size_t b = 0; b < layout.bands; ++b) {
-        tally_.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
-    }
-    return rays;
-}
-
-/// Light straight from a source is the same on both levels.
-void DirectDeposit::copy_to_coarse() {
-    for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
-        const PatchSides<0> all = light_.sides(pack);
-        const std::size_t bands = light_.packs()[pack].bands;
-        for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
-            double* came = all.incident(side);
-            std::copy_n(came, bands, came + bands);
-        }
-    }
-}
 
 }  // namespace
 
