@@ -98,6 +98,22 @@ FAMILIES = {
             ),
         ),
     ),
+    "output": Family(
+        folder="src/resultio",
+        tests="tests/unit/resultio",
+        pages="docs/formats",
+        catalogue="src/runfile/output_catalogue.h",
+        prefix="write_",
+        entries=(
+            ("declares an output", "MakeOutput make_@name@;"),
+            (
+                "enters an output",
+                """    take(
+        OutputKey{"@name@", "write @words@ here; - is standard output"},
+        [](const auto& input) { return make_@name@(input); });""",
+            ),
+        ),
+    ),
     "solver": Family(
         folder="src/solvers",
         tests="tests/unit/solvers",

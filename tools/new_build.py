@@ -19,24 +19,43 @@ import new
 NAME = "trial_{}"  # of each family; names of pages must differ between families
 PARTS = (
     "CMakeLists.txt", "CMakePresets.json", "cmake", "data", "include",
-    "src", "tests", "tools", "docs", "examples",
+    "src", "tests", "tools", "docs", "examples", "python",
 )
 
-# The tests that try every row of a catalogue, with what they need, and which of their cases.
+# The tests that try every row of a catalogue, with what they need.
 EVERY_ROW = {
     "bsdf": ("models_test.cpp", "optics_testing.cpp"),
-    "format": ("formats_test.cpp", "io_testing.cpp", "catalogues_test.cpp"),
+    "format": ("formats_test.cpp", "../runfile/io_testing.cpp", "../runfile/catalogues_test.cpp"),
     "sampler": ("every_sampler_test.cpp", "sampler_testing.cpp"),
     "solver": ("every_solver_test.cpp", "../../statistical/scenes.cpp"),
-    "detector": ("every_detector_test.cpp",),
+    "detector": (
+        "every_detector_test.cpp",
+        "../capi/written_detectors_test.cpp",
+        "../capi/canopy.cpp",
+        "../runfile/io_testing.cpp",
+    ),
+    "output": ("../runfile/every_output_test.cpp", "../runfile/io_testing.cpp"),
 }
 FILTER = "*Trial*:*trial*:Catalogue*:Formats.*:Catalogues.*"
 
 PROGRAM = """quasimc_test(
     NAME new_members
     SOURCES {sources}
-    LIBS quasimc::io fmt::fmt nlohmann_json::nlohmann_json)
+    LIBS quasimc::capi quasimc::netcdf quasimc::detectors quasimc::samplers fmt::fmt
+         nlohmann_json::nlohmann_json)
 {includes}"""
+
+
+DETECTOR_IN_PYTHON = """
+import quasimc
+scene = quasimc.Scene(["PAR"])
+scene.add_material("leaf", reflectance=0.5)
+scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1)
+scene.add_source(quasimc.directional(direction=[0, 0, -1], irradiance_facing=1))
+scene.add_detector("{type}", name="it")
+seen = scene.run(paths=64, method="light_tracing").detectors["it"]
+assert seen.type == "{type}" and len(seen["PAR"].mean) == len(seen.bins) > 0
+"""
 
 
 def copy_tree(copy):
@@ -54,7 +73,7 @@ def leave_only_new_tests(copy, families):
     sources, folders = [], []
     for kind, family in families.items():
         names = (f"{family.prefix}{NAME.format(kind)}_test.cpp", *EVERY_ROW.get(kind, ()))
-        sources += [f'"${{PROJECT_SOURCE_DIR}}/{family.tests}/{name}"' for name in names]
+        sources += [os.path.normpath(f"{family.tests}/{name}") for name in names]
         folders.append(f'"${{PROJECT_SOURCE_DIR}}/{family.tests}"')
     for lists in (copy / "tests").glob("**/CMakeLists.txt"):
         if lists.parent.name not in ("tests", "support", "fuzz"):
@@ -62,7 +81,12 @@ def leave_only_new_tests(copy, families):
     target = copy / "tests/new_members"
     target.mkdir()
     includes = f"target_include_directories(quasimc_test_new_members PRIVATE {' '.join(folders)})\n"
-    text = PROGRAM.format(sources="\n            ".join(sources), includes=includes)
+    text = PROGRAM.format(
+        sources="\n            ".join(
+            f'"${{PROJECT_SOURCE_DIR}}/{source}"' for source in dict.fromkeys(sources)
+        ),
+        includes=includes,
+    )
     (target / "CMakeLists.txt").write_text(text, encoding="utf-8")
 
 
@@ -80,11 +104,15 @@ def build(copy, jobs, families):
     # The build folder is where every build of this preset is, so that ccache knows the modules.
     environment = {"CCACHE_BASEDIR": str(copy), "CCACHE_NOHASHDIR": "1", **os.environ}
     folder = copy / "build/release"
-    settings = ["-DQUASIMC_BUILD_APPS=OFF", "-DQUASIMC_BUILD_PYTHON=OFF", "-DQUASIMC_BUILD_TESTS=ON"]
+    has_python = "ON" if "detector" in families else "OFF"
+    settings = ["APPS=OFF", f"PYTHON={has_python}", "TESTS=ON"]
+    settings = [f"-DQUASIMC_BUILD_{setting}" for setting in settings]
     run(["cmake", "--preset", "release", *settings], cwd=copy, env=environment)
     targets = ["quasimc_test_new_members"]
     if "format" in families:
         targets.append("quasimc_fuzz")
+    if "detector" in families:
+        targets.append("quasimc_python")
     run(["cmake", "--build", folder, "--target", *targets, "-j", str(jobs)], env=environment)
     return folder
 
@@ -100,13 +128,22 @@ def test(copy, folder, families):
             if f"{suite}.{case}" not in passed:
                 sys.exit(f"{said}\nnew_build: {kind}: {suite}.{case} did not pass")
     rows = [name for name in passed if "/trial_" in name]
-    for kind in families.keys() & {"bsdf", "sampler", "solver", "detector"}:
+    for kind in families.keys() & {"bsdf", "sampler", "solver", "detector", "output"}:
         if not any(f"/{NAME.format(kind)}" in name for name in rows):
             sys.exit(f"new_build: {kind}: no test over the rows of its catalogue took the new row up")
     if "format" in families:
         replay = f"Fuzz.Replays.{NAME.format('format')}"
         run(["ctest", "--test-dir", folder, "--no-tests=error", "-R", replay])
     print(f"new_build: {len(families)} families, {len(passed)} tests passed, {len(rows)} on new rows")
+
+
+def test_detector_in_python(folder):
+    """A new type of detector is there in Python by its name."""
+    program = DETECTOR_IN_PYTHON.format(type=NAME.format("detector"))
+    environment = {**os.environ, "PYTHONPATH": str(folder / "python")}
+    cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
+    python = re.search(r"^QUASIMC_PYTHON:FILEPATH=(.*)$", cache, re.M)[1]
+    run([python, "-c", program], env=environment)
 
 
 def main():
@@ -127,7 +164,10 @@ def main():
             new.create(copy, kind, NAME.format(kind))
         run([sys.executable, copy / "tools/check_layers.py", "--root", copy])
         leave_only_new_tests(copy, families)
-        test(copy, build(copy, args.jobs, families), families)
+        built = build(copy, args.jobs, families)
+        test(copy, built, families)
+        if "detector" in families:
+            test_detector_in_python(built)
 
 
 if __name__ == "__main__":

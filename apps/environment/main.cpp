@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
     }
     StepWindow window(tell);
     return status_of(
-        quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell, window.viewer()));
+        quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell, &window));
 }
 
 }  // namespace

@@ -29,14 +29,8 @@ std::string head_of(const quasimc::SeenStep& step) {
 
 }  // namespace
 
-quasimc::StepViewer StepWindow::viewer() {
-    return {
-        .open = [this](int port) { open(port); },
-        .begin =
-            [this](std::int64_t step) {
-                window_->tell(fmt::format("the light of step {} is being computed", step));
-            },
-        .show = [this](const quasimc::SeenStep& step) { show(step); }};
+void StepWindow::on_begin(std::int64_t step) {
+    window_->tell(fmt::format("the light of step {} is being computed", step));
 }
 
 void StepWindow::open(int port) {
@@ -51,7 +45,7 @@ void StepWindow::open(int port) {
     tell_("view: " + server_->address());
 }
 
-void StepWindow::show(const quasimc::SeenStep& step) {
+void StepWindow::on_step(const quasimc::SeenStep& step) {
     if (!step.light->scene) {
         window_->tell(fmt::format("step {}: nothing is lit", step.step));
         return;

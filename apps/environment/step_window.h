@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,17 +12,16 @@
 
 /// Shows the steps of a growing plant on the page in the browser. What a step costs here is to keep
 /// its light, and nothing is made of it before a page asks.
-class StepWindow {
+class StepWindow final : public quasimc::StepViewer {
   public:
     /// @param tell  takes the address of the page
     explicit StepWindow(std::function<void(const std::string&)> tell) : tell_(std::move(tell)) {}
 
-    [[nodiscard]] quasimc::StepViewer viewer();
+    void open(int port) override;
+    void on_begin(std::int64_t step) override;
+    void on_step(const quasimc::SeenStep& step) override;
 
   private:
-    void open(int port);
-    void show(const quasimc::SeenStep& step);
-
     std::function<void(const std::string&)> tell_;
     std::shared_ptr<quasimc::LiveWindow> window_;
     std::optional<quasimc::WindowServer> server_;

@@ -15,24 +15,37 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
             stderr, "note: %s is not there yet: the run begins anew\n",
             arguments.checkpoint.c_str());
     }
-    hooks_.state_of = [this](std::size_t moment) {
-        return file_->state_of(moments_before_ + moment);
-    };
-    hooks_.has_state = [this](std::size_t moment) {
-        return file_->has_state(moments_before_ + moment);
-    };
-    hooks_.is_due = [this] { return faults_.empty() && file_->is_due(); };
-    hooks_.save = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
-        attempt([&] { file_->save(moments_before_ + moment, state); });
-    };
-    hooks_.finish = [this](std::size_t moment, const quasimc::RunSnapshot& state) {
-        attempt([&] { file_->finish(moments_before_ + moment, state); });
-    };
+}
+
+std::optional<quasimc::RunState> CheckpointRun::state_of(std::size_t time_step) {
+    return file_->state_of(moments_before_ + time_step);
+}
+
+bool CheckpointRun::has_state(std::size_t time_step) const {
+    return file_ && file_->has_state(moments_before_ + time_step);
+}
+
+bool CheckpointRun::wants_pause() {
+    return file_ && faults_.empty() && file_->is_due();
+}
+
+void CheckpointRun::on_pause(const quasimc::RunSoFar& run) {
+    attempt([&] { file_->save(moments_before_ + run.time_step(), run.snapshot()); });
+}
+
+void CheckpointRun::on_round(const quasimc::RunSoFar& run) {
+    if (wants_pause()) {
+        on_pause(run);
+    }
+}
+
+void CheckpointRun::on_last_round(const quasimc::RunSoFar& run) {
+    attempt([&] { file_->finish(moments_before_ + run.time_step(), run.snapshot()); });
 }
 
 template <typename Save>
 void CheckpointRun::attempt(const Save& save) {
-    if (!faults_.empty()) {
+    if (!file_ || !faults_.empty()) {
         return;
     }
     try {
@@ -44,7 +57,5 @@ void CheckpointRun::attempt(const Save& save) {
 }
 
 void CheckpointRun::flush() {
-    if (file_) {
-        attempt([this] { file_->flush(); });
-    }
+    attempt([this] { file_->flush(); });
 }

@@ -9,7 +9,7 @@
 #include "run_writers.h"
 
 /// The checkpoint of a `quasimc run`, if it keeps one.
-class CheckpointRun {
+class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredStates {
   public:
     /// @param first  run of the sweep
     /// @throws quasimc::InputError  if the checkpoint is not one of this run
@@ -17,8 +17,16 @@ class CheckpointRun {
 
     /// What follows is of a point of the sweep that so many moments came before.
     void set_moments_before(std::size_t moments) { moments_before_ = moments; }
-    /// For the series of the point; null without a checkpoint.
-    [[nodiscard]] const quasimc::RunCheckpoint* hooks() const { return file_ ? &hooks_ : nullptr; }
+    /// The states to go on from; null without a checkpoint.
+    [[nodiscard]] quasimc::StoredStates* states() { return file_ ? this : nullptr; }
+    [[nodiscard]] std::optional<quasimc::RunState> state_of(std::size_t time_step) override;
+    [[nodiscard]] bool has_state(std::size_t time_step) const;
+
+    [[nodiscard]] bool wants_pause() override;
+    void on_pause(const quasimc::RunSoFar& run) override;
+    void on_round(const quasimc::RunSoFar& run) override;
+    void on_last_round(const quasimc::RunSoFar& run) override;
+
     /// Saves what was not saved yet.
     void flush();
     /// @throws quasimc::InputError  if the checkpoint could not be saved: the run went on without
@@ -32,5 +40,4 @@ class CheckpointRun {
     std::optional<quasimc::CheckpointFile> file_;
     quasimc::Faults faults_;
     std::size_t moments_before_ = 0;
-    quasimc::RunCheckpoint hooks_;
 };

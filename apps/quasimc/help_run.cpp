@@ -16,7 +16,7 @@ namespace {
 
 /// @param run, taken  the last run that was taken, and its point
 void help_with_dealt(
-    const quasimc::RunTeam& team,
+    quasimc::RunTeam& team,
     quasimc::RunSweep& sweep,
     const quasimc::TeamOrder& order,
     std::unique_ptr<quasimc::RunFile> run,
@@ -37,7 +37,7 @@ void help_with_dealt(
 
 }  // namespace
 
-Exit help_run(const RunArguments& arguments, const quasimc::RunTeam& team) {
+Exit help_run(const RunArguments& arguments, quasimc::RunTeam& team) {
     std::optional<quasimc::StoredSweep> stored;
     std::exception_ptr failure;
     try {

@@ -73,29 +73,7 @@ void sleep_a_little() {
 
 class MpiRankTeam final : public RankTeam {
   public:
-    explicit MpiRankTeam(const QuasimcRanks& ranks) : ranks_(ranks) {
-        team_.rank = ranks.rank;
-        team_.size = ranks.ranks;
-        team_.tasks.share = quasimc::share_of(ranks.rank + 1, ranks.ranks);
-        team_.tasks.meet = [this](bool is_done) { return meet(is_done); };
-        team_.order = [this](const quasimc::TeamOrder& order) { return pass_order(order); };
-        team_.add_up = [this](std::vector<std::int64_t>& numbers) {
-            ranks_.add_up(numbers.data(), numbers.size());
-        };
-        team_.share = [this](std::string& bytes) { share_bytes(bytes); };
-        team_.send = [this](std::string_view bytes) {
-            const std::uint64_t count = bytes.size();
-            ranks_.send(&count, 1);
-            const Words words = words_of(bytes);
-            ranks_.send(words.data(), words.size());
-        };
-        team_.receive = [this](std::uint64_t rank, const std::stop_token& stop) {
-            return receive(rank, stop);
-        };
-        team_.stop = [this] { ranks_.stop(); };
-        team_.is_stopped = [this] { return is_stopped(); };
-        team_.await_stop = [this] { await_stop(); };
-    }
+    explicit MpiRankTeam(const QuasimcRanks& ranks) : ranks_(ranks) {}
 
     [[nodiscard]] Exit run(const std::function<Exit()>& work) override {
         try {
@@ -106,7 +84,7 @@ class MpiRankTeam final : public RankTeam {
             leave();
             throw;
         } catch (const std::exception& error) {
-            if (team_.is_first() && !has_ordered_) {
+            if (is_first() && !has_ordered_) {
                 leave();
                 throw;
             }
@@ -114,6 +92,82 @@ class MpiRankTeam final : public RankTeam {
             ranks_.abort(static_cast<int>(Exit::input_error));
             throw;
         }
+    }
+
+    [[nodiscard]] std::uint64_t rank() const override { return ranks_.rank; }
+    [[nodiscard]] std::uint64_t size() const override { return ranks_.ranks; }
+
+    [[nodiscard]] bool meet(bool is_done) override {
+        if (is_first() && !is_done) {
+            ranks_.stop();
+        }
+        ranks_.barrier();
+        std::uint64_t is_first_done = is_done ? 1 : 0;
+        ranks_.broadcast(&is_first_done, 1);
+        if (!is_first() && is_first_done == 0) {
+            await_stop();
+        }
+        return is_first_done != 0;
+    }
+
+    [[nodiscard]] quasimc::TeamOrder order(const quasimc::TeamOrder& order) override {
+        has_ordered_ = true;
+        std::array<std::uint64_t, 9> numbers{
+            order.kind,        order.is_prepare,  order.point,
+            order.moment,      order.first_paths, order.round.first,
+            order.round.count, order.tasks.calls, order.tasks.task};
+        ranks_.broadcast(numbers.data(), numbers.size());
+        const auto& [kind, is_prepare, point, moment, first_paths, first, count, calls, task] =
+            numbers;
+        return {kind, is_prepare, point, moment, first_paths, {first, count}, {calls, task}};
+    }
+
+    void add_up(std::vector<std::int64_t>& numbers) override {
+        ranks_.add_up(numbers.data(), numbers.size());
+    }
+
+    /// As words of 8 bytes, behind the number of bytes.
+    void share_bytes(std::string& bytes) override {
+        std::uint64_t count = bytes.size();
+        ranks_.broadcast(&count, 1);
+        Words words = words_of(bytes);
+        words.resize(count / kWord + 1);
+        ranks_.broadcast(words.data(), words.size());
+        bytes = bytes_of(words, count);
+    }
+
+    void send(std::string_view bytes) override {
+        const std::uint64_t count = bytes.size();
+        ranks_.send(&count, 1);
+        const Words words = words_of(bytes);
+        ranks_.send(words.data(), words.size());
+    }
+
+    [[nodiscard]] std::string receive(std::uint64_t rank, const std::stop_token& stop) override {
+        while (ranks_.has_sent(rank) == 0) {
+            if (stop.stop_requested()) {
+                throw quasimc::Stopped(
+                    quasimc::StopReason::interrupted, "stopped while other ranks were at work");
+            }
+            sleep_a_little();
+        }
+        std::uint64_t count = 0;
+        ranks_.receive(rank, &count, 1);
+        Words words(count / kWord + 1);
+        ranks_.receive(rank, words.data(), words.size());
+        return bytes_of(words, count);
+    }
+
+    void stop() override { ranks_.stop(); }
+    [[nodiscard]] bool is_stopped() override {
+        is_stopped_ = is_stopped_ || (!is_first() && ranks_.is_stopped() != 0);
+        return is_stopped_;
+    }
+    void await_stop() override {
+        while (!is_stopped()) {
+            sleep_a_little();
+        }
+        is_stopped_ = false;
     }
 
   private:
@@ -129,70 +183,9 @@ class MpiRankTeam final : public RankTeam {
         return {reinterpret_cast<const char*>(words.data()), count};
     }
 
-    [[nodiscard]] std::string receive(std::uint64_t rank, const std::stop_token& stop) const {
-        while (ranks_.has_sent(rank) == 0) {
-            if (stop.stop_requested()) {
-                throw quasimc::Stopped(
-                    quasimc::StopReason::interrupted, "stopped while other ranks were at work");
-            }
-            sleep_a_little();
-        }
-        std::uint64_t count = 0;
-        ranks_.receive(rank, &count, 1);
-        Words words(count / kWord + 1);
-        ranks_.receive(rank, words.data(), words.size());
-        return bytes_of(words, count);
-    }
-
-    [[nodiscard]] bool is_stopped() {
-        is_stopped_ = is_stopped_ || (!team_.is_first() && ranks_.is_stopped() != 0);
-        return is_stopped_;
-    }
-    void await_stop() {
-        while (!is_stopped()) {
-            sleep_a_little();
-        }
-        is_stopped_ = false;
-    }
-
-    [[nodiscard]] bool meet(bool is_done) {
-        if (team_.is_first() && !is_done) {
-            ranks_.stop();
-        }
-        ranks_.barrier();
-        std::uint64_t is_first_done = is_done ? 1 : 0;
-        ranks_.broadcast(&is_first_done, 1);
-        if (!team_.is_first() && is_first_done == 0) {
-            await_stop();
-        }
-        return is_first_done != 0;
-    }
-
-    [[nodiscard]] quasimc::TeamOrder pass_order(const quasimc::TeamOrder& order) {
-        has_ordered_ = true;
-        std::array<std::uint64_t, 9> numbers{
-            order.kind,        order.is_prepare,  order.point,
-            order.moment,      order.first_paths, order.round.first,
-            order.round.count, order.tasks.calls, order.tasks.task};
-        ranks_.broadcast(numbers.data(), numbers.size());
-        const auto& [kind, is_prepare, point, moment, first_paths, first, count, calls, task] =
-            numbers;
-        return {kind, is_prepare, point, moment, first_paths, {first, count}, {calls, task}};
-    }
-
-    /// As words of 8 bytes, behind the number of bytes.
-    void share_bytes(std::string& bytes) const {
-        std::uint64_t count = bytes.size();
-        ranks_.broadcast(&count, 1);
-        Words words = words_of(bytes);
-        words.resize(count / kWord + 1);
-        ranks_.broadcast(words.data(), words.size());
-        bytes = bytes_of(words, count);
-    }
-
     void leave() {
-        if (team_.is_first()) {
-            static_cast<void>(pass_order({.kind = quasimc::TeamOrder::kEnd}));
+        if (is_first()) {
+            static_cast<void>(order({.kind = quasimc::TeamOrder::kEnd}));
         }
         ranks_.finalize();
     }
@@ -218,7 +211,7 @@ std::unique_ptr<RankTeam> RankTeam::join() {
     sigaddset(&interrupt, SIGINT);
     ::pthread_sigmask(SIG_BLOCK, &interrupt, &before);
     auto ranks = std::make_unique<MpiRankTeam>(load_ranks());
-    if (!ranks->team().is_first()) {
+    if (!ranks->is_first()) {
         std::signal(SIGINT, SIG_IGN);  // the first rank stops all
     }
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);

@@ -30,7 +30,9 @@ void trace_points(
     quasimc::RunSweep& sweep,
     quasimc::PartWriter& writer) {
     const InterruptWatch interrupt(stopping_note(arguments));
-    const auto tell = progress_line(progress_lines(arguments));
+    ProgressLine line(progress_lines(arguments));
+    const quasimc::Work all({&line});
+    const double each = 1 / static_cast<double>(sweep.size());
     std::size_t before = 0;  // moments of the points before
     for (std::size_t point = 0; point < sweep.size(); ++point) {
         const std::optional<quasimc::RunFile> later =
@@ -44,7 +46,8 @@ void trace_points(
                     end_progress_line();
                     writer.add(before + moment, sums);
                 },
-                {.on_progress = tell, .stop = interrupt.token()});
+                {.stop = interrupt.token(),
+                 .work = all.part(static_cast<double>(point) * each, each)});
         } catch (const quasimc::InputError& error) {
             rethrow_of_file(error, run, arguments.flags.overrides());
         }

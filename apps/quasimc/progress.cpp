@@ -16,35 +16,6 @@ bool is_shown() {
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-void show(const std::string& what, const quasimc::Progress& progress) {
-    constexpr double kSoon = 1;  // seconds; shorter runs need no line
-    if (progress.expected_seconds >= kSoon) {
-        std::fprintf(stderr, "\r%s%s\x1b[K", what.c_str(), progress_words(progress).c_str());
-        std::fflush(stderr);
-    }
-}
-
-/// For a log: a line, and the next when much more is done or after a while.
-class LogLines {
-  public:
-    explicit LogLines(std::string what) : what_(std::move(what)) {}
-    void operator()(const quasimc::Progress& progress) {
-        constexpr double kMuch = 0.05, kWhile = 10;
-        constexpr double kLeast = 1;  // seconds between lines
-        const double since = progress.seconds - seconds_;
-        const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
-        if (is_due && since >= kLeast) {
-            std::fprintf(stderr, "%s%s\n", what_.c_str(), progress_words(progress).c_str());
-            seconds_ = progress.seconds;
-            fraction_ = progress.fraction;
-        }
-    }
-
-  private:
-    std::string what_;
-    double seconds_ = 0, fraction_ = 0;
-};
-
 }  // namespace
 
 std::string progress_words(const quasimc::Progress& progress) {
@@ -58,24 +29,44 @@ std::string progress_words(const quasimc::Progress& progress) {
     return text;
 }
 
-std::function<void(const quasimc::Progress&)> progress_line(
-    ProgressLines lines, const std::string& what) {
-    if (lines != ProgressLines::none && is_shown()) {
-        return [what](const quasimc::Progress& progress) { show(what, progress); };
+ProgressLine::ProgressLine(ProgressLines lines, std::string what)
+    : what_(std::move(what)),
+      on_terminal_(lines != ProgressLines::none && is_shown()),
+      in_lines_(lines == ProgressLines::always && !is_shown()) {}
+
+void ProgressLine::on_progress(const quasimc::Progress& progress) {
+    constexpr double kSoon = 1;  // seconds; shorter runs need no line
+    if (on_terminal_ && progress.expected_seconds >= kSoon) {
+        std::fprintf(stderr, "\r%s%s\x1b[K", what_.c_str(), progress_words(progress).c_str());
+        std::fflush(stderr);
     }
-    return lines == ProgressLines::always ? LogLines(what)
-                                          : std::function<void(const quasimc::Progress&)>();
+    if (in_lines_) {
+        add_line(progress);
+    }
+}
+
+/// For a log: a line, and the next when much more is done or after a while.
+void ProgressLine::add_line(const quasimc::Progress& progress) {
+    constexpr double kMuch = 0.05, kWhile = 10;
+    constexpr double kLeast = 1;  // seconds between lines
+    const double since = progress.seconds - seconds_;
+    const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
+    if (is_due && since >= kLeast) {
+        std::fprintf(stderr, "%s%s\n", what_.c_str(), progress_words(progress).c_str());
+        seconds_ = progress.seconds;
+        fraction_ = progress.fraction;
+    }
 }
 
 std::function<void(std::size_t, std::size_t)> points_line(ProgressLines lines) {
-    const auto tell = progress_line(lines, "reading points: ");
-    if (!tell) {
+    ProgressLine line(lines, "reading points: ");
+    if (!line.is_written()) {
         return {};
     }
-    return [tell, watch = quasimc::Stopwatch()](std::size_t read, std::size_t points) {
+    return [line, watch = quasimc::Stopwatch()](std::size_t read, std::size_t points) mutable {
         const double fraction = static_cast<double>(read) / static_cast<double>(points);
         if (read > 0) {
-            tell({fraction, watch.seconds(), watch.seconds() / fraction, 0});
+            line.on_progress({fraction, watch.seconds(), watch.seconds() / fraction, 0});
         }
     };
 }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "quasimc/run.h"
+#include "quasimc/run_listener.h"
 
 /// Where the progress of a run is told.
 enum class ProgressLines {
@@ -15,10 +15,23 @@ enum class ProgressLines {
 
 /// " 37 %, 12 s of about 33 s".
 [[nodiscard]] std::string progress_words(const quasimc::Progress& progress);
-/// Tells on stderr how far the run is; empty if it is told nowhere.
-/// @param what  stands before it, of what is no run: "reading points: "
-[[nodiscard]] std::function<void(const quasimc::Progress&)> progress_line(
-    ProgressLines lines, const std::string& what = "");
+/// Writes on stderr how far a run is.
+class ProgressLine final : public quasimc::RunListener {
+  public:
+    /// @param what  stands before it, of what is no run: "reading points: "
+    explicit ProgressLine(ProgressLines lines, std::string what = "");
+
+    void on_progress(const quasimc::Progress& progress) override;
+    [[nodiscard]] bool is_written() const { return on_terminal_ || in_lines_; }
+
+  private:
+    void add_line(const quasimc::Progress& progress);
+
+    std::string what_;
+    bool on_terminal_, in_lines_;
+    double seconds_ = 0, fraction_ = 0;  // of the last line
+};
+
 /// Tells on stderr how many points of a sweep are read and checked; empty if it is told nowhere.
 [[nodiscard]] std::function<void(std::size_t read, std::size_t points)> points_line(
     ProgressLines lines);

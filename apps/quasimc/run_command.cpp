@@ -148,8 +148,8 @@ Exit run_with_others(const RunArguments& arguments) {
     if (!ranks) {
         return run(arguments, reading, read_runs(arguments), nullptr);
     }
-    quasimc::RunTeam& team = ranks->team();
-    return ranks->run([&] {
+    RankTeam& team = *ranks;
+    return team.run([&] {
         return team.is_first()
                    ? run(arguments, reading, read_for_team(arguments, team), nullptr, &team)
                    : help_run(arguments, team);

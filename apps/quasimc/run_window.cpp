@@ -1,5 +1,6 @@
 #include "run_window.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -24,10 +25,6 @@ quasimc::WindowSite site_of(const std::shared_ptr<quasimc::LiveWindow>& window) 
 }  // namespace
 
 RunWindow::RunWindow(const quasimc::RunFile& first, int port) : server_(site_of(window_), port) {
-    preview_.is_wanted = [this] { return window_->is_watched(); };
-    preview_.on_result = [this](std::size_t moment, quasimc::Result result) {
-        add(moment, std::move(result));
-    };
     next_run(first);
     window_->tell("the scene is being prepared");
     fmt::print(stderr, "view: {}\n", server_.address());
@@ -44,19 +41,47 @@ void RunWindow::next_run(const quasimc::RunFile& run) {
         .head = quasimc::window_run_head(run)});
 }
 
-void RunWindow::listen(quasimc::SeriesEvents& events) {
-    events.preview = &preview_;
-    events.on_time_step = [this, others = std::move(events.on_time_step)](
-                              auto moment, const auto& result, auto traced) {
-        others(moment, result, traced);
-        add(moment, result);
-    };
-    events.on_progress = [this, others = std::move(events.on_progress)](const auto& progress) {
-        if (others) {
-            others(progress);
-        }
-        window_->tell(progress_words(progress), progress.fraction);
-    };
+void RunWindow::on_progress(const quasimc::Progress& progress) {
+    window_->tell(progress_words(progress), progress.fraction);
+}
+
+void RunWindow::on_time_step(const quasimc::TimeStepResult& step) {
+    add(step.time_step, step.result);
+}
+
+bool RunWindow::is_due() const {
+    return Clock::now() >= not_before_ && window_->is_watched();
+}
+
+bool RunWindow::wants_pause() {
+    return Clock::now() >= ask_after_ && is_due();
+}
+
+void RunWindow::on_pause(const quasimc::RunSoFar& run) {
+    constexpr std::size_t kFewest = 2;  // for an error
+    if (run.replicates() < kFewest || run.replicates() <= shown_) {
+        constexpr std::chrono::milliseconds kPatience{20};  // a pause for nothing costs as well
+        ask_after_ = Clock::now() + kPatience;
+        return;
+    }
+    shown_ = run.replicates();
+    show(run);
+}
+
+void RunWindow::on_round(const quasimc::RunSoFar& run) {
+    shown_ = 0;
+    if (is_due()) {
+        show(run);
+    }
+}
+
+void RunWindow::show(const quasimc::RunSoFar& run) {
+    constexpr std::chrono::milliseconds kBetween{300};
+    constexpr int kMostOften = 20;  // once in so many times the time that it takes
+    const Clock::time_point start = Clock::now();
+    add(run.time_step(), run.result());
+    const Clock::time_point end = Clock::now();
+    not_before_ = end + std::max<Clock::duration>(kBetween, kMostOften * (end - start));
 }
 
 void RunWindow::add(std::size_t moment, quasimc::Result result) {

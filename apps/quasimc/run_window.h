@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -8,8 +9,10 @@
 #include "window/live_window.h"
 #include "window/window_server.h"
 
-/// The page in the browser that follows `quasimc run --view`.
-class RunWindow {
+/// The page in the browser that follows `quasimc run --view`. While a page is watched it shows the
+/// result as it is so far: after rounds, and within the first round after replicates. What this
+/// costs is a small part of the run's time.
+class RunWindow final : public quasimc::RunListener {
   public:
     /// Tells the address of the page on stderr.
     /// @param port  0: any that is free. @throws InputError  if it can't be had, or there is no
@@ -18,14 +21,23 @@ class RunWindow {
 
     /// What follows is of the next point of a sweep.
     void next_run(const quasimc::RunFile& run);
-    /// Lets the page follow what a run tells, beside others who hear of it. Both must outlive it.
-    void listen(quasimc::SeriesEvents& events);
     /// The run is over.
     void finish(quasimc::StopReason stop);
     /// Serves the page until Ctrl-C.
     static void stay();
 
+    void on_progress(const quasimc::Progress& progress) override;
+    [[nodiscard]] bool wants_pause() override;
+    void on_pause(const quasimc::RunSoFar& run) override;
+    void on_round(const quasimc::RunSoFar& run) override;
+    void on_last_round(const quasimc::RunSoFar& /*run*/) override { shown_ = 0; }
+    void on_time_step(const quasimc::TimeStepResult& step) override;
+
   private:
+    using Clock = std::chrono::steady_clock;
+
+    [[nodiscard]] bool is_due() const;
+    void show(const quasimc::RunSoFar& run);
     void add(std::size_t moment, quasimc::Result result);
     [[nodiscard]] std::string label_of(std::size_t moment) const;
 
@@ -34,5 +46,7 @@ class RunWindow {
     const quasimc::RunFile* run_ = nullptr;
     std::shared_ptr<const quasimc::LiveScene> scene_;
     std::optional<std::size_t> newest_;  // moment of the point, that a frame stands for
-    quasimc::RunPreview preview_;
+    std::size_t shown_ = 0;              // replicates of the round
+    Clock::time_point not_before_;       // the next result
+    Clock::time_point ask_after_;        // the next pause
 };

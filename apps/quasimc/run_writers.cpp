@@ -160,20 +160,6 @@ bool RunWriters::wants_total() const {
     return any_writer([](const quasimc::OutputWriter& writer) { return writer.wants_total(); });
 }
 
-quasimc::SeriesEvents RunWriters::events(
-    std::function<void(const quasimc::Progress&)> on_progress) {
-    quasimc::SeriesEvents events;
-    events.on_progress = std::move(on_progress);
-    events.on_time_step = [this](auto time_step, const auto& result, auto computed) {
-        on_time_step({time_step, result, computed});
-    };
-    events.wants_total = wants_total();
-    if (wants_days()) {
-        events.on_day = [this](auto day, const auto& sum) { on_day(day, sum); };
-    }
-    return events;
-}
-
 void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last) {
     for_each_writer([&](quasimc::OutputWriter& writer) { writer.next_run(run, of_the_last); });
 }

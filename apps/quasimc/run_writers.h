@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,9 +50,6 @@ class RunWriters : public quasimc::RunListener {
     void on_day(std::size_t day, const quasimc::SeriesSum& sum) override;
     [[nodiscard]] bool wants_days() const override;
     [[nodiscard]] bool wants_total() const override;
-    /// The same as functions. @param on_progress  of this run; may be empty
-    [[nodiscard]] quasimc::SeriesEvents events(
-        std::function<void(const quasimc::Progress&)> on_progress);
     /// What follows is of the next point. @param of_the_last  of the point that ends
     void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last);
     /// Gives the files their names.

@@ -54,18 +54,21 @@ SweepRun::SweepRun(
       writers_(arguments, *run_),
       interrupt_(std::in_place, stopping_note(arguments)),
       checkpoint_(arguments, *run_),
-      tell_(progress_line(progress_lines(arguments))) {
+      progress_line_(progress_lines(arguments)) {
     if (arguments.view) {
         window_.emplace(*run_, 0);
     }
     if (team != nullptr) {
         const std::size_t traces =
             quasimc::traces_of(run_->scene, quasimc::moments_of(*run_), run_->spec).size();
-        is_dealt_ = traces * sweep.size() >= team->size && team->size > 1;
+        is_dealt_ = traces * sweep.size() >= team->size() && team->size() > 1;
     }
 }
 
 void SweepRun::compute() {
+    const double limit = run_->spec.max_seconds;
+    deadline_ = limit > 0 ? quasimc::Deadline::after(limit) : quasimc::Deadline();
+    work_ = quasimc::Work(listeners());
     while (trace(interrupt_->token()) && point_ + 1 < sweep_.size() && goes_on()) {
         std::unique_ptr<quasimc::RunFile> next = next_file(++point_);
         writers_.next_run(*next, last_);
@@ -101,8 +104,7 @@ std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
 }
 
 bool SweepRun::goes_on() {
-    const double limit = run_->spec.max_seconds;
-    if (limit > 0 && all_.seconds >= limit && all_.stop != quasimc::StopReason::interrupted) {
+    if (deadline_.is_over() && all_.stop != quasimc::StopReason::interrupted) {
         last_.stop = all_.stop = quasimc::StopReason::time_is_up;
         return false;
     }
@@ -110,17 +112,15 @@ bool SweepRun::goes_on() {
 }
 
 bool SweepRun::trace(const std::stop_token& stop) {
-    quasimc::RunSpec spec = run_->spec;
-    const auto points_left = static_cast<double>(sweep_.size() - point_);
-    if (spec.max_seconds > 0) {
-        constexpr double kLeast = 1e-3;
-        spec.max_seconds = std::max(spec.max_seconds - all_.seconds, kLeast) / points_left;
-    }
     const quasimc::Stopwatch watch;
     try {
         moments_ = quasimc::moments_of(*run_);
         checkpoint_.set_moments_before(moments_before_);
-        last_ = quasimc::run_series(simulator_, run_->scene, moments_, spec, events(), stop);
+        const bool is_last = point_ + 1 == sweep_.size();
+        const quasimc::RunControl own = control(stop);
+        last_ = is_last ? quasimc::run_series(
+                              std::move(simulator_), run_->scene, moments_, run_->spec, own)
+                        : quasimc::run_series(simulator_, run_->scene, moments_, run_->spec, own);
         moments_before_ += moments_.size();
     } catch (const quasimc::Stopped& stopped) {
         checkpoint_.flush();
@@ -144,48 +144,40 @@ bool SweepRun::trace(const std::stop_token& stop) {
     return true;
 }
 
-std::function<void(const quasimc::Progress&)> SweepRun::progress() const {
-    if (!tell_ || sweep_.size() == 1) {
-        return tell_;
-    }
-    return [this](const quasimc::Progress& own) {
-        const double fraction =
-            (static_cast<double>(point_) + own.fraction) / static_cast<double>(sweep_.size());
-        const double seconds = all_.seconds + own.seconds;
-        tell_({fraction, seconds, seconds / fraction, own.fraction_at_target});
-    };
-}
-
-quasimc::SeriesEvents SweepRun::events() {
-    quasimc::SeriesEvents events = writers_.events(progress());
+std::vector<quasimc::RunListener*> SweepRun::listeners() {
+    std::vector<quasimc::RunListener*> listeners{&progress_line_, &writers_, &checkpoint_};
     if (window_) {
-        window_->listen(events);
+        listeners.push_back(&*window_);
     }
-    events.is_last = point_ + 1 == sweep_.size();
-    events.checkpoint = checkpoint_.hooks();
-    if (team_ != nullptr) {
-        team_->point = point_;
-        events.team = dealt_ ? nullptr : team_;
-        if (is_dealt_ && quasimc::is_dealt(run_->spec)) {
-            events.sums_of = [this](auto&&... of_run) { return dealt_sums(of_run...); };
-        }
-    }
-    if (parts_ != nullptr) {
-        events.sums_of = [this](std::size_t moment, const auto&...) {
-            return quasimc::GivenSums{parts_->next(moments_before_ + moment)};
-        };
-    }
-    return events;
+    return listeners;
 }
 
-std::optional<quasimc::GivenSums> SweepRun::dealt_sums(
-    std::size_t moment, const quasimc::RunSpec& spec, const quasimc::RunControl& control) {
-    const quasimc::RunCheckpoint* kept = checkpoint_.hooks();
-    if (!dealt_ && kept != nullptr && kept->has_state(moment)) {
+quasimc::RunControl SweepRun::control(const std::stop_token& stop) {
+    const auto points = static_cast<double>(sweep_.size());
+    const auto done = static_cast<double>(point_);
+    const bool is_dealt = is_dealt_ && quasimc::is_dealt(run_->spec);
+    return {
+        .stop = stop,
+        .deadline = sweep_.size() == 1 ? deadline_ : deadline_.share(1 / (points - done)),
+        .listeners = listeners(),
+        .origin =
+            {.given = parts_ != nullptr || is_dealt ? this : nullptr,
+             .states = checkpoint_.states(),
+             .team = dealt_ ? nullptr : team_,
+             .point = point_},
+        .work = work_.part(done / points, 1 / points)};
+}
+
+std::optional<quasimc::GivenSums> SweepRun::sums_of(
+    std::size_t time_step, const quasimc::RunSpec& spec, const quasimc::RunControl& control) {
+    if (parts_ != nullptr) {
+        return quasimc::GivenSums{parts_->next(moments_before_ + time_step)};
+    }
+    if (!dealt_ && checkpoint_.has_state(time_step)) {
         return std::nullopt;
     }
     if (!dealt_) {
-        dealt_ = std::make_unique<quasimc::DealtRuns>(*team_, point_, moment);
+        dealt_ = std::make_unique<quasimc::DealtRuns>(*team_, point_, time_step);
     }
-    return dealt_->next(simulator_, run_->scene, moments_[moment].sources, spec, control);
+    return dealt_->next(simulator_, run_->scene, moments_[time_step].sources, spec, control);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -12,6 +11,7 @@
 #include "interrupt.h"
 #include "parallel/dealt_runs.h"
 #include "parallel/part_file.h"
+#include "progress.h"
 #include "quasimc/quasimc.h"
 #include "run/run_team.h"
 #include "run_window.h"
@@ -19,7 +19,7 @@
 
 /// Computes the runs of a sweep, one after the other, until all are done or Ctrl-C or the limit of
 /// time stops them.
-class SweepRun {
+class SweepRun final : private quasimc::SumsSource {
   public:
     /// @param parts  which the sums of the runs are taken from; null: they are traced
     /// @param team  which they are traced with; null: alone
@@ -48,13 +48,15 @@ class SweepRun {
     [[nodiscard]] bool goes_on();
     /// Traces a point. @returns false  if there is no result of it, and others are there
     [[nodiscard]] bool trace(const std::stop_token& stop);
-    /// Of all points, which take about equally long.
-    [[nodiscard]] std::function<void(const quasimc::Progress&)> progress() const;
-    [[nodiscard]] quasimc::SeriesEvents events();
-    /// The sums of the next run if runs are dealt out to the ranks, which begins with the first
-    /// that no checkpoint knows: what it knows is traced together.
-    [[nodiscard]] std::optional<quasimc::GivenSums> dealt_sums(
-        std::size_t moment, const quasimc::RunSpec& spec, const quasimc::RunControl& control);
+    [[nodiscard]] std::vector<quasimc::RunListener*> listeners();
+    /// How the run of this point is reported and ended: the points that are left share the time.
+    [[nodiscard]] quasimc::RunControl control(const std::stop_token& stop);
+    /// The sums of the next run, of parts or of runs that are dealt out to the ranks. These begin
+    /// with the first that no checkpoint knows: what it knows is traced together.
+    [[nodiscard]] std::optional<quasimc::GivenSums> sums_of(
+        std::size_t time_step,
+        const quasimc::RunSpec& spec,
+        const quasimc::RunControl& control) override;
 
     const RunArguments& arguments_;
     quasimc::RunSweep& sweep_;
@@ -67,9 +69,11 @@ class SweepRun {
     RunWriters writers_;
     std::optional<InterruptWatch> interrupt_;  // before what has threads and what is left behind
     CheckpointRun checkpoint_;
-    std::function<void(const quasimc::Progress&)> tell_;
+    ProgressLine progress_line_;
     std::optional<RunWindow> window_;
     quasimc::Simulator simulator_;
+    quasimc::Deadline deadline_;              // of all points
+    quasimc::Work work_;                      // of all points
     std::vector<quasimc::TimeStep> moments_;  // of the point
     bool is_dealt_ = false;                   // enough runs for all ranks
     std::unique_ptr<quasimc::DealtRuns> dealt_;

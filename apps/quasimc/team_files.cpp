@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// the answers in what was sent; they may ask in another order.
 class TeamFiles {
   public:
-    explicit TeamFiles(const quasimc::RunTeam& team) : team_(team) {}
+    explicit TeamFiles(quasimc::RunTeam& team) : team_(team) {}
 
     template <typename Find>
     std::string answer(const std::string& question, const Find& find) {
@@ -56,22 +56,22 @@ class TeamFiles {
   private:
     static constexpr std::string_view kEnd = "end";
 
-    void send(std::string_view question, std::string_view found) const {
+    void send(std::string_view question, std::string_view found) {
         std::string bytes(question);
-        team_.share(bytes);
+        team_.share_bytes(bytes);
         bytes = found;
-        team_.share(bytes);
+        team_.share_bytes(bytes);
     }
 
     void receive() {
         std::string question, found;
-        team_.share(question);
-        team_.share(found);
+        team_.share_bytes(question);
+        team_.share_bytes(found);
         has_ended_ = question == kEnd;
         answers_[question] = std::move(found);
     }
 
-    const quasimc::RunTeam& team_;
+    quasimc::RunTeam& team_;
     std::map<std::string, std::string> answers_;
     bool has_ended_ = false;
 };
@@ -94,7 +94,7 @@ quasimc::FileAccess access_through(const std::shared_ptr<TeamFiles>& files) {
 
 }  // namespace
 
-quasimc::StoredSweep read_for_team(const RunArguments& arguments, const quasimc::RunTeam& team) {
+quasimc::StoredSweep read_for_team(const RunArguments& arguments, quasimc::RunTeam& team) {
     const auto files = std::make_shared<TeamFiles>(team);
     try {
         quasimc::StoredSweep stored = read_runs(arguments, access_through(files));

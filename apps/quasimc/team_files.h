@@ -8,4 +8,4 @@
 /// bytes of each file from it as soon as it has read them.
 /// @throws quasimc::InputError  on all ranks, if the first finds a fault
 [[nodiscard]] quasimc::StoredSweep read_for_team(
-    const RunArguments& arguments, const quasimc::RunTeam& team);
+    const RunArguments& arguments, quasimc::RunTeam& team);

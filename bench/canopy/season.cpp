@@ -82,21 +82,29 @@ struct Cost {
     double error = 0;                          ///< the median of the hours'
 };
 
-Cost cost_of(const Scene& scene, const std::vector<TimeStep>& hours, const RunSpec& spec) {
-    std::vector<double> errors;
-    SeriesEvents events;
-    const Stopwatch watch;
-    double before = 0;
-    events.wants_total = false;
-    // Progress is told when what hours have in common is there; hours are computed some at once.
-    events.on_progress = [&](const Progress&) {
+/// Takes the time when what hours have in common is there, and the errors of the hours.
+class HourErrors final : public RunListener {
+  public:
+    /// Progress is reported when what hours have in common is there; hours are computed some at
+    /// once.
+    void on_progress(const Progress& /*progress*/) override {
         before = errors.empty() ? watch.cpu_seconds() : before;
-    };
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
-        errors.push_back(error_of(result));
-    };
-    run_series(scene, hours, spec, events);
-    const double all = watch.cpu_seconds();
+    }
+    void on_time_step(const TimeStepResult& step) override {
+        errors.push_back(error_of(step.result));
+    }
+
+    Stopwatch watch;
+    double before = 0;
+    std::vector<double> errors;
+};
+
+Cost cost_of(const Scene& scene, const std::vector<TimeStep>& hours, const RunSpec& spec) {
+    HourErrors heard;
+    run_series(scene, hours, spec, {.listeners = {&heard}});
+    std::vector<double>& errors = heard.errors;
+    const double before = heard.before;
+    const double all = heard.watch.cpu_seconds();
     const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
     std::nth_element(errors.begin(), middle, errors.end());
     return {all, before, (all - before) / static_cast<double>(errors.size()), *middle};

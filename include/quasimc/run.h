@@ -2,14 +2,15 @@
 
 // Computing the light on every organ of a scene.
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/run_listener.h"
@@ -21,42 +22,80 @@
 
 namespace quasimc {
 
-struct RunCheckpoint;  // src/run/run_state.h
-struct RunTeam;        // src/run/run_team.h
+class StoredStates;  // src/run/run_state.h
+class RunTeam;       // src/run/run_team.h
+class SumsSource;    // quasimc/series.h
 
-/// Who looks on while a run is computed, and wants to see the result as it is so far: after rounds,
-/// and within the first after replicates. Nothing of the run depends on it.
-struct RunPreview {
-    /// Whether somebody looks on now; asked after every task, from the thread that called run().
-    std::function<bool()> is_wanted;
-    /// @param moment  RunControl::moment
-    /// @param so_far  of the paths and replicates (two at least, if there are more) that are done
-    std::function<void(std::size_t moment, Result so_far)> on_result;
+/// A point in time at which work ends; by default it never does.
+class Deadline {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    Deadline() = default;
+    /// A deadline so many seconds from now.
+    /// @param grace  seconds beyond it that the first few paths may take, so that there is a result
+    ///        at all; by default a quarter of a second or 3 % of the time
+    [[nodiscard]] static Deadline after(double seconds, std::optional<double> grace = {});
+
+    [[nodiscard]] bool is_never() const { return at_ == Clock::time_point::max(); }
+    [[nodiscard]] Clock::time_point at() const { return at_; }
+    /// When work ends of which there is no result yet.
+    [[nodiscard]] Clock::time_point latest() const { return latest_; }
+    /// Infinite if it never comes.
+    [[nodiscard]] double seconds_left(Clock::time_point now = Clock::now()) const;
+    [[nodiscard]] bool is_over() const { return Clock::now() >= at_; }
+    /// The deadline of work that may take a part of the time that is left, and for its first few
+    /// paths all of it. The share of never is never.
+    [[nodiscard]] Deadline share(double part) const;
+
+  private:
+    Deadline(Clock::time_point at, Clock::time_point latest) : at_(at), latest_(latest) {}
+
+    Clock::time_point at_ = Clock::time_point::max();
+    Clock::time_point latest_ = Clock::time_point::max();
 };
 
-/// What a caller hears of a run, and how it may end it.
+/// A piece of work whose progress is reported. Pieces form a tree: the points of a sweep, the times
+/// of each (dark ones weigh nothing), the rounds of each, and their tasks.
+class Work {
+  public:
+    Work() = default;
+    /// All of some work, which begins now.
+    explicit Work(std::vector<RunListener*> listeners);
+
+    /// A part of this work, as fractions of it.
+    [[nodiscard]] Work part(double begin, double share) const;
+    /// Reports that a fraction of this work is done.
+    /// @param at_target  Progress::fraction_at_target
+    void report(double fraction, double at_target = 0) const;
+    /// Whether this is no part of any work.
+    [[nodiscard]] bool is_empty() const { return whole_ == nullptr; }
+
+  private:
+    struct Whole;
+    std::shared_ptr<Whole> whole_;
+    double begin_ = 0, share_ = 1;
+};
+
+/// Where sums of runs come from that are not all traced here from the first path on.
+struct SumsOrigin {
+    SumsSource* given = nullptr;     ///< sums of time steps; asked by run_series() alone
+    StoredStates* states = nullptr;  ///< states from which runs go on
+    RunTeam* team = nullptr;         ///< processes that trace with this one
+    std::size_t point = 0;           ///< of a sweep, by which the team knows the runs
+};
+
+/// How a run or a series is reported, and how its caller may end it.
 struct RunControl {
-    std::function<void(const Progress&)> on_progress = {};
     /// A stop that is requested here ends the run within a fraction of a second. Its result is that
     /// of the rounds that were complete (Result::stop).
     std::stop_token stop = {};
-    /// Seconds beyond RunSpec::max_seconds that the first few paths may take, so that there is a
-    /// result at all; by default a quarter of a second or 3 % of it.
-    std::optional<double> grace_seconds = {};
-    /// Sums of all paths of this run, put together from shares elsewhere: nothing is traced.
-    const Sums* sums = nullptr;
-    /// Seconds that a run may still take after such a stop, if none of its rounds was complete: a
-    /// few paths are then traced, so that there is a result. 0: there is none (Stopped).
-    double seconds_after_stop = 0;
-    /// Where the state of the run is kept, and from what it goes on; null: nowhere.
-    const RunCheckpoint* checkpoint = nullptr;
-    /// Other processes that trace with this one; null: none.
-    const RunTeam* team = nullptr;
-    std::size_t moment = 0;               ///< the run's number in both, and for those who look on
-    const RunPreview* preview = nullptr;  ///< null: nobody looks on
-    /// Whether the simulator runs nothing more on this scene: it gives back what rays need of it
-    /// before there is a result, which needs as much.
-    bool is_last = false;
+    /// By default RunSpec::max_seconds from the beginning.
+    Deadline deadline = {};
+    std::vector<RunListener*> listeners = {};
+    SumsOrigin origin = {};
+    /// What is reported as progress; by default the run is all of the work.
+    Work work = {};
 };
 
 /// Thrown by a run that was stopped before there was a result: not even a few paths were traced.
@@ -78,7 +117,7 @@ class Stopped : public std::runtime_error {
 /// The same binary, scene, sources and specification give the same bits on any number of threads
 /// (but for the times in the result, and unless max_seconds ends the run).
 /// @throws InputError  for a specification that can't be run: every fault at once
-/// @throws Stopped  if max_seconds are over before there is a result
+/// @throws Stopped  if it is stopped, or max_seconds are over, before there is a result
 [[nodiscard]] Result run(
     const Scene& scene,
     const Sources& sources,
@@ -115,7 +154,15 @@ class Simulator {
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        const RunControl& control = {});
+        const RunControl& control = {}) &;
+    /// The last run: `std::move(simulator).run(...)`. It gives back what rays need of the scene
+    /// before there is a result, which needs as much memory. A simulator that runs on builds it
+    /// anew.
+    [[nodiscard]] Result run(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const RunControl& control = {}) &&;
 
     /// The sums of one round of RunSpec::paths, or of a share of it, as a value: they can be saved
     /// (save_sums), added to those of other rounds of the same run, and evaluated (evaluate_run).
@@ -135,7 +182,7 @@ class Simulator {
     [[nodiscard]] std::size_t builds() const;
 
   private:
-    friend class SeasonSuns;
+    friend struct SimulatorAccess;
     class State;
     std::unique_ptr<State> state_;
 };

@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -40,32 +39,26 @@ struct SeriesSum {
     }
 };
 
-/// Sums of a time's paths, traced elsewhere.
+/// Sums of the paths of a run, traced elsewhere.
 struct GivenSums {
     Sums sums;
-    double seconds = 0, cpu_seconds = 0;  ///< that tracing them has taken; 0: nobody knows
+    double seconds = 0, cpu_seconds = 0;  ///< that tracing them has taken; 0: unknown
 };
 
-/// What a series tells while it is computed; each may be left out.
-struct SeriesEvents {
-    /// @param traced  the moment whose trace this result was scaled from; itself if it was traced
-    std::function<void(std::size_t time_step, const Result& result, std::size_t traced)>
-        on_time_step;
-    std::function<void(std::size_t day, const SeriesSum& sum)> on_day;
-    std::function<void(const Progress&)> on_progress;
-    /// Where the sums of a traced moment come from if they, or shares of them (trace_share), were
-    /// traced elsewhere; asked in the order of moments. Empty, or nothing: it is traced here.
-    /// @param spec, control  of its run
-    std::function<std::optional<GivenSums>(
-        std::size_t time_step, const RunSpec& spec, const RunControl& control)>
-        sums_of = {};
-    /// As RunControl::checkpoint; moments have their numbers in the series.
-    const RunCheckpoint* checkpoint = nullptr;
-    const RunTeam* team = nullptr;  ///< as RunControl::team
-    bool wants_total = true;        ///< whether SeriesSummary::total is computed
-    /// As RunControl::preview; of moments whose light is another's times a factor nothing is told.
-    const RunPreview* preview = nullptr;
-    bool is_last = false;  ///< as RunControl::is_last, of the last moment
+/// Gives sums of runs that are not traced here.
+class SumsSource {
+  public:
+    virtual ~SumsSource() = default;
+    /// The sums of a time step of a series, or nothing: it is traced here. It is asked in the order
+    /// of time steps.
+    /// @param spec, control  of the run
+    [[nodiscard]] virtual std::optional<GivenSums> sums_of(
+        std::size_t time_step, const RunSpec& spec, const RunControl& control) = 0;
+
+  protected:
+    SumsSource() = default;
+    SumsSource(const SumsSource&) = default;
+    SumsSource& operator=(const SumsSource&) = default;
 };
 
 /// What is known of a series at its end.
@@ -117,20 +110,32 @@ void spread_effort(
 /// Computes the light of every moment, in their order, and its sums over days. Each trace has a
 /// seed of its own, made from that of the specification; the first has that seed itself.
 ///
-/// RunSpec::max_seconds is for all of them together: each trace may take its equal share of what is
+/// The deadline is for all of them together: each trace may take its equal share of what is
 /// left, and does with fewer paths if it must. A series that is stopped, or whose time is up, ends
 /// after the last moment that is complete; one that is stopped within the first round of its first
 /// moment may take a second more to trace a few paths of it. A day of which moments are missing is
 /// not told of; the total is of the moments that are there.
-/// @param stop  as RunControl::stop
 /// @throws InputError  as run() does
 /// @throws Stopped  if there is no moment at all
 SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const SeriesEvents& events = {},
-    const std::stop_token& stop = {});
+    const RunControl& control = {});
+/// The same on what a simulator keeps from one series to the next.
+SeriesSummary run_series(
+    Simulator& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const RunControl& control = {});
+/// The last series of a simulator: as its last run.
+SeriesSummary run_series(
+    Simulator&& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const RunControl& control = {});
 
 /// Adds the faults of a specification whose times are to be computed together
 /// (SeriesMode::together): of sources, detectors and options that this can't do. None of other
@@ -143,7 +148,6 @@ void check_together(
 
 /// Traces a share of every moment of a series that run_series would trace.
 /// @param on_sums  is told of the sums of each, in the order of moments
-/// @param control  its on_progress is told of all moments together
 /// @throws InputError  as run_series(), and for a specification whose end a share can't know: with
 ///         a target, or limits of time or paths
 /// @throws Stopped  if it was stopped
@@ -154,14 +158,5 @@ void trace_share(
     const Share& share,
     const std::function<void(std::size_t time_step, const Sums& sums)>& on_sums,
     const RunControl& control = {});
-
-/// The same on what a simulator keeps from one series to the next.
-SeriesSummary run_series(
-    Simulator& simulator,
-    const Scene& scene,
-    const std::vector<TimeStep>& time_steps,
-    const RunSpec& spec,
-    const SeriesEvents& events = {},
-    const std::stop_token& stop = {});
 
 }  // namespace quasimc

@@ -19,6 +19,7 @@ namespace quasimc {
 
 class SceneProjection;
 class SourceSampler;
+struct ModelParameters;
 struct Illumination;
 
 /// What kind of light a source gives, by which solvers decide how to follow it.
@@ -85,6 +86,9 @@ class Source {
 
     // For the engine; what these take and give is private.
 
+    /// The model of the light and its parameters, but for name and spectrum. A parameter that is a
+    /// function is given by its values in the cells from which directions are drawn.
+    [[nodiscard]] virtual ModelParameters parameters() const = 0;
     /// Null when no light of this source meets the scene.
     [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const = 0;
@@ -255,6 +259,8 @@ class Pattern {
     /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
     [[nodiscard]] double total() const;
     [[nodiscard]] double intensity(const Vec3& direction) const;
+    /// The borders of its cells and the light in each, by which patterns are told apart.
+    [[nodiscard]] std::vector<double> parameters() const;
 
     struct Drawn {
         Vec3 direction;

@@ -74,9 +74,9 @@ SceneHandle scene_of(GrowthHandle& handle) {
 std::shared_ptr<Result> run_step(
     GrowthHandle& handle, const LightHandle& light, const py::object& on_progress) {
     std::shared_ptr<Result> result;
-    WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
-        result = reported_result(handle.session.run(
-            light.light.sources, light.light.spec, {.on_progress = tell, .stop = stop}));
+    WatchedWork(on_progress).run([&](const RunControl& control) {
+        result =
+            reported_result(handle.session.run(light.light.sources, light.light.spec, control));
     });
     return result;
 }

@@ -19,8 +19,24 @@ namespace quasimc::python {
 namespace {
 
 /// A series as it was computed.
-struct SeriesHandle {
+class SeriesHandle final : public RunListener {
+  public:
+    SeriesHandle(TimeSeries of, bool keeps) : series(std::move(of)), keeps_times(keeps) {}
+
+    void on_time_step(const TimeStepResult& step) override {
+        if (keeps_times) {
+            results.push_back(reported_result(step.result));
+        }
+    }
+    void on_day(std::size_t day, const SeriesSum& sum) override {
+        days.push_back(day);
+        sums.push_back(reported_sum(sum));
+    }
+    [[nodiscard]] bool wants_days() const override { return true; }
+    [[nodiscard]] bool wants_total() const override { return true; }
+
     TimeSeries series;
+    bool keeps_times;
     std::vector<std::shared_ptr<Result>> results;  ///< per moment; empty if they are not kept
     std::vector<std::size_t> days;                 ///< numbers of those in `sums`
     std::vector<SeriesSum> sums;
@@ -32,22 +48,11 @@ std::shared_ptr<SeriesHandle> run_times(
     const LightHandle& light,
     bool keeps_times,
     const py::object& on_progress) {
-    auto all = std::make_shared<SeriesHandle>();
-    all->series = light.light.series.value();
-    SeriesEvents events;
-    if (keeps_times) {
-        events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
-            all->results.push_back(reported_result(result));
-        };
-    }
-    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
-        all->days.push_back(day);
-        all->sums.push_back(reported_sum(sum));
-    };
-    WatchedWork(on_progress).run([&](const auto& tell, const std::stop_token& stop) {
-        events.on_progress = tell;
-        all->summary =
-            run_series(*scene.scene, all->series.time_steps, light.light.spec, events, stop);
+    auto all = std::make_shared<SeriesHandle>(light.light.series.value(), keeps_times);
+    WatchedWork(on_progress).run([&](const RunControl& control) {
+        RunControl own = control;
+        own.listeners.push_back(all.get());
+        all->summary = run_series(*scene.scene, all->series.time_steps, light.light.spec, own);
     });
     all->summary.total = reported_sum(std::move(all->summary.total));
     return all;

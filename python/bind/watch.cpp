@@ -5,9 +5,9 @@
 
 namespace quasimc::python {
 
-void WatchedWork::do_work(const Work& work) {
+void WatchedWork::do_work(const Task& task) {
     try {
-        work([this](const Progress& progress) { tell(progress); }, stop_.get_token());
+        task({.stop = stop_.get_token(), .listeners = {this}});
     } catch (...) {
         thrown_ = std::current_exception();
     }
@@ -16,10 +16,10 @@ void WatchedWork::do_work(const Work& work) {
     changed_.notify_all();
 }
 
-void WatchedWork::run(const Work& work) {
+void WatchedWork::run(const Task& task) {
     {
         const py::gil_scoped_release release;
-        const std::jthread worker([&] { do_work(work); });
+        const std::jthread worker([&] { do_work(task); });
         watch();
     }
     const bool by_key = interrupt_ && interrupt_->matches(PyExc_KeyboardInterrupt);
@@ -31,7 +31,7 @@ void WatchedWork::run(const Work& work) {
     }
 }
 
-void WatchedWork::tell(const Progress& progress) {
+void WatchedWork::on_progress(const Progress& progress) {
     const std::lock_guard lock(mutex_);
     latest_ = progress;
 }

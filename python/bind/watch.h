@@ -16,23 +16,23 @@ namespace quasimc::python {
 /// Does work in a thread of its own, without the lock of the interpreter, while this thread tells
 /// its progress to Python and listens to signals. Ctrl-C, or an exception of the callback, asks the
 /// work to stop.
-class WatchedWork {
+class WatchedWork final : private RunListener {
   public:
     /// @param on_progress  of Python, called with (fraction, seconds, expected_seconds,
     ///        fraction_at_target); or None
     explicit WatchedWork(py::object on_progress) : on_progress_(std::move(on_progress)) {}
 
-    using Work = std::function<void(
-        const std::function<void(const Progress&)>& tell, const std::stop_token& stop)>;
+    /// Work that is stopped, and reports its progress, through a control.
+    using Task = std::function<void(const RunControl& control)>;
 
     /// @throws what the work throws; what the callback raised; KeyboardInterrupt, if the work ended
     ///         without a result
-    void run(const Work& work);
+    void run(const Task& task);
 
   private:
-    void do_work(const Work& work);
+    void do_work(const Task& task);
     void watch();
-    void tell(const Progress& progress);
+    void on_progress(const Progress& progress) override;
     void listen();
 
     py::object on_progress_;

@@ -1,21 +1,42 @@
 #include "base/executor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/stop.h"
 
 namespace quasimc {
 
-void Executor::run(
-    std::uint64_t tasks,
-    const std::function<void(std::uint64_t task, unsigned worker)>& work,
-    const std::function<void()>& gather) {
-    const auto [begin, end] = share_.range(tasks);
+Executor::Executor(unsigned workers, ExecutorOptions options)
+    : workers_(workers), options_(std::move(options)) {
+    options_.share = options_.team != nullptr ? options_.team->share() : options_.share;
+}
+
+TaskRound Executor::begin(std::uint64_t tasks) {
+    return {*this, tasks};
+}
+
+void Executor::run(std::uint64_t tasks, Work work) {
+    begin(tasks).run(tasks, work, [] {});
+}
+
+TaskRound::TaskRound(Executor& executor, std::uint64_t tasks)
+    : executor_(executor), tasks_of_all_(tasks) {
+    const auto [begin, end] = executor.options_.share.range(tasks);
+    tasks_ = end - begin;
+    executor.part_done_before_ = 0;
+}
+
+void TaskRound::run(std::uint64_t tasks, Executor::Work work, FunctionRef<void()> gather) {
+    const auto [begin, end] = executor_.options_.share.range(tasks);
     std::uint64_t next = first_task(begin, end);
     done_ += next - begin;
-    done_elsewhere_ += first_task(0, tasks);
-    if (team_ != nullptr) {
+    done_before_ += first_task(0, tasks);
+    executor_.part_done_before_ =
+        tasks_of_all_ == 0 ? 0
+                           : static_cast<double>(done_before_) / static_cast<double>(tasks_of_all_);
+    if (executor_.options_.team != nullptr) {
         run_with_team(next, end, work);
         next = end;
     }
@@ -23,7 +44,7 @@ void Executor::run(
         next = run_until_pause(next, end, work);
         if (next < end) {
             gather();
-            pauses_.on_pause(pause_at(next, begin, end));
+            executor_.options_.watcher->on_pause(pause_at(next, begin, end));
         }
     }
     before_ += end - begin;
@@ -31,9 +52,9 @@ void Executor::run(
 }
 
 /// @param begin, end  of the tasks of this call
-Pause Executor::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const {
+Pause TaskRound::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const {
     Pause pause{.done = {calls_, next}};
-    if (before_ + (end - begin) == announced_) {
+    if (before_ + (end - begin) == tasks_) {
         pause.done_of_last = next - begin;
         pause.last = end - begin;
     }
@@ -41,27 +62,30 @@ Pause Executor::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t 
 }
 
 /// Runs the tasks [begin, end), as other processes do theirs.
-void Executor::run_with_team(std::uint64_t begin, std::uint64_t end, const Work& work) {
+void TaskRound::run_with_team(std::uint64_t begin, std::uint64_t end, Executor::Work work) {
+    TaskTeam& team = *executor_.options_.team;
     try {
         static_cast<void>(run_until_pause(begin, end, work));
     } catch (...) {
-        static_cast<void>(team_->meet(false));
+        static_cast<void>(team.meet(false));
         throw;
     }
-    if (!team_->meet(true)) {
+    if (!team.meet(true)) {
         throw StopRequested();
     }
 }
 
 /// Runs the tasks [begin, end). @returns the first not done
-std::uint64_t Executor::run_until_pause(std::uint64_t begin, std::uint64_t end, const Work& work) {
+std::uint64_t TaskRound::run_until_pause(
+    std::uint64_t begin, std::uint64_t end, Executor::Work work) {
+    const ExecutorOptions& options = executor_.options_;
+    TaskWatcher* pauses = options.team == nullptr ? options.watcher : nullptr;
     std::atomic<std::uint64_t> next{begin}, paused_at{end};
-    parallel_blocks(next, end, workers_, [&](std::uint64_t task, unsigned worker) {
-        throw_if_stopped(stop_);
+    parallel_blocks(next, end, executor_.workers(), [&](std::uint64_t task, unsigned worker) {
+        throw_if_stopped(options.stop);
         work(task, worker);
         finish_task(worker);
-        const bool may_pause = worker == 0 && team_ == nullptr && pauses_.is_due;
-        if (may_pause && pauses_.is_due()) {
+        if (worker == 0 && pauses != nullptr && pauses->wants_pause()) {
             paused_at = std::min(paused_at.load(), next.exchange(end));
         }
     });
@@ -69,22 +93,24 @@ std::uint64_t Executor::run_until_pause(std::uint64_t begin, std::uint64_t end, 
 }
 
 /// Of the tasks [begin, end) of this call, the first that is not done already.
-std::uint64_t Executor::first_task(std::uint64_t begin, std::uint64_t end) const {
-    if (calls_ < done_before_.calls) {
+std::uint64_t TaskRound::first_task(std::uint64_t begin, std::uint64_t end) const {
+    const TaskPosition& done = executor_.options_.done_before;
+    if (calls_ < done.calls) {
         return end;
     }
-    return calls_ == done_before_.calls ? std::clamp(done_before_.task, begin, end) : begin;
+    return calls_ == done.calls ? std::clamp(done.task, begin, end) : begin;
 }
 
-void Executor::finish_task(unsigned worker) {
+void TaskRound::finish_task(unsigned worker) {
     constexpr std::chrono::milliseconds kBetween{200};
     const std::uint64_t done = ++done_;
-    if (!on_progress_ || worker != 0 || Clock::now() - last_told_ < kBetween) {
+    TaskWatcher* watcher = executor_.options_.watcher;
+    if (watcher == nullptr || worker != 0 || Clock::now() - last_report_ < kBetween) {
         return;
     }
-    last_told_ = Clock::now();
-    const auto all = static_cast<double>(std::max(announced_, done));
-    on_progress_(static_cast<double>(done) / all);
+    last_report_ = Clock::now();
+    const auto all = static_cast<double>(std::max(tasks_, done));
+    watcher->on_progress(static_cast<double>(done) / all);
 }
 
 }  // namespace quasimc

@@ -3,16 +3,15 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <stop_token>
-#include <utility>
 
+#include "base/function_ref.h"
 #include "quasimc/share.h"
 
 namespace quasimc {
 
-/// Which tasks are done: those of so many calls of Executor::run(), and of the next call those
-/// before a task.
+/// Which tasks of a round are done: those of so many calls of TaskRound::run(), and of the next
+/// call those before a task.
 struct TaskPosition {
     std::uint64_t calls = 0, task = 0;
     friend bool operator==(const TaskPosition&, const TaskPosition&) = default;
@@ -21,108 +20,113 @@ struct TaskPosition {
 /// No task is at work.
 struct Pause {
     TaskPosition done;
-    /// Of the last call of those that were announced together, how many tasks are done, and how
-    /// many there are; 0 while calls before it are at work.
+    /// Of the last call of the round, how many tasks are done, and how many there are; 0 while
+    /// calls before it are at work.
     std::uint64_t done_of_last = 0, last = 0;
 };
 
-/// Now and then no task is at work, so that what was done can be kept.
-struct TaskPauses {
-    std::function<bool()> is_due;  ///< asked after tasks; costs next to nothing
-    std::function<void(const Pause& pause)> on_pause;
+/// Watches tasks. All functions are called from the thread that called TaskRound::run().
+class TaskWatcher {
+  public:
+    virtual ~TaskWatcher() = default;
+    /// Is called a few times a second with the part of the round's tasks that is done.
+    virtual void on_progress(double /*part*/) {}
+    /// Whether no task should be at work for a while; asked after tasks.
+    [[nodiscard]] virtual bool wants_pause() { return false; }
+    virtual void on_pause(const Pause& /*pause*/) {}
+
+  protected:
+    TaskWatcher() = default;
+    TaskWatcher(const TaskWatcher&) = default;
+    TaskWatcher& operator=(const TaskWatcher&) = default;
 };
 
 /// Processes that call the same functions in the same order, and run each its share of the tasks.
-struct TaskTeam {
-    Share share;  ///< of this process
+class TaskTeam {
+  public:
+    virtual ~TaskTeam() = default;
+    /// That of this process.
+    [[nodiscard]] virtual Share share() const = 0;
     /// Says whether this process has done its tasks, or gives them up; returns whether the first
     /// process has done its own, once all have said something.
-    std::function<bool(bool is_done)> meet;
+    [[nodiscard]] virtual bool meet(bool is_done) = 0;
+
+  protected:
+    TaskTeam() = default;
+    TaskTeam(const TaskTeam&) = default;
+    TaskTeam& operator=(const TaskTeam&) = default;
 };
 
-/// Runs tasks on the threads of this process, and tells how far they are.
+/// How an executor runs tasks.
+struct ExecutorOptions {
+    /// Asked before every task; work that takes long should ask it as well.
+    std::stop_token stop = {};
+    Share share = {};                ///< the tasks that are run here
+    TaskWatcher* watcher = nullptr;  ///< makes no pauses of a share or a team
+    TaskTeam* team = nullptr;        ///< whose share counts
+    TaskPosition done_before = {};   ///< of every round: it begins with the tasks after these
+};
+
+class TaskRound;
+
+/// The threads of this process, and how they run tasks.
 class Executor {
   public:
+    using Work = FunctionRef<void(std::uint64_t task, unsigned worker)>;
+
     /// @param workers  threads, at least 1
-    /// @param on_progress  called a few times a second, with the part done of what was announced,
-    ///        from the thread that called run(). May be empty.
-    /// @param stop  asked before every task; work that takes long should ask it as well
-    /// @param share  the tasks that are run here
-    explicit Executor(
-        unsigned workers,
-        std::function<void(double)> on_progress = {},
-        std::stop_token stop = {},
-        Share share = {})
-        : workers_(workers),
-          on_progress_(std::move(on_progress)),
-          stop_(std::move(stop)),
-          share_(share) {}
+    explicit Executor(unsigned workers, ExecutorOptions options = {});
 
     [[nodiscard]] unsigned workers() const { return workers_; }
-    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
+    [[nodiscard]] const std::stop_token& stop() const { return options_.stop; }
 
-    /// Makes pauses from now on. Only of a whole share.
-    void set_pauses(TaskPauses pauses) { pauses_ = std::move(pauses); }
-    /// Shares tasks with other processes; it must outlive the executor. Only of a whole share,
-    /// which has no pauses then.
-    void set_team(const TaskTeam* team) {
-        team_ = team;
-        share_ = team != nullptr ? team->share : Share();
-    }
-    /// The next calls of run() begin with the tasks after those that are done already.
-    void start_at(const TaskPosition& done) {
-        done_before_ = done;
-        calls_ = 0;
-    }
+    /// Begins tasks whose number in all is known, which may be run in several calls.
+    [[nodiscard]] TaskRound begin(std::uint64_t tasks);
+    /// A round of one call: as TaskRound::run().
+    void run(std::uint64_t tasks, Work work);
+    /// The part of the tasks of the last round that was done already (done_before).
+    [[nodiscard]] double part_done_before() const { return part_done_before_; }
 
-    /// Tells how many tasks the next calls of run() have together.
-    void announce(std::uint64_t tasks) {
-        const auto [begin, end] = share_.range(tasks);
-        announced_ = end - begin;
-        announced_to_all_ = tasks;
-        done_ = before_ = done_elsewhere_ = 0;
-    }
-    /// Of the tasks announced last, the part that was done already (start_at()).
-    [[nodiscard]] double part_done_before() const {
-        return announced_to_all_ == 0
-                   ? 0
-                   : static_cast<double>(done_elsewhere_) / static_cast<double>(announced_to_all_);
-    }
+  private:
+    friend class TaskRound;
+
+    unsigned workers_;
+    ExecutorOptions options_;
+    double part_done_before_ = 0;
+};
+
+/// Tasks that are run together.
+class TaskRound {
+  public:
+    [[nodiscard]] unsigned workers() const { return executor_.workers(); }
 
     /// Runs `work(task, worker)` once for every task in [0, tasks) that belongs to the share,
     /// handed out in order to whoever is free. The first exception thrown stops the rest and is
     /// rethrown here. Results must not depend on `worker`, which is below workers().
-    /// @param gather  called before every pause: brings together what workers keep for themselves
+    /// @param gather  called at every pause, before the watcher: brings together what workers keep
+    ///        for themselves
     /// @throws StopRequested  if a stop was requested before all were done
-    void run(
-        std::uint64_t tasks,
-        const std::function<void(std::uint64_t task, unsigned worker)>& work,
-        const std::function<void()>& gather = {});
+    void run(std::uint64_t tasks, Executor::Work work, FunctionRef<void()> gather);
 
   private:
+    friend class Executor;
     using Clock = std::chrono::steady_clock;
-    using Work = std::function<void(std::uint64_t task, unsigned worker)>;
+
+    TaskRound(Executor& executor, std::uint64_t tasks);
     [[nodiscard]] Pause pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const;
     [[nodiscard]] std::uint64_t first_task(std::uint64_t begin, std::uint64_t end) const;
-    void run_with_team(std::uint64_t begin, std::uint64_t end, const Work& work);
+    void run_with_team(std::uint64_t begin, std::uint64_t end, Executor::Work work);
     [[nodiscard]] std::uint64_t run_until_pause(
-        std::uint64_t begin, std::uint64_t end, const Work& work);
+        std::uint64_t begin, std::uint64_t end, Executor::Work work);
     void finish_task(unsigned worker);
 
-    unsigned workers_;
-    std::function<void(double)> on_progress_;
-    std::stop_token stop_;
-    Share share_;
-    TaskPauses pauses_;
-    const TaskTeam* team_ = nullptr;
-    TaskPosition done_before_;
-    std::uint64_t calls_ = 0;      // of run(), that are complete
-    std::uint64_t announced_ = 0;  // of the share
-    std::uint64_t announced_to_all_ = 0;
-    std::uint64_t before_ = 0;          // tasks of complete calls since the announcement
-    std::uint64_t done_elsewhere_ = 0;  // of them, before start_at()
+    Executor& executor_;
+    std::uint64_t tasks_of_all_, tasks_;  // of all processes; of the share
+    std::uint64_t calls_ = 0;             // of run(), that are complete
+    std::uint64_t before_ = 0;            // tasks of complete calls
+    std::uint64_t done_before_ = 0;       // of all processes, that were done already
     std::atomic<std::uint64_t> done_{0};
-    Clock::time_point last_told_ = Clock::now();
+    Clock::time_point last_report_ = Clock::now();
 };
 
 }  // namespace quasimc

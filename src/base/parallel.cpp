@@ -19,7 +19,7 @@ namespace quasimc {
 void parallel_blocks(
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& work) {
+    FunctionRef<void(std::uint64_t block, unsigned worker)> work) {
     std::atomic<std::uint64_t> next{0};
     parallel_blocks(next, blocks, workers, work);
 }
@@ -28,7 +28,7 @@ void parallel_blocks(
     std::atomic<std::uint64_t>& next,
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& work) {
+    FunctionRef<void(std::uint64_t block, unsigned worker)> work) {
     const std::uint64_t begin = std::min(next.load(), blocks);
     std::mutex mutex;
     std::exception_ptr failure;
@@ -71,8 +71,8 @@ void parallel_blocks(
 void ordered_blocks(
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& prepare,
-    const std::function<void(std::uint64_t block, unsigned worker)>& use) {
+    FunctionRef<void(std::uint64_t block, unsigned worker)> prepare,
+    FunctionRef<void(std::uint64_t block, unsigned worker)> use) {
     std::mutex mutex;
     std::condition_variable turned;
     std::uint64_t turn = 0;  // the block that is used next; kFailed: none any more

@@ -3,8 +3,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
+
+#include "base/function_ref.h"
 
 namespace quasimc {
 
@@ -14,7 +15,7 @@ namespace quasimc {
 void parallel_blocks(
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& work);
+    FunctionRef<void(std::uint64_t block, unsigned worker)> work);
 
 /// The same of the blocks from `next` on, which is left behind the last one handed out. Whoever
 /// sets it to `blocks` meanwhile ends the handing out: what was handed out is still done.
@@ -22,7 +23,7 @@ void parallel_blocks(
     std::atomic<std::uint64_t>& next,
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& work);
+    FunctionRef<void(std::uint64_t block, unsigned worker)> work);
 
 /// Runs `prepare(block, worker)` for every block in [0, blocks) on `workers` threads, and after it
 /// `use(block, worker)` on the same one, but in the order of the blocks and one at a time: what is
@@ -31,8 +32,8 @@ void parallel_blocks(
 void ordered_blocks(
     std::uint64_t blocks,
     unsigned workers,
-    const std::function<void(std::uint64_t block, unsigned worker)>& prepare,
-    const std::function<void(std::uint64_t block, unsigned worker)>& use);
+    FunctionRef<void(std::uint64_t block, unsigned worker)> prepare,
+    FunctionRef<void(std::uint64_t block, unsigned worker)> use);
 
 /// Bytes that a core takes from memory at a time.
 inline constexpr std::size_t kCacheLine = 64;

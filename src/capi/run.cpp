@@ -24,6 +24,25 @@ LightOfRun read_light(const Statement& statement, const Scene& scene) {
     return light;
 }
 
+/// Reports progress to a function of C, which may end the run.
+class ProgressCall final : public RunListener {
+  public:
+    ProgressCall(quasimc_progress call, void* user) : call_(call), user_(user) {}
+
+    void on_progress(const Progress& progress) override {
+        if (call_ != nullptr &&
+            call_(progress.fraction, progress.seconds, progress.expected_seconds, user_) != 0) {
+            stop_.request_stop();
+        }
+    }
+    [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+
+  private:
+    quasimc_progress call_;
+    void* user_;
+    std::stop_source stop_;
+};
+
 }  // namespace
 
 std::unique_ptr<quasimc_result> run_light(
@@ -34,17 +53,9 @@ std::unique_ptr<quasimc_result> run_light(
     void* user,
     const Run& run) {
     const LightOfRun light = read_light(statement, *scene);
-    std::stop_source stop;
-    RunControl control{.stop = stop.get_token()};
-    if (progress != nullptr) {
-        control.on_progress = [&](const Progress& news) {
-            if (progress(news.fraction, news.seconds, news.expected_seconds, user) != 0) {
-                stop.request_stop();
-            }
-        };
-    }
+    ProgressCall calls(progress, user);
     auto result = std::make_unique<quasimc_result>();
-    result->result = run(light, control);
+    result->result = run(light, {.stop = calls.token(), .listeners = {&calls}});
     result->scene = std::move(scene);
     result->ratios = light.spec.ratios;
     for (const auto* from : {&warnings, &light.warnings}) {

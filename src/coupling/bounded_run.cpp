@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/planner.h"
+#include "run/trace_plan.h"
 
 namespace quasimc {
 
@@ -10,19 +11,19 @@ Result run_bounded(
     Simulator& simulator,
     const Scene& scene,
     const Sources& sources,
-    RunSpec spec,
-    const std::function<void(const Progress&)>& on_progress) {
+    const RunSpec& spec,
+    const RunControl& control) {
     if (spec.method != Method::automatic || spec.target_error > 0) {
-        return simulator.run(scene, sources, spec, {.on_progress = on_progress});
+        return simulator.run(scene, sources, spec, control);
     }
     const auto refuse_bundles = [] { return true; };
     const ChosenMethod chosen = plan_method(scene, sources, spec, refuse_bundles);
-    spec.method = chosen.method;
     // Paths from organs cast two rays where those from the light cast one: to a source, and on.
-    if (chosen.method == Method::from_organs) {
-        spec.paths = std::max<std::uint64_t>(1, spec.paths / 2);
-    }
-    Result result = simulator.run(scene, sources, spec, {.on_progress = on_progress});
+    const std::uint64_t paths = chosen.method == Method::from_organs
+                                    ? std::max<std::uint64_t>(1, spec.paths / 2)
+                                    : spec.paths;
+    const RunSpec bounded = planned_spec(spec, {.method = chosen.method, .paths = paths});
+    Result result = simulator.run(scene, sources, bounded, control);
     if (result.stop != StopReason::no_light) {
         result.chosen = chosen;
     }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "quasimc/result.h"
 #include "quasimc/run_spec.h"
 #include "run/simulator.h"
@@ -16,7 +14,7 @@ namespace quasimc {
     Simulator& simulator,
     const Scene& scene,
     const Sources& sources,
-    RunSpec spec,
-    const std::function<void(const Progress&)>& on_progress);
+    const RunSpec& spec,
+    const RunControl& control);
 
 }  // namespace quasimc

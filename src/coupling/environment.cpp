@@ -132,7 +132,7 @@ class Environment {
     Environment(
         const Arguments& arguments,
         const std::function<void(const std::string&)>& tell,
-        const StepViewer& viewer,
+        StepViewer* viewer,
         GuardedStream& stream)
         : arguments_(arguments),
           tell_(tell),
@@ -182,19 +182,19 @@ class Environment {
     }
 
     void open_view(const Specification& spec) {
-        is_viewed_ = viewer_.open && (arguments_.view || spec.view_port);
+        is_viewed_ = viewer_ != nullptr && (arguments_.view || spec.view_port);
         if (is_viewed_) {
-            viewer_.open(spec.view_port.value_or(0));
+            viewer_->open(spec.view_port.value_or(0));
         }
     }
 
     void answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
         if (is_viewed_) {
-            viewer_.begin(pass.step);
+            viewer_->on_begin(pass.step);
         }
         light_->answer(pass, check, answers);
         if (is_viewed_) {
-            viewer_.show(
+            viewer_->on_step(
                 {pass.step, light_->specification(), light_->lighting(), light_->shared_last()});
         }
     }
@@ -240,7 +240,7 @@ class Environment {
 
     const Arguments& arguments_;
     const std::function<void(const std::string&)>& tell_;
-    const StepViewer& viewer_;
+    StepViewer* viewer_;
     bool is_viewed_ = false;
     GuardedStream& stream_;
     Notices notices_;
@@ -278,7 +278,7 @@ Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
     const std::function<void(const std::string&)>& tell,
-    const StepViewer& viewer) {
+    StepViewer* viewer) {
     GuardedStream stream;
     const StopSignals signals([&](int signal) { end_at(signal, stream, tell); });
     Environment environment(arguments, tell, viewer, stream);

@@ -41,12 +41,21 @@ struct SeenStep {
 };
 
 /// Shows steps while a plant grows. Nothing of the answers depends on it.
-struct StepViewer {
-    /// Called before the first step, if the command line or the specification asks for it.
+class StepViewer {
+  public:
+    virtual ~StepViewer() = default;
+    /// Opens the view if the command line or the specification asks for it. Otherwise nothing else
+    /// is called.
     /// @param port  0: any. @throws InputError  if it can't be had
-    std::function<void(int port)> open = {};
-    std::function<void(std::int64_t step)> begin = {};  ///< the light of a step will be computed
-    std::function<void(const SeenStep& step)> show = {};
+    virtual void open(int port) = 0;
+    /// The light of a step will be computed.
+    virtual void on_begin(std::int64_t step) = 0;
+    virtual void on_step(const SeenStep& step) = 0;
+
+  protected:
+    StepViewer() = default;
+    StepViewer(const StepViewer&) = default;
+    StepViewer& operator=(const StepViewer&) = default;
 };
 
 /// The environment process, from reading its files to the order to exit. What is wrong with the
@@ -55,14 +64,14 @@ struct StepViewer {
 /// often as it changes, and the step answered with nothing. SIGTERM, SIGINT and SIGHUP end the
 /// process with the status 128 + signal, after an empty answer.
 /// @param tell  takes what a person may want to know, line by line; from any thread
-/// @param viewer  shows steps if it is asked to
+/// @param viewer  shows steps if it is asked to; may be null
 /// @throws InputError  if there is no line to the simulator
 /// @throws PeerDisconnected  when the simulator is gone without having said exit
 [[nodiscard]] Conversation run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
     const std::function<void(const std::string&)>& tell,
-    const StepViewer& viewer = {});
+    StepViewer* viewer = nullptr);
 
 /// For a command line that can't be understood: a simulator that its switches name is told that
 /// there will be no light, or answered with nothing until it says exit. Throws nothing.

@@ -25,6 +25,16 @@ bool is_setting(const Query& query) {
     return query.organ == "Q" || query.organ == "J";
 }
 
+/// Calls a check now and then during a run; what it throws ends the run.
+class Checking final : public RunListener {
+  public:
+    explicit Checking(const std::function<void()>& check) : check_(check) {}
+    void on_progress(const Progress& /*progress*/) override { check_(); }
+
+  private:
+    const std::function<void()>& check_;
+};
+
 }  // namespace
 
 PlantLight::PlantLight(Specification spec, Notices& notices)
@@ -182,13 +192,14 @@ StepLight PlantLight::trace(
         // Each sensor has its own points of the set, and of a lattice a power of two of them.
         run.paths = std::min(run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
     }
+    Checking checking(check);
     std::vector<std::size_t> bands(spec_.band_count());
     std::iota(bands.begin(), bands.end(), std::size_t{0});
     const auto trace_some = [&](std::span<const std::size_t> some) {
         const Sources& sources = lighting_.sources[light.results.size()];
         light.scene.emplace(build_plant_scene(spec_, some, pass, shapes));
         light.results.push_back(
-            run_bounded(simulator, *light.scene, sources, run, [&](const Progress&) { check(); }));
+            run_bounded(simulator, *light.scene, sources, run, {.listeners = {&checking}}));
     };
     if (spec_.one_ray_per_spectrum) {
         trace_some(bands);

@@ -29,5 +29,7 @@ class NetcdfWriter : public OutputWriter {
 /// @throws InputError  if the program was built without netCDF, or a temporary file can't be made
 [[nodiscard]] std::unique_ptr<NetcdfWriter> make_netcdf_writer(
     const RunFile& run, TextSink sink, std::string_view program_version = version());
+std::unique_ptr<NetcdfWriter> make_netcdf_writer(const RunFile&&, TextSink, std::string_view = {}) =
+    delete;
 
 }  // namespace quasimc

@@ -30,6 +30,9 @@ class BlinnPhong final : public Bsdf {
             hemisphere(), n, wi, wo, [this](double cosine) { return density(cosine); });
     }
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"blinn_phong", {2 * half_exponent_}};
+    }
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/model_parameters.h"
 #include "base/vec3.h"
 
 namespace quasimc {
@@ -23,6 +24,8 @@ class Bsdf {
     Bsdf& operator=(const Bsdf&) = delete;
 
     [[nodiscard]] Hemisphere hemisphere() const { return hemisphere_; }
+    /// The model and its parameters, but for the hemisphere.
+    [[nodiscard]] virtual ModelParameters parameters() const = 0;
 
     /// A direction of the lobe from a point of the unit square [0, 1)^2; area-preserving in the
     /// measure `pdf`. u0 moves it away from the axis of the lobe, u1 around it.

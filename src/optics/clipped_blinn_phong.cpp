@@ -94,6 +94,9 @@ class ClippedBlinnPhong final : public Bsdf {
         return (exponent_ + 2) / (8 * arc * axis.within(exponent_)) * power;
     }
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"clipped_blinn_phong", {exponent_}};
+    }
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:

@@ -39,6 +39,9 @@ class CoatedLambertian final : public Bsdf {
         return (1 - coat_) * (1 - std::pow(1 - std::min(cosine, 1.0), 5));
     }
     [[nodiscard]] bool has_constant_albedo() const override { return false; }
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"coated_lambertian", {coat_}};
+    }
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:

@@ -24,6 +24,7 @@ class Lambertian final : public Bsdf {
         return outgoing_cosine(hemisphere(), n, wo) >= 0 ? std::numbers::inv_pi : 0;
     }
 
+    [[nodiscard]] ModelParameters parameters() const override { return {"lambertian", {}}; }
     [[nodiscard]] bool is_reciprocal() const override { return true; }
     [[nodiscard]] bool is_lambertian() const override { return true; }
 };

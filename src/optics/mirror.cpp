@@ -20,6 +20,7 @@ class Mirror final : public Bsdf {
     }
 
     [[nodiscard]] bool is_delta() const override { return true; }
+    [[nodiscard]] ModelParameters parameters() const override { return {"mirror", {}}; }
     [[nodiscard]] bool is_reciprocal() const override { return true; }
 };
 

@@ -28,6 +28,7 @@ class Phong final : public Bsdf {
             hemisphere(), n, wi, wo, [this](double cosine) { return density(cosine); });
     }
 
+    [[nodiscard]] ModelParameters parameters() const override { return {"phong", {exponent_}}; }
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:

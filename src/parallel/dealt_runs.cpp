@@ -1,10 +1,10 @@
 #include "parallel/dealt_runs.h"
 
 #include <cstring>
-#include <stop_token>
 #include <string>
 
 #include "base/process_time.h"
+#include "parallel/stop_by_team.h"
 #include "series/trace_spec.h"
 
 namespace quasimc {
@@ -32,13 +32,13 @@ bool is_dealt(const RunSpec& spec) {
            spec.series == SeriesMode::one_by_one;
 }
 
-DealtRuns::DealtRuns(const RunTeam& team, std::uint64_t point, std::uint64_t moment) : team_(team) {
+DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment) : team_(team) {
     static_cast<void>(team.order({.kind = TeamOrder::kDealt, .point = point, .moment = moment}));
 }
 
 DealtRuns::~DealtRuns() {
     team_.stop();
-    for (std::uint64_t rank = 1; rank < team_.size; ++rank) {
+    for (std::uint64_t rank = 1; rank < team_.size(); ++rank) {
         while (team_.receive(rank, {}) != kNoMoreRuns) {
         }
     }
@@ -50,7 +50,7 @@ GivenSums DealtRuns::next(
     const Sources& sources,
     const RunSpec& spec,
     const RunControl& control) {
-    const std::uint64_t rank = number_++ % team_.size;
+    const std::uint64_t rank = number_++ % team_.size();
     const Stopwatch watch;
     const std::string bytes = rank == 0 ? kNotTraced : team_.receive(rank, control.stop);
     if (bytes == kNotTraced) {
@@ -71,18 +71,13 @@ void HelpedRuns::trace(
     if (!is_dealt(spec)) {
         return;
     }
-    std::stop_source stop;
-    RunControl control{.stop = stop.get_token()};
-    control.on_progress = [&](const Progress&) {
-        if (team_.is_stopped()) {
-            stop.request_stop();
-        }
-    };
+    StopByTeam stop(team_);
+    const RunControl control{.stop = stop.token(), .listeners = {&stop}};
     for (const Trace& trace : traces_of(scene, time_steps, spec)) {
-        if (trace.time_step < first || number_++ % team_.size != team_.rank) {
+        if (trace.time_step < first || number_++ % team_.size() != team_.rank()) {
             continue;
         }
-        control.on_progress({});
+        stop.ask();
         try {
             const GivenSums traced = trace_here(
                 simulator_, scene, time_steps[trace.time_step].sources, trace.spec, control);

@@ -21,7 +21,7 @@ namespace quasimc {
 class DealtRuns {
   public:
     /// Lets the others trace theirs, from a time of a point on.
-    DealtRuns(const RunTeam& team, std::uint64_t point, std::uint64_t moment);
+    DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment);
     /// Ends the work of the others, whatever they are at.
     ~DealtRuns();
     DealtRuns(const DealtRuns&) = delete;
@@ -37,14 +37,14 @@ class DealtRuns {
         const RunControl& control);
 
   private:
-    const RunTeam& team_;
+    RunTeam& team_;
     std::uint64_t number_ = 0;  // of the next run
 };
 
 /// The runs as each of the other processes sees them.
 class HelpedRuns {
   public:
-    explicit HelpedRuns(const RunTeam& team) : team_(team) {}
+    explicit HelpedRuns(RunTeam& team) : team_(team) {}
     /// Traces its own of the runs of a series, from a time on, and sends their sums.
     /// @throws Stopped  if the first process wants no more
     void trace(
@@ -56,7 +56,7 @@ class HelpedRuns {
     void end();
 
   private:
-    const RunTeam& team_;
+    RunTeam& team_;
     Simulator simulator_;
     std::uint64_t number_ = 0;  // of the next run
 };

@@ -1,15 +1,15 @@
 #include "parallel/team_helper.h"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <stop_token>
 
 #include "base/executor.h"
-#include "base/parallel.h"
 #include "base/stop.h"
+#include "parallel/stop_by_team.h"
 #include "run/plan_run.h"
-#include "run/round_tracer.h"
+#include "run/round_solver.h"
+#include "run/trace_plan.h"
 #include "samplers/catalogue.h"
 #include "series/trace_spec.h"
 #include "transport/prepared_scene.h"
@@ -17,13 +17,21 @@
 namespace quasimc {
 namespace {
 
-/// Progress that looks whether the first process asks to give up.
-std::function<void(double)> stop_with(const RunTeam& team, std::stop_source& stop) {
-    return [&team, &stop](double) {
-        if (team.is_stopped()) {
-            stop.request_stop();
-        }
-    };
+/// Traces tasks of a round that the first process of the team has ordered, or prepares for it.
+void help_round(
+    RoundSolver& solver,
+    const PreparedScene& prepared,
+    const TeamOrder& order,
+    TaskWatcher& watcher) {
+    if (prepared.lights().empty()) {
+        return;
+    }
+    if (order.is_prepare != 0) {
+        static_cast<void>(solver.solver_for(order.first_paths));
+        return;
+    }
+    Sums sums = solver.empty_sums(order.first_paths);
+    static_cast<void>(solver.solve({order.round, order.first_paths, order.tasks}, sums, &watcher));
 }
 
 }  // namespace
@@ -32,7 +40,7 @@ TeamOrder TeamHelper::help(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const RunTeam& team,
+    RunTeam& team,
     TeamOrder order) {
     const std::vector<Trace> traces = traces_of(scene, time_steps, spec);
     const std::uint64_t point = order.point;
@@ -49,22 +57,20 @@ TeamOrder TeamHelper::help_moment(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
-    const RunTeam& team,
+    RunTeam& team,
     TeamOrder order) {
-    RunSpec planned = spec;
-    planned.method = plan_run(scene, sources, spec, caster_, {}).method;
+    const RunSpec planned =
+        planned_spec(spec, {.method = plan_run(scene, sources, spec, caster_, {}).method});
     const PreparedScene prepared(
         scene, sources, planned.window, caster_.caster_for(scene, planned.engine, {}), {});
     const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
     const TeamOrder first = order;
-    std::stop_source stop;  // by the first process
-    Executor executor(thread_count(planned.threads), stop_with(team, stop), stop.get_token());
-    RoundTracer tracer(prepared, *sampler, planned, executor, false);
-    tracer.set_team(&team);
+    StopByTeam stop(team);
+    RoundSolver solver(prepared, *sampler, planned, stop.token(), {.team = &team});
     while (order.kind == TeamOrder::kTrace && order.point == first.point &&
            order.moment == first.moment) {
         try {
-            tracer.help(order);
+            help_round(solver, prepared, order, stop);
         } catch (const StopRequested&) {  // the first process ends the run
         }
         order = team.order({});

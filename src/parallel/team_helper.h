@@ -18,7 +18,7 @@ class TeamHelper {
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
         const RunSpec& spec,
-        const RunTeam& team,
+        RunTeam& team,
         TeamOrder order);
 
   private:
@@ -26,7 +26,7 @@ class TeamHelper {
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
-        const RunTeam& team,
+        RunTeam& team,
         TeamOrder order);
 
     KeptCaster caster_;

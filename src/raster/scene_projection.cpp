@@ -221,7 +221,7 @@ std::unique_ptr<BeamCrossSection> row_window(
 }
 
 EntryBox make_entry_box(const LocalMesh& mesh, const Cell& local_cell) {
-    Bounds box = mesh.bounds();
+    Bounds box = mesh.bounds;
     constexpr Vec3 kMargins{kMargin, kMargin, kMargin};
     box.low -= kMargins;
     box.high += kMargins;

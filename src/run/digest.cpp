@@ -1,11 +1,10 @@
 #include "run/digest.h"
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <span>
 #include <string_view>
 
+#include "base/model_parameters.h"
 #include "samplers/hash.h"
 
 namespace quasimc {
@@ -33,14 +32,15 @@ class Mixer {
             add(std::uint64_t{static_cast<unsigned char>(c)});
         }
     }
+    void add(const ModelParameters& model) {
+        add(model.model);
+        add(model.values);
+    }
     [[nodiscard]] std::uint64_t value() const { return hash_; }
 
   private:
     std::uint64_t hash_ = 0x51A4C0DE;
 };
-
-/// Fixed points at which functions are asked.
-constexpr std::array<double, 4> kProbes{0.07, 0.31, 0.62, 0.93};
 
 void add_geometry(const PreparedScene& prepared, Mixer& mixer) {
     const LocalMesh& mesh = prepared.caster().mesh();
@@ -63,42 +63,35 @@ void add_geometry(const PreparedScene& prepared, Mixer& mixer) {
     }
 }
 
-/// How a side scatters, asked at a few angles.
-void add_side(const Side& side, Mixer& mixer) {
-    const Vec3 n{0, 0, 1};
-    for (const Lobe& lobe : side.lobes()) {
-        mixer.add(lobe.albedo);
-        for (const double u : kProbes) {
-            const Vec3 wi{std::sqrt(1 - u * u), 0, -u};
-            mixer.add(lobe.shape->relative_albedo(u));
-            mixer.add(lobe.shape->sample(n, wi, u, 1 - u));
+void add_material(const Material& material, Mixer& mixer) {
+    mixer.add(std::uint64_t{material.is_transparent() ? 1U : 0U});
+    for (const SurfaceSide side : kSurfaceSides) {
+        const std::vector<Lobe>& lobes = material.side(side).lobes();
+        mixer.add(std::uint64_t{lobes.size()});
+        for (const Lobe& lobe : lobes) {
+            mixer.add(lobe.albedo);
+            mixer.add(std::uint64_t{lobe.shape->hemisphere() == Hemisphere::reflected ? 0U : 1U});
+            mixer.add(lobe.shape->parameters());
         }
     }
 }
 
 void add_optics(const PreparedScene& prepared, Mixer& mixer) {
+    mixer.add(std::uint64_t{prepared.scene().regions().size()});
     for (const Region& region : prepared.scene().regions()) {
         mixer.add(std::uint64_t{region.material.value});
         mixer.add(std::uint64_t{region.organ.value});
     }
     for (const Material& material : prepared.scene().materials()) {
-        for (const SurfaceSide side : kSurfaceSides) {
-            add_side(material.side(side), mixer);
-        }
+        add_material(material, mixer);
     }
 }
 
 void add_sources(const PreparedScene& prepared, Mixer& mixer) {
-    for (const BoundSource& bound : prepared.lights()) {
-        mixer.add(bound.source->spectrum());
-        mixer.add(bound.probability);
-        mixer.add(bound.source_sampler->flux());
-        for (const double u : kProbes) {
-            const Emission emission = bound.source_sampler->emit({u, 1 - u, u * u, 1 - u * u});
-            mixer.add(emission.origin);
-            mixer.add(emission.direction);
-            mixer.add(emission.weight);
-        }
+    mixer.add(std::uint64_t{prepared.lights().size()});
+    for (const BoundSource& light : prepared.lights()) {
+        mixer.add(light.source->spectrum());
+        mixer.add(light.source->parameters());
     }
 }
 

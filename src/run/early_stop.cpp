@@ -1,14 +1,17 @@
 #include "run/early_stop.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace quasimc {
 
-void EarlyStop::set_limit(double seconds) {
-    constexpr double kForever = 1e9;  // more may not be a time of the clock
-    const std::chrono::duration<double> limit(std::min(seconds, kForever));
-    has_limit_ = true;
-    alarm_.set(start_ + std::chrono::duration_cast<StopAlarm::Clock::duration>(limit));
+void EarlyStop::stop_at(Deadline::Clock::time_point at) {
+    constexpr std::chrono::hours kForever{1 << 18U};  // more may not be a time to wait for
+    if (!has_limit_ && at == Deadline::Clock::time_point::max()) {
+        return;
+    }
+    has_limit_ = at < Deadline::Clock::time_point::max();
+    alarm_.set(std::min(at, Deadline::Clock::now() + kForever));
 }
 
 }  // namespace quasimc

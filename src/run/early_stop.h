@@ -4,19 +4,19 @@
 #include <utility>
 
 #include "base/stop.h"
-#include "quasimc/result.h"
+#include "quasimc/run.h"
 
 namespace quasimc {
 
-/// What ends a run before its time: its caller, or a limit of time.
+/// What ends a run before its time: its caller, or a point in time.
 class EarlyStop {
   public:
-    /// @param asked  the caller's. Time counts from now.
+    /// @param asked  the caller's
     explicit EarlyStop(std::stop_token asked)
         : asked_(std::move(asked)), forward_(asked_, Forward{&source_}) {}
 
-    /// Stops so many seconds after the beginning, and no longer at what was said before.
-    void set_limit(double seconds);
+    /// Stops then, and no longer when it was to stop before. The largest time point: never.
+    void stop_at(Deadline::Clock::time_point at);
 
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
     /// Whether a stop may come.
@@ -32,7 +32,6 @@ class EarlyStop {
         void operator()() const { source->request_stop(); }
     };
 
-    StopAlarm::Clock::time_point start_ = StopAlarm::Clock::now();
     std::stop_token asked_;
     std::stop_source source_;
     std::stop_callback<Forward> forward_;

@@ -1,8 +1,13 @@
 #include "run/evaluation_of.h"
 
 #include <cmath>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "base/memory_need.h"
 #include "base/parallel.h"
+#include "results/evaluate.h"
 #include "run/rounds.h"
 
 namespace quasimc {
@@ -22,6 +27,17 @@ std::vector<double> horizontal_irradiance_of(const Scene& scene, const Sources& 
     return sums;
 }
 
+template <typename SomeSums>
+Result make_big_result(SomeSums&& sums, const Scene& scene, const EvaluationSpec& asked) {
+    const double estimates = static_cast<double>(scene.organs().size()) * kQuantities *
+                             static_cast<double>(scene.bands().size());
+    return make_big(
+        fmt::format(
+            "the results of {} organs in {} bands", scene.organs().size(), scene.bands().size()),
+        estimates * sizeof(Estimate),
+        [&] { return evaluate(std::forward<SomeSums>(sums), scene, asked); });
+}
+
 }  // namespace
 
 EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
@@ -32,6 +48,14 @@ EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const R
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
         .sources = sources,
         .threads = thread_count(spec.threads)};
+}
+
+Result make_result(const Sums& sums, const Scene& scene, const EvaluationSpec& asked) {
+    return make_big_result(sums, scene, asked);
+}
+
+Result make_result(Sums&& sums, const Scene& scene, const EvaluationSpec& asked) {
+    return make_big_result(std::move(sums), scene, asked);
 }
 
 }  // namespace quasimc

@@ -1,10 +1,10 @@
 #include "quasimc/growth_session.h"
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <utility>
 
+#include "base/function_ref.h"
 #include "quasimc/error.h"
 #include "scene/lint.h"
 #include "scene/overlap/known_overlaps.h"
@@ -32,7 +32,7 @@ Fault twice(std::int64_t id) {
 /// @param has  whether the session has an organ. @param of_frame  ids of its frame
 void check_known(
     std::span<const std::int64_t> ids,
-    const std::function<bool(std::int64_t)>& has,
+    FunctionRef<bool(std::int64_t)> has,
     const std::unordered_set<std::int64_t>& of_frame) {
     Faults faults;
     std::unordered_set<std::int64_t> seen;

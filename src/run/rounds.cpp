@@ -73,10 +73,10 @@ std::optional<Round> Rounds::next() {
 
 std::uint64_t Rounds::first_paths() const {
     if (has_limit()) {
-        return std::min(fewest_, spec_.paths);
+        return std::min(limits_.fewest, spec_.paths);
     }
-    const bool is_huge = may_be_stopped_ && spec_.paths >= kHugeRound;
-    return is_huge ? std::clamp(fewest_, kFirstInsured, spec_.paths) : spec_.paths;
+    const bool is_huge = limits_.may_be_stopped && spec_.paths >= kHugeRound;
+    return is_huge ? std::clamp(limits_.fewest, kFirstInsured, spec_.paths) : spec_.paths;
 }
 
 /// All paths if they fit; if not, a larger trial as long as that fits; if not, as many again. Each
@@ -117,10 +117,10 @@ std::optional<Round> Rounds::as_many_again() {
     return Round{state_.done, count_};
 }
 
-void Rounds::finish(double seconds, double fraction_at_target) {
-    state_.pace.add(count_, seconds - seconds_);
+void Rounds::finish(Deadline::Clock::time_point now, double fraction_at_target) {
+    state_.pace.add(count_, std::chrono::duration<double>(now - now_).count());
     state_.done += count_;
-    seconds_ = seconds;
+    now_ = now;
     at_target_ = fraction_at_target;
 }
 

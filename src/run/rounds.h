@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quasimc/result.h"
+#include "quasimc/run.h"
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
 #include "solvers/solver.h"
@@ -32,6 +33,14 @@ struct RoundsState {
     Pace pace;
 };
 
+/// When rounds end, and how they begin.
+struct RoundLimits {
+    Deadline deadline = {};
+    std::uint64_t fewest = 1;  ///< paths to begin with if there is a deadline: a power of two
+    Deadline::Clock::time_point start = Deadline::Clock::now();  ///< of the first round
+    bool may_be_stopped = false;                                 ///< by others than the deadline
+};
+
 /// Decides how many points to trace next: the specification's first, then, while a target or a
 /// limit of paths asks for more, as many again as before (so that point sets are whole at every
 /// stop).
@@ -45,22 +54,14 @@ struct RoundsState {
 /// are what is left if it is stopped, and cost 2 % at most.
 class Rounds {
   public:
-    /// @param fewest  paths to begin with where there is a limit of time: a power of two
-    /// @param seconds  since the run began
-    /// @param may_be_stopped  by others than its limit of time
-    explicit Rounds(
-        const RunSpec& spec,
-        std::uint64_t fewest = 1,
-        double seconds = 0,
-        bool may_be_stopped = false)
-        : spec_(spec), fewest_(fewest), may_be_stopped_(may_be_stopped), seconds_(seconds) {}
+    explicit Rounds(const RunSpec& spec, const RoundLimits& limits = {})
+        : spec_(spec), limits_(limits), now_(limits.start) {}
 
     /// The next round; nothing when the run is over. One whose first point is number 0 begins the
     /// run, or begins it anew with other paths: what was traced before is then left out.
     [[nodiscard]] std::optional<Round> next();
     /// Takes note of the round just traced.
-    /// @param seconds  since the run began
-    void finish(double seconds, double fraction_at_target);
+    void finish(Deadline::Clock::time_point now, double fraction_at_target);
     /// Between two rounds.
     [[nodiscard]] const RoundsState& state() const { return state_; }
     /// Goes on where other rounds were.
@@ -89,8 +90,8 @@ class Rounds {
     }
 
   private:
-    [[nodiscard]] bool has_limit() const { return spec_.max_seconds > 0; }
-    [[nodiscard]] double seconds_left() const { return spec_.max_seconds - seconds_; }
+    [[nodiscard]] bool has_limit() const { return !limits_.deadline.is_never(); }
+    [[nodiscard]] double seconds_left() const { return limits_.deadline.seconds_left(now_); }
     [[nodiscard]] bool fits(std::uint64_t paths) const;
     [[nodiscard]] bool may_leap() const;
     [[nodiscard]] Round begin(std::uint64_t paths);
@@ -99,11 +100,11 @@ class Rounds {
     [[nodiscard]] std::optional<Round> as_many_again();
 
     const RunSpec& spec_;
-    std::uint64_t fewest_;
-    bool may_be_stopped_;
+    RoundLimits limits_;
     RoundsState state_;
-    std::uint64_t count_ = 0;  // paths of the round at hand
-    double seconds_ = 0, at_target_ = 0;
+    std::uint64_t count_ = 0;          // paths of the round at hand
+    Deadline::Clock::time_point now_;  // the end of the last round
+    double at_target_ = 0;
     StopReason stop_ = StopReason::paths_done;
 };
 

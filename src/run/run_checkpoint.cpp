@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "quasimc/error.h"
-#include "run/digest.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 
@@ -83,91 +81,29 @@ void check_ends(const RunPosition& position, const RunSpec& spec) {
 
 }  // namespace
 
-StateKeeper::StateKeeper(
-    const RunControl& control, const PreparedScene& prepared, const RunSpec& spec)
-    : checkpoint_(control.checkpoint), moment_(control.moment) {
-    if (checkpoint_ == nullptr) {
-        return;
+std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts& facts) {
+    std::optional<RunState> stored =
+        states != nullptr ? states->state_of(facts.time_step) : std::nullopt;
+    if (!stored) {
+        return std::nullopt;
     }
-    position_.digest = digest_of(prepared, spec);
-    position_.asked_paths = spec.paths;
-    position_.target_error = spec.target_error;
-    position_.target_fraction = spec.target_fraction;
-    stored_ = checkpoint_->state_of(moment_);
     const auto fits = [&](const std::optional<Sums>& sums) {
-        return !sums || sums->replicates.size() == spec.replicates;
+        return !sums || sums->replicates.size() == facts.spec.replicates;
     };
-    if (stored_ && (stored_->position.digest != position_.digest || !fits(stored_->done) ||
-                    !fits(stored_->partial))) {
+    if (stored->position.digest != facts.digest() || !fits(stored->done) ||
+        !fits(stored->partial)) {
         throw InputError(
             {{"checkpoint", "it is of another run", "scene, sources, options or version differ",
               ""}});
     }
-    const bool is_begun = stored_ && stored_->done && !stored_->position.rounds.is_trial;
-    if (is_begun && stored_->position.asked_paths != spec.paths) {
-        check_other_paths(stored_->position, prepared.scene(), spec);
+    const bool is_begun = stored->done && !stored->position.rounds.is_trial;
+    if (is_begun && stored->position.asked_paths != facts.spec.paths) {
+        check_other_paths(stored->position, facts.prepared.scene(), facts.spec);
     }
     if (is_begun) {
-        check_ends(stored_->position, spec);
+        check_ends(stored->position, facts.spec);
     }
-}
-
-void StateKeeper::begin(
-    Rounds& rounds, RoundTracer& tracer, const std::function<double()>& at_target) {
-    if (checkpoint_ == nullptr) {
-        return;
-    }
-    if (stored_ && stored_->done) {
-        tracer.restore(std::move(*stored_->done), stored_->position.first_paths);
-        rounds.restore(stored_->position.rounds, at_target());
-        stored_->done.reset();
-        position_.rounds = rounds.state();
-    }
-    const auto save = [&](const Pause& pause, const Sums& partial) {
-        position_.tasks = pause.done;
-        position_.first_paths = tracer.first_paths();
-        const Sums* done = tracer.has_sums() ? &tracer.sums() : nullptr;
-        checkpoint_->save(moment_, {position_, done, &partial});
-    };
-    tracer.add_watcher({checkpoint_->is_due, save});
-}
-
-std::optional<PartialRound> StateKeeper::begin_round(const Round& round) {
-    position_.round = round;
-    std::optional<RunState> stored = std::exchange(stored_, std::nullopt);
-    if (!stored || !stored->partial || stored->position.round != round) {
-        return std::nullopt;
-    }
-    return PartialRound{stored->position.tasks, std::move(*stored->partial)};
-}
-
-void StateKeeper::finish_round(const Rounds& rounds, const RoundTracer& tracer) {
-    position_.rounds = rounds.state();
-    position_.round = {};
-    position_.tasks = {};
-    position_.first_paths = tracer.first_paths();
-    if (checkpoint_ != nullptr && checkpoint_->is_due()) {
-        checkpoint_->save(moment_, {position_, &tracer.sums(), nullptr});
-    }
-}
-
-void StateKeeper::finish(const RoundTracer& tracer) {
-    if (checkpoint_ == nullptr) {
-        return;
-    }
-    position_.round = {};
-    position_.tasks = {};
-    position_.first_paths = tracer.first_paths();
-    checkpoint_->finish(moment_, {position_, &tracer.sums(), nullptr});
-}
-
-void StateKeeper::finish_given(const Sums& sums) {
-    if (checkpoint_ == nullptr) {
-        return;
-    }
-    position_.rounds.done = position_.first_paths = sums.paths;
-    position_.rounds.pace.add(sums.paths, 0);
-    checkpoint_->finish(moment_, {position_, &sums, nullptr});
+    return stored;
 }
 
 }  // namespace quasimc

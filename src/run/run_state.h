@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,16 +39,17 @@ struct RunSnapshot {
     const Sums* partial = nullptr;
 };
 
-/// What keeps the states of the runs of a series, and knows them again. All are called from the
-/// thread that called run(). A run is known by the number of its moment.
-struct RunCheckpoint {
-    /// The state to go on from, if there is one.
-    std::function<std::optional<RunState>(std::size_t moment)> state_of;
-    std::function<bool(std::size_t moment)> has_state;  ///< whether there is one
-    std::function<bool()> is_due;  ///< whether it is time to save; asked after every task
-    std::function<void(std::size_t moment, const RunSnapshot& state)> save;
-    /// The state at the end of a run: no paths are missing.
-    std::function<void(std::size_t moment, const RunSnapshot& state)> finish;
+/// States of the runs of a series that were kept.
+class StoredStates {
+  public:
+    virtual ~StoredStates() = default;
+    /// The state from which the run of a time step goes on, if there is one.
+    [[nodiscard]] virtual std::optional<RunState> state_of(std::size_t time_step) = 0;
+
+  protected:
+    StoredStates() = default;
+    StoredStates(const StoredStates&) = default;
+    StoredStates& operator=(const StoredStates&) = default;
 };
 
 /// A state as bytes, of one byte order. The sums in it have checksums of their own.

@@ -35,7 +35,7 @@ void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, Exa
 
 }  // namespace
 
-void add_up(const RunTeam& team, Sums& sums) {
+void add_up(RunTeam& team, Sums& sums) {
     for (ExactBins& bins : sums.replicates) {
         ExactBins total(bins.size());
         for (std::size_t first = 0; first < bins.size(); first += kBinsAtOnce) {

@@ -4,7 +4,6 @@
 // is exact and depends on tasks alone, so that any number of them gives the same bits.
 
 #include <cstdint>
-#include <functional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -31,33 +30,43 @@ struct TeamOrder {
 };
 
 /// The team as one process sees it.
-struct RunTeam {
-    std::uint64_t rank = 0;  ///< 0: the first process
-    std::uint64_t size = 1;  ///< processes
-    TaskTeam tasks;
+class RunTeam : public TaskTeam {
+  public:
+    /// Number of this process; 0: the first.
+    [[nodiscard]] virtual std::uint64_t rank() const = 0;
+    /// Processes.
+    [[nodiscard]] virtual std::uint64_t size() const = 0;
     /// Of the first process: tells the others. Of the others: waits for it.
-    std::function<TeamOrder(const TeamOrder& order)> order;
-    /// Adds to the numbers of the first process those of the others.
-    std::function<void(std::vector<std::int64_t>& numbers)> add_up;
+    virtual TeamOrder order(const TeamOrder& order) = 0;
+    /// Adds to the numbers of the first process those of the others. All call it.
+    virtual void add_up(std::vector<std::int64_t>& numbers) = 0;
     /// Gives the others bytes of the first process. All call it.
-    std::function<void(std::string& bytes)> share;
+    virtual void share_bytes(std::string& bytes) = 0;
     /// Of the others: sends bytes to the first process, and waits until they are received.
-    std::function<void(std::string_view bytes)> send;
+    virtual void send(std::string_view bytes) = 0;
     /// Of the first process: waits for what one of the others sends.
     /// @throws Stopped  if a stop was requested before
-    std::function<std::string(std::uint64_t rank, const std::stop_token& stop)> receive;
+    [[nodiscard]] virtual std::string receive(std::uint64_t rank, const std::stop_token& stop) = 0;
     /// Of the first process: asks the others to give up what they are at.
-    std::function<void()> stop;
-    /// Of the others: whether it did; and to wait until it does, which ends this.
-    std::function<bool()> is_stopped;
-    std::function<void()> await_stop;
-    std::uint64_t point = 0;  ///< that the first process is at
+    virtual void stop() = 0;
+    /// Of the others: whether it did.
+    [[nodiscard]] virtual bool is_stopped() = 0;
+    /// Of the others: waits until it does, which ends this.
+    virtual void await_stop() = 0;
 
-    [[nodiscard]] bool is_first() const { return rank == 0; }
+    [[nodiscard]] bool is_first() const { return rank() == 0; }
+    [[nodiscard]] Share share() const override { return share_of(rank() + 1, size()); }
+};
+
+/// A run that a team traces together, as all of them know it.
+struct TeamRun {
+    RunTeam* team = nullptr;  ///< null: this process traces alone
+    std::uint64_t point = 0;  ///< of a sweep
+    std::uint64_t time_step = 0;
 };
 
 /// Adds up the bins of all processes, which are of one layout: they are those of the first process
 /// then, and nothing in the others. All call it.
-void add_up(const RunTeam& team, Sums& sums);
+void add_up(RunTeam& team, Sums& sums);
 
 }  // namespace quasimc

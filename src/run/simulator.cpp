@@ -10,8 +10,13 @@ Simulator::Simulator(Simulator&& other) noexcept = default;
 Simulator& Simulator::operator=(Simulator&& other) noexcept = default;
 
 Result Simulator::run(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) {
-    return state_->run(scene, sources, spec, control);
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) & {
+    return state_->run(scene, sources, spec, control, {});
+}
+
+Result Simulator::run(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) && {
+    return state_->run(scene, sources, spec, control, {.is_last = true});
 }
 
 Sums Simulator::sums(

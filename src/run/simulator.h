@@ -1,9 +1,7 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <stop_token>
@@ -13,24 +11,30 @@
 #include "quasimc/run.h"
 #include "run/early_stop.h"
 #include "run/kept_caster.h"
-#include "run/run_team.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
-#include "transport/prepared_scene.h"
 
 namespace quasimc {
 
-/// When a run began, and how long the scene was prepared.
-struct RunStart {
-    std::chrono::steady_clock::time_point time;
-    double build_seconds = 0;
+/// What a run is within a series, and of its simulator.
+struct RunRole {
+    std::size_t time_step = 0;
+    /// Seconds that the run may still take after a stop if none of its rounds was complete: a few
+    /// paths are then traced, so that there is a result. 0: there is none (Stopped).
+    double seconds_after_stop = 0;
+    const Sums* given = nullptr;  ///< all paths, traced elsewhere; null: they are traced
+    bool is_last = false;         ///< of the simulator: what rays need is given back early
 };
 
 /// What a Simulator keeps from run to run, and what it does with it.
 class Simulator::State {
   public:
     [[nodiscard]] Result run(
-        const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control);
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const RunControl& control,
+        const RunRole& role);
     [[nodiscard]] Sums sums(
         const Scene& scene,
         const Sources& sources,
@@ -47,36 +51,20 @@ class Simulator::State {
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
   private:
-    /// Traces a specification that was checked and planned.
-    /// @throws StopRequested  if it was stopped before there was a result
-    [[nodiscard]] Result trace(
-        const Scene& scene,
-        const Sources& sources,
-        const RunSpec& spec,
-        const RunControl& control,
-        EarlyStop& early,
-        std::chrono::steady_clock::time_point start);
-    /// What the rounds of a run have brought.
-    struct Traced {
-        Sums sums;
-        StopReason stop;
-        double at_target;
-        double paths_before;
-        double cpu_seconds_of_others;
-        std::vector<RoundErrors> rounds;
+    /// A run that was checked and planned.
+    struct TraceInput {
+        const Scene& scene;
+        const Sources& sources;
+        const RunSpec& spec;
+        const RunControl& control;
+        Work work;
+        Deadline deadline;
+        RunRole role;
+        Deadline::Clock::time_point start;
     };
-    [[nodiscard]] Traced trace_rounds(
-        const PreparedScene& prepared,
-        const RunSpec& spec,
-        const EvaluationSpec& asked,
-        const RunControl& control,
-        EarlyStop& early,
-        const RunStart& start);
-    /// Of a run that was stopped before its first round was complete: sums of a few paths, if the
-    /// caller gives them time and it is enough.
-    [[nodiscard]] std::optional<Sums> trace_few(
-        const PreparedScene& prepared, const RunSpec& spec, const RunControl& control);
-    /// After a run: compares its result with that of an audit, if one was asked for.
+    /// @throws StopRequested  if it was stopped before there was a result
+    [[nodiscard]] Result trace(const TraceInput& input, EarlyStop& early);
+    /// Compares a result with that of an audit.
     void add_audit(
         const Scene& scene,
         const Sources& sources,
@@ -87,6 +75,11 @@ class Simulator::State {
 
     KeptCaster caster_;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;
+};
+
+/// The way of the engine to what a simulator keeps.
+struct SimulatorAccess {
+    static Simulator::State& state(Simulator& simulator) { return *simulator.state_; }
 };
 
 }  // namespace quasimc

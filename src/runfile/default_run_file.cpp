@@ -1,4 +1,9 @@
+#include <string>
+
+#include <fmt/format.h>
+
 #include "options/options.h"
+#include "runfile/output_catalogue.h"
 #include "runfile/run_file.h"
 
 namespace quasimc {
@@ -18,11 +23,24 @@ bands = ["PAR"]             # example; or [[band]] with name and unit
 
 )";
 
-constexpr const char* kAfterOptions = R"(
+constexpr const char* kOutputs = R"(
 [output]                    # example; relative to this file
 csv = "result.csv"
 json = "result.json"
+)";
 
+/// The names of the other outputs.
+std::string other_outputs() {
+    std::string names;
+    for (const OutputKey& key : output_keys()) {
+        if (key.name != "csv" && key.name != "json") {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", key.name);
+        }
+    }
+    return fmt::format("# or {}: quasimc list outputs\n", names);
+}
+
+constexpr const char* kAfterOutputs = R"(
 [[source]]                  # example
 type = "directional"
 name = "sun"
@@ -91,7 +109,7 @@ width = 0.05
 }  // namespace
 
 std::string default_run_file() {
-    return kBeforeOptions + default_run_section() + kAfterOptions;
+    return kBeforeOptions + default_run_section() + kOutputs + other_outputs() + kAfterOutputs;
 }
 
 }  // namespace quasimc

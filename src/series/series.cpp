@@ -7,7 +7,6 @@
 #include "quasimc/series.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,6 +19,7 @@
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "run/run_control.h"
 #include "run/simulator.h"
 #include "series/basis/season.h"
 #include "series/series_sum.h"
@@ -46,7 +46,7 @@ void check_order(const std::vector<TimeStep>& time_steps) {
 }
 
 /// Traces a series, moment by moment.
-class SeriesRun {
+class SeriesRun final : public SeriesSteps {
   public:
     explicit SeriesRun(const SeriesInput& input)
         : in_(input), plans_(plan_traces(in_.scene, in_.time_steps, in_.spec)) {
@@ -64,16 +64,14 @@ class SeriesRun {
     }
 
     SeriesSummary run() {
-        walk_series(
-            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
-            summary_);
+        walk_series(in_, *this, summary_);
         if (summary_.done < in_.time_steps.size()) {
             add_to_total(in_.time_steps.size());
         }
-        if (in_.events.wants_total) {
+        if (wants_total_) {
             summary_.total = sum_of(total_);
         }
-        summary_.seconds = seconds();
+        summary_.seconds = watch_.seconds();
         const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
         summary_.audit_chance = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
@@ -86,22 +84,13 @@ class SeriesRun {
         double day_weight = 0, total_weight = 0;
     };
 
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(Clock::now() - start_).count();
-    }
-
-    /// @throws Stopped  before there is a result of a moment
-    void compute(std::size_t i) {
+    void compute(std::size_t i) override {
         const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
-        if (i > 0 && (in_.stop.stop_requested() || (needs_trace && is_time_up()))) {
-            throw Stopped(
-                in_.stop.stop_requested() ? StopReason::interrupted : StopReason::time_is_up, "");
+        const bool is_stopped = in_.control.stop.stop_requested();
+        if (i > 0 && (is_stopped || (needs_trace && deadline_.is_over()))) {
+            throw Stopped(is_stopped ? StopReason::interrupted : StopReason::time_is_up, "");
         }
         trace(i);
-    }
-
-    [[nodiscard]] bool is_time_up() const {
-        return in_.spec.max_seconds > 0 && seconds() >= in_.spec.max_seconds;
     }
 
     void trace(std::size_t i) {
@@ -116,40 +105,36 @@ class SeriesRun {
             if (!dark_) {
                 dark_ = dark_result(in_.scene, in_.spec);
             }
-            tell(i, *dark_);
+            report_time_step(in_.control, {i, *dark_, i});
             return;
         }
         Kept& kept = kept_[plan.traced];
         kept.day_weight += plan.factor * time_step.seconds;
         kept.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
-            tell(i, kept.result);
-        } else if (in_.events.on_time_step) {
-            tell(i, scaled(kept.result, plan.factor));
+            report_time_step(in_.control, {i, kept.result, i});
+        } else if (!in_.control.listeners.empty()) {
+            report_time_step(in_.control, {i, scaled(kept.result, plan.factor), plan.traced});
         }
     }
 
-    void tell(std::size_t i, const Result& result) {
-        if (in_.events.on_time_step) {
-            in_.events.on_time_step(i, result, plans_[i].factor > 0 ? plans_[i].traced : i);
-        }
+    /// A trace takes as long as its effort, and dark times take none. Its first paths may take all
+    /// of the time that is left.
+    [[nodiscard]] RunControl control_of(const TimeStepPlan& plan) const {
+        const bool is_only = in_.time_steps.size() == 1;
+        return {
+            .stop = in_.control.stop,
+            .deadline = is_only
+                            ? deadline_
+                            : deadline_.share(plan.effort / std::max(plan.effort, effort_left_)),
+            .listeners = in_.control.listeners,
+            .origin = in_.control.origin,
+            .work = work_.part((effort_ - effort_left_) / effort_, plan.effort / effort_)};
     }
 
     Result trace_one(std::size_t i) {
-        RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
-        // Without any time there would be no result at all.
-        constexpr double kForFirst = 1;
-        RunControl control{
-            .on_progress = progress_of(i),
-            .stop = in_.stop,
-            .seconds_after_stop = i == 0 ? kForFirst : 0,
-            .checkpoint = in_.events.checkpoint,
-            .team = in_.events.team,
-            .moment = i,
-            .preview = in_.events.preview,
-            .is_last = in_.events.is_last && i == last_traced_};
-        share_time(plans_[i].effort, spec, control);
-        Result result = run_one(i, spec, control);
+        const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
+        Result result = run_one(i, spec, control_of(plans_[i]));
         effort_left_ -= plans_[i].effort;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
@@ -175,15 +160,22 @@ class SeriesRun {
     Result run_one(std::size_t i, const RunSpec& spec, RunControl control) {
         const Stopwatch watch;
         try {
+            // Without any time there would be no result at all.
+            constexpr double kForFirst = 1;
             std::optional<GivenSums> given;
-            if (in_.events.sums_of) {
-                given = in_.events.sums_of(i, spec, control);
+            if (control.origin.given != nullptr) {
+                given = control.origin.given->sums_of(i, spec, control);
             }
             if (given) {
-                control.sums = &given->sums;
-                control.team = nullptr;
+                control.origin.team = nullptr;
             }
-            Result result = in_.simulator.run(in_.scene, in_.time_steps[i].sources, spec, control);
+            Result result = SimulatorAccess::state(in_.simulator)
+                                .run(
+                                    in_.scene, in_.time_steps[i].sources, spec, control,
+                                    {.time_step = i,
+                                     .seconds_after_stop = i == 0 ? kForFirst : 0,
+                                     .given = given ? &given->sums : nullptr,
+                                     .is_last = in_.is_last && i == last_traced_});
             if (given) {
                 result.trace_seconds += given->seconds;
                 result.trace_cpu_seconds += given->cpu_seconds;
@@ -196,47 +188,21 @@ class SeriesRun {
         }
     }
 
-    /// Gives a trace its share of the time that is left. Its first paths may take all of it.
-    void share_time(double effort, RunSpec& spec, RunControl& control) const {
-        if (in_.spec.max_seconds == 0 || in_.time_steps.size() == 1) {
-            return;
-        }
-        constexpr double kGrace = 0.25;
-        constexpr double kLeast = 1e-3;
-        const double left = std::max(in_.spec.max_seconds - seconds(), kLeast);
-        spec.max_seconds = left * effort / std::max(effort, effort_left_);
-        control.grace_seconds = left + kGrace - spec.max_seconds;
-    }
-
-    /// Progress of the series: a trace takes as long as its effort, and dark times take none.
-    [[nodiscard]] std::function<void(const Progress&)> progress_of(std::size_t i) const {
-        if (!in_.events.on_progress) {
-            return {};
-        }
-        return [this, i](const Progress& own) {
-            const double done = effort_ - effort_left_ + own.fraction * plans_[i].effort;
-            const double fraction = done / effort_;
-            in_.events.on_progress(
-                {fraction, seconds(), fraction > 0 ? seconds() / fraction : 0,
-                 own.fraction_at_target});
-        };
-    }
-
     [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
         const std::size_t bands = in_.scene.bands().size();
         return adder.sum(bands, in_.scene.organs().size() * kQuantities * bands, groups_);
     }
 
-    void finish_day(std::size_t last) {
+    void finish_day(std::size_t last) override {
         for (auto& [i, kept] : kept_) {
-            if (in_.events.on_day && kept.day_weight > 0) {
+            if (wants_days_ && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
             }
         }
         add_to_total(last);
-        if (in_.events.on_day) {
-            in_.events.on_day(in_.time_steps[last].day, sum_of(day_));
+        if (wants_days_) {
+            report_day(in_.control, in_.time_steps[last].day, sum_of(day_));
         }
         day_ = {};
     }
@@ -246,17 +212,18 @@ class SeriesRun {
         for (auto it = kept_.begin(); it != kept_.end();) {
             const Kept& kept = it->second;
             const bool is_needed = last_use_[it->first] > last;
-            if (in_.events.wants_total && !is_needed && kept.total_weight > 0) {
+            if (wants_total_ && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
             it = is_needed ? std::next(it) : kept_.erase(it);
         }
     }
 
-    using Clock = std::chrono::steady_clock;
-
     const SeriesInput& in_;
-    Clock::time_point start_ = Clock::now();
+    Stopwatch watch_;
+    Deadline deadline_ = deadline_of(in_.control, in_.spec);
+    Work work_ = work_of(in_.control);
+    bool wants_days_ = wants_days(in_.control), wants_total_ = wants_total(in_.control);
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
@@ -270,18 +237,24 @@ class SeriesRun {
     SeriesSummary summary_;
 };
 
+SeriesSummary run_any(const SeriesInput& input) {
+    check_order(input.time_steps);
+    SeriesSummary summary =
+        input.spec.series == SeriesMode::together ? run_season(input) : SeriesRun(input).run();
+    for (RunListener* listener : input.control.listeners) {
+        listener->on_end(summary);
+    }
+    return summary;
+}
+
 }  // namespace
 
 SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const SeriesEvents& events,
-    const std::stop_token& stop) {
-    Simulator simulator;
-    SeriesEvents last = events;
-    last.is_last = true;
-    return run_series(simulator, scene, time_steps, spec, last, stop);
+    const RunControl& control) {
+    return run_series(Simulator(), scene, time_steps, spec, control);
 }
 
 SeriesSummary run_series(
@@ -289,11 +262,17 @@ SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const SeriesEvents& events,
-    const std::stop_token& stop) {
-    check_order(time_steps);
-    const SeriesInput input{simulator, scene, time_steps, spec, events, stop};
-    return spec.series == SeriesMode::together ? run_season(input) : SeriesRun(input).run();
+    const RunControl& control) {
+    return run_any({simulator, scene, time_steps, spec, control});
+}
+
+SeriesSummary run_series(
+    Simulator&& simulator,
+    const Scene& scene,
+    const std::vector<TimeStep>& time_steps,
+    const RunSpec& spec,
+    const RunControl& control) {
+    return run_any({simulator, scene, time_steps, spec, control, true});
 }
 
 }  // namespace quasimc

@@ -1,8 +1,10 @@
 #include "series/series_walk.h"
 
+#include <algorithm>
+
 namespace quasimc {
 
-void walk_series(const SeriesInput& input, const SeriesSteps& steps, SeriesSummary& summary) {
+void walk_series(const SeriesInput& input, SeriesSteps& steps, SeriesSummary& summary) {
     const std::vector<TimeStep>& times = input.time_steps;
     while (summary.done < times.size()) {
         try {
@@ -25,6 +27,33 @@ void end_series(StopReason why, SeriesSummary& summary) {
     if (summary.stop != StopReason::interrupted) {
         summary.stop = why;
     }
+}
+
+void report_time_step(const RunControl& control, const TimeStepResult& step) {
+    for (RunListener* listener : control.listeners) {
+        listener->on_time_step(step);
+    }
+}
+
+bool wants_days(const RunControl& control) {
+    return std::any_of(
+        control.listeners.begin(), control.listeners.end(),
+        [](const RunListener* listener) { return listener->wants_days(); });
+}
+
+void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum) {
+    for (RunListener* listener : control.listeners) {
+        if (listener->wants_days()) {
+            listener->on_day(day, sum);
+        }
+    }
+}
+
+bool wants_total(const RunControl& control) {
+    return control.listeners.empty() ||
+           std::any_of(
+               control.listeners.begin(), control.listeners.end(),
+               [](const RunListener* listener) { return listener->wants_total(); });
 }
 
 }  // namespace quasimc

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <stop_token>
 #include <vector>
 
 #include "quasimc/series.h"
@@ -15,24 +13,39 @@ struct SeriesInput {
     const Scene& scene;
     const std::vector<TimeStep>& time_steps;
     const RunSpec& spec;
-    const SeriesEvents& events;
-    std::stop_token stop;
+    const RunControl& control;
+    bool is_last = false;  ///< of the simulator
 };
 
-/// What is done with the times of a series, in their order.
-struct SeriesSteps {
-    /// Computes a time and tells of it. Throws Stopped if there is no result of it.
-    std::function<void(std::size_t time_step)> compute;
+/// Computes the times of a series and their sums.
+class SeriesSteps {
+  public:
+    virtual ~SeriesSteps() = default;
+    /// Computes a time and reports it. Throws Stopped if there is no result of it.
+    virtual void compute(std::size_t time_step) = 0;
     /// The last time of a day is done.
-    std::function<void(std::size_t last)> finish_day;
+    virtual void finish_day(std::size_t last) = 0;
+
+  protected:
+    SeriesSteps() = default;
+    SeriesSteps(const SeriesSteps&) = default;
+    SeriesSteps& operator=(const SeriesSteps&) = default;
 };
 
 /// Goes through the times of a series until all are done, or one was stopped: SeriesSummary::done,
 /// and why it ended.
 /// @throws Stopped  if the first time was
-void walk_series(const SeriesInput& input, const SeriesSteps& steps, SeriesSummary& summary);
+void walk_series(const SeriesInput& input, SeriesSteps& steps, SeriesSummary& summary);
 
 /// The series ends before all is done; what its caller asked for counts more than its time.
 void end_series(StopReason why, SeriesSummary& summary);
+
+/// Reports a time to all listeners.
+void report_time_step(const RunControl& control, const TimeStepResult& step);
+/// Whether some listener wants sums over days; reports one to those.
+[[nodiscard]] bool wants_days(const RunControl& control);
+void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum);
+/// Whether some listener wants the sum over all days, or there are none.
+[[nodiscard]] bool wants_total(const RunControl& control);
 
 }  // namespace quasimc

@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "quasimc/series.h"
+#include "run/run_control.h"
 #include "series/trace_spec.h"
 
 namespace quasimc {
@@ -37,18 +38,13 @@ void trace_share(
     check_share(spec, faults);
     faults.throw_if_any();
     const std::vector<Trace> traces = traces_of(scene, time_steps, spec);
+    const Work work = work_of(control);
+    const double each = 1 / static_cast<double>(traces.size());
     Simulator simulator;
     for (std::size_t n = 0; n < traces.size(); ++n) {
         const auto& [i, own_spec] = traces[n];
-        RunControl own{.stop = control.stop};
-        if (control.on_progress) {
-            own.on_progress = [&](const Progress& progress) {
-                Progress of_all = progress;
-                of_all.fraction = (static_cast<double>(n) + progress.fraction) /
-                                  static_cast<double>(traces.size());
-                control.on_progress(of_all);
-            };
-        }
+        const RunControl own{
+            .stop = control.stop, .work = work.part(static_cast<double>(n) * each, each)};
         on_sums(i, simulator.sums(scene, time_steps[i].sources, own_spec, 0, share, own));
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "run/trace_plan.h"
 #include "samplers/hash.h"
 #include "solvers/run_limits.h"
 
@@ -37,23 +38,24 @@ std::vector<Trace> traces_of(
 }
 
 RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_t trace) {
-    constexpr std::uint64_t kFewestPaths = 64;
-    RunSpec spec = series;
+    TracePlan own{
+        .seed = seed_of(series.seed, trace),
+        .target_error = std::min(1.0, series.target_error * plan.target)};
     if (plan.effort != 1) {
+        constexpr std::uint64_t kFewestPaths = 64;
         const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMostPaths;
         const auto shared = [&](std::uint64_t paths) {
             const double part = plan.effort * static_cast<double>(paths);
             return std::max(static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths));
         };
-        spec.paths = shared(series.paths);
         // Halves of a power of two are one, as some samplers need it.
-        for (; spec.paths > most; spec.paths /= 2) {
+        std::uint64_t paths = shared(series.paths);
+        for (; paths > most; paths /= 2) {
         }
-        spec.max_paths = series.max_paths > 0 ? std::min(shared(series.max_paths), most) : 0;
+        own.paths = paths;
+        own.max_paths = series.max_paths > 0 ? std::min(shared(series.max_paths), most) : 0;
     }
-    spec.target_error = std::min(1.0, series.target_error * plan.target);
-    spec.seed = seed_of(series.seed, trace);
-    return spec;
+    return planned_spec(series, own);
 }
 
 }  // namespace quasimc

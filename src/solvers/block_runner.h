@@ -39,25 +39,34 @@ class BlockRunner {
     explicit BlockRunner(const SolverInput& input)
         : bands_(input.prepared.bands()),
           most_private_bytes_(input.spec.tally_memory_mb * 1e6),
-          private_regions_(input.prepared.ground_regions()) {}
+          private_regions_(ground_regions(input.prepared.scene())) {}
 
     /// Calls `trace(replicate, block, scratch, tally)` for every block of every replicate.
+    /// @param tasks  a round of tasks that these are among
     template <typename Trace>
-    void run(std::uint64_t blocks, Executor& executor, Sums& sums, const Trace& trace) {
-        while (scratch_.size() < executor.workers()) {
+    void run(std::uint64_t blocks, TaskRound& tasks, Sums& sums, const Trace& trace) {
+        while (scratch_.size() < tasks.workers()) {
             scratch_.push_back(std::make_unique<Aligned>(bands_));
         }
-        SumCollector collector(sums, executor.workers(), most_private_bytes_, private_regions_);
+        SumCollector collector(sums, tasks.workers(), most_private_bytes_, private_regions_);
         const auto run_task = [&](std::uint64_t task, unsigned worker) {
             const auto replicate = static_cast<std::uint32_t>(task / blocks);
             Tally& tally = collector.tally_for(worker, replicate);
             trace(replicate, task % blocks, scratch_[worker]->scratch, tally);
         };
-        executor.run(blocks * sums.replicates.size(), run_task, [&] { collector.collect(); });
+        tasks.run(blocks * sums.replicates.size(), run_task, [&] { collector.collect(); });
         collector.collect();
     }
 
   private:
+    /// The number of regions of the ground, which come last.
+    static std::size_t ground_regions(const Scene& scene) {
+        const std::vector<Region>& regions = scene.regions();
+        return static_cast<std::size_t>(std::count_if(
+            regions.begin(), regions.end(),
+            [&](const Region& region) { return scene.organs()[region.organ.value].is_ground; }));
+    }
+
     struct alignas(2 * kCacheLine) Aligned {
         explicit Aligned(std::size_t bands) : scratch(bands) {}
         Scratch scratch;

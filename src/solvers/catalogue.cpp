@@ -75,10 +75,10 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     Sums sums;
     sums.layout = {
         .regions = prepared.scene().regions().size(),
-        .spectra = prepared.spectra().size(),
+        .spectra = prepared.lights().spectra().size(),
         .bands = prepared.bands(),
-        .absorbed_light =
-            prepared.has_constant_albedos() ? AbsorbedLight::inferred : AbsorbedLight::summed,
+        .absorbed_light = prepared.optics().has_constant_albedos ? AbsorbedLight::inferred
+                                                                 : AbsorbedLight::summed,
         .unoccluded_light = meaning.unoccluded_light,
         .detectors = std::move(detectors),
         .counted_kinds = meaning.counted_kinds,
@@ -87,8 +87,8 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     for (const LightKind& kind : sums.units.kinds) {
         sums.per_find.push_back(kind.found_by == FoundBy::paths ? 1 : 0);
     }
-    sums.spectra = prepared.spectra();
-    sums.emitted_flux = prepared.flux();
+    sums.spectra = prepared.lights().spectra();
+    sums.emitted_flux = prepared.lights().flux();
     sums.measured = meaning.measured;
     sums.escaped = entry->escaped;
     for (std::uint32_t r = 0; r < spec.replicates; ++r) {

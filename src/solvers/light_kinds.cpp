@@ -23,7 +23,7 @@ template <typename Wanted>
 LightKind kind_of(const PreparedScene& prepared, const Wanted& wanted) {
     LightKind kind;
     kind.flux.assign(prepared.bands(), 0);
-    std::vector<bool> has(prepared.spectra().size());
+    std::vector<bool> has(prepared.lights().spectra().size());
     for (const BoundSource& light : prepared.lights()) {
         if (!wanted(light)) {
             continue;
@@ -34,7 +34,8 @@ LightKind kind_of(const PreparedScene& prepared, const Wanted& wanted) {
             kind.spectra.push_back(light.spectrum);
         }
         for (std::size_t b = 0; b < kind.flux.size(); ++b) {
-            kind.flux[b] = std::max(kind.flux[b], prepared.flux()[b] * light.start_weights[b]);
+            kind.flux[b] =
+                std::max(kind.flux[b], prepared.lights().flux()[b] * light.start_weights[b]);
         }
     }
     return kind;
@@ -233,7 +234,7 @@ LightKind kind_by_line(
 
 LightKind kind_of_traced_suns(const PreparedScene& prepared, const std::vector<bool>& has_lines) {
     const auto is_wanted = [&](const BoundSource& light) {
-        const auto number = static_cast<std::size_t>(&light - prepared.lights().data());
+        const auto number = prepared.lights().index_of(light);
         return is_sun(light) && !has_lines[number];
     };
     LightKind kind = kind_of(prepared, is_wanted);

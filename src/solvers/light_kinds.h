@@ -65,7 +65,7 @@ class ContributionCounter {
             finish_region();
             region_ = region;
         }
-        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+        if (!prepared_.fields_of_view().contain(region, std::abs(along))) {
             return;
         }
         // Nothing comes to one side, and no branch could guess to which.

@@ -35,7 +35,7 @@ class Solver {
     /// @throws InputError  where light is too strong to be summed
     /// @throws StopRequested  if a stop was requested; sums are then of no use
     ///
-    /// The tasks of the last call of the executor are in the order of replicates: those before
+    /// The tasks of the last call of the round are in the order of replicates: those before
     /// have all light of the round when it is not complete yet.
     virtual void solve(const Round& round, Executor& executor, Sums& sums) = 0;
     /// What a round adds to Sums::samples.

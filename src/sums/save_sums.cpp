@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x36534D5553434D51;  // "QMCSUMS6", read as a little-endian number
+constexpr std::uint64_t kMark = 0x37534D5553434D51;  // "QMCSUMS7", read as a little-endian number
 
 /// FNV-1a of words of 8 bytes, the last filled up with zeros; high bits are mixed into low ones
 /// after each. Every step can be turned back: bytes that differ in one word have other checksums.

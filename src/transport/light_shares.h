@@ -20,7 +20,7 @@ class LightShares {
 
     [[nodiscard]] LightPick pick(double u) const {
         if (ends_.empty()) {
-            return prepared_.pick_light(u);
+            return prepared_.lights().pick(u);
         }
         const IntervalPick share = pick_interval(ends_, u);
         return {share.index, share.part, share.width};

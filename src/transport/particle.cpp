@@ -63,10 +63,11 @@ class ParticleTracer {
   private:
     /// Adds what falls on the surface.
     void score(const Surface& surface) {
-        if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
+        if (!prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
             return;
         }
-        const double share = prepared_.exact_share(surface.triangle, direction_, surface.cosine);
+        const double share =
+            prepared_.rounding().light_share(surface.triangle, direction_, surface.cosine);
         if (share != 1) [[unlikely]] {
             score_sliver_miss(surface, 1 - share);
         }
@@ -81,11 +82,11 @@ class ParticleTracer {
     /// Adds the area that the sun of the path lights.
     void score_sunlit(const Surface& surface) {
         if (path_.light->lit_area > 0 && surface.cosine > 0 &&
-            prepared_.is_sunlit(surface.triangle, direction_, surface.cosine)) {
+            prepared_.rounding().is_sunlit(surface.triangle, direction_, surface.cosine)) {
             tally_.add(
                 tally_.layout().sunlit(surface.region),
                 to_fixed(
-                    prepared_.sunlit_share(surface.triangle) * path_.weight *
+                    prepared_.rounding().area_share(surface.triangle) * path_.weight *
                     path_.light->lit_area / surface.cosine));
         }
     }

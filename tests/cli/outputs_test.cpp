@@ -3,7 +3,9 @@
 
 #include "outputs.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,28 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+/// Every row of the catalogue has a flag that writes its file.
+TEST_F(OutputsTest, AreWrittenByTheirFlags) {
+    folder_.write(
+        "all.toml",
+        folder_.read("bare.toml") +
+            "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
+            "[\"2024-06-21T12:00+02:00\"]\n[[detector]]\ntype = \"escaped_by_zenith\"\n");
+    std::istringstream rows(run({"list", "outputs"}).out);
+    std::size_t written = 0;
+    for (std::string row; std::getline(rows, row);) {
+        std::string name = row.substr(0, row.find(' '));
+        std::replace(name.begin(), name.end(), '_', '-');
+        const Outcome outcome = run({"run", "-q", "all.toml", "--" + name, "its-" + name});
+        if (outcome.err.find("was built without") == std::string::npos) {
+            EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.err;
+            EXPECT_FALSE(folder_.read("its-" + name).empty()) << name;
+            ++written;
+        }
+    }
+    EXPECT_GE(written, 9U);
+}
 
 TEST_F(OutputsTest, AreNeverInputs) {
     make_links();

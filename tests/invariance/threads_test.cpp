@@ -63,6 +63,7 @@ class SlowSource final : public Source {
               source->traits(),
               source->horizontal_irradiance()),
           source_(std::move(source)) {}
+    [[nodiscard]] ModelParameters parameters() const override { return source_->parameters(); }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return std::make_unique<SlowEmitter>(source_->make_sampler_in(projection));

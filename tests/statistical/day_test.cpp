@@ -7,6 +7,7 @@
 #include "light/daylight/period_light.h"
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 #include "support/random_leaves.h"
 
 namespace quasimc::test {
@@ -62,14 +63,14 @@ struct TracedDay {
 
 TracedDay trace_day(const Scene& scene, const ClearDay& day, const RunSpec& spec) {
     TracedDay traced;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         const Estimate& e = result.at(0, Quantity::absorbed_flux, kBand);
         if (e.mean > 0) {
             traced.hourly_errors.push_back(e.standard_error / e.mean);
         }
     };
-    traced.sum = run_series(scene, day.hours, spec, events).total;
+    traced.sum = run_series(scene, day.hours, spec, {.listeners = {&events}}).total;
     return traced;
 }
 

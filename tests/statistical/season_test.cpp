@@ -10,6 +10,7 @@
 #include "light/daylight/hour_light.h"
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 #include "support/random_leaves.h"
 
 namespace quasimc::test {
@@ -61,12 +62,12 @@ struct TwoDays {
 
 TwoDays compute_days(const Scene& scene, const RunSpec& spec) {
     TwoDays found;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         found.hours.push_back(result);
     };
-    events.on_day = [&](std::size_t, const SeriesSum& sum) { found.days.push_back(sum); };
-    run_series(scene, hours_of_two_days(), spec, events);
+    events.day = [&](std::size_t, const SeriesSum& sum) { found.days.push_back(sum); };
+    run_series(scene, hours_of_two_days(), spec, {.listeners = {&events}});
     return found;
 }
 

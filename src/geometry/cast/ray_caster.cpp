@@ -85,7 +85,7 @@ Hit touching(
 
 /// @param cell  local coordinates
 Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
-    Tile tile{mesh.bounds(), cell.along_x, cell.along_y};
+    Tile tile{mesh.bounds, cell.along_x, cell.along_y};
     constexpr Vec3 kMargin{kOverlap, kOverlap, kOverlap};
     tile.box.low -= kMargin;
     tile.box.high += kMargin;

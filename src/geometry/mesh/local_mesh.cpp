@@ -193,7 +193,7 @@ LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry) 
     }
     local.ranges = geometry->ranges();
     local.instance_triangles = static_cast<std::uint32_t>(geometry->size() - local.faces.size());
-    for_each_outer_vertex(local, [&](const Vec3& p) { local.box.add(p); });
+    for_each_outer_vertex(local, [&](const Vec3& p) { local.bounds.add(p); });
     return local;
 }
 
@@ -208,7 +208,7 @@ Cell local_cell(const LocalMesh& mesh, const Cell& world) {
 
 std::vector<Vec3> outline_points(const LocalMesh& mesh) {
     const auto for_each = [&](const auto& visit) { for_each_outer_vertex(mesh, visit); };
-    return outline_of(for_each, mesh.bounds(), std::size_t{3} * mesh.triangle_count());
+    return outline_of(for_each, mesh.bounds, std::size_t{3} * mesh.triangle_count());
 }
 
 }  // namespace quasimc

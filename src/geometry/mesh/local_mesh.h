@@ -108,9 +108,6 @@ struct LocalMesh {
         faces = *own;
         owner_of_faces = own;
     }
-    /// Bounds of the triangles, local coordinates.
-    [[nodiscard]] const Bounds& bounds() const { return box; }
-
     std::uint32_t instance_triangles = 0;  ///< of all instances together
     /// Triangles whose area rounding changes by more than a thousandth, and what across() would be
     /// without it. None of an instance.
@@ -119,7 +116,7 @@ struct LocalMesh {
     /// is off, over its length.
     double most_turned = 0;
     bool has_slivers = false;  ///< whether is_sliver() holds for any triangle of no instance
-    Bounds box;
+    Bounds bounds;             ///< of the triangles, local coordinates
 
   private:
     [[nodiscard]] double share_of_thin(std::uint32_t triangle, const Vec3& direction) const;

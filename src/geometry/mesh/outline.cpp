@@ -28,7 +28,7 @@ OctantGrid::OctantGrid(const Bounds& bounds, std::size_t points) : low_(bounds.l
     octants_.resize(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2], 0);
 }
 
-void OctantGrid::finish() {
+void OctantGrid::spread() {
     for (std::size_t octant = 0; octant < kOctants; ++octant) {
         spread(octant);
     }

@@ -17,17 +17,21 @@ namespace quasimc {
 /// hull if each of the octants of cells beyond it holds a cell with a point in it.
 class OctantGrid {
   public:
-    OctantGrid(const Bounds& bounds, std::size_t points);
+    /// The grid of the points that `for_each` visits. @param points  about how many there are
+    template <typename ForEach>
+    OctantGrid(const ForEach& for_each, const Bounds& bounds, std::size_t points)
+        : OctantGrid(bounds, points) {
+        for_each([&](const Vec3& p) { octants_[index(cell_of(p))] = 0xFF; });
+        spread();
+    }
 
-    void add(const Vec3& p) { octants_[index(cell_of(p))] = 0xFF; }
-    /// To be called when all points are added: spreads each cell's points to the cells before it.
-    void finish();
     /// Whether the cell of `p` lies in the hull; false if in doubt.
     [[nodiscard]] bool is_inside(const Vec3& p) const;
 
   private:
     using Cell3 = std::array<int, 3>;
 
+    OctantGrid(const Bounds& bounds, std::size_t points);
     [[nodiscard]] std::size_t index(const Cell3& c) const {
         return (static_cast<std::size_t>(c[2]) * count_[1] + c[1]) * count_[0] + c[0];
     }
@@ -35,6 +39,8 @@ class OctantGrid {
     [[nodiscard]] bool holds(const Cell3& c, std::size_t octant) const {
         return ((octants_[index(c)] >> octant) & 1U) != 0;
     }
+    /// Spreads each cell's points to the cells before it.
+    void spread();
     void spread(std::size_t octant);
     void mark(const Cell3& cell, std::size_t octant);
 
@@ -49,9 +55,7 @@ class OctantGrid {
 /// @param cells  how finely to look: about the number of corners of the triangles
 template <typename ForEach>
 std::vector<Vec3> outline_of(const ForEach& for_each, const Bounds& bounds, std::size_t cells) {
-    OctantGrid grid(bounds, cells);
-    for_each([&](const Vec3& p) { grid.add(p); });
-    grid.finish();
+    const OctantGrid grid(for_each, bounds, cells);
     std::vector<Vec3> outline;
     for_each([&](const Vec3& p) {
         if (!grid.is_inside(p)) {

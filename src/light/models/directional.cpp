@@ -41,6 +41,9 @@ class Directional final : public Source {
         : Source(std::move(name), std::move(spectrum), kBeamTraits, std::max(0.0, -travel.z)),
           travel_(travel) {}
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"directional", {travel_.x, travel_.y, travel_.z}};
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         std::unique_ptr<BeamCrossSection> window = projection.window(travel_);

@@ -184,6 +184,17 @@ class Lamp final : public Source {
           pattern_(std::move(spec.pattern)),
           by_area_(has_endless_radiance()) {}
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        ModelParameters lamp{"lamp", pattern_.parameters()};
+        for (const Vec3& v : {body_.center, body_.axes.s, body_.axes.t, body_.axes.n}) {
+            lamp.values.insert(lamp.values.end(), {v.x, v.y, v.z});
+        }
+        const Opening& opening = body_.opening;
+        lamp.values.insert(
+            lamp.values.end(),
+            {static_cast<double>(opening.kind), opening.length, opening.width, opening.radius});
+        return lamp;
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         LampBody local = body_;

@@ -92,6 +92,14 @@ double Pattern::intensity(const Vec3& direction) const {
     return cells_->intensity(theta, phi < 0 ? phi + 2 * pi : phi) / total();
 }
 
+std::vector<double> Pattern::parameters() const {
+    std::vector<double> values{total(), cells_->low, cells_->high};
+    for (const std::vector<double>* part : {&cells_->rows, &cells_->phis, &cells_->mass}) {
+        values.insert(values.end(), part->begin(), part->end());
+    }
+    return values;
+}
+
 Pattern::Drawn Pattern::draw(double u0, double u1) const {
     const Cells& cells = *cells_;
     const auto [row, column] = cells.table.pick(u0, u1);

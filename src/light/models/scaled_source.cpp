@@ -25,6 +25,7 @@ class ScaledSource final : public Source {
           source_(std::move(source)),
           is_off_(factor == 0) {}
 
+    [[nodiscard]] ModelParameters parameters() const override { return source_->parameters(); }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return is_off_ ? nullptr : source_->make_sampler_in(projection);

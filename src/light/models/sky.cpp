@@ -101,6 +101,13 @@ class Sky final : public Source {
     Sky(std::string name, SkyShape shape, std::vector<double> spectrum)
         : Source(std::move(name), std::move(spectrum), kSkyTraits, 1), shape_(std::move(shape)) {}
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        const HemisphereGrid grid = make_hemisphere_grid(shape_.azimuths, shape_.sines);
+        std::vector<double> values = radiance_of_cells(grid, shape_.radiance);
+        values.insert(values.end(), grid.azimuths.begin(), grid.azimuths.end());
+        values.insert(values.end(), grid.sines.begin(), grid.sines.end());
+        return {shape_.inside == InsideCells::smooth ? "sky" : "sky_of_cells", std::move(values)};
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         const EntryBox& box = projection.entry_box();

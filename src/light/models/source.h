@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "base/model_parameters.h"
 #include "quasimc/source.h"
 #include "raster/scene_projection.h"
 

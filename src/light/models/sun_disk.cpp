@@ -29,6 +29,7 @@ class Cone {
     }
 
     [[nodiscard]] const Vec3& axis() const { return axis_; }
+    [[nodiscard]] double radius() const { return radius_; }
     [[nodiscard]] double solid_angle() const { return 2 * pi * depth_; }
     /// Integral of the cosine to the axis.
     [[nodiscard]] double projected() const { return pi * std::sin(radius_) * std::sin(radius_); }
@@ -127,6 +128,9 @@ class SunDisk final : public Source {
               cone.positive_part(cone.axis().z) / cone.projected()),
           cone_(cone) {}
 
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"sun_disk", {cone_.axis().x, cone_.axis().y, cone_.axis().z, cone_.radius()}};
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         auto sampler = std::make_unique<DiskEmitter>(cone_, projection.entry_box());

@@ -92,6 +92,7 @@ class UniformSky final : public Source {
     UniformSky(std::string name, std::vector<double> horizontal_irradiance)
         : Source(std::move(name), std::move(horizontal_irradiance), kSkyTraits, 1) {}
 
+    [[nodiscard]] ModelParameters parameters() const override { return {"uniform_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         auto sampler = std::make_unique<UniformSkySampler>(projection.entry_box());

@@ -16,6 +16,7 @@
 #include "results/means.h"
 #include "run/early_stop.h"
 #include "run/evaluation_of.h"
+#include "run/run_control.h"
 #include "series/basis/season_basis.h"
 #include "series/basis/season_suns.h"
 
@@ -36,15 +37,13 @@ GroupResults without_fractions(GroupResults groups) {
     return groups;
 }
 
-class Season {
+class Season final : public SeriesSteps {
   public:
-    explicit Season(const SeriesInput& input) : in_(input), early_(input.stop) {
+    explicit Season(const SeriesInput& input) : in_(input), early_(input.control.stop) {
         for (const Region& region : in_.scene.regions()) {
             area_ += region.area;
         }
-        if (in_.spec.max_seconds > 0) {
-            early_.set_limit(in_.spec.max_seconds);
-        }
+        early_.stop_at(deadline_of(in_.control, in_.spec).at());
         number_traces();
     }
 
@@ -52,10 +51,8 @@ class Season {
         prepare();
         day_.emplace(*basis_, in_.spec.replicates);
         total_.emplace(*basis_, in_.spec.replicates);
-        walk_series(
-            in_, {[&](std::size_t i) { compute(i); }, [&](std::size_t last) { finish_day(last); }},
-            summary_);
-        if (in_.events.wants_total) {
+        walk_series(in_, *this, summary_);
+        if (wants_total(in_.control)) {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
@@ -101,12 +98,11 @@ class Season {
         try {
             basis_.emplace(
                 in_.simulator, in_.scene, in_.time_steps, in_.spec,
-                SeasonBasis::Control{
-                    [this](double part) { tell_progress(kShareOfBasis * part); }, early_.token()});
+                RunControl{.stop = early_.token(), .work = work_.part(0, kShareOfBasis)});
             summary_.rays += basis_->rays();
             suns_.emplace(in_.simulator, in_.scene, in_.spec, basis_->layout(), early_.token());
             choose_pixels();
-            tell_progress(kShareOfBasis);
+            work_.report(kShareOfBasis);
         } catch (const Stopped&) {
             throw Stopped(
                 early_.why(),
@@ -126,12 +122,6 @@ class Season {
             others.push_back(basis_->light_of(amounts).spread(basis_->errors()));
         }
         suns_->choose_pixels(times, others);
-    }
-
-    void tell_progress(double fraction) const {
-        if (in_.events.on_progress && fraction > 0) {
-            in_.events.on_progress({fraction, watch_.seconds(), watch_.seconds() / fraction, 0});
-        }
     }
 
     /// As many times as memory may hold.
@@ -158,8 +148,7 @@ class Season {
         basis_->find_light(window_.amounts, window_.light);
     }
 
-    /// @throws Stopped  before there is a result of it
-    void compute(std::size_t i) {
+    void compute(std::size_t i) override {
         try {
             if (early_.token().stop_requested()) {
                 throw Stopped(early_.why(), "");
@@ -187,15 +176,13 @@ class Season {
             ++summary_.traced;
             ++summary_.methods[Method::ray_bundles];
         }
-        if (in_.events.on_time_step) {
-            in_.events.on_time_step(
-                i,
-                result_of(
-                    window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
-                    step.sources),
-                i);
+        if (!in_.control.listeners.empty()) {
+            const Result result = result_of(
+                window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
+                step.sources);
+            report_time_step(in_.control, {i, result, i});
         }
-        tell_progress(
+        work_.report(
             kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
                                 static_cast<double>(in_.time_steps.size()));
     }
@@ -267,9 +254,9 @@ class Season {
             .groups = without_fractions(std::move(result.groups))};
     }
 
-    void finish_day(std::size_t last) {
-        if (in_.events.on_day) {
-            in_.events.on_day(in_.time_steps[last].day, sum_of(*day_));
+    void finish_day(std::size_t last) override {
+        if (wants_days(in_.control)) {
+            report_day(in_.control, in_.time_steps[last].day, sum_of(*day_));
         }
         day_.emplace(*basis_, in_.spec.replicates);
     }
@@ -277,6 +264,7 @@ class Season {
     const SeriesInput& in_;
     EarlyStop early_;
     Stopwatch watch_;
+    Work work_ = work_of(in_.control);
     double area_ = 0;
     std::vector<std::uint64_t> traces_;  // by time; 0: it is dark
     std::optional<SeasonBasis> basis_;
@@ -299,10 +287,10 @@ SeriesSummary run_season(const SeriesInput& input) {
                  "use series = \"one_by_one\""});
         }
     };
-    const SeriesEvents& events = input.events;
-    refuse(events.checkpoint != nullptr, "a checkpoint");
-    refuse(events.team != nullptr, "several processes");
-    refuse(static_cast<bool>(events.sums_of), "parts of a run");
+    const SumsOrigin& origin = input.control.origin;
+    refuse(origin.states != nullptr, "a checkpoint");
+    refuse(origin.team != nullptr, "several processes");
+    refuse(origin.given != nullptr, "parts of a run");
     faults.throw_if_any();
     return Season(input).run();
 }

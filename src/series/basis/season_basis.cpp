@@ -13,6 +13,7 @@
 
 #include "base/parallel.h"
 #include "light/models/source.h"
+#include "run/trace_plan.h"
 #include "scene/repeat_bands.h"
 #include "series/basis/season_errors.h"
 #include "solvers/ray_bundles/bundle_budget.h"
@@ -71,17 +72,6 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
     return chosen;
 }
 
-/// Options of the runs that the responses are from.
-RunSpec spec_of_responses(const RunSpec& spec) {
-    RunSpec own = spec;
-    own.ratios.clear();
-    own.groups.clear();
-    own.layers = 0;
-    own.layer_heights.clear();
-    own.max_seconds = 0;
-    return own;
-}
-
 /// [region][side][band]; of sensors 0.
 std::vector<double> albedos_of(const Scene& scene) {
     std::vector<double> albedos;
@@ -130,7 +120,10 @@ struct SeasonBasis::LeftOut {
 class SeasonBasis::Solving {
   public:
     Solving(SeasonBasis& basis, Simulator& simulator, const Scene& scene, const RunSpec& spec)
-        : basis_(basis), simulator_(simulator), scene_(scene), spec_(spec_of_responses(spec)) {}
+        : basis_(basis),
+          simulator_(simulator),
+          scene_(scene),
+          spec_(planned_spec(spec, {.organs_alone = true})) {}
 
     /// A sky of irradiance 1 on the horizontal.
     void add_sky(SkyShape shape, LightResponse& to) {
@@ -141,7 +134,7 @@ class SeasonBasis::Solving {
         lights_.push_back({.shape = {}, .to_light = to_light, .to = &to});
     }
 
-    void solve(const Control& control) {
+    void solve(const RunControl& control) {
         basis_.lights_ = lights_.size();
         const std::size_t most = batch();
         for (std::size_t first = 0; first < lights_.size(); first += most) {
@@ -177,19 +170,16 @@ class SeasonBasis::Solving {
                    : make_sky("sky", light.shape, std::move(spectrum));
     }
 
-    void solve_batch(std::size_t first, std::size_t count, const Control& control) {
+    void solve_batch(std::size_t first, std::size_t count, const RunControl& control) {
         Sources sources;
         for (std::size_t i = 0; i < count; ++i) {
             sources.push_back(source(lights_[first + i], i, count));
         }
-        RunControl own{.stop = control.stop};
-        if (control.on_progress) {
-            own.on_progress = [&](const Progress& progress) {
-                const double done =
-                    static_cast<double>(first) + progress.fraction * static_cast<double>(count);
-                control.on_progress(done / static_cast<double>(lights_.size()));
-            };
-        }
+        const auto all = static_cast<double>(lights_.size());
+        const RunControl own{
+            .stop = control.stop,
+            .work = control.work.part(
+                static_cast<double>(first) / all, static_cast<double>(count) / all)};
         const Scene repeated = with_repeated_bands(scene_, count);
         const Sums sums = simulator_.sums(repeated, sources, spec_, 0, {}, own);
         basis_.rays_ += count_rays(sums);
@@ -201,7 +191,7 @@ class SeasonBasis::Solving {
     SeasonBasis& basis_;
     Simulator& simulator_;
     const Scene& scene_;
-    RunSpec spec_;
+    const RunSpec spec_;
     std::vector<Light> lights_;
 };
 
@@ -214,7 +204,7 @@ SeasonBasis::SeasonBasis(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
-    const Control& control)
+    const RunControl& control)
     : mesh_(kRings),
       layout_(common_layout(scene)),
       replicates_(spec.replicates),

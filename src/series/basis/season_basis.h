@@ -2,9 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "light/models/sky_mesh.h"
@@ -30,21 +28,17 @@ struct SunBeam {
 /// (docs/develop/decisions/season-by-bundles.md).
 class SeasonBasis {
   public:
-    /// Who hears how far it is, 0 to 1, and may stop it.
-    struct Control {
-        std::function<void(double)> on_progress;
-        std::stop_token stop;
-    };
     /// Solves for all directions that some time needs, and for a few times as they are, which tell
     /// the error of the others.
     /// @param spec  that check_together() found no fault with
+    /// @param control  whose stop and work count
     /// @throws Stopped  if it was stopped
     SeasonBasis(
         Simulator& simulator,
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
         const RunSpec& spec,
-        const Control& control);
+        const RunControl& control);
 
     /// Amounts of light from the directions: [direction][LightSum::add's amounts].
     using Amounts = std::vector<double>;

@@ -72,8 +72,9 @@ void SeasonSuns::choose_pixels(
 
 std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     std::span<const SunsOfTime> times) const try {
-    const auto caster = simulator_.state_->caster_for(scene_, spec_.engine, stop_);
-    const Sampler& sampler = simulator_.state_->sampler_for(spec_.sampler);
+    auto& state = SimulatorAccess::state(simulator_);
+    const auto caster = state.caster_for(scene_, spec_.engine, stop_);
+    const Sampler& sampler = state.sampler_for(spec_.sampler);
     struct Looked {
         RunSpec spec;
         std::unique_ptr<const PreparedScene> prepared;

@@ -46,7 +46,7 @@ void find_keys(
 ScatteredShares::ScatteredShares(const PreparedScene& prepared)
     : materials_(prepared.scene().materials().size()) {
     const std::vector<bool> is_used = used_materials(prepared.scene());
-    for (const auto& spectrum : prepared.spectra()) {
+    for (const auto& spectrum : prepared.lights().spectra()) {
         for (std::size_t m = 0; m < materials_; ++m) {
             const Material& material = prepared.scene().materials()[m];
             const bool scatters = is_used[m] && !material.is_transparent();
@@ -75,9 +75,9 @@ ScatteringPiece scattering_piece(
 }
 
 void DirectLightScore::add_sunlit(std::uint32_t triangle, double along, double amount) {
-    if (prepared_.is_sunlit(triangle, beam_.direction, along)) {
+    if (prepared_.rounding().is_sunlit(triangle, beam_.direction, along)) {
         const double area =
-            prepared_.sunlit_share(triangle) * beam_.light->lit_area / std::abs(along);
+            prepared_.rounding().area_share(triangle) * beam_.light->lit_area / std::abs(along);
         tally_.add(tally_.layout().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
     }
 }

@@ -112,10 +112,11 @@ class DirectLightScore {
         const std::uint32_t region = prepared_.region(triangle);
         // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is
         // not stopped does.
-        const double exact = amount * prepared_.exact_share(triangle, beam_.direction, along);
+        const double exact =
+            amount * prepared_.rounding().light_share(triangle, beam_.direction, along);
         const std::int64_t fixed = to_fixed(exact);
         stopped_ += prepared_.material(region).is_transparent() ? 0 : fixed;
-        if (!prepared_.in_field_of_view(region, std::abs(along))) {
+        if (!prepared_.fields_of_view().contain(region, std::abs(along))) {
             return;
         }
         tally_.add(region * stride_ + sides_[along > 0 ? 1 : 0], fixed);

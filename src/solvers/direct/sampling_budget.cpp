@@ -287,7 +287,7 @@ double SamplingBudget::pixels_for(double paths, double most_over_root) const {
 }
 
 bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {
-    const std::vector<BoundSource>& lights = prepared.lights();
+    const BoundLights& lights = prepared.lights();
     if (lights.empty() || !std::all_of(lights.begin(), lights.end(), [](const BoundSource& light) {
             return light.source->is_sun();
         })) {

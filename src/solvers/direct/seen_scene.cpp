@@ -9,7 +9,8 @@ std::vector<VisibilityRole> roles_in(const PreparedScene& prepared) {
     const std::uint32_t triangles = caster.mesh().triangle_count();
     const bool repeats = prepared.scene().cell().periodic();
     std::vector<VisibilityRole> roles;
-    for (std::uint32_t i = 0; (prepared.has_transparent() || repeats) && i < triangles; ++i) {
+    for (std::uint32_t i = 0; (prepared.optics().has_transparent || repeats) && i < triangles;
+         ++i) {
         const bool image = repeats && i > 0 && caster.source(i) == caster.source(i - 1);
         const bool sensor = prepared.material(prepared.region(i)).is_transparent();
         roles.push_back(

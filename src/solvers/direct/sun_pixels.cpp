@@ -91,9 +91,9 @@ void SunPixels::score(const View& view, const ItemBuffer& image, SunLight& found
         const double seen = view.of_pixel * item.pixels;
         const double cosine = std::abs(item.cosine);
         const double amount =
-            seen * prepared_.exact_share(item.triangle, view.direction, item.cosine);
+            seen * prepared_.rounding().light_share(item.triangle, view.direction, item.cosine);
         stopped += prepared_.material(region).is_transparent() ? 0 : amount;
-        if (!prepared_.in_field_of_view(region, cosine)) {
+        if (!prepared_.fields_of_view().contain(region, cosine)) {
             continue;
         }
         const SurfaceSide side = item.cosine > 0 ? SurfaceSide::lower : SurfaceSide::upper;
@@ -102,9 +102,9 @@ void SunPixels::score(const View& view, const ItemBuffer& image, SunLight& found
             flux[b] += amount * weights[b];
         }
         if (view.light.lit_area > 0 && cosine > 0 &&
-            prepared_.is_sunlit(item.triangle, view.direction, item.cosine)) {
-            found.sunlit_area[region] +=
-                seen * prepared_.sunlit_share(item.triangle) * view.light.lit_area / cosine;
+            prepared_.rounding().is_sunlit(item.triangle, view.direction, item.cosine)) {
+            found.sunlit_area[region] += seen * prepared_.rounding().area_share(item.triangle) *
+                                         view.light.lit_area / cosine;
         }
     }
     for (std::size_t b = 0; b < bands; ++b) {
@@ -119,7 +119,7 @@ void SunPixels::settle(SunLight& found) const {
     const std::size_t bands = prepared_.bands();
     for (std::size_t b = 0; b < bands; ++b) {
         const double drawn = found.emitted[b];
-        const double scale = drawn > 0 ? prepared_.flux()[b] / drawn : 0;
+        const double scale = drawn > 0 ? prepared_.lights().flux()[b] / drawn : 0;
         found.emitted[b] *= scale;
         found.escaped[b] *= scale;
         for (std::size_t i = b; i < found.flux.size(); i += bands) {
@@ -127,7 +127,7 @@ void SunPixels::settle(SunLight& found) const {
         }
     }
     for (double& area : found.sunlit_area) {
-        area *= prepared_.sun_area();
+        area *= prepared_.lights().sun_area();
     }
 }
 

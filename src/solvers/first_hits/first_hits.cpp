@@ -45,16 +45,16 @@ class FirstHits final : public Solver {
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         const bool is_traced = std::find(traced.begin(), traced.end(), true) != traced.end();
         const std::uint64_t traced_blocks = is_traced ? LightTracer::blocks(round) : 0;
-        executor.announce((blocks + traced_blocks) * sums.replicates.size());
+        TaskRound all = executor.begin((blocks + traced_blocks) * sums.replicates.size());
         runner_.run(
-            blocks, executor, sums,
+            blocks, all, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
                 const Work work = DirectBeams::work_of(tasks, round, sums.units, replicate, block);
                 work.task.is_sky ? trace_skies(work, scratch, tally)
                                  : trace_lines(work, scratch, tally);
             });
         trace_runner_.run(
-            traced_blocks, executor, sums,
+            traced_blocks, all, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums.paths += round.count;
@@ -185,7 +185,7 @@ class FirstHits final : public Solver {
 std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
     std::vector<double> largest = largest_albedos(prepared.scene());
     for (std::size_t b = 0; b < largest.size(); ++b) {
-        largest[b] *= prepared.flux()[b];
+        largest[b] *= prepared.lights().flux()[b];
     }
     return largest;
 }

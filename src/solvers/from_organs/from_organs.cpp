@@ -74,9 +74,9 @@ class FromOrgans final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t count = blocks(round);
-        executor.announce(count * sums.replicates.size());
+        TaskRound tasks = executor.begin(count * sums.replicates.size());
         runner_.run(
-            count, executor, sums,
+            count, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
                 trace(round, replicate, block, scratch, tally);
             });
@@ -163,11 +163,12 @@ class FromOrgans final : public Solver {
     /// Adds the light of one source, drawn for the point, that comes straight to it.
     std::uint64_t sample_sources(const Stream& stream, const Point& point, Tally& tally) const {
         const LightSample sample = next_event_.sample_light(
-            stream, point.index, 2, point.place, {point.up, prepared_.least_cosine(point.region)});
+            stream, point.index, 2, point.place,
+            {point.up, prepared_.fields_of_view().least_cosine(point.region)});
         const double cosine = dot(sample.to_light, point.up);
         if (cosine == 0 || sample.factor == 0 || NextEvent::is_in_plane(sample, point.up) ||
             near_.lights_near(*sample.light, point.region, point.place) ||
-            !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
+            !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
             return 0;
         }
         const SumLayout& layout = tally.layout();
@@ -182,7 +183,7 @@ class FromOrgans final : public Solver {
         score_direct(
             prepared_, point.surface(side, std::abs(cosine)), *sample.light, amount, tally);
         if (sample.light->sun_share > 0 &&
-            prepared_.is_sunlit(point.triangle, sample.to_light, cosine)) {
+            prepared_.rounding().is_sunlit(point.triangle, sample.to_light, cosine)) {
             tally.add(
                 layout.sunlit(point.region),
                 to_fixed(part * kFinerSteps * sample.light->sun_share / sample.probability));
@@ -201,7 +202,7 @@ class FromOrgans final : public Solver {
                 near_.min_connection_distance(*vertex.light), scratch.path.irradiance);
             rays += is_traced ? 1 : 0;
             const double cosine = dot(wi, point.up);
-            if (!arrives || !prepared_.in_field_of_view(point.region, std::abs(cosine))) {
+            if (!arrives || !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
                 continue;
             }
             const double factor = part_of_unit_[point.region] * std::abs(cosine);

@@ -28,7 +28,8 @@ bool has_sky(const PreparedScene& prepared) {
 
 /// Whether light of suns or lamps is followed through lobes.
 bool has_followed_lobes(const PreparedScene& prepared) {
-    return has_small_light(prepared) && prepared.sharpest_peak() >= followed_peak(prepared.scene());
+    return has_small_light(prepared) &&
+           prepared.optics().sharpest_peak >= followed_peak(prepared.scene());
 }
 
 /// The most that a material of the scene sends to one of its sides, of light that falls on it:
@@ -86,7 +87,7 @@ double part_by_vertices(
     const Organ& organ) {
     constexpr double kConnections = 2;  // that may be followed one after the other
     const Bounds box = local_bounds(prepared, organ);
-    const double area = organ.area / prepared.world_area();
+    const double area = organ.area / prepared.projection().world_area();
     double part = 0;
     for (const BoundSource& light : prepared.lights()) {
         const double gap = light.source->is_lamp() ? near.gap_to(light, box)
@@ -106,7 +107,7 @@ void set_light_paths(
     const std::vector<double>& parts,
     SumUnits& units) {
     const Scene& scene = prepared.scene();
-    for (const double flux : prepared.flux()) {
+    for (const double flux : prepared.lights().flux()) {
         units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
     }
     units.find_scale = units.region_scale;
@@ -204,7 +205,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const bool has_connected =
         std::any_of(parts.begin(), parts.end(), [](double part) { return part < kFewOfPaths; });
     for (std::size_t b = 0; b < prepared.bands(); ++b) {
-        units.flux.push_back(prepared.flux()[b] / measured.area);
+        units.flux.push_back(prepared.lights().flux()[b] / measured.area);
         double irradiance = 0, on_surfaces = 0, by_vertex = 0;
         for (const BoundSource& light : prepared.lights()) {
             const double usual = light.usual_irradiance;
@@ -219,7 +220,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         units.scattered_flux_per_find.push_back(
             kFinerSteps * (2 * brightest(prepared, b, sharp_from) * on_surfaces + by_vertex));
     }
-    units.sunlit_area = prepared.sun_area() > 0 ? 1 : 0;
+    units.sunlit_area = prepared.lights().sun_area() > 0 ? 1 : 0;
     units.sunlit_area_per_find = 0;
     for (const BoundSource& light : prepared.lights()) {
         units.sunlit_area_per_find =

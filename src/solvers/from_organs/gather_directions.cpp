@@ -60,14 +60,14 @@ GatherDirections::GatherDirections(const PreparedScene& prepared)
 
 GatherSample GatherDirections::draw(const OrganPoint& point, double u0, double u1) const {
     // Of the square of the sine; less than 1 for sensors with a narrow field of view.
-    const double part = 1 - std::pow(prepared_.least_cosine(point.region), 2);
+    const double part = 1 - std::pow(prepared_.fields_of_view().least_cosine(point.region), 2);
     // pi for the cosine law, 2 for the choice of a side.
     const double factor = 2 * std::numbers::pi * part;
     if (u0 < along_ground_) {
         const Vec3 away = direction_along_ground(u0 / along_ground_, u1);
         const double up = dot(away, point.up);
         const double cosine = std::abs(up);
-        const bool is_seen = cosine > 0 && prepared_.in_field_of_view(point.region, cosine);
+        const bool is_seen = cosine > 0 && prepared_.fields_of_view().contain(point.region, cosine);
         return {away, side_facing(-up), cosine, is_seen ? mixed(factor, cosine, away) : 0};
     }
     const double pick = 2 * (u0 - along_ground_) / (1 - along_ground_);

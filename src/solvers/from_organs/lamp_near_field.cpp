@@ -52,7 +52,7 @@ LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared
     lamps_.reserve(prepared.lights().size());
     for (const Region& region : prepared.scene().regions()) {
         const double area = prepared.scene().organs()[region.organ.value].area;
-        organ_size_.push_back(std::sqrt(area / prepared.world_area()));
+        organ_size_.push_back(std::sqrt(area / prepared.projection().world_area()));
     }
     for (const BoundSource& light : prepared.lights()) {
         Lamp& lamp = lamps_.emplace_back();

@@ -56,7 +56,7 @@ class LampNearField {
         Vec3 half_line;  ///< LampPlace::half_line
     };
     [[nodiscard]] const Lamp& lamp_of(const BoundSource& light) const {
-        return lamps_[static_cast<std::size_t>(&light - prepared_.lights().data())];
+        return lamps_[prepared_.lights().index_of(light)];
     }
     /// The first hit of a path from a lamp.
     struct PilotSample {

@@ -51,7 +51,7 @@ class LightSubpathTracer {
   private:
     /// Whether no points sample the light that arrives at `p` on a surface.
     [[nodiscard]] bool counts_on(const Surface& surface, const Vec3& p) const {
-        if (!prepared_.in_field_of_view(surface.region, surface.cosine)) {
+        if (!prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
             return false;
         }
         switch (class_) {
@@ -76,9 +76,9 @@ class LightSubpathTracer {
     }
 
     void score(const Surface& surface) {
-        const double factor = prepared_.exact_share(surface.triangle, direction_, surface.cosine) *
-                              (class_ == PathClass::from_source ? path_.weight : 1) *
-                              rules_.scales[surface.region];
+        const double factor =
+            prepared_.rounding().light_share(surface.triangle, direction_, surface.cosine) *
+            (class_ == PathClass::from_source ? path_.weight : 1) * rules_.scales[surface.region];
         class_ == PathClass::from_source
             ? score_direct(prepared_, surface, *path_.light, factor, tally_)
             : score_scattered(prepared_, surface, factor, weights_, tally_);
@@ -200,7 +200,7 @@ std::uint64_t LightSubpaths::trace(
     const auto u = [&](std::uint32_t dimension) {
         return sampler_.coordinate(stream, index, dimension);
     };
-    const LightPick pick = prepared_.pick_light(u(0));
+    const LightPick pick = prepared_.lights().pick(u(0));
     const BoundSource& light = prepared_.lights()[pick.index];
     if (light.is_extended()) {
         return 0;

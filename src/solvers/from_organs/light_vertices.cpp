@@ -29,7 +29,7 @@ VertexLight::Connection VertexLight::connect(
     if (std::all_of(irradiance.begin(), irradiance.end(), is_none)) {
         return {};
     }
-    const double scale = scale_ / (square * prepared_.world_area());
+    const double scale = scale_ / (square * prepared_.projection().world_area());
     for (double& x : irradiance) {
         x *= scale;
     }

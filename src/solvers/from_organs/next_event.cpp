@@ -48,7 +48,8 @@ double NextEvent::importance(std::size_t index, const Vec3& place) const {
     constexpr double kNearest = 1e-6;
     const Vec3 offset = place - body.center;
     const double square = std::max(dot(offset, offset), body.radius * body.radius);
-    return spectrum / (4 * std::numbers::pi * prepared_.world_area() * (square + kNearest));
+    return spectrum /
+           (4 * std::numbers::pi * prepared_.projection().world_area() * (square + kNearest));
 }
 
 /// A fifth by the flux of the lights, so that none is left out that is importance more than it

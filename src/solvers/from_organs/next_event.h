@@ -101,7 +101,7 @@ class NextEvent {
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
-        return scale_ / (light.source_sampler->flux() * prepared_.world_area());
+        return scale_ / (light.source_sampler->flux() * prepared_.projection().world_area());
     }
 
     const PreparedScene& prepared_;

@@ -36,7 +36,7 @@ bool is_open(
     const Vec3& direction,
     double distance,
     std::uint32_t self) {
-    if (!prepared.has_transparent()) {
+    if (!prepared.optics().has_transparent) {
         return !prepared.caster().occluded(p, direction, self, distance);
     }
     const auto [at, left] = cast_past_sensors(prepared, p, direction, distance, self);

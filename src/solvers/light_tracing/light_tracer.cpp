@@ -100,12 +100,12 @@ void LightTracer::trace(
 
 /// By spectrum, the start weights of a path that counts most.
 std::vector<std::vector<double>> LightTracer::brightest_paths() const {
-    std::vector<double> most(prepared_.spectra().size(), 0);
+    std::vector<double> most(prepared_.lights().spectra().size(), 0);
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
         double& own = most[prepared_.lights()[i].spectrum];
         own = std::max(own, shares_.weight(i));
     }
-    std::vector<std::vector<double>> weights = prepared_.spectra();
+    std::vector<std::vector<double>> weights = prepared_.lights().spectra();
     for (std::size_t i = 0; i < weights.size(); ++i) {
         for (double& weight : weights[i]) {
             weight *= most[i];
@@ -239,13 +239,14 @@ std::uint64_t LightTracer::shade(
             const double lit =
                 path.weight * light.lit_area * static_cast<double>(facing.inverse_cosine[lane]);
             const double cosine = 1 / static_cast<double>(facing.inverse_cosine[lane]);
-            const double share =
-                path.weight * prepared_.exact_share(packet.triangle[lane], path.direction, cosine);
+            const double share = path.weight * prepared_.rounding().light_share(
+                                                   packet.triangle[lane], path.direction, cosine);
             const bool is_sunlit =
                 light.lit_area > 0 && facing.along[lane] != 0 &&
-                prepared_.is_sunlit(packet.triangle[lane], path.direction, cosine);
-            const double area_share = is_sunlit ? prepared_.sunlit_share(packet.triangle[lane]) : 0;
-            if (prepared_.in_field_of_view(primitive.region, cosine)) {
+                prepared_.rounding().is_sunlit(packet.triangle[lane], path.direction, cosine);
+            const double area_share =
+                is_sunlit ? prepared_.rounding().area_share(packet.triangle[lane]) : 0;
+            if (prepared_.fields_of_view().contain(primitive.region, cosine)) {
                 tally.add_two(
                     primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),
                     layout.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));

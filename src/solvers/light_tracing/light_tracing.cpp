@@ -15,9 +15,9 @@ class LightTracing final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t blocks = LightTracer::blocks(round);
-        executor.announce(blocks * sums.replicates.size());
+        TaskRound tasks = executor.begin(blocks * sums.replicates.size());
         runner_.run(
-            blocks, executor, sums,
+            blocks, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
         sums.paths += round.count;
@@ -43,10 +43,10 @@ SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) 
     }
     return {
         .units = {
-            .flux = prepared.flux(),
-            .flux_per_find = prepared.flux(),
-            .sunlit_area = prepared.sun_area(),
-            .sunlit_area_per_find = prepared.sun_area() * largest,
+            .flux = prepared.lights().flux(),
+            .flux_per_find = prepared.lights().flux(),
+            .sunlit_area = prepared.lights().sun_area(),
+            .sunlit_area_per_find = prepared.lights().sun_area() * largest,
             .kinds = kinds_by_path(prepared)}};
 }
 

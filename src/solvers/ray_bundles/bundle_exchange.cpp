@@ -175,7 +175,7 @@ class BundleExchange {
         const std::size_t bands = light_.packs()[pack.index].bands;
         std::array<double, 2 * kMostInPack> forwards{}, backwards{};
         std::uint32_t* const ends = pack.has_ends ? leaving.ends.data() : nullptr;
-        const bool has_sensors = scene_.prepared.has_transparent();
+        const bool has_sensors = scene_.prepared.optics().has_transparent;
         for_bands(bands, [&]<std::size_t kBands>() {
             LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
             lines.for_each_line([&](std::span<const LineHits::Hit> line) {

@@ -241,7 +241,7 @@ class DirectDeposit {
         std::uint64_t rays = 0;
         for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
             throw_if_stopped(input_.stop);
-            const LightPick pick = prepared_.pick_light(sampler.coordinate(stream, point, 0));
+            const LightPick pick = prepared_.lights().pick(sampler.coordinate(stream, point, 0));
             if (!beams_.traced()[pick.index]) {
                 continue;
             }
@@ -269,16 +269,17 @@ class DirectDeposit {
             const Surface surface = surface_at(prepared_, at.hit, start.direction);
             const double amount =
                 start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
-            if (prepared_.in_field_of_view(surface.region, surface.cosine)) {
+            if (prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
                 tally_.add(
                     layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
-                const bool is_sunlit =
-                    source.lit_area > 0 && surface.cosine > 0 &&
-                    prepared_.is_sunlit(surface.triangle, start.direction, surface.cosine);
+                const bool is_sunlit = source.lit_area > 0 && surface.cosine > 0 &&
+                                       prepared_.rounding().is_sunlit(
+                                           surface.triangle, start.direction, surface.cosine);
                 const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
                 tally_.add(
                     layout.sunlit(surface.region),
-                    to_fixed(start.weight * prepared_.sunlit_share(surface.triangle) * area));
+                    to_fixed(
+                        start.weight * prepared_.rounding().area_share(surface.triangle) * area));
             }
             if (!prepared_.material(surface.region).is_transparent()) {
                 tally_.add_signed(

@@ -75,7 +75,7 @@ std::vector<SurfaceCrossing> crossings_of(
         }});
     }
     const auto is_sensor = [&](std::uint32_t triangle) {
-        return prepared.has_transparent() &&
+        return prepared.optics().has_transparent &&
                prepared.material(prepared.region(triangle)).is_transparent();
     };
     const std::vector<std::uint32_t> representatives = find_representatives(prepared);
@@ -140,8 +140,9 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
     std::vector<double> scattered(bands);
     std::vector<float> least_cosines;
     for (std::uint32_t i = 0; i < triangles; ++i) {
-        if (prepared.has_narrow()) {
-            least_cosines.push_back(static_cast<float>(prepared.least_cosine(prepared.region(i))));
+        if (prepared.fields_of_view().any_narrow()) {
+            least_cosines.push_back(
+                static_cast<float>(prepared.fields_of_view().least_cosine(prepared.region(i))));
         }
         if (!patches.has(i)) {
             continue;

@@ -59,10 +59,10 @@ class RayBundles final : public Solver {
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
-        executor.announce(sums.replicates.size());
+        TaskRound replicates = executor.begin(sums.replicates.size());
         ThreadShares threads{sums.replicates.size(), executor.workers()};
         runner_.run(
-            1, executor, sums,
+            1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
                 solve_replicate({round, tasks, sums.units, replicate}, threads, scratch, tally);
                 --threads.replicates;
@@ -284,7 +284,7 @@ void check_matt(const Scene& scene, Faults& faults) {
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
     meaning.patch_levels = PatchLevels::two;
-    meaning.units.scattered_flux_per_find = prepared.flux();
+    meaning.units.scattered_flux_per_find = prepared.lights().flux();
     for (double& flux : meaning.units.scattered_flux_per_find) {
         flux *= light_of_stretch();
     }

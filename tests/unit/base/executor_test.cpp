@@ -22,7 +22,7 @@ class Executors : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(Executors, RunNoTaskOnceAStopIsRequested) {
     std::stop_source source;
-    Executor executor(GetParam(), {}, source.get_token());
+    Executor executor(GetParam(), {.stop = source.get_token()});
     std::atomic<std::uint64_t> begun{0};
     const auto stop_at_the_tenth = [&](std::uint64_t, unsigned) {
         if (++begun == 10) {
@@ -38,7 +38,7 @@ TEST_P(Executors, OfSharesRunEveryTaskOnce) {
     for (const std::uint64_t parts : {1U, 3U, 7U, 1000U, 1300U}) {
         std::vector<std::atomic<int>> runs(kTasks);
         for (std::uint64_t part = 1; part <= parts; ++part) {
-            Executor executor(GetParam(), {}, {}, share_of(part, parts));
+            Executor executor(GetParam(), {.share = share_of(part, parts)});
             executor.run(kTasks, [&](std::uint64_t task, unsigned) { ++runs[task]; });
         }
         EXPECT_TRUE(std::all_of(runs.begin(), runs.end(), [](const auto& n) { return n == 1; }));
@@ -58,7 +58,7 @@ TEST(Share, OfHugeNumbersOfTasksLeavesNoneOut) {
 
 TEST_P(Executors, RunAllTasksWithoutAStop) {
     std::stop_source source;
-    Executor executor(GetParam(), {}, source.get_token());
+    Executor executor(GetParam(), {.stop = source.get_token()});
     std::atomic<std::uint64_t> done{0};
     executor.run(kTasks, [&](std::uint64_t, unsigned) { ++done; });
     EXPECT_EQ(done, kTasks);

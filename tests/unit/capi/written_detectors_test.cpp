@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         }
         return names;
     }()),
-    [](const auto& info) { return info.param; });
+    [](const auto& row) { return row.param; });
 
 TEST_P(WrittenDetectors, HaveARowForEachBinAndBand) {
     std::istringstream table(written(make_detectors));

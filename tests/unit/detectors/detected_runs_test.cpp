@@ -6,6 +6,7 @@
 #include "quasimc/series.h"
 #include "run/simulator.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -112,11 +113,11 @@ TEST(DetectedRuns, AreScaledWithTheLightOfASeries) {
         {"night", {}, "", 3600},
         {"noon", {sky({3, 3})}, "sky", 3600}};
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    static_cast<void>(run_series(scene, steps, short_spec(), events));
+    static_cast<void>(run_series(scene, steps, short_spec(), {.listeners = {&events}}));
     ASSERT_EQ(results.size(), 3U);
     for (std::size_t i = 0; i < 9; ++i) {
         const double once = results[0].detectors.at(0).at(i, 0).mean;

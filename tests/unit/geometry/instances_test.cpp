@@ -142,8 +142,8 @@ TEST(LocalMesh, BoundsOfInstancesAreThoseOfTheirCorners) {
             expected.add(mesh.vertex(i, corner));
         }
     }
-    EXPECT_EQ(mesh.bounds().low, expected.low);
-    EXPECT_EQ(mesh.bounds().high, expected.high);
+    EXPECT_EQ(mesh.bounds.low, expected.low);
+    EXPECT_EQ(mesh.bounds.high, expected.high);
 }
 
 TEST(OutlinePoints, OfInstancesReachAsFarAsTheirCorners) {

@@ -41,6 +41,9 @@ class UnderACoat final : public Bsdf {
         return 1 - fresnel(at_normal_, cosine);
     }
     [[nodiscard]] bool has_constant_albedo() const override { return false; }
+    [[nodiscard]] ModelParameters parameters() const override {
+        return {"under_a_coat", {at_normal_, k_}};
+    }
     [[nodiscard]] bool is_reciprocal() const override { return false; }
 
   private:
@@ -64,6 +67,7 @@ class Coat final : public Bsdf {
     }
     [[nodiscard]] bool has_constant_albedo() const override { return false; }
     [[nodiscard]] bool is_delta() const override { return true; }
+    [[nodiscard]] ModelParameters parameters() const override { return {"coat", {at_normal_}}; }
     [[nodiscard]] bool is_reciprocal() const override { return true; }
 
   private:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -210,6 +211,12 @@ Result grouped_result() {
     result.canopy[1].transmittance = {kNan, kNan, kNan, kNan};
     return result;
 }
+
+// A writer keeps the run that it is made for.
+static_assert(!std::is_constructible_v<CsvWriter, RunFile, TextSink>);
+static_assert(!std::is_constructible_v<JsonWriter, RunFile>);
+static_assert(!std::is_constructible_v<Summary, RunFile>);
+static_assert(std::is_constructible_v<CsvWriter, const RunFile&, TextSink>);
 
 std::string groups_text(const RunFile& run) {
     std::string text;

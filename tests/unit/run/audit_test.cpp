@@ -8,6 +8,7 @@
 #include "quasimc/result.h"
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 #include "support/random_leaves.h"
 
 namespace quasimc::test {
@@ -201,11 +202,12 @@ TEST(Audit, IsMadeOfEachTraceOfASeries) {
     }
     time_steps.push_back({"", {sun(20, {2, 1})}, time_steps[0].shapes, 3600, 2});
     std::vector<Audit> audits;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         audits.push_back(*result.audit);
     };
-    const SeriesSummary summary = run_series(scene, time_steps, audited_spec(), events);
+    const SeriesSummary summary =
+        run_series(scene, time_steps, audited_spec(), {.listeners = {&events}});
     ASSERT_EQ(audits.size(), 3U);
     EXPECT_EQ(summary.audited, 2U);
     EXPECT_DOUBLE_EQ(

@@ -10,6 +10,7 @@
 #include "geometry/shapes/shapes.h"
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 #include "support/random_leaves.h"
 
 namespace quasimc::test {
@@ -356,12 +357,12 @@ TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
         {"night", {}, "", 3600, 0}};
     std::vector<Result> results;
     SeriesSum day;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    events.on_day = [&](std::size_t, const SeriesSum& sum) { day = sum; };
-    const SeriesSummary summary = run_series(scene, times, pair_spec(1), events);
+    events.day = [&](std::size_t, const SeriesSum& sum) { day = sum; };
+    const SeriesSummary summary = run_series(scene, times, pair_spec(1), {.listeners = {&events}});
     const auto sum_of = [&](const SeriesSum& sum, std::size_t organ) {
         return sum.at(organ, Quantity::absorbed_flux, 0);
     };

@@ -49,9 +49,9 @@ struct Staged {
 TEST(PreparedScene, AddsUpTheFluxOfAllSources) {
     const Staged staged(make_layer(2), {sun(60, {2, 0}), sky({1, 5})});
     const PreparedScene& prepared = staged.prepared;
-    EXPECT_NEAR(prepared.flux()[0], 6 * (2 * .5 + 1), 1e-9);
-    EXPECT_NEAR(prepared.flux()[1], 6 * 5, 1e-9);
-    EXPECT_NEAR(prepared.sun_area(), 6 * .5, 1e-9);
+    EXPECT_NEAR(prepared.lights().flux()[0], 6 * (2 * .5 + 1), 1e-9);
+    EXPECT_NEAR(prepared.lights().flux()[1], 6 * 5, 1e-9);
+    EXPECT_NEAR(prepared.lights().sun_area(), 6 * .5, 1e-9);
 }
 
 TEST(PreparedScene, SharesThePathsOutByTheMeanOverTheBands) {
@@ -74,8 +74,9 @@ TEST(PreparedScene, GivesEveryBandStartWeightsOfMeanOne) {
         for (const BoundSource& light : prepared.lights()) {
             mean += light.probability * light.start_weights[b];
             EXPECT_NEAR(
-                light.probability * light.start_weights[b] * prepared.flux()[b],
-                light.source->spectrum()[b] * light.source_sampler->flux() * prepared.world_area(),
+                light.probability * light.start_weights[b] * prepared.lights().flux()[b],
+                light.source->spectrum()[b] * light.source_sampler->flux() *
+                    prepared.projection().world_area(),
                 1e-12);
         }
         EXPECT_NEAR(mean, b == 2 ? 0 : 1, 1e-12) << "band " << b;  // band 2 has no light
@@ -86,7 +87,7 @@ TEST(PreparedScene, LightsOfOneColourShareASpectrum) {
     const Staged staged(
         make_layer(2), {sun(0, {1, 3}), sky({1, 1}), sun(50, {.2, .6}), sun(10, {.1, .3})});
     const PreparedScene& prepared = staged.prepared;
-    EXPECT_EQ(prepared.spectra().size(), 2U);
+    EXPECT_EQ(prepared.lights().spectra().size(), 2U);
     EXPECT_EQ(prepared.lights()[2].spectrum, prepared.lights()[0].spectrum);
     EXPECT_EQ(prepared.lights()[3].spectrum, prepared.lights()[0].spectrum);
     EXPECT_NE(prepared.lights()[1].spectrum, prepared.lights()[0].spectrum);
@@ -95,12 +96,12 @@ TEST(PreparedScene, LightsOfOneColourShareASpectrum) {
 TEST(PreparedScene, PicksEachLightWithItsProbability) {
     const Staged staged(make_layer(1), {sun(0, {1}), sky({2}), sun(30, {3}), sun(50, {.5})});
     const PreparedScene& prepared = staged.prepared;
-    EXPECT_EQ(prepared.pick_light(0).index, 0U);
-    EXPECT_EQ(prepared.pick_light(0x1.fffffffffffffp-1).index, 3U);
+    EXPECT_EQ(prepared.lights().pick(0).index, 0U);
+    EXPECT_EQ(prepared.lights().pick(0x1.fffffffffffffp-1).index, 3U);
     for (std::size_t i = 1; i < 4; ++i) {
         const double border = prepared.lights()[i].before;
-        EXPECT_EQ(prepared.pick_light(border).index, i);
-        EXPECT_EQ(prepared.pick_light(std::nextafter(border, 0)).index, i - 1);
+        EXPECT_EQ(prepared.lights().pick(border).index, i);
+        EXPECT_EQ(prepared.lights().pick(std::nextafter(border, 0)).index, i - 1);
     }
 }
 
@@ -132,15 +133,15 @@ TEST(PreparedScene, LightPassesSensorsOnItsWayToTheSky) {
 TEST(PreparedScene, KnowsWhatItsMaterialsAskFor) {
     const Sources light{sky({1})};
     const Staged plain(make_layer(1), light);
-    EXPECT_LT(plain.prepared.sharpest_peak(), kSharpPeak);
-    EXPECT_FALSE(plain.prepared.has_transparent());
+    EXPECT_LT(plain.prepared.optics().sharpest_peak, kSharpPeak);
+    EXPECT_FALSE(plain.prepared.optics().has_transparent);
     const std::vector<Triangle> place = floor_of(0, 1, 0, 1, .1);
     const Staged shiny(make_layer(1, {organ("m", "mirror", place)}), light);
-    EXPECT_GE(shiny.prepared.sharpest_peak(), kSharpPeak);
-    EXPECT_FALSE(shiny.prepared.has_transparent());
+    EXPECT_GE(shiny.prepared.optics().sharpest_peak, kSharpPeak);
+    EXPECT_FALSE(shiny.prepared.optics().has_transparent);
     const Staged watched(make_layer(1, {organ("s", "sensor", place)}), light);
-    EXPECT_TRUE(watched.prepared.has_transparent());
-    EXPECT_LT(watched.prepared.sharpest_peak(), kSharpPeak);
+    EXPECT_TRUE(watched.prepared.optics().has_transparent);
+    EXPECT_LT(watched.prepared.optics().sharpest_peak, kSharpPeak);
 }
 
 }  // namespace

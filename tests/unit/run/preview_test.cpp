@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -32,17 +33,36 @@ Scene make_leaves() {
     return std::move(builder).build();
 }
 
+/// Keeps the result of every pause that has another one, and of every round but the last.
+class Looking final : public RunListener {
+  public:
+    std::vector<Result> seen;
+
+    [[nodiscard]] bool wants_pause() override { return true; }
+    void on_pause(const RunSoFar& run) override {
+        EXPECT_EQ(run.time_step(), 0U);
+        if (run.replicates() > 1 && run.replicates() > replicates_) {
+            replicates_ = run.replicates();
+            seen.push_back(run.result());
+        }
+    }
+    void on_round(const RunSoFar& run) override {
+        EXPECT_EQ(run.replicates(), run.result().replicates);
+        seen.push_back(run.result());
+    }
+
+  private:
+    std::size_t replicates_ = 0;  // of the last pause
+};
+
 class PreviewOfMethods : public ::testing::TestWithParam<Method> {
   protected:
     /// The result of a run that is looked at; what was seen of it goes to seen_.
     Result run_seen(const RunSpec& spec) {
-        RunPreview preview;
-        preview.is_wanted = [] { return true; };
-        preview.on_result = [this](std::size_t moment, Result so_far) {
-            EXPECT_EQ(moment, 7U);
-            seen_.push_back(std::move(so_far));
-        };
-        return run(scene_, sources_, spec, {.moment = 7, .preview = &preview});
+        Looking looking;
+        const Result result = run(scene_, sources_, spec, {.listeners = {&looking}});
+        seen_ = std::move(looking.seen);
+        return result;
     }
     [[nodiscard]] RunSpec make_spec(std::uint64_t paths) const {
         RunSpec spec = spec_of(GetParam(), paths);
@@ -90,14 +110,29 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles));
 
-TEST(Preview, OfARunThatNobodyLooksAtIsNotMade) {
-    RunPreview preview;
-    preview.is_wanted = [] { return false; };
-    preview.on_result = [](std::size_t, const Result&) { ADD_FAILURE() << "nobody looks"; };
-    const Result result =
+/// Asks for pauses, or for none.
+class Pausing final : public RunListener {
+  public:
+    explicit Pausing(bool wants) : wants_(wants) {}
+    int pauses = 0, last_rounds = 0;
+
+    [[nodiscard]] bool wants_pause() override { return wants_; }
+    void on_pause(const RunSoFar& /*run*/) override { ++pauses; }
+    void on_last_round(const RunSoFar& /*run*/) override { ++last_rounds; }
+
+  private:
+    bool wants_;
+};
+
+TEST(Listeners, HearOfThePausesThatTheyWantAlone) {
+    Pausing wants(true), wants_none(false);
+    static_cast<void>(
         run(make_leaves(), {sun(30, {1})}, spec_of(Method::first_hits, 1U << 12U),
-            {.preview = &preview});
-    EXPECT_EQ(result.replicates, kReplicates);
+            {.listeners = {&wants_none, &wants}}));
+    EXPECT_GT(wants.pauses, 0);
+    EXPECT_EQ(wants_none.pauses, 0);
+    EXPECT_EQ(wants.last_rounds, 1);
+    EXPECT_EQ(wants_none.last_rounds, 1);
 }
 
 }  // namespace

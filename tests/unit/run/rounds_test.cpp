@@ -1,5 +1,6 @@
 #include "run/rounds.h"
 
+#include <chrono>
 #include <numeric>
 #include <vector>
 
@@ -9,6 +10,19 @@
 
 namespace quasimc::test {
 namespace {
+
+/// The limits of a run that may take max_seconds.
+RoundLimits limits_of(const RunSpec& spec, std::uint64_t fewest = 256) {
+    return {
+        .deadline = spec.max_seconds > 0 ? Deadline::after(spec.max_seconds) : Deadline(),
+        .fewest = fewest};
+}
+
+/// Seconds after the beginning of rounds.
+Deadline::Clock::time_point after(const RoundLimits& limits, double seconds) {
+    return limits.start + std::chrono::duration_cast<Deadline::Clock::duration>(
+                              std::chrono::duration<double>(seconds));
+}
 
 RunSpec spec_with_target() {
     RunSpec spec;
@@ -21,25 +35,27 @@ RunSpec spec_with_target() {
 TEST(Rounds, AreOneWithoutABudget) {
     RunSpec spec;
     spec.paths = 1000;
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     const auto first = rounds.next();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->first, 0U);
     EXPECT_EQ(first->count, 1000U);
-    rounds.finish(1, 0);
+    rounds.finish(after(limits, 1), 0);
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::paths_done);
 }
 
 TEST(Rounds, TraceAsManyAgainUntilTheTargetIsReached) {
     const RunSpec spec = spec_with_target();
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     for (const std::uint64_t done : {0U, 1024U, 2048U, 4096U}) {
         const auto round = rounds.next();
         ASSERT_TRUE(round);
         EXPECT_EQ(round->first, done);
         EXPECT_EQ(round->count, done == 0 ? 1024 : done);
-        rounds.finish(0, done < 4096 ? .89 : .9);
+        rounds.finish(after(limits, 0), done < 4096 ? .89 : .9);
     }
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::target_reached);
@@ -49,11 +65,12 @@ TEST(Rounds, TraceAsManyAgainUntilTheTargetIsReached) {
 TEST(Rounds, StopBeforeThePathLimitIsPassed) {
     RunSpec spec = spec_with_target();
     spec.max_paths = 3000;
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(0, 0);
+        rounds.finish(after(limits, 0), 0);
     }
     EXPECT_EQ(traced, 2048U);
     EXPECT_EQ(rounds.stop(), StopReason::path_limit);
@@ -63,22 +80,24 @@ TEST(Rounds, ReachThePathLimitWithoutATarget) {
     RunSpec spec;
     spec.paths = 1024;
     spec.max_paths = 8192;
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(0, 0);
+        rounds.finish(after(limits, 0), 0);
     }
     EXPECT_EQ(traced, 8192U);
 }
 
 TEST(Rounds, StopAtTwoToTheThirtyPointsWhateverTheTarget) {
     const RunSpec spec = spec_with_target();
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(0, 0);
+        rounds.finish(after(limits, 0), 0);
     }
     EXPECT_EQ(traced, std::uint64_t{1} << 30U);
 }
@@ -87,11 +106,12 @@ TEST(Rounds, StopAtTwoToTheThirtyPointsWhateverTheTarget) {
 TEST(Rounds, StopBeforeTheTimeIsUp) {
     RunSpec spec = spec_with_target();
     spec.max_seconds = 5;
-    Rounds rounds(spec, spec.paths);
+    const RoundLimits limits = limits_of(spec, spec.paths);
+    Rounds rounds(spec, limits);
     double seconds = 1;
     int count = 0;
     while (rounds.next()) {
-        rounds.finish(seconds, 0);
+        rounds.finish(after(limits, seconds), 0);
         seconds *= 2;
         ++count;
     }
@@ -110,7 +130,8 @@ struct Course {
 template <typename SecondsOf>
 Course course_of(const RunSpec& spec, const SecondsOf& seconds_of) {
     Course course;
-    Rounds rounds(spec, 256);
+    const RoundLimits limits = limits_of(spec);
+    Rounds rounds(spec, limits);
     while (const auto round = rounds.next()) {
         const double takes = seconds_of(*round);
         const bool is_first = course.rounds.empty();
@@ -122,7 +143,7 @@ Course course_of(const RunSpec& spec, const SecondsOf& seconds_of) {
         }
         course.seconds += takes;
         course.rounds.emplace_back(round->first, round->count);
-        rounds.finish(course.seconds, 0);
+        rounds.finish(after(limits, course.seconds), 0);
     }
     course.stop = rounds.stop();
     return course;
@@ -142,12 +163,13 @@ std::uint64_t paths_of(const Course& course) {
 TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
     RunSpec spec;
     spec.paths = std::uint64_t{1} << 30U;
-    Rounds rounds(spec, 256, 0, true);
+    const RoundLimits limits{.fewest = 256, .may_be_stopped = true};
+    Rounds rounds(spec, limits);
     std::vector<std::uint64_t> counts;
     while (const auto round = rounds.next()) {
         EXPECT_EQ(round->first, 0U) << "each is a run of its own";
         counts.push_back(round->count);
-        rounds.finish(static_cast<double>(counts.size()), 0);
+        rounds.finish(after(limits, static_cast<double>(counts.size())), 0);
     }
     EXPECT_EQ(counts.front(), 1U << 14U);
     EXPECT_EQ(counts.back(), spec.paths);
@@ -160,10 +182,11 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
 TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
     RunSpec spec;
     spec.paths = (1U << 22U) - 1;
-    Rounds rounds(spec, 256, 0, true);
+    const RoundLimits limits{.fewest = 256, .may_be_stopped = true};
+    Rounds rounds(spec, limits);
     EXPECT_EQ(rounds.next()->count, spec.paths);
     spec.paths = 1U << 22U;
-    EXPECT_EQ(Rounds(spec, 256, 0, false).next()->count, spec.paths);
+    EXPECT_EQ(Rounds(spec, {.fewest = 256}).next()->count, spec.paths);
 }
 
 TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
@@ -240,20 +263,22 @@ TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
     RunSpec spec;
     spec.paths = 1U << 20U;
     spec.max_seconds = 1;
-    Rounds rounds(spec, 256);
+    const RoundLimits limits = limits_of(spec);
+    Rounds rounds(spec, limits);
     EXPECT_EQ(rounds.next()->count, 256U);
-    rounds.finish(5, 0);  // the time is up already
+    rounds.finish(after(limits, 5), 0);  // the time is up already
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::time_is_up);
 }
 
 TEST(Rounds, KnowTheirShareOfTheWork) {
     const RunSpec spec = spec_with_target();
-    Rounds rounds(spec);
+    const RoundLimits limits;
+    Rounds rounds(spec, limits);
     ASSERT_TRUE(rounds.next());
     EXPECT_EQ(rounds.fraction_before(), 0);
     EXPECT_EQ(rounds.share(), 1);
-    rounds.finish(0, 0);
+    rounds.finish(after(limits, 0), 0);
     ASSERT_TRUE(rounds.next());
     EXPECT_EQ(rounds.fraction_before(), .5);
     EXPECT_EQ(rounds.share(), .5);

@@ -19,20 +19,19 @@ namespace quasimc::test {
 namespace {
 
 /// Keeps every state that a run has, as bytes.
-struct KeptStates {
+class KeptStates final : public RunListener, public StoredStates {
+  public:
     std::vector<std::string> saved;
     std::string finished;
     std::optional<RunState> from;
 
-    RunCheckpoint hooks() {
-        RunCheckpoint hooks;
-        hooks.state_of = [this](std::size_t) { return std::exchange(from, std::nullopt); };
-        hooks.has_state = [this](std::size_t) { return from.has_value(); };
-        hooks.is_due = [] { return true; };
-        hooks.save = [this](std::size_t, const RunSnapshot& s) { saved.push_back(save_state(s)); };
-        hooks.finish = [this](std::size_t, const RunSnapshot& s) { finished = save_state(s); };
-        return hooks;
+    [[nodiscard]] std::optional<RunState> state_of(std::size_t /*time_step*/) override {
+        return std::exchange(from, std::nullopt);
     }
+    [[nodiscard]] bool wants_pause() override { return true; }
+    void on_pause(const RunSoFar& run) override { saved.push_back(save_state(run.snapshot())); }
+    void on_round(const RunSoFar& run) override { on_pause(run); }
+    void on_last_round(const RunSoFar& run) override { finished = save_state(run.snapshot()); }
 };
 
 Scene kept_scene() {
@@ -45,10 +44,9 @@ Sources kept_lights() {
 Result run_kept(RunSpec spec, KeptStates& states, unsigned threads = 1) {
     spec.threads = threads;
     std::stop_source never;
-    const RunCheckpoint hooks = states.hooks();
-    RunControl control{.stop = never.get_token()};
-    control.checkpoint = &hooks;
-    return run(kept_scene(), kept_lights(), spec, control);
+    return run(
+        kept_scene(), kept_lights(), spec,
+        {.stop = never.get_token(), .listeners = {&states}, .origin = {.states = &states}});
 }
 
 void expect_equal_runs(const Result& a, const Result& b) {
@@ -174,7 +172,7 @@ TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
     few.sampler = "halton";
     few.max_paths = 0;
     few.paths = 20000;  // no whole blocks
-    first = {};
+    first.saved.clear();
     static_cast<void>(run_kept(few, first));
     EXPECT_NE(refusal_of(40000).find("are not the beginning of 40000"), std::string::npos);
     EXPECT_NE(refusal_of(60000).find("must be 20000, doubled"), std::string::npos);

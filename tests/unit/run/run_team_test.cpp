@@ -24,6 +24,7 @@
 #include "parallel/team_helper.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -33,52 +34,8 @@ class Meeting {
   public:
     explicit Meeting(unsigned size) : size_(size), barrier_(size) {}
 
-    /// The team as one of them sees it.
-    [[nodiscard]] RunTeam seen_by(unsigned rank) {
-        RunTeam team;
-        team.rank = rank;
-        team.size = size_;
-        team.tasks.share = share_of(rank + 1, size_);
-        team.tasks.meet = [=, this](bool is_done) {
-            is_stopped_ = is_stopped_ || (rank == 0 && !is_done);
-            const bool is_first_done = told(rank, is_done, met_);
-            is_stopped_ = false;
-            return is_first_done;
-        };
-        team.order = [=, this](const TeamOrder& own) { return told(rank, own, order_); };
-        team.add_up = [=, this](std::vector<std::int64_t>& numbers) { add_up(rank, numbers); };
-        team.send = [=, this](std::string_view bytes) {
-            const std::lock_guard lock(mutex_);
-            sent_[rank].emplace_back(bytes);
-        };
-        team.receive = [this](std::uint64_t from, const std::stop_token& stop) {
-            return receive(from, stop);
-        };
-        team.stop = [this] { is_stopped_ = true; };
-        team.is_stopped = [this] { return is_stopped_.load(); };
-        team.await_stop = [this] {
-            while (!is_stopped_) {
-                std::this_thread::yield();
-            }
-        };
-        return team;
-    }
-
   private:
-    [[nodiscard]] std::string receive(std::uint64_t from, const std::stop_token& stop) {
-        while (true) {
-            if (stop.stop_requested()) {
-                throw Stopped(StopReason::interrupted, "");
-            }
-            std::this_thread::yield();
-            const std::lock_guard lock(mutex_);
-            if (!sent_[from].empty()) {
-                std::string bytes = std::move(sent_[from].front());
-                sent_[from].pop_front();
-                return bytes;
-            }
-        }
-    }
+    friend class Member;
 
     /// What the first has to say.
     template <typename T>
@@ -91,22 +48,6 @@ class Meeting {
         barrier_.arrive_and_wait();
         return told;
     }
-    void add_up(unsigned rank, std::vector<std::int64_t>& numbers) {
-        if (rank == 0) {
-            total_.assign(numbers.size(), 0);
-        }
-        barrier_.arrive_and_wait();
-        {
-            const std::lock_guard lock(mutex_);
-            for (std::size_t i = 0; i < numbers.size(); ++i) {
-                total_[i] += numbers[i];
-            }
-        }
-        barrier_.arrive_and_wait();
-        if (rank == 0) {
-            numbers = total_;
-        }
-    }
 
     unsigned size_;
     std::barrier<> barrier_;
@@ -116,6 +57,68 @@ class Meeting {
     std::map<std::uint64_t, std::deque<std::string>> sent_;  // by whom
     std::atomic<bool> is_stopped_{false};
     std::vector<std::int64_t> total_;
+};
+
+/// A team as one of its processes sees it.
+class Member final : public RunTeam {
+  public:
+    Member(Meeting& all, unsigned rank) : all_(all), rank_(rank) {}
+
+    [[nodiscard]] std::uint64_t rank() const override { return rank_; }
+    [[nodiscard]] std::uint64_t size() const override { return all_.size_; }
+    [[nodiscard]] bool meet(bool is_done) override {
+        all_.is_stopped_ = all_.is_stopped_ || (rank_ == 0 && !is_done);
+        const bool is_first_done = all_.told(rank_, is_done, all_.met_);
+        all_.is_stopped_ = false;
+        return is_first_done;
+    }
+    TeamOrder order(const TeamOrder& own) override { return all_.told(rank_, own, all_.order_); }
+    void add_up(std::vector<std::int64_t>& numbers) override {
+        if (rank_ == 0) {
+            all_.total_.assign(numbers.size(), 0);
+        }
+        all_.barrier_.arrive_and_wait();
+        {
+            const std::lock_guard lock(all_.mutex_);
+            for (std::size_t i = 0; i < numbers.size(); ++i) {
+                all_.total_[i] += numbers[i];
+            }
+        }
+        all_.barrier_.arrive_and_wait();
+        if (rank_ == 0) {
+            numbers = all_.total_;
+        }
+    }
+    void share_bytes(std::string& /*bytes*/) override { ADD_FAILURE() << "no file is read"; }
+    void send(std::string_view bytes) override {
+        const std::lock_guard lock(all_.mutex_);
+        all_.sent_[rank_].emplace_back(bytes);
+    }
+    [[nodiscard]] std::string receive(std::uint64_t from, const std::stop_token& stop) override {
+        while (true) {
+            if (stop.stop_requested()) {
+                throw Stopped(StopReason::interrupted, "");
+            }
+            std::this_thread::yield();
+            const std::lock_guard lock(all_.mutex_);
+            if (!all_.sent_[from].empty()) {
+                std::string bytes = std::move(all_.sent_[from].front());
+                all_.sent_[from].pop_front();
+                return bytes;
+            }
+        }
+    }
+    void stop() override { all_.is_stopped_ = true; }
+    [[nodiscard]] bool is_stopped() override { return all_.is_stopped_; }
+    void await_stop() override {
+        while (!all_.is_stopped_) {
+            std::this_thread::yield();
+        }
+    }
+
+  private:
+    Meeting& all_;
+    unsigned rank_;
 };
 
 struct Day {
@@ -138,7 +141,7 @@ struct Day {
 enum class Sharing { tasks, runs };
 
 /// What another process does, until the first has no more orders.
-void help(const RunTeam& team, const Day& day, const RunSpec& spec) {
+void help(RunTeam& team, const Day& day, const RunSpec& spec) {
     TeamHelper helper;
     TeamOrder order = team.order({});
     while (order.kind != TeamOrder::kEnd) {
@@ -155,45 +158,96 @@ void help(const RunTeam& team, const Day& day, const RunSpec& spec) {
     }
 }
 
+/// States of runs that are kept, as bytes.
+class KeptRuns : public RunListener, public StoredStates {
+  public:
+    std::map<std::size_t, std::string> saved, finished;  // by time step
+    std::size_t saves = 0, restored = 0;
+    bool saves_rounds = true;
+
+    [[nodiscard]] bool has_state(std::size_t time_step) const {
+        return saved.contains(time_step) || finished.contains(time_step);
+    }
+    [[nodiscard]] std::optional<RunState> state_of(std::size_t time_step) override {
+        restored += has_state(time_step) ? 1 : 0;
+        const auto& from = finished.contains(time_step) ? finished : saved;
+        return has_state(time_step) ? std::optional(load_state(from.at(time_step))) : std::nullopt;
+    }
+    [[nodiscard]] bool wants_pause() override { return saves_rounds; }
+    void on_pause(const RunSoFar& run) override { on_round(run); }
+    void on_round(const RunSoFar& run) override {
+        if (saves_rounds) {
+            saved[run.time_step()] = save_state(run.snapshot());
+            ++saves;
+        }
+    }
+    void on_last_round(const RunSoFar& run) override {
+        if (!saves_rounds) {
+            finished[run.time_step()] = save_state(run.snapshot());
+        }
+    }
+};
+
+/// Deals the runs of a day out to a team, from the first that was not kept.
+class DealtDay final : public SumsSource {
+  public:
+    DealtDay(RunTeam& team, const Day& day, const KeptRuns* kept)
+        : team_(team), day_(day), kept_(kept) {}
+
+    [[nodiscard]] std::optional<GivenSums> sums_of(
+        std::size_t time_step, const RunSpec& spec, const RunControl& control) override {
+        if (!dealt_ && kept_ != nullptr && kept_->has_state(time_step)) {
+            return std::nullopt;
+        }
+        if (!dealt_) {
+            dealt_.emplace(team_, 0, time_step);
+        }
+        return dealt_->next(simulator_, day_.scene, day_.moments[time_step].sources, spec, control);
+    }
+
+  private:
+    RunTeam& team_;
+    const Day& day_;
+    const KeptRuns* kept_;
+    Simulator simulator_;
+    std::optional<DealtRuns> dealt_;
+};
+
 /// The results of a day that a team of so many processes traces.
 std::vector<Result> trace_day(
     const Day& day,
     const RunSpec& spec,
     unsigned ranks,
-    const RunCheckpoint* checkpoint = nullptr,
+    KeptRuns* kept = nullptr,
     const std::stop_token& stop = {},
     Sharing sharing = Sharing::tasks) {
     Meeting meeting(ranks);
     std::vector<std::jthread> helpers;
     for (unsigned rank = 1; rank < ranks; ++rank) {
-        helpers.emplace_back([&, rank] { help(meeting.seen_by(rank), day, spec); });
+        helpers.emplace_back([&, rank] {
+            Member member(meeting, rank);
+            help(member, day, spec);
+        });
     }
-    const RunTeam team = meeting.seen_by(0);
+    Member team(meeting, 0);
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
-    events.checkpoint = checkpoint;
-    events.team = &team;
-    Simulator simulator;
-    std::optional<DealtRuns> dealt;
+    Listening events;
+    events.time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
+    std::optional<DealtDay> dealt;
+    RunControl control{
+        .stop = stop, .listeners = {&events}, .origin = {.states = kept, .team = &team}};
+    if (kept != nullptr) {
+        control.listeners.push_back(kept);
+    }
     if (sharing == Sharing::runs) {
-        events.sums_of = [&](std::size_t i, const RunSpec& own,
-                             const RunControl& control) -> std::optional<GivenSums> {
-            if (!dealt && checkpoint != nullptr && checkpoint->has_state(i)) {
-                return std::nullopt;
-            }
-            if (!dealt) {
-                dealt.emplace(team, 0, i);
-            }
-            return dealt->next(simulator, day.scene, day.moments[i].sources, own, control);
-        };
+        control.origin.given = &dealt.emplace(team, day, kept);
     }
     const auto end = [&] {
         dealt.reset();
         static_cast<void>(team.order({.kind = TeamOrder::kEnd}));
     };
     try {
-        static_cast<void>(run_series(day.scene, day.moments, spec, events, stop));
+        static_cast<void>(run_series(day.scene, day.moments, spec, control));
     } catch (const Stopped&) {
         end();
         throw;
@@ -217,9 +271,9 @@ void expect_equal_days(const std::vector<Result>& a, const std::vector<Result>& 
 
 std::vector<Result> day_alone(const Day& day, const RunSpec& spec) {
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
-    static_cast<void>(run_series(day.scene, day.moments, spec, events));
+    Listening events;
+    events.time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
+    static_cast<void>(run_series(day.scene, day.moments, spec, {.listeners = {&events}}));
     return results;
 }
 
@@ -244,29 +298,13 @@ TEST_P(RunTeams, GiveTheBitsOfOneProcess) {
 
 TEST_P(RunTeams, KeepRoundsThatOthersGoOnFrom) {
     const Day day;
-    std::vector<std::pair<std::size_t, std::string>> saved;
-    RunCheckpoint checkpoint;
-    checkpoint.state_of = [&](std::size_t moment) {
-        const auto state = std::find_if(
-            saved.begin(), saved.end(), [&](const auto& each) { return each.first == moment; });
-        return state == saved.end() ? std::nullopt : std::optional(load_state(state->second));
-    };
-    checkpoint.has_state = [&](std::size_t moment) {
-        return std::any_of(
-            saved.begin(), saved.end(), [&](const auto& each) { return each.first == moment; });
-    };
-    checkpoint.is_due = [] { return true; };
-    checkpoint.save = [&](std::size_t moment, const RunSnapshot& state) {
-        saved.emplace_back(moment, save_state(state));
-    };
-    checkpoint.finish = [](std::size_t, const RunSnapshot&) {};
-    const std::vector<Result> paused = trace_day(day, spec(), 3, &checkpoint);
+    KeptRuns kept;
     const std::vector<Result> alone = day_alone(day, spec());
-    expect_equal_days(paused, alone);
-    ASSERT_GE(saved.size(), 3U);
-    std::reverse(saved.begin(), saved.end());  // the last of each moment
-    checkpoint.is_due = [] { return false; };
-    expect_equal_days(trace_day(day, spec(), 2, &checkpoint), alone);
+    expect_equal_days(trace_day(day, spec(), 3, &kept), alone);
+    ASSERT_GE(kept.saves, 3U);
+    kept.saves_rounds = false;
+    expect_equal_days(trace_day(day, spec(), 2, &kept), alone);
+    EXPECT_EQ(kept.restored, 3U);
 }
 
 TEST_P(RunTeams, TraceRunsEachByItselfToTheSameBits) {
@@ -283,31 +321,20 @@ TEST_P(RunTeams, KeepRunsThatOthersHaveTracedAndGoOnFromThem) {
     const Day day;
     RunSpec spec = RunTeams::spec();
     spec.max_paths = 0;
-    std::map<std::size_t, std::string> kept;
-    std::size_t restored = 0;
-    RunCheckpoint checkpoint;
-    checkpoint.has_state = [&](std::size_t moment) { return kept.contains(moment); };
-    checkpoint.state_of = [&](std::size_t moment) {
-        restored += kept.contains(moment) ? 1 : 0;
-        return kept.contains(moment) ? std::optional(load_state(kept[moment])) : std::nullopt;
-    };
-    checkpoint.is_due = [] { return false; };
-    checkpoint.save = [](std::size_t, const RunSnapshot&) {};
-    checkpoint.finish = [&](std::size_t moment, const RunSnapshot& state) {
-        kept[moment] = save_state(state);
-    };
+    KeptRuns kept;
+    kept.saves_rounds = false;
     const std::vector<Result> alone = day_alone(day, spec);
-    expect_equal_days(trace_day(day, spec, 3, &checkpoint, {}, Sharing::runs), alone);
-    ASSERT_EQ(kept.size(), 3U) << "one of the four is like another";
-    EXPECT_EQ(restored, 0U);
-    kept.erase(3);
-    expect_equal_days(trace_day(day, spec, 1, &checkpoint, {}, Sharing::runs), alone);
-    EXPECT_EQ(restored, 2U);
-    EXPECT_EQ(kept.size(), 3U);
+    expect_equal_days(trace_day(day, spec, 3, &kept, {}, Sharing::runs), alone);
+    ASSERT_EQ(kept.finished.size(), 3U) << "one of the four is like another";
+    EXPECT_EQ(kept.restored, 0U);
+    kept.finished.erase(3);
+    expect_equal_days(trace_day(day, spec, 1, &kept, {}, Sharing::runs), alone);
+    EXPECT_EQ(kept.restored, 2U);
+    EXPECT_EQ(kept.finished.size(), 3U);
     // More paths than before, of those that are there and of one that is not.
-    kept.erase(3);
+    kept.finished.erase(3);
     spec.max_paths = 2 * spec.paths;
-    expect_equal_days(trace_day(day, spec, 2, &checkpoint), day_alone(day, spec));
+    expect_equal_days(trace_day(day, spec, 2, &kept), day_alone(day, spec));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -373,12 +400,14 @@ TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
         if (rank > 0) {
             others.emplace_back([&, rank] {
                 Sums own = bins_of(rank);
-                add_up(meeting.seen_by(rank), own);
+                Member member(meeting, rank);
+                add_up(member, own);
             });
         }
     }
     Sums first = bins_of(0);
-    add_up(meeting.seen_by(0), first);
+    Member member(meeting, 0);
+    add_up(member, first);
     EXPECT_EQ(first.replicates[0], expected);
 }
 

@@ -13,6 +13,7 @@
 #include "light/models/source.h"
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 class TiredSky final : public Source {
   public:
     TiredSky() : Source("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
+    [[nodiscard]] ModelParameters parameters() const override { return {"tired_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return sky_->make_sampler_in(projection);
@@ -55,7 +57,8 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
     const auto caller = std::this_thread::get_id();
     int calls = 0;
     double before = 0;
-    const auto listen = [&](const Progress& progress) {
+    Listening listening;
+    listening.progress = [&](const Progress& progress) {
         EXPECT_EQ(std::this_thread::get_id(), caller);
         EXPECT_GT(progress.fraction, before);
         EXPECT_LE(progress.fraction, 1);
@@ -65,7 +68,8 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
         ++calls;
     };
     (void)run(
-        leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(), {.on_progress = listen});
+        leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(),
+        {.listeners = {&listening}});
     EXPECT_GT(calls, 0);
 }
 
@@ -74,21 +78,65 @@ TEST(Progress, OfASeriesIsThatOfTheTimesThatAreTraced) {
     std::vector<TimeStep> times(99);
     times.emplace_back().sources = {std::make_shared<TiredSky>()};
     std::vector<double> fractions;
-    SeriesEvents events;
-    events.on_progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
-    run_series(leaf_over_ground(), times, long_run(), events);
+    Listening events;
+    events.progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
+    run_series(leaf_over_ground(), times, long_run(), {.listeners = {&events}});
     ASSERT_FALSE(fractions.empty());
     EXPECT_LT(fractions.front(), .99);
     EXPECT_LE(fractions.back(), 1);
 }
 
 TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
-    const auto listen = [](const Progress&) { throw std::runtime_error("enough"); };
+    Listening listening;
+    listening.progress = [](const Progress&) { throw std::runtime_error("enough"); };
     EXPECT_THROW(
         (void)run(
             leaf_over_ground(), {std::make_shared<TiredSky>()}, long_run(),
-            {.on_progress = listen}),
+            {.listeners = {&listening}}),
         std::runtime_error);
+}
+
+/// There is no ambiguity among overloads.
+TEST(Run, TakesEmptyBracesForItsControl) {
+    const Scene scene = leaf_over_ground();
+    const Sources sources{sky({1})};
+    const RunSpec spec = spec_of(Method::light_tracing, 64);
+    Simulator simulator;
+    const double free = run(scene, sources, spec, {}).at(0, Quantity::absorbed_flux, 0).mean;
+    EXPECT_EQ(simulator.run(scene, sources, spec, {}).at(0, Quantity::absorbed_flux, 0).mean, free);
+    std::vector<TimeStep> steps(1);
+    steps[0].sources = sources;
+    EXPECT_EQ(run_series(scene, steps, spec, {}).traced, 1U);
+    EXPECT_EQ(run_series(simulator, scene, steps, spec, {}).traced, 1U);
+    EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).traced, 1U);
+}
+
+/// The parts of work are fractions of the whole, however deep they lie in the tree.
+TEST(Progress, OfAPartIsThatOfTheWhole) {
+    std::vector<double> fractions;
+    Listening listening;
+    listening.progress = [&](const Progress& now) { fractions.push_back(now.fraction); };
+    const Work whole({&listening});
+    const Work later = whole.part(.5, .5).part(.5, .25);
+    later.report(0);
+    later.report(1);
+    whole.report(.25);  // progress does not go back
+    EXPECT_EQ(fractions, (std::vector<double>{.75, .875, .875}));
+    Work().report(1);
+    EXPECT_TRUE(Work().is_empty());
+}
+
+TEST(Deadline, OfAShareComesBeforeThatOfAll) {
+    EXPECT_TRUE(Deadline().is_never());
+    EXPECT_TRUE(Deadline().share(.5).is_never());
+    EXPECT_EQ(Deadline().seconds_left(), INFINITY);
+    const Deadline all = Deadline::after(100);
+    const Deadline half = all.share(.5);
+    EXPECT_NEAR(half.seconds_left(), 50, 1);
+    EXPECT_NEAR(std::chrono::duration<double>(all.latest() - all.at()).count(), 3, 1e-6);
+    EXPECT_GE(half.latest(), all.at()) << "its first paths may take all of the time";
+    EXPECT_FALSE(half.is_over());
+    EXPECT_TRUE(Deadline::after(0).is_over());
 }
 
 TEST(Run, StopsWhenTheTargetIsReached) {

@@ -10,6 +10,7 @@
 
 #include "quasimc/series.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -55,12 +56,12 @@ struct SeasonResults {
 SeasonResults compute_season(
     const RunSpec& spec, const std::vector<TimeStep>& steps = two_short_days()) {
     SeasonResults season;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         season.hours.push_back(result);
     };
-    events.on_day = [&](std::size_t, const SeriesSum& sum) { season.days.push_back(sum); };
-    season.summary = run_series(leaf_and_floor(), steps, spec, events);
+    events.day = [&](std::size_t, const SeriesSum& sum) { season.days.push_back(sum); };
+    season.summary = run_series(leaf_and_floor(), steps, spec, {.listeners = {&events}});
     return season;
 }
 
@@ -188,16 +189,17 @@ TEST(Season, LeavesTheSunsDirectLightToEachHour) {
 TEST(Season, KeepsWhatIsDoneWhenItIsStopped) {
     std::stop_source source;
     std::vector<std::size_t> hours, days;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t i, const Result&, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t i, const Result&, std::size_t) {
         hours.push_back(i);
         if (i == 2) {
             source.request_stop();
         }
     };
-    events.on_day = [&](std::size_t day, const SeriesSum&) { days.push_back(day); };
-    const SeriesSummary summary =
-        run_series(leaf_and_floor(), two_short_days(), together(), events, source.get_token());
+    events.day = [&](std::size_t day, const SeriesSum&) { days.push_back(day); };
+    const SeriesSummary summary = run_series(
+        leaf_and_floor(), two_short_days(), together(),
+        {.stop = source.get_token(), .listeners = {&events}});
     EXPECT_EQ(summary.stop, StopReason::interrupted);
     EXPECT_EQ(hours, (std::vector<std::size_t>{0, 1, 2}));
     EXPECT_EQ(days, std::vector<std::size_t>{0});
@@ -209,7 +211,7 @@ TEST(Season, HasNoResultIfItIsStoppedBeforeItsFirstHour) {
     std::stop_source source;
     source.request_stop();
     EXPECT_THROW(
-        run_series(leaf_and_floor(), two_short_days(), together(), {}, source.get_token()),
+        run_series(leaf_and_floor(), two_short_days(), together(), {.stop = source.get_token()}),
         Stopped);
     RunSpec spec = together();
     spec.paths = 1 << 22;
@@ -224,9 +226,9 @@ TEST(Season, HasNoResultIfItIsStoppedBeforeItsFirstHour) {
 
 TEST(Season, TellsHowFarItIs) {
     std::vector<double> fractions;
-    SeriesEvents events;
-    events.on_progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
-    run_series(leaf_and_floor(), two_short_days(), together(), events);
+    Listening events;
+    events.progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
+    run_series(leaf_and_floor(), two_short_days(), together(), {.listeners = {&events}});
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
     EXPECT_EQ(fractions.back(), 1);
 }

@@ -8,6 +8,7 @@
 
 #include "series/series_sum.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -37,11 +38,11 @@ RunSpec small_spec() {
 std::vector<Result> results_of(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    run_series(scene, time_steps, spec, events);
+    run_series(scene, time_steps, spec, {.listeners = {&events}});
     return results;
 }
 
@@ -121,15 +122,16 @@ TEST(Series, SumsOverDaysAndInAll) {
         moment_of({sun(40, {5})}, "t", 1, 60), moment_of({}, "", 1)};
     std::vector<Result> results;
     std::vector<SeriesSum> days;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
+    events.day = [&](std::size_t day, const SeriesSum& sum) {
         EXPECT_EQ(day, days.size());
         days.push_back(sum);
     };
-    const SeriesSummary summary = run_series(scene, time_steps, small_spec(), events);
+    const SeriesSummary summary =
+        run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
     EXPECT_EQ(summary.traced, 3U);
     ASSERT_EQ(days.size(), 2U);
     EXPECT_EQ(days[0].seconds, 3 * 3600);
@@ -165,16 +167,16 @@ TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     std::stop_source source;
     std::vector<Result> results;
     std::vector<std::size_t> days;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
         if (results.size() == 3) {
             source.request_stop();
         }
     };
-    events.on_day = [&](std::size_t day, const SeriesSum&) { days.push_back(day); };
-    const SeriesSummary summary =
-        run_series(scene, time_steps, small_spec(), events, source.get_token());
+    events.day = [&](std::size_t day, const SeriesSum&) { days.push_back(day); };
+    const SeriesSummary summary = run_series(
+        scene, time_steps, small_spec(), {.stop = source.get_token(), .listeners = {&events}});
     EXPECT_EQ(summary.stop, StopReason::interrupted);
     EXPECT_EQ(summary.done, 3U);
     EXPECT_EQ(summary.traced, 2U);
@@ -197,11 +199,11 @@ TEST(Series, SharesItsTime) {
     RunSpec spec = small_spec();
     spec.paths = std::uint64_t{1} << 30U;
     spec.max_seconds = 2;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t i, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t i, const Result& result, std::size_t) {
         EXPECT_EQ(result.stop, i == 2 ? StopReason::paths_done : StopReason::time_is_up);
     };
-    const SeriesSummary summary = run_series(scene, time_steps, spec, events);
+    const SeriesSummary summary = run_series(scene, time_steps, spec, {.listeners = {&events}});
     EXPECT_EQ(summary.stop, StopReason::time_is_up);
     EXPECT_EQ(summary.done, 4U);
     EXPECT_EQ(summary.cut_short, 3U);
@@ -221,17 +223,17 @@ TEST(Series, CountsNoDarkTimesAsProgress) {
     RunSpec spec = small_spec();
     spec.paths = std::uint64_t{1} << 30U;
     spec.max_seconds = 1.5;
-    SeriesEvents events;
+    Listening events;
     std::size_t done = 0;
     std::size_t told_in_first = 0;
-    events.on_progress = [&](const Progress& progress) {
+    events.progress = [&](const Progress& progress) {
         const bool is_first = done == 10;
         told_in_first += is_first ? 1 : 0;
         EXPECT_GE(progress.fraction, is_first ? 0 : .5);
         EXPECT_LE(progress.fraction, is_first ? .5 : 1);
     };
-    events.on_time_step = [&](std::size_t i, const Result&, std::size_t) { done = i + 1; };
-    run_series(make_scene(), time_steps, spec, events);
+    events.time_step = [&](std::size_t i, const Result&, std::size_t) { done = i + 1; };
+    run_series(make_scene(), time_steps, spec, {.listeners = {&events}});
     EXPECT_EQ(done, 12U);
     EXPECT_GT(told_in_first, 0U);
 }
@@ -282,12 +284,12 @@ TEST(Series, OfADayNeedsFewerPathsForItsSum) {
     const auto cost = [&](Effort effort) {
         spec.effort = effort;
         double paths = 0;
-        SeriesEvents events;
-        events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+        Listening events;
+        events.time_step = [&](std::size_t, const Result& result, std::size_t) {
             paths += static_cast<double>(result.paths);
         };
-        const Estimate sum =
-            run_series(scene, fading_day(), spec, events).total.at(0, Quantity::absorbed_flux, 0);
+        const Estimate sum = run_series(scene, fading_day(), spec, {.listeners = {&events}})
+                                 .total.at(0, Quantity::absorbed_flux, 0);
         return paths * sum.standard_error * sum.standard_error / (sum.mean * sum.mean);
     };
     // 3 (.9^2 + .09^2 + .009^2) = 2.46 against 1.
@@ -303,12 +305,13 @@ TEST(Series, OfADayHasTheTargetForItsSum) {
     spec.target_fraction = 1;
     spec.effort = Effort::day;
     std::vector<std::uint64_t> paths;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         paths.push_back(result.paths);
         EXPECT_EQ(result.stop, StopReason::target_reached);
     };
-    const SeriesSum sum = run_series(make_scene(), fading_day(), spec, events).total;
+    const SeriesSum sum =
+        run_series(make_scene(), fading_day(), spec, {.listeners = {&events}}).total;
     for (const std::size_t organ : {0, 1}) {
         const Estimate& e = sum.at(organ, Quantity::absorbed_flux, 0);
         EXPECT_LT(e.standard_error, .02 * e.mean) << organ;
@@ -323,11 +326,11 @@ TEST(Series, OfADayKeepsToTheMostPaths) {
     spec.max_paths = 256;
     spec.effort = Effort::day;
     std::vector<std::uint64_t> paths;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         paths.push_back(result.paths);
     };
-    static_cast<void>(run_series(make_scene(), fading_day(), spec, events));
+    static_cast<void>(run_series(make_scene(), fading_day(), spec, {.listeners = {&events}}));
     EXPECT_EQ(paths[0], 256U);
     EXPECT_LT(paths[2], 256U);
 }
@@ -337,12 +340,13 @@ TEST(Series, LeavesOutSumsThatNobodyWants) {
     const std::vector<TimeStep> time_steps{
         moment_of({sky({10})}, "o"), moment_of({}, ""), moment_of({sky({20})}, "o", 1)};
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    events.wants_total = false;
-    const SeriesSummary summary = run_series(scene, time_steps, small_spec(), events);
+    events.total = false;
+    const SeriesSummary summary =
+        run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
     EXPECT_TRUE(summary.total.values.empty());
     EXPECT_EQ(summary.traced, 1U);
     const auto usual = results_of(scene, time_steps, small_spec());

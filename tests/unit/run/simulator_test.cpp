@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -81,8 +82,7 @@ TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
 
 TEST_F(SimulatorTest, BuildsAnewAfterTheLastRunOfAScene) {
     const Scene scene = make_two_leaves(.5);
-    const RunControl last{.is_last = true};
-    const Result result = simulator_.run(scene, sources_, short_run(), last);
+    const Result result = std::move(simulator_).run(scene, sources_, short_run());
     EXPECT_EQ(simulator_.builds(), 1U);
     EXPECT_TRUE(same_bits(run(scene, short_run()), result));
     EXPECT_EQ(simulator_.builds(), 2U);

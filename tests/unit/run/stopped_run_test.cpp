@@ -12,6 +12,7 @@
 
 #include "light/models/source.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -24,6 +25,7 @@ class StoppingSky final : public Source {
           sky_(make_uniform_sky("sky", {1})),
           source_(source),
           at_(at) {}
+    [[nodiscard]] ModelParameters parameters() const override { return sky_->parameters(); }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
         return sky_->make_sampler_in(projection);
@@ -101,9 +103,13 @@ TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
     std::stop_source source;
     const auto sky = std::make_shared<StoppingSky>(source, 5000);
     RunSpec spec = spec_of(Method::from_organs, 1U << 16U);
-    const Result few =
-        run(leaf_over_ground(), {sky}, spec,
-            RunControl{.stop = source.get_token(), .seconds_after_stop = 100});
+    std::vector<TimeStep> steps(1);
+    steps[0].sources = {sky};
+    Result few;
+    Listening listening;
+    listening.time_step = [&](std::size_t, const Result& result, std::size_t) { few = result; };
+    run_series(
+        leaf_over_ground(), steps, spec, {.stop = source.get_token(), .listeners = {&listening}});
     EXPECT_EQ(few.stop, StopReason::interrupted);
     EXPECT_EQ(few.paths, 256U);
     EXPECT_TRUE(same_values(few, run(leaf_over_ground(), {sky}, run_in_rounds(0))))
@@ -141,7 +147,8 @@ TEST_P(WhiteBox, IsLeftWhenTheTimeIsUp) {
     Simulator simulator;
     try {
         (void)simulator.run(
-            make_white_box(), {make_lamp(lamp)}, spec, RunControl{.grace_seconds = .05});
+            make_white_box(), {make_lamp(lamp)}, spec,
+            RunControl{.deadline = Deadline::after(.05, .05)});
         ADD_FAILURE() << "there is no end to it";
     } catch (const Stopped& stopped) {
         EXPECT_EQ(stopped.why(), StopReason::time_is_up);

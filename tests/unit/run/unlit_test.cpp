@@ -6,6 +6,7 @@
 #include "quasimc/series.h"
 #include "run/simulator.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -96,11 +97,12 @@ TEST_P(Unlit, HourOfASeriesIsOneOfZeros) {
     const std::vector<TimeStep> times{
         {"noon", {sun(0, {1})}, "0", 3600, 0}, {"evening", {sun(60, {1})}, "60", 3600, 0}};
     std::vector<Result> results;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         results.push_back(result);
     };
-    const SeriesSummary summary = run_series(upright_leaf(), times, spec(), events);
+    const SeriesSummary summary =
+        run_series(upright_leaf(), times, spec(), {.listeners = {&events}});
     ASSERT_EQ(results.size(), 2U);
     expect_unlit(results[0]);
     EXPECT_GT(results[1].at(0, Quantity::incident_direct, 0).mean, .5);
@@ -136,14 +138,14 @@ TEST_P(Unlit, SensorSeesNothing) {
 TEST(UnlitSeries, OfNightsAloneIsOneOfZeros) {
     const std::vector<TimeStep> times{{"night", {}, "", 3600, 0}, {"night", {}, "", 3600, 1}};
     std::size_t told = 0;
-    SeriesEvents events;
-    events.on_time_step = [&](std::size_t, const Result& result, std::size_t) {
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
         ++told;
         expect_zero(result.at(0, Quantity::absorbed_flux, 0), "absorbed");
         EXPECT_EQ(result.budget[0].closure_error, 0);
     };
     const SeriesSummary summary =
-        run_series(upright_leaf(), times, spec_of(Method::automatic, 64), events);
+        run_series(upright_leaf(), times, spec_of(Method::automatic, 64), {.listeners = {&events}});
     EXPECT_EQ(told, 2U);
     EXPECT_EQ(summary.traced, 0U);
     expect_zero(summary.total.at(0, Quantity::absorbed_flux, 0), "total");

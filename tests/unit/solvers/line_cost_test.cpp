@@ -135,7 +135,7 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
             break;
         }
         const std::uint32_t lines = budget.tasks({0, kPaths}).front().count;
-        const Vec3 direction = *endless.prepared.lights().front().source_sampler->beam_direction();
+        const Vec3 direction = *endless.prepared.lights()[0].source_sampler->beam_direction();
         EXPECT_LE(lines * LineCost(endless.seen).cuts_per_line(direction), kMostCuts);
         EXPECT_LE(lines, before) << zenith_deg;
         before = lines;

@@ -104,7 +104,7 @@ TEST_P(SunPixelsOfStand, LoseNoLight) {
             for (std::size_t i = b; i < light.flux.size(); i += 2) {
                 sum += light.flux[i];
             }
-            EXPECT_DOUBLE_EQ(light.emitted[b], prepared.flux()[b]);
+            EXPECT_DOUBLE_EQ(light.emitted[b], prepared.lights().flux()[b]);
             EXPECT_NEAR(sum, light.emitted[b], 1e-12 * light.emitted[b]);
         }
     }

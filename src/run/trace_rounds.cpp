@@ -1,0 +1,196 @@
+#include "run/trace_rounds.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+
+#include "results/evaluate.h"
+#include "run/run_checkpoint.h"
+
+namespace quasimc {
+namespace {
+
+using Clock = Deadline::Clock;
+
+/// Paths with which a run begins that has a deadline; a power of two. From organs there are so many
+/// that each organ gets a point; with bundles so many that the time goes by them.
+std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
+    constexpr std::uint64_t kFewest = 256;
+    if (spec.method == Method::ray_bundles) {
+        constexpr std::uint64_t kTrianglesPerPath = 8;
+        return std::max(kFewest, std::bit_ceil(scene.triangles().size() / kTrianglesPerPath));
+    }
+    if (spec.method != Method::from_organs) {
+        return kFewest;
+    }
+    const auto measured = static_cast<std::uint64_t>(std::count_if(
+        scene.organs().begin(), scene.organs().end(), [](const Organ& o) { return o.measured; }));
+    return std::max(kFewest, std::bit_ceil(measured));
+}
+
+RoundErrors errors_of(const RoundsInput& input, const Sums& sums) {
+    return errors_so_far(
+        sums, input.facts.prepared.scene(), input.facts.asked, input.facts.spec.target_error);
+}
+
+/// The rounds from which a run goes on. The state keeps what was done of the next round.
+std::optional<DoneRounds> take_done(std::optional<RunState>& kept) {
+    if (!kept || !kept->done) {
+        return std::nullopt;
+    }
+    DoneRounds done{std::move(*kept->done), kept->position.rounds, kept->position.first_paths};
+    done.paths_before = static_cast<double>(done.sums.paths);
+    return done;
+}
+
+/// Rounds that go on where others were, or begin.
+Rounds make_rounds(const RoundsInput& input, const std::optional<DoneRounds>& done) {
+    const RunSpec& spec = input.facts.spec;
+    Rounds rounds(
+        spec, {.deadline = input.deadline,
+               .fewest = fewest_paths(input.facts.prepared.scene(), spec),
+               .start = input.first_round,
+               .may_be_stopped = input.control.stop.stop_possible()});
+    if (done) {
+        const bool has_target = spec.target_error > 0;
+        rounds.restore(
+            done->state, has_target ? errors_of(input, done->sums).fraction_at_target : 0);
+    }
+    return rounds;
+}
+
+/// Sums of a few paths, of a run that was stopped before its first round was complete.
+/// @throws StopRequested  if there is no time for them, or not enough
+TracedRounds trace_few(const RoundsInput& input) {
+    const RunFacts& facts = input.facts;
+    const std::uint64_t paths = fewest_paths(facts.prepared.scene(), facts.spec);
+    const bool may = input.control.stop.stop_requested() && input.seconds_after_stop > 0;
+    if (!may || paths >= facts.spec.paths) {
+        throw StopRequested();
+    }
+    EarlyStop end({});
+    end.stop_at(Deadline::after(input.seconds_after_stop).at());
+    RoundSolver solver(facts.prepared, input.sampler, facts.spec, end.token());
+    TracedRounds few{.sums = solver.empty_sums(paths), .stop = StopReason::interrupted};
+    static_cast<void>(solver.solve({{0, paths}, paths}, few.sums, nullptr));
+    return few;
+}
+
+/// A round before it is traced.
+struct RoundInput {
+    RoundStart start;
+    Sums sums;                ///< that it adds to
+    double paths_before = 0;  ///< of these, as DoneRounds
+};
+
+/// @param done  the rounds before, if there were any. Their sums are taken if they are not needed
+///        beside those of the round
+/// @param kept  the state of the run that this one goes on from, if this is its first round
+RoundInput begin_round(
+    const RoundsInput& input,
+    RoundSolver& solver,
+    const Round& round,
+    std::optional<DoneRounds>& done,
+    std::optional<RunState> kept) {
+    const bool is_first = round.first == 0;
+    const std::uint64_t first_paths = is_first ? round.count : done->first_paths;
+    const double paths_before = is_first ? 0 : done->paths_before;
+    if (kept && kept->partial && kept->position.round == round) {
+        const RoundStart start{round, first_paths, kept->position.tasks};
+        return {start, std::move(*kept->partial), paths_before};
+    }
+    if (is_first) {
+        return {{round, first_paths}, solver.empty_sums(first_paths), paths_before};
+    }
+    const bool are_needed = input.early.is_possible() || !input.control.listeners.empty();
+    return {{round, first_paths}, are_needed ? done->sums : std::move(done->sums), paths_before};
+}
+
+/// Traces a round. @returns nothing  if it was stopped
+/// @param done, kept  as of begin_round()
+std::optional<DoneRounds> trace_round(
+    const RoundsInput& input,
+    RoundSolver& solver,
+    const Rounds& rounds,
+    const Round& next,
+    std::optional<DoneRounds>& done,
+    std::optional<RunState> kept) try {
+    RoundInput round = begin_round(input, solver, next, done, std::move(kept));
+    RoundWatch watch(
+        input.facts, input.control.listeners, {round.start, done ? &*done : nullptr, round.sums},
+        solver, input.work.part(rounds.fraction_before(), rounds.share()), rounds.at_target());
+    const SolvedRound solved = solver.solve(round.start, round.sums, &watch);
+    const double cpu_seconds_before = done ? done->cpu_seconds_of_others : 0;
+    return DoneRounds{
+        .sums = std::move(round.sums),
+        .state = {},
+        .first_paths = round.start.first_paths,
+        .paths_before =
+            round.paths_before + solved.part_done_before * static_cast<double>(next.count),
+        .cpu_seconds_of_others = cpu_seconds_before + solved.cpu_seconds_of_others};
+} catch (const StopRequested&) {
+    return std::nullopt;
+}
+
+/// Takes note of a round just traced. @returns its errors, if somebody asks for them
+std::optional<RoundErrors> finish_round(
+    const RoundsInput& input, Rounds& rounds, const Sums& sums) {
+    const bool is_reported = rounds.asks_for_more() && !rounds.state().is_trial;
+    const bool is_judged = is_reported || input.facts.spec.target_error > 0;
+    RoundErrors errors = is_judged ? errors_of(input, sums) : RoundErrors{};
+    const Clock::time_point now = Clock::now();
+    errors.seconds = std::chrono::duration<double>(now - input.start).count();
+    rounds.finish(now, errors.fraction_at_target);
+    return is_reported ? std::optional(errors) : std::nullopt;
+}
+
+}  // namespace
+
+TracedRounds trace_rounds(const RoundsInput& input) {
+    const SumsOrigin& origin = input.control.origin;
+    std::optional<RunState> kept = state_to_go_on_from(origin.states, input.facts);
+    std::optional<DoneRounds> done = take_done(kept);
+    Rounds rounds = make_rounds(input, done);
+    RoundSolver solver(
+        input.facts.prepared, input.sampler, input.facts.spec, input.early.token(),
+        {origin.team, origin.point, input.facts.time_step});
+    std::vector<RoundErrors> errors;
+    std::optional<Round> round = rounds.next();
+    while (round) {
+        std::optional<DoneRounds> traced =
+            trace_round(input, solver, rounds, *round, done, std::exchange(kept, std::nullopt));
+        if (!traced) {
+            rounds.interrupt(input.early.why());
+            break;
+        }
+        done = std::move(traced);
+        if (!input.deadline.is_never()) {
+            input.early.stop_at(input.deadline.at());
+        }
+        if (const auto now = finish_round(input, rounds, done->sums)) {
+            errors.push_back(*now);
+        }
+        done->state = rounds.state();
+        round = rounds.next();
+        if (round) {
+            report(input.control, &RunListener::on_round, {input.facts, *done});
+        }
+    }
+    if (!done) {
+        return trace_few(input);
+    }
+    input.early.stop_at(Clock::time_point::max());
+    if (rounds.stop() != StopReason::interrupted) {
+        report(input.control, &RunListener::on_last_round, {input.facts, *done});
+    }
+    return {
+        .sums = std::move(done->sums),
+        .stop = rounds.stop(),
+        .at_target = rounds.at_target(),
+        .paths_before = done->paths_before,
+        .cpu_seconds_of_others = done->cpu_seconds_of_others,
+        .errors = std::move(errors)};
+}
+
+}  // namespace quasimc
