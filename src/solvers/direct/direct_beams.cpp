@@ -62,7 +62,7 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
     std::vector<VisibilityTask> tasks = budget_.tasks(round);
     for (const VisibilityTask& task : tasks) {
-        const double brought = budget_.light_per_look(task, round);
+        const double brought = budget_.light_per_sample(task, round);
         double& most = sums->per_contribution[strategy_of(task, sums->strategies)];
         most = std::max(most, brought);
     }
@@ -222,7 +222,7 @@ SumMeaning direct_beams_meaning(
     double of_line = 0;
     double spacing = 0;
     for (const VisibilityTask& task : budget.tasks(first)) {
-        const double step = budget.light_per_look(task, first);
+        const double step = budget.light_per_sample(task, first);
         if (task.is_sky) {
             counted.push_back(strategy_by_direction(prepared, task.count, step));
         } else {

@@ -67,7 +67,10 @@ class DirectBeams {
 
     [[nodiscard]] const ProjectedScene& scene() const { return seen_.projected(); }
     [[nodiscard]] const SkyDirections& skies() const { return skies_; }
-    [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
+    /// The skies whose direct light is found by pixels; null if it is not.
+    [[nodiscard]] const SkyDirections* viewed_skies() const {
+        return budget_.sees_skies() ? &skies_ : nullptr;
+    }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
     /// The tasks of a round; raises the bounds of contributions in the sums.

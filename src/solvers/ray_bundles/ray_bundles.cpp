@@ -1,7 +1,7 @@
 // Ray bundles: all scattered light at once.
 //
-// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h). Matt
-// surfaces send on what falls on them equally bright in all directions, so that light need not be
+// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h).
+// Lambertian surfaces scatter it equally bright in all directions, so that light need not be
 // followed ray by ray: along lines in one direction through the whole scene each patch sends light
 // to the next one, both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that
 // has not yet been sent on goes along lines in new directions, drawn independently of all before:
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <memory>
 
 #include <fmt/format.h>
@@ -43,6 +42,16 @@ struct Flow {
     std::vector<std::int64_t> escaped, cut_off;
 };
 
+/// Where fewer replicates are left than there are threads, each uses several.
+struct ThreadShares {
+    std::atomic<std::size_t> replicates;  // that are left
+    std::size_t workers = 1;
+
+    [[nodiscard]] unsigned of_each() const {
+        return static_cast<unsigned>(workers / std::clamp<std::size_t>(replicates, 1, workers));
+    }
+};
+
 class RayBundles final : public Solver {
   public:
     explicit RayBundles(const SolverInput& input)
@@ -54,18 +63,13 @@ class RayBundles final : public Solver {
         const CountedStrategies counted(*sums);
         const ScatteredBlocks coarse(sums->layout, kCoarse);
         TaskRound replicates = executor.begin(sums->replicates.size());
-        std::atomic<std::size_t> left = sums->replicates.size();
-        // Where fewer replicates are left than there are threads, each uses several.
-        const auto threads = [&left, workers = executor.workers()] {
-            const std::size_t busy = std::clamp<std::size_t>(left, 1, workers);
-            return static_cast<unsigned>(workers / busy);
-        };
+        ThreadShares threads{sums->replicates.size(), executor.workers()};
         runner_.run(
             1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
                 solve_replicate(
                     {round, tasks, counted, coarse, replicate}, threads, scratch, tally);
-                --left;
+                --threads.replicates;
             });
         sums->paths += round.count;
         sums->samples += samples_of(round);
@@ -106,22 +110,21 @@ class RayBundles final : public Solver {
     /// Solves the radiosity equation, order by order, for the exitance B and the irradiance E of
     /// patches: R scatters, and T exchanges light along a bundle of lines
     /// (docs/theory/ray-bundles.md).
-    /// @param threads  tells how many may be at work now
     void solve_replicate(
         const ReplicateTask& task,
-        const std::function<unsigned()>& threads,
+        const ThreadShares& threads,
         Scratch& scratch,
         Tally& tally) const {
         const auto exchange_along = [&](PatchExitance exitance, const BundleGroup& bundle,
                                         ExchangeOptions options) {
             throw_if_stopped(input_.stop);
-            options.threads = threads();
+            options.threads = threads.of_each();
             auto irradiance = exchange(std::move(exitance), bundle, options, scratch.bundles);
             const std::uint64_t segments = irradiance.lines->segments;
             tally.add(tally.blocks().rays(), static_cast<std::int64_t>(segments));
             return irradiance;
         };
-        const SkyDirections* skies = beams_.looks_at_skies() ? &beams_.skies() : nullptr;
+        const SkyDirections* skies = beams_.viewed_skies();
 
         // E_direct, whose flux is in the tally, and B = R E_direct
         DirectOnPatches direct =
