@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -69,10 +68,9 @@ class CsvWriter : public OutputWriter {
 
   private:
     void write_head(const Result* result);
+    template <typename Append>
     void write_rows(
-        const std::string& first,
-        const std::vector<OrganGroup>& groups,
-        const std::function<void(std::string&, std::size_t)>& append) const;
+        const std::string& first, const std::vector<OrganGroup>& groups, Append append) const;
 
     const RunFile* run_;
     TextSink sink_;
