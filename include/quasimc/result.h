@@ -1,6 +1,7 @@
 #pragma once
 
-// What a run says of every organ and of groups of organs, with errors; the energy budget; and audits.
+// What a run says of every organ and of groups of organs, with errors; the energy budget; and
+// audits.
 
 #include <algorithm>
 #include <array>

@@ -34,7 +34,7 @@ struct SeriesSum {
     /// The same of groups of organs, without what is sunlit and without ratios.
     GroupResults groups = {};
 
-    [[nodiscard]] const Estimate& at(std::size_t organ, Quantity q, std::size_t band) const {
+    [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];
     }
 };

@@ -10,6 +10,7 @@
 
 #include "run/run_team.h"
 #include "samplers/catalogue.h"
+#include "scene/scene.h"
 #include "solvers/block_runner.h"
 #include "statistical/scenes.h"
 #include "sums/light_blocks.h"
@@ -106,7 +107,7 @@ class NewQuantity : public ::testing::Test {
     RunSpec spec_;
     PreparedScene prepared_{
         scene_, sources_, spec_.window,
-        std::make_shared<const RayCaster>(scene_.shared_triangles(), scene_.cell(), spec_.engine)};
+        std::make_shared<const RayCaster>(data_of(scene_).geometry, scene_.cell(), spec_.engine)};
     std::unique_ptr<Sampler> sampler_ = make_sampler("sobol");
 };
 
