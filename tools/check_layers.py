@@ -35,33 +35,28 @@ FENCES = {
     "tbb/": ["src/geometry/cast/embree.cpp"],
 }
 
-# The public headers, include/quasimc/, and the module that each belongs to: its layer is that of the
-# header.  The one of all of them is for users alone.
+# The public headers, include/quasimc/, and the lowest module that includes each: its layer is that of
+# the header.  The one of all of them is for users alone.
 PUBLIC_HEADERS = {
     "error.h": "base",
     "share.h": "base",
-    "vec3.h": "base",
     "version.h": "base",
-    "mesh.h": "geometry",
+    "mesh.h": "base",
     "material.h": "optics",
     "sums.h": "sums",
-    "detector.h": "detectors",
     "source.h": "light",
-    "sun.h": "light",
-    "scene.h": "scene",
-    "run_listener.h": "run",
+    "scene.h": "detectors",
     "run_spec.h": "solvers",
-    "groups.h": "results",
     "result.h": "results",
     "run.h": "run",
     "series.h": "series",
-    "growth_session.h": "run",
-    "file.h": "base",
     "run_file.h": "runfile",
     "result_file.h": "resultio",
     "capi.h": "capi",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"
+# Words of compilers, not of standard C++: public headers have none.
+NOT_STANDARD = re.compile(r"__int128|__extension__|__builtin_\w+|__attribute__|__declspec")
 
 # Headers so slow to compile that they stay out of ours.
 SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/", "hwy/", "boost/")
@@ -263,6 +258,9 @@ class Checker:
             call = ENGINE_CALLS.search(code) if engine else None
             if call:
                 self.fault(path, number, f"the engine neither prints nor exits: {call.group(0)}")
+            word = NOT_STANDARD.search(code) if path.parts[0] == "include" else None
+            if word:
+                self.fault(path, number, f"{word.group(0)} is not standard C++, as public headers are")
         if len(lines) > FILE_LINES_HINT:
             self.hints.append(f"{path}: {len(lines)} lines; usually at most {FILE_LINES_HINT}")
         if path.suffix == ".cpp" and not self.is_listed(path):

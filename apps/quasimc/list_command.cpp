@@ -94,7 +94,7 @@ std::string list_outputs() {
 std::string list_options() {
     std::string text;
     for (const quasimc::Option& option : quasimc::option_table()) {
-        const std::string value = quasimc::option_toml(option.get(quasimc::default_run_spec()));
+        const std::string value = quasimc::option_toml(option.get(quasimc::RunSpec{}));
         text += list_row(
             fmt::format("{} = {}", option.key, value),
             fmt::format("{} ({})", option.summary, quasimc::domain_text(option)));

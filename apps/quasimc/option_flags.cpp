@@ -22,7 +22,7 @@ void OptionFlags::add_to(std::vector<Flag>& flags) {
              .summary = fmt::format("{} ({})", option.summary, quasimc::domain_text(option)),
              .type_name = "",
              .group = "Options of the run, before those of the file",
-             .default_text = quasimc::option_toml(option.get(quasimc::default_run_spec()))});
+             .default_text = quasimc::option_toml(option.get(quasimc::RunSpec{}))});
     }
 }
 

@@ -72,7 +72,8 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
         const auto stated = run.output.files.find(key.name);
         if (!path.empty()) {
             asked.push_back({{path, flag_of(key.name)}, make});
-            const bool is_there = key.need.table.empty() || run.document->find(key.need.table);
+            const bool is_there =
+                key.need.table.empty() || run.document->find(key.need.table) != nullptr;
             if (!is_there) {
                 faults.add(
                     {flag_of(key.name), fmt::format("the run has no {}", key.need.shown),

@@ -77,7 +77,7 @@ std::vector<quasimc::Vec3> suns_of(const quasimc::RunFile& run, const ShownValue
     const auto add = [&suns](const quasimc::Sources& sources) {
         for (const auto& source : sources) {
             if (source->is_sun()) {
-                suns.push_back(source->illuminate({}, 0.5, 0.5).to_light);
+                suns.push_back(model_of(*source).illuminate({}, 0.5, 0.5).to_light);
             }
         }
     };

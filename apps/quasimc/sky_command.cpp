@@ -15,7 +15,7 @@
 #include "light/models/source.h"
 #include "picture/sky_plot.h"
 #include "quasimc/quasimc.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 #include "show_colors.h"
 #include "text/numbers.h"
 #include "weather/civil_time_text.h"
@@ -143,7 +143,7 @@ double on_plate(const quasimc::Source& sky, const Vec3& n) {
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
         for (int j = 0; j < kSide; ++j) {
-            const auto seen = sky.illuminate({}, (i + 0.5) / kSide, (j + 0.5) / kSide);
+            const auto seen = model_of(sky).illuminate({}, (i + 0.5) / kSide, (j + 0.5) / kSide);
             sum += seen.weight * std::max(0.0, dot(seen.to_light, n));
         }
     }
@@ -163,7 +163,7 @@ std::string sky_text(const quasimc::Source& sky, const quasimc::SkyEntry& entry)
                "", fmt::format(
                        "for an irradiance of 1 on the horizontal: radiance of the zenith {:.4f} "
                        "per sr,",
-                       sky.radiance({0, 0, 1}))) +
+                       model_of(sky).radiance({0, 0, 1}))) +
            sky_row("", fmt::format("on vertical plates that face {}", plates));
 }
 

@@ -13,6 +13,7 @@ constexpr double kFarRed = 0.8;
 
 RunSpec plain_spec(const Effort& effort) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = effort.paths;
     spec.replicates = effort.replicates;
     spec.threads = 1;

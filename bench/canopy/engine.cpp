@@ -5,6 +5,7 @@
 #include "bare_embree.h"
 #include "parts.h"
 #include "samplers/catalogue.h"
+#include "scene/scene.h"
 #include "scenes.h"
 #include "solvers/catalogue.h"
 #include "transport/prepared_scene.h"
@@ -48,6 +49,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
     const Scene scene = make_canopy({leaves, {albedo}, 1});
     const Sources sources = make_light(Light::sun, 1);
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1U << 20U;
     spec.replicates = 1;
     const auto sampler = make_sampler(spec.sampler);
@@ -56,14 +58,14 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
         const PreparedScene recording(
             scene, sources, spec.window,
             std::make_shared<RayCaster>(
-                scene.shared_triangles(), scene.cell(), [&](const LocalMesh& mesh) {
+                data_of(scene).geometry, scene.cell(), [&](const LocalMesh& mesh) {
                     return std::make_unique<Recorder>(make_embree_intersector(mesh), log);
                 }));
         static_cast<void>(trace_all(recording, *sampler, spec));
     }
     const PreparedScene stage(
         scene, sources, spec.window,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), spec.engine));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), spec.engine));
     const BareEmbree bare(stage.caster().mesh());
     std::vector<double> ratios;
     std::vector<double> engine;
@@ -108,6 +110,7 @@ void print_scaling(const Effort& effort) {
     for (const std::uint32_t leaves : {500U, 10000U}) {
         const Scene scene = make_canopy({leaves, {0.2}, 1});
         RunSpec spec;
+        spec.method = Method::light_tracing;
         spec.paths = 1U << 20U;
         std::vector<double> one;
         std::vector<double> two;

@@ -36,7 +36,7 @@ void trace_a_little(const Scene& scene, const Sources& sources) {
     spec.paths = 1024;
     spec.replicates = 2;
     const Result result = run(scene, sources, spec);
-    const auto triangles = static_cast<double>(scene.triangles().size());
+    const auto triangles = static_cast<double>(scene.triangle_count());
     std::cerr << fmt::format(
         "scene {:.0f} (peak {:.0f}), engine built in {:.2f} s; ", resident / triangles,
         read_peak / triangles, result.build_seconds);

@@ -49,12 +49,12 @@ int main(void) {
 
     check(quasimc_scene_new(&scene));
     check(quasimc_scene_add_band(scene, "PAR", "W m-2"));
-    check(quasimc_scene_add_material(scene, "leaf", leaf_reflectance, leaf_transmittance, 1));
-    check(quasimc_scene_add_material(scene, "soil", soil_reflectance, NULL, 1));
+    check(quasimc_scene_add_material(scene, "leaf", leaf_reflectance, leaf_transmittance));
+    check(quasimc_scene_add_material(scene, "soil", soil_reflectance, NULL));
     add_leaves(scene);
     check(quasimc_scene_set_ground(scene, "soil", 0));
-    check(quasimc_scene_add_sun(scene, 135, 50, sun, 1));
-    check(quasimc_scene_add_sky(scene, "uniform", sky, 1));
+    check(quasimc_scene_add_sun(scene, 135, 50, sun));
+    check(quasimc_scene_add_sky(scene, "uniform", sky));
     check(quasimc_scene_set_option(scene, "paths", "4096"));
 
     check(quasimc_scene_run(scene, NULL, NULL, &result));

@@ -22,12 +22,11 @@ module quasimc
       character(kind=c_char), intent(in) :: name(*), unit(*)
     end function
 
-    integer(c_int) function quasimc_scene_add_material(scene, name, reflectance, transmittance, bands) bind(c)
+    integer(c_int) function quasimc_scene_add_material(scene, name, reflectance, transmittance) bind(c)
       import
       type(c_ptr), value :: scene
       character(kind=c_char), intent(in) :: name(*)
       real(c_double), intent(in) :: reflectance(*), transmittance(*)
-      integer(c_int64_t), value :: bands
     end function
 
     integer(c_int) function quasimc_scene_add_mesh(scene, vertices, vertex_count, faces, face_count, &
@@ -55,20 +54,18 @@ module quasimc
       real(c_double), value :: height
     end function
 
-    integer(c_int) function quasimc_scene_add_sun(scene, azimuth_deg, elevation_deg, irradiance_facing, bands) bind(c)
+    integer(c_int) function quasimc_scene_add_sun(scene, azimuth_deg, elevation_deg, irradiance_facing) bind(c)
       import
       type(c_ptr), value :: scene
       real(c_double), value :: azimuth_deg, elevation_deg
       real(c_double), intent(in) :: irradiance_facing(*)
-      integer(c_int64_t), value :: bands
     end function
 
-    integer(c_int) function quasimc_scene_add_sky(scene, model, irradiance_horizontal, bands) bind(c)
+    integer(c_int) function quasimc_scene_add_sky(scene, model, irradiance_horizontal) bind(c)
       import
       type(c_ptr), value :: scene
       character(kind=c_char), intent(in) :: model(*)
       real(c_double), intent(in) :: irradiance_horizontal(*)
-      integer(c_int64_t), value :: bands
     end function
 
     integer(c_int) function quasimc_scene_set_option(scene, key, value) bind(c)
@@ -157,15 +154,15 @@ program leaves
 
   call check(quasimc_scene_new(scene))
   call check(quasimc_scene_add_band(scene, 'PAR'//nul, 'W m-2'//nul))
-  call check(quasimc_scene_add_material(scene, 'leaf'//nul, [0.10_c_double], [0.05_c_double], one))
-  call check(quasimc_scene_add_material(scene, 'soil'//nul, [0.15_c_double], [0._c_double], one))
+  call check(quasimc_scene_add_material(scene, 'leaf'//nul, [0.10_c_double], [0.05_c_double]))
+  call check(quasimc_scene_add_material(scene, 'soil'//nul, [0.15_c_double], [0._c_double]))
   call check(quasimc_scene_add_mesh(scene, corners(), 8_c_int64_t, faces, 4_c_int64_t, organs, &
                                     'leaf'//nul, c_null_ptr))
   call check(quasimc_scene_set_name(scene, one, 'lower leaf'//nul))
   call check(quasimc_scene_set_name(scene, 2_c_int64_t, 'upper leaf'//nul))
   call check(quasimc_scene_set_ground(scene, 'soil'//nul, 0._c_double))
-  call check(quasimc_scene_add_sun(scene, 135._c_double, 50._c_double, [400._c_double], one))
-  call check(quasimc_scene_add_sky(scene, 'uniform'//nul, [100._c_double], one))
+  call check(quasimc_scene_add_sun(scene, 135._c_double, 50._c_double, [400._c_double]))
+  call check(quasimc_scene_add_sky(scene, 'uniform'//nul, [100._c_double]))
   call check(quasimc_scene_set_option(scene, 'paths'//nul, '4096'//nul))
 
   call check(quasimc_scene_run(scene, c_null_funptr, c_null_ptr, result))

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /** Changes when a program that was compiled for another number no longer works. */
-#define QUASIMC_ABI_VERSION 1
+#define QUASIMC_ABI_VERSION 2
 
 /** What is to be computed: organs, materials, light, how to run. */
 typedef struct quasimc_scene quasimc_scene;
@@ -34,6 +34,23 @@ enum quasimc_status {
                              handle in use */
     QUASIMC_INTERNAL_ERROR = 3, /**< our fault, or memory ran out */
     QUASIMC_STOPPED = 4         /**< a run ended before there was a result */
+};
+
+/** The parts of what a scene says, for quasimc_scene_clear(). */
+enum quasimc_part {
+    QUASIMC_BANDS = 0,
+    QUASIMC_MATERIALS = 1,
+    QUASIMC_ORGANS =
+        2, /**< those of quasimc_scene_add_mesh(), of run files and of geometry files */
+    QUASIMC_GROUND = 3,
+    QUASIMC_CELL = 4,
+    QUASIMC_SITE = 5, /**< where on the Earth the scene is */
+    QUASIMC_SOURCES = 6,
+    QUASIMC_TIME = 7,      /**< the times of a run file */
+    QUASIMC_SWEEP = 8,     /**< the sweep of a run file */
+    QUASIMC_DETECTORS = 9, /**< what else light is sorted by */
+    QUASIMC_OPTIONS = 10,  /**< options of the run: all have their defaults then */
+    QUASIMC_OTHER = 11     /**< title, axes, units, and keys of a run file that do not exist */
 };
 
 /** Hears now and then how far a run is, in the thread that called it.
@@ -60,7 +77,11 @@ const char* quasimc_last_error(void);
  * What is stated is checked together, when the scene is run or a growth is made of it; by
  * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
  * faces that name no vertex. What a run then refuses is taken back by quasimc_scene_clear, and
- * stated anew. */
+ * stated anew.
+ *
+ * Bands come first, by quasimc_scene_add_band() or in a piece of a run file. Arrays of reflectance,
+ * transmittance, irradiance and power have as many numbers as the scene has bands at the call; a
+ * scene without bands refuses them. */
 
 /** An empty scene. Paths of files are relative to the current folder. */
 int quasimc_scene_new(quasimc_scene** scene);
@@ -71,22 +92,15 @@ void quasimc_scene_free(quasimc_scene* scene);
 /** States anything as a piece of a run file (TOML). Tables are joined with what was stated, lists
  *  of tables ([[material]], [[source]], [[organ]], ...) are appended, single values replaced. */
 int quasimc_scene_state(quasimc_scene* scene, const char* toml);
-/** Takes back all that was stated or loaded under a key at the top of a run file: "source",
- *  "material", "bands", "run", ..., "organ" also what quasimc_scene_add_mesh was given. An input
- * error if there is nothing. */
-int quasimc_scene_clear(quasimc_scene* scene, const char* key);
+/** Removes a part of what was stated or loaded, if there is any. @param part  a quasimc_part */
+int quasimc_scene_clear(quasimc_scene* scene, int part);
 
 /** Adds a waveband. @param unit  of irradiance; NULL or "": W m-2 */
 int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit);
 /** Adds a material, both sides alike, or replaces that of the same name.
- *  @param reflectance, transmittance  `bands` numbers each, 0 to 1; one of them may be NULL: 0
- *  @param bands  at least 1 */
+ *  @param reflectance, transmittance  per band, 0 to 1; one of them may be NULL: 0 */
 int quasimc_scene_add_material(
-    quasimc_scene* scene,
-    const char* name,
-    const double* reflectance,
-    const double* transmittance,
-    int64_t bands);
+    quasimc_scene* scene, const char* name, const double* reflectance, const double* transmittance);
 /** Adds organs made of triangles, in the order of their ids; they come behind those that were
  *  stated or loaded. The arrays are copied.
  *  @param vertices  x, y, z of each: 3 * vertex_count numbers
@@ -118,35 +132,26 @@ int quasimc_scene_set_cell(
 int quasimc_scene_set_place(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m);
 
-/* Sources. Irradiance and power: one number for each of `bands` bands, at least one, in their
- * units. */
+/* Sources. Irradiance and power: one number for each band, in its unit. */
 
 /** Parallel light that travels along (x, y, z). @param irradiance_facing  on a plane across it */
 int quasimc_scene_add_directional(
-    quasimc_scene* scene,
-    double x,
-    double y,
-    double z,
-    const double* irradiance_facing,
-    int64_t bands);
+    quasimc_scene* scene, double x, double y, double z, const double* irradiance_facing);
 /** The sun. @param azimuth_deg  clockwise from north */
 int quasimc_scene_add_sun(
     quasimc_scene* scene,
     double azimuth_deg,
     double elevation_deg,
-    const double* irradiance_facing,
-    int64_t bands);
+    const double* irradiance_facing);
 /** The sun of a moment, "2024-06-21T12:00:00+02:00"; the scene needs a place. */
 int quasimc_scene_add_sun_at(
-    quasimc_scene* scene, const char* time, const double* irradiance_facing, int64_t bands);
+    quasimc_scene* scene, const char* time, const double* irradiance_facing);
 /** A sky that asks for nothing more, or for the first sun: "uniform", "cie_overcast", ... */
 int quasimc_scene_add_sky(
-    quasimc_scene* scene, const char* model, const double* irradiance_horizontal, int64_t bands);
+    quasimc_scene* scene, const char* model, const double* irradiance_horizontal);
 /** A lamp that shines alike in all directions. @param power  W (umol s-1) as bands are in W m-2 */
 int quasimc_scene_add_point_lamp(
-    quasimc_scene* scene, double x, double y, double z, const double* power, int64_t bands);
-/** Takes all sources away. */
-int quasimc_scene_clear_sources(quasimc_scene* scene);
+    quasimc_scene* scene, double x, double y, double z, const double* power);
 
 /** Sets an option of the run, docs/guide/options.md: "paths" "4096", "method" "auto". */
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
@@ -240,6 +245,14 @@ int quasimc_result_get(
     const char* statistic,
     double* values,
     int64_t count);
+/** The same of one organ, given by its id.
+ *  @param values  room for four: mean, standard error, low, high */
+int quasimc_result_get_organ(
+    const quasimc_result* result,
+    int64_t id,
+    const char* quantity,
+    const char* band,
+    double* values);
 /** A sum (or mean per area) over all organs but the ground, with its own error.
  *  @param values  room for four: mean, standard error, low, high */
 int quasimc_result_get_total(

@@ -49,6 +49,12 @@ struct MaterialSpec {
     friend bool operator==(const MaterialSpec&, const MaterialSpec&) = default;
 };
 
+/// Returns a material whose sides are alike and scatter light as Lambert's law says.
+/// @param reflectance    per band, 0 to 1
+/// @param transmittance  per band, 0 to 1; empty: none
+[[nodiscard]] MaterialSpec lambertian(
+    std::string name, std::vector<double> reflectance, std::vector<double> transmittance = {});
+
 /// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
 /// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
 /// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.

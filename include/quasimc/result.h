@@ -1,18 +1,21 @@
 #pragma once
 
-// What a run says of every organ, with errors; the energy budget; and audits.
+// What a run says of every organ and of groups of organs, with errors; the energy budget; and audits.
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "quasimc/groups.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/source.h"
 #include "quasimc/sums.h"
@@ -20,6 +23,52 @@
 namespace quasimc {
 
 class Scene;
+
+/// OrganGroup::by of the group of all organs, and of layers.
+inline constexpr std::string_view kAllOrgans = "all", kLayer = "layer";
+
+/// Which organs are taken together.
+struct GroupSpec {
+    /// Keys of labels: each value of "plant" is a group, each pair of values of "plant+kind".
+    std::vector<std::string> labels = {};
+    /// Layers of equal height, from the ground (or the lowest point of the organs) to the highest
+    /// point of the organs; 0: none.
+    std::uint32_t layers = 0;
+    /// Instead: the heights between layers, ascending, at least two; scene units, up.
+    std::vector<double> layer_heights = {};
+};
+
+/// The groups that a run is asked for.
+[[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
+    return {spec.groups, spec.layers, spec.layer_heights};
+}
+
+/// Organs whose light is summed. Only organs that are measured belong to groups, the ground to
+/// none, and sensors to those of labels alone.
+struct OrganGroup {
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+    std::string by;     ///< kAllOrgans, kLayer, or the key of labels as it was asked for
+    std::string value;  ///< of the label ("1+leaf" of two); the number of the layer, from 1 below
+    std::vector<std::uint32_t> organs = {};  ///< places in the scene's list, ascending
+    double area = 0;                         ///< one-sided, of all its organs
+    /// Of a layer: its lower and upper height. An organ belongs to the layer that holds the
+    /// centroid of its area (the last layer, its upper height too).
+    double low = kNone, high = kNone;
+    /// Of a layer above a ground or in a cell that is periodic along both axes: one-sided area of
+    /// its organs (leaf area, where all are leaves) per horizontal area; and that of the organs of
+    /// this layer and those above.
+    double plant_area_index = kNone, cumulative_plant_area_index = kNone;
+};
+
+/// The groups of a scene: all organs first, then those of labels in the order in which values first
+/// appear, then layers from below.
+/// @param spec  that check_groups() found no fault with
+[[nodiscard]] std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec);
+
+class Scene;
+class SceneNames;  // quasimc/scene.h
+class OrganLight;
 struct Result;
 
 /// The estimate as it is reported. An interval ends at what is physically possible; a mean beyond
@@ -102,10 +151,10 @@ struct GroupResults {
     std::vector<Estimate> sunlit_fraction, sunlit_area;
     std::vector<Estimate> ratio_values;  ///< [group * ratios + i], as Result::ratio_values
 
-    [[nodiscard]] const Estimate& at(std::size_t group, Quantity q, std::size_t band) const {
+    [[nodiscard]] Estimate at(std::size_t group, Quantity q, std::size_t band) const {
         return values[(group * kQuantities + static_cast<std::size_t>(q)) * bands + band];
     }
-    [[nodiscard]] const Estimate& ratio(std::size_t group, std::size_t i) const {
+    [[nodiscard]] Estimate ratio(std::size_t group, std::size_t i) const {
         return ratio_values[group * ratios + i];
     }
 };
@@ -129,7 +178,7 @@ struct DetectorResult {
     std::vector<std::string> bins;  ///< their names
     std::vector<Estimate> values;   ///< [bin * bands + band]; see at()
 
-    [[nodiscard]] const Estimate& at(std::size_t bin, std::size_t band) const {
+    [[nodiscard]] Estimate at(std::size_t bin, std::size_t band) const {
         return values[bin * (values.size() / bins.size()) + band];
     }
 };
@@ -159,6 +208,8 @@ struct RoundErrors {
 struct Result {
     std::size_t bands = 0;
     std::size_t ratios = 0;
+    /// The bands and organs of the numbers, shared with the scene.
+    std::shared_ptr<const SceneNames> names = {};
     /// [(organ * kQuantities + quantity) * bands + band], organs in the scene's order; see at().
     std::vector<Estimate> values;
     /// Per organ: fraction of the one-sided area lit straight by the directional sources (their
@@ -191,12 +242,75 @@ struct Result {
     double trace_cpu_seconds = 0;  ///< all threads
 
     [[nodiscard]] std::size_t organs() const { return values.size() / (kQuantities * bands); }
-    [[nodiscard]] const Estimate& at(std::size_t organ, Quantity q, std::size_t band) const {
+    [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];
     }
-    [[nodiscard]] const Estimate& ratio(std::size_t organ, std::size_t i) const {
+    [[nodiscard]] Estimate ratio(std::size_t organ, std::size_t i) const {
         return ratio_values[organ * ratios + i];
     }
+    /// Returns the light of the organ with a name, result["leaf 3"]; the result must outlive it.
+    /// @throws InputError  if there is no such organ, or there are several
+    [[nodiscard]] OrganLight operator[](std::string_view organ) const&;
+    OrganLight operator[](std::string_view organ) const&& = delete;
+    /// Returns the light of the organ with an id; the result must outlive it.
+    /// @throws InputError  if there is no such organ
+    [[nodiscard]] OrganLight organ(std::int64_t id) const&;
+    OrganLight organ(std::int64_t id) const&& = delete;
+};
+
+/// A band, given by its name or its index.
+class BandKey {
+  public:
+    template <std::integral Index>
+    BandKey(Index index)  // NOLINT(google-explicit-constructor): as a band is asked for
+        : key_(static_cast<std::size_t>(index)) {}
+    BandKey(std::string name)  // NOLINT(google-explicit-constructor)
+        : key_(std::move(name)) {}
+    BandKey(const char* name)  // NOLINT(google-explicit-constructor)
+        : key_(std::string(name)) {}
+    BandKey(std::string_view name)  // NOLINT(google-explicit-constructor)
+        : key_(std::string(name)) {}
+
+    /// Returns the index of the band. @throws InputError  if there is no such band
+    [[nodiscard]] std::size_t index(const SceneNames& names) const;
+
+  private:
+    std::variant<std::size_t, std::string> key_;
+};
+
+/// The light of one organ: result["leaf 3"].absorbed_flux("PAR"). The functions have the names of
+/// the quantities; each throws an InputError if there is no such band.
+class OrganLight {
+  public:
+    /// @param index  the organ's, in the order of Scene::organs()
+    OrganLight(const Result& result, std::size_t index) : result_(&result), index_(index) {}
+
+    [[nodiscard]] Estimate at(Quantity quantity, const BandKey& band) const;
+    [[nodiscard]] Estimate absorbed_flux(const BandKey& band) const {
+        return at(Quantity::absorbed_flux, band);
+    }
+    [[nodiscard]] Estimate absorbed_flux_density(const BandKey& band) const {
+        return at(Quantity::absorbed_flux_density, band);
+    }
+    [[nodiscard]] Estimate incident_upper(const BandKey& band) const {
+        return at(Quantity::incident_upper, band);
+    }
+    [[nodiscard]] Estimate incident_lower(const BandKey& band) const {
+        return at(Quantity::incident_lower, band);
+    }
+    [[nodiscard]] Estimate incident_direct(const BandKey& band) const {
+        return at(Quantity::incident_direct, band);
+    }
+    [[nodiscard]] Estimate incident_scattered(const BandKey& band) const {
+        return at(Quantity::incident_scattered, band);
+    }
+    /// Returns the fraction of the area lit straight by suns.
+    /// @throws InputError  if there is no sun
+    [[nodiscard]] Estimate sunlit_fraction() const;
+
+  private:
+    const Result* result_;
+    std::size_t index_;
 };
 
 /// What is to be made of sums.

@@ -13,13 +13,12 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"
 #include "quasimc/series.h"
 #include "quasimc/source.h"
-#include "quasimc/sun.h"
 
 namespace quasimc {
 
@@ -115,7 +114,7 @@ struct RunFile {
 /// [sweep] is a sweep of one point.
 ///
 /// All points are read and checked at once. Those that differ in lights, materials and settings
-/// alone share the triangles of one scene (Scene::shared_triangles), so that a Simulator builds one
+/// alone share the triangles of one scene, so that a Simulator builds one
 /// acceleration structure for all of them.
 class RunSweep {
   public:

@@ -65,7 +65,7 @@ struct SamplerModel {
 /// How a run is done: everything but scene and sources. Ranges and units: docs/guide/options.md.
 struct RunSpec {
     std::string sampler = "sobol";  ///< a name of sampler_models()
-    Method method = Method::light_tracing;
+    Method method = Method::automatic;
     std::uint64_t paths = 65536;   ///< per replicate; for organs: shared out equally among them
     std::uint32_t replicates = 8;  ///< independent randomizations
     std::uint64_t seed = 1;
@@ -98,7 +98,7 @@ struct RunSpec {
     double tally_memory_mb = 256;  ///< private tallies of all threads; larger ones are shared
 
     /// Pairs of band names, "R:FR": ratio of the light that falls on an organ (both sides).
-    std::vector<std::string> ratios;
+    std::vector<std::string> ratios = {};
 
     // Organs taken together (GroupSpec): of each value of these labels, and in these layers.
     std::vector<std::string> groups = {};

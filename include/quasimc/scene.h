@@ -1,24 +1,45 @@
 #pragma once
 
-// Scenes: organs made of triangles and materials, and the builder that checks them.
+// Scenes: organs made of triangles and materials, detectors, and the builder that checks them.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "quasimc/detector.h"
 #include "quasimc/error.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
+
+/// A detector as a person states it. `quasimc list detectors` tells the types and what they take.
+struct DetectorSpec {
+    std::string type;       ///< "escaped_by_zenith"
+    std::string name = {};  ///< unique among the detectors of a scene; default: the type
+    /// By the names of the type's parameters; those left out have their usual values.
+    std::map<std::string, double, std::less<>> parameters = {};
+    std::string place = {};  ///< where it was stated, for messages; default: its name
+};
+
+/// What numbers a parameter takes.
+enum class NumberKind { real, whole };
+
+/// A number that a type of detector takes: a key in `[[detector]]`.
+struct DetectorParameter {
+    std::string_view name;
+    std::string_view summary;  ///< a few words for the manual
+    NumberKind kind = NumberKind::real;
+    double low = 0, high = 0;          ///< its domain, ends included
+    std::optional<double> usual = {};  ///< its value where none is stated; none: it must be stated
+};
 
 /// An index that can't be taken for another kind of index. `value` counts from 0.
 template <typename Tag>
@@ -32,14 +53,8 @@ using MaterialId = Id<struct MaterialTag>;
 using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an organ's id is the user's
 using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
 
-class Material;
-class KnownOverlaps;
-class OrganAreas;
-class SceneGeometry;
-struct Coincidences;
-struct SceneDraft;
-template <typename T>
-class Lazy;
+struct SceneData;    // src/scene/scene.h
+struct BuilderData;  // src/scene/build_scene.h
 
 /// A waveband. Amounts of different bands never mix, so each may have its own unit.
 struct Band {
@@ -105,18 +120,50 @@ struct Region {
     double area = 0;
 };
 
-/// A scene that has passed every check. Coordinates are in the scene's unit with z up (see
-/// orientation). Organs stand in the order they were added, the ground, if any, last.
-class Scene {
+/// The bands and organs of a scene, found by index, by id or by name. A scene and the results of
+/// its runs share it.
+class SceneNames {
   public:
-    Scene(const Scene& other);
-    Scene(Scene&& other) noexcept;
-    Scene& operator=(const Scene& other);
-    Scene& operator=(Scene&& other) noexcept;
-    ~Scene();
+    SceneNames(std::vector<Band> bands, std::vector<Organ> organs);
+    ~SceneNames();
+    SceneNames(const SceneNames&) = delete;
+    SceneNames& operator=(const SceneNames&) = delete;
 
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
+    /// The organs in the order of the scene, the ground, if any, last.
     [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
+    /// Returns the index of the organ with an id, if there is one. The first search takes time in
+    /// proportion to the organs, the others take constant time.
+    [[nodiscard]] std::optional<std::size_t> find_organ(std::int64_t id) const;
+    /// Returns the index of the organ with an id.
+    /// @throws InputError  if there is none
+    [[nodiscard]] std::size_t organ_index(std::int64_t id) const;
+    /// Returns the index of the organ with a name.
+    /// @throws InputError  if there is none, with names that are near, or if there are several
+    [[nodiscard]] std::size_t organ_index(std::string_view name) const;
+    /// Returns the index of the band with a name.
+    /// @throws InputError  if there is none, with the bands that there are
+    [[nodiscard]] std::size_t band_index(std::string_view name) const;
+
+  private:
+    struct Lookup;
+    struct LazyLookup;
+    [[nodiscard]] const Lookup& lookup() const;
+
+    std::vector<Band> bands_;
+    std::vector<Organ> organs_;
+    std::unique_ptr<const LazyLookup> lookup_;
+};
+
+/// A scene that has passed every check. Copies share what is large. Coordinates are in the scene's
+/// unit with z up (see orientation). Organs stand in the order they were added, the ground, if any,
+/// last.
+class Scene {
+  public:
+    [[nodiscard]] const std::vector<Band>& bands() const { return names_->bands(); }
+    [[nodiscard]] const std::vector<Organ>& organs() const { return names_->organs(); }
+    /// Returns the bands and organs as a value that may outlive the scene.
+    [[nodiscard]] const std::shared_ptr<const SceneNames>& names() const { return names_; }
     [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
     [[nodiscard]] const Cell& cell() const { return cell_; }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
@@ -133,44 +180,13 @@ class Scene {
     /// The triangles of an organ, z up; without what coincides with organs that come before.
     [[nodiscard]] std::vector<Triangle> triangles_of(const Organ& organ) const;
 
-    // For the engine; what these give is private.
-
-    [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
-    [[nodiscard]] const Material& material(const Region& region) const;
-    /// The triangles of an organ stand together, those of its first region first. Organs that
-    /// are made of instances come after all others.
-    [[nodiscard]] const SceneGeometry& triangles() const { return *geometry_; }
-    /// The same, for who keeps them longer than the scene. Copies of a scene share them.
-    [[nodiscard]] std::shared_ptr<const SceneGeometry> shared_triangles() const {
-        return geometry_;
-    }
-    /// The region of each triangle that belongs to no instance, and of each instance.
-    [[nodiscard]] std::span<const RegionIndex> triangle_regions() const;
-    [[nodiscard]] const std::vector<RegionIndex>& instance_regions() const {
-        return instance_regions_;
-    }
-    /// The region of a triangle.
-    [[nodiscard]] RegionIndex region_of(std::uint32_t triangle) const;
-    /// The areas of the triangles of each organ, made when they are first asked for. Copies of a
-    /// scene share them.
-    [[nodiscard]] const OrganAreas& organ_areas() const;
-    /// What lay on each other in one plane, and was cut away where it is not seen.
-    [[nodiscard]] const Coincidences& coincidences() const { return *coincidences_; }
-
   private:
-    friend class SceneBuilder;
-    friend Scene with_repeated_bands(const Scene& scene, std::size_t times);
-    Scene();
+    friend struct SceneAccess;  // src/scene/scene.h
+    Scene() = default;
 
-    std::vector<Band> bands_;
-    std::vector<Organ> organs_;
+    std::shared_ptr<const SceneNames> names_;
+    std::shared_ptr<const SceneData> data_;  // materials and triangles
     std::vector<Region> regions_;
-    std::vector<Material> materials_;
-    std::shared_ptr<const SceneGeometry> geometry_;
-    std::shared_ptr<const Lazy<OrganAreas>> areas_;
-    std::shared_ptr<const Coincidences> coincidences_;
-    std::shared_ptr<const std::vector<RegionIndex>> triangle_regions_;
-    std::vector<RegionIndex> instance_regions_;
     std::vector<DetectorSpec> detectors_;
     Cell cell_;
     Bounds bounds_;
@@ -244,37 +260,20 @@ class SceneBuilder {
     /// the scene: unknown materials, no triangles, coordinates that are not finite or too large.
     void check_organs(const std::vector<OrganSpec>& organs) const;
 
-    /// The scene, or an InputError with every fault: neither organ nor ground; bands, materials or
-    /// ids that are not unique; unknown or faulty materials; organs without triangles; coordinates
-    /// that are not finite or beyond 1e30; a scene of no size; a ground that does not fit; a
-    /// periodic cell that is not positive, or so small that organs repeat without measure; a north
-    /// that is not horizontal; detectors of unknown types, or with parameters that they do not
-    /// take. Triangles and organs of no area are allowed: nothing falls on them (see lint). May be
-    /// called once; takes time and memory in proportion to the triangles.
+    /// Returns the scene, or throws an InputError with every fault: neither organ nor ground;
+    /// bands, materials or ids that are not unique; unknown or faulty materials; organs without
+    /// triangles; coordinates that are not finite or beyond 1e30; a scene of no size; a ground that
+    /// does not fit; a periodic cell that is not positive, or so small that organs repeat without
+    /// measure; a north that is not horizontal; detectors of unknown types, or with parameters that
+    /// they do not take. Triangles and organs of no area are allowed: nothing falls on them (see
+    /// lint). Takes time and memory in proportion to the triangles. The builder can be used on.
+    [[nodiscard]] Scene build() const&;
+    /// The same without a copy of the triangles; the builder can't be used any more.
     [[nodiscard]] Scene build() &&;
-    /// The same scene, in less time if it differs little from the one before. For the engine.
-    /// @param known  of the scene before, private; or null
-    [[nodiscard]] Scene build_after(KnownOverlaps* known) &&;
-
-    /// Whether build_on(scene) gives what build() would with the organs, ground, cell and axes of
-    /// `scene`: it has the same bands, and materials of the same names in the same order, of which
-    /// the same ones let all light pass (what coincides is cut accordingly).
-    [[nodiscard]] bool can_build_on(const Scene& scene) const;
-    /// A scene with the organs, ground, cell and axes of another one, whose triangles it shares,
-    /// and with the materials and detectors that were added here. Organs that were added are left
-    /// out. After can_build_on(). May be called once; takes no time for the triangles.
-    /// @throws InputError  with every fault of materials and detectors
-    [[nodiscard]] Scene build_on(const Scene& scene) &&;
 
   private:
-    std::vector<Band> bands_;
-    Orientation orientation_;
-    std::string length_unit_ = "m";
-    std::vector<std::pair<MaterialSpec, std::string>> materials_;
-    std::unique_ptr<SceneDraft> draft_;
-    std::optional<GroundSpec> ground_;
-    std::vector<DetectorSpec> detectors_;
-    Cell cell_;
+    friend struct SceneAccess;
+    std::unique_ptr<BuilderData> data_;
 };
 
 /// What silently spoils results: duplicate triangles, coplanar triangles that overlap, triangles of

@@ -21,10 +21,8 @@ struct Share {
     friend bool operator==(const Share&, const Share&) = default;
 
   private:
-    [[nodiscard]] std::uint64_t until(std::uint64_t tasks, std::uint64_t n) const {
-        __extension__ using Wide = unsigned __int128;
-        return static_cast<std::uint64_t>(Wide{tasks} * n / of);
-    }
+    /// tasks * n / of, rounded down, n <= of.
+    [[nodiscard]] std::uint64_t until(std::uint64_t tasks, std::uint64_t n) const;
 };
 
 /// One of `parts` equal shares. @param part  counted from 1

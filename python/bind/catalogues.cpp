@@ -29,7 +29,7 @@ py::object value_of(const OptionValue& value) {
 }
 
 py::list option_rows() {
-    const RunSpec usual = default_run_spec();
+    const RunSpec usual;
     py::list rows;
     for (const Option& option : option_table()) {
         py::dict row;

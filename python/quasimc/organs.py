@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from functools import cached_property
 
 
@@ -53,8 +54,20 @@ class Organs:
         return {int(organ): i for i, organ in enumerate(self.ids)}
 
     def index_of(self, organ):
-        """The place of an organ by its id. Raises KeyError."""
-        return self._place_of_id[organ]
+        """Returns the index of an organ, given by its id or its name.
+
+        Raises KeyError if there is none, or if several organs have the name.
+        """
+        if not isinstance(organ, str):
+            return self._place_of_id[organ]
+        found = [i for i, name in enumerate(self.names) if name == organ]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise KeyError(f"{len(found)} organs have the name {organ!r}: ask by an id")
+        near = difflib.get_close_matches(organ, self.names, n=3)
+        known = ", ".join(map(repr, near or self.names[:10]))
+        raise KeyError(f"there is no organ {organ!r}; there are: {known}")
 
     def triangles(self, index):
         """The triangles of the organ at a place: (n, 3, 3), in the axes of the scene."""

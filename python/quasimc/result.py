@@ -234,9 +234,9 @@ class Result(_Light):
         return result
 
     def select(self, ids):
-        """The light of the organs of these ids, in their order: a Selection.
+        """The light of organs, given by their ids or names, in their order: a Selection.
 
-        Raises KeyError if one is not there.
+        Raises KeyError if one is not there, or a name is of several.
         """
         return Selection(self, ids)
 

@@ -52,14 +52,12 @@ const char* last_error() noexcept {
     return message_of_thread().c_str();
 }
 
-std::span<const double> of_bands(const double* numbers, std::int64_t bands, const char* name) {
+std::span<const double> of_bands(const double* numbers, std::size_t bands, const char* name) {
     const double* first = &deref(numbers, name);
-    if (bands < 1 || bands > std::numeric_limits<std::int32_t>::max()) {
-        throw Misuse(
-            std::string(name) + " of " + std::to_string(bands) +
-            " bands: there must be at least one, and at most 2^31 - 1");
+    if (bands == 0) {
+        throw Misuse(std::string(name) + ": the scene has no bands yet, add them first");
     }
-    return {first, static_cast<std::size_t>(bands)};
+    return {first, bands};
 }
 
 std::string text_of(const char* text, const char* name) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <span>
@@ -38,9 +38,9 @@ T& deref(T* pointer, const char* name) {
     }
     return *pointer;
 }
-/// The numbers of an array, one for each band. @throws Misuse  if it is NULL, or there is none
+/// The numbers of an array, one for each band. @throws Misuse  if it is NULL, or there are no bands
 [[nodiscard]] std::span<const double> of_bands(
-    const double* numbers, std::int64_t bands, const char* name);
+    const double* numbers, std::size_t bands, const char* name);
 /// A copy of a text. @throws Misuse  if it is NULL @throws InputError  if it is not UTF-8
 [[nodiscard]] std::string text_of(const char* text, const char* name);
 /// The same of a text that may be NULL: "".

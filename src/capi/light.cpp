@@ -1,5 +1,4 @@
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -24,12 +23,12 @@ int add_source(
     const char* type,
     const char* amount,
     const double* numbers,
-    std::int64_t bands,
     const std::function<Node::Table()>& keys) {
     return change_light(scene, [&](Statement& statement) {
         Node::Table source = keys();
         source.push_back({"type", 0, {std::string(type)}});
-        source.push_back({amount, 0, numbers_node(of_bands(numbers, bands, amount))});
+        source.push_back(
+            {amount, 0, numbers_node(of_bands(numbers, statement.band_count(), amount))});
         statement.add_table("source", std::move(source));
     });
 }
@@ -51,13 +50,8 @@ int quasimc_scene_set_place(
 }
 
 int quasimc_scene_add_directional(
-    quasimc_scene* scene,
-    double x,
-    double y,
-    double z,
-    const double* irradiance_facing,
-    int64_t bands) {
-    return add_source(scene, "directional", "irradiance_facing", irradiance_facing, bands, [&] {
+    quasimc_scene* scene, double x, double y, double z, const double* irradiance_facing) {
+    return add_source(scene, "directional", "irradiance_facing", irradiance_facing, [&] {
         return Node::Table{{"direction", 0, numbers_node(std::array{x, y, z})}};
     });
 }
@@ -66,37 +60,32 @@ int quasimc_scene_add_sun(
     quasimc_scene* scene,
     double azimuth_deg,
     double elevation_deg,
-    const double* irradiance_facing,
-    int64_t bands) {
-    return add_source(scene, "sun", "irradiance_facing", irradiance_facing, bands, [&] {
+    const double* irradiance_facing) {
+    return add_source(scene, "sun", "irradiance_facing", irradiance_facing, [&] {
         return Node::Table{
             {"azimuth_deg", 0, {azimuth_deg}}, {"elevation_deg", 0, {elevation_deg}}};
     });
 }
 
 int quasimc_scene_add_sun_at(
-    quasimc_scene* scene, const char* time, const double* irradiance_facing, int64_t bands) {
-    return add_source(scene, "sun", "irradiance_facing", irradiance_facing, bands, [&] {
+    quasimc_scene* scene, const char* time, const double* irradiance_facing) {
+    return add_source(scene, "sun", "irradiance_facing", irradiance_facing, [&] {
         return Node::Table{{"time", 0, {text_of(time, "time")}}};
     });
 }
 
 int quasimc_scene_add_sky(
-    quasimc_scene* scene, const char* model, const double* irradiance_horizontal, int64_t bands) {
-    return add_source(scene, "sky", "irradiance_horizontal", irradiance_horizontal, bands, [&] {
+    quasimc_scene* scene, const char* model, const double* irradiance_horizontal) {
+    return add_source(scene, "sky", "irradiance_horizontal", irradiance_horizontal, [&] {
         return Node::Table{{"model", 0, {text_of(model, "model")}}};
     });
 }
 
 int quasimc_scene_add_point_lamp(
-    quasimc_scene* scene, double x, double y, double z, const double* power, int64_t bands) {
-    return add_source(scene, "point", "power", power, bands, [&] {
+    quasimc_scene* scene, double x, double y, double z, const double* power) {
+    return add_source(scene, "point", "power", power, [&] {
         return Node::Table{{"position", 0, numbers_node(std::array{x, y, z})}};
     });
-}
-
-int quasimc_scene_clear_sources(quasimc_scene* scene) {
-    return change_light(scene, [](Statement& statement) { statement.remove("source"); });
 }
 
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value) {

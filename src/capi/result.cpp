@@ -45,15 +45,10 @@ double Estimate::*statistic_of(std::string_view name) {
     throw Misuse(fmt::format("no statistic '{}': mean, standard_error, low or high", name));
 }
 
-std::size_t band_of(const quasimc_result& result, const char* name) {
-    const std::string band = text_of(name, "band");
-    const std::vector<Band>& bands = result.scene->bands();
-    const auto found =
-        std::find_if(bands.begin(), bands.end(), [&](const Band& b) { return b.name == band; });
-    if (found == bands.end()) {
-        throw Misuse(fmt::format("there is no band '{}'", band));
-    }
-    return static_cast<std::size_t>(found - bands.begin());
+std::size_t band_of(const quasimc_result& result, const char* name) try {
+    return result.scene->names()->band_index(text_of(name, "band"));
+} catch (const InputError& error) {
+    throw Misuse(error.what());
 }
 
 /// What is known of organs, or of groups: rows of estimates.
@@ -197,13 +192,6 @@ const char* label_by_key(const Organ& organ, const std::string& key) {
     return nullptr;
 }
 
-std::int64_t place_of(const Scene& scene, std::int64_t id) {
-    const auto& organs = scene.organs();
-    const auto found = std::find_if(
-        organs.begin(), organs.end(), [&](const Organ& organ) { return organ.id == id; });
-    return found == organs.end() ? -1 : found - organs.begin();
-}
-
 const DetectorResult& detector_of(const quasimc_result* result, const char* name) {
     const std::string wanted = text_of(name, "detector");
     for (const DetectorResult& detector : deref(result, "result").result.detectors) {
@@ -235,7 +223,10 @@ int64_t quasimc_result_organ_id(const quasimc_result* result, int64_t organ) {
 }
 
 int64_t quasimc_result_find_organ(const quasimc_result* result, int64_t id) {
-    return guarded_or<int64_t>(-1, [&] { return place_of(*deref(result, "result").scene, id); });
+    return guarded_or<int64_t>(-1, [&] {
+        const auto found = deref(result, "result").scene->names()->find_organ(id);
+        return found ? static_cast<int64_t>(*found) : -1;
+    });
 }
 
 const char* quasimc_result_organ_name(const quasimc_result* result, int64_t organ) {
@@ -291,6 +282,23 @@ int quasimc_result_get(
         const quasimc_result& all = deref(result, "result");
         const Rows rows = rows_of_organs(all.result);
         copy_rows(column_of(all, rows, quantity, band), rows.count, statistic, values, count);
+    });
+}
+
+int quasimc_result_get_organ(
+    const quasimc_result* result,
+    int64_t id,
+    const char* quantity,
+    const char* band,
+    double* values) {
+    return guarded([&] {
+        const quasimc_result& all = deref(result, "result");
+        const auto organ = all.scene->names()->find_organ(id);
+        if (!organ) {
+            throw Misuse(fmt::format("there is no organ of id {}", id));
+        }
+        const Column column = column_of(all, rows_of_organs(all.result), quantity, band);
+        copy_estimate(column.first[*organ * column.stride], values);
     });
 }
 

@@ -30,6 +30,11 @@ int make_scene(quasimc_scene** scene, const Arguments&... arguments) {
     return QUASIMC_DONE;
 }
 
+/// Whether what is built of a scene does not depend on that part.
+bool is_of_light(quasimc_part part) {
+    return part == QUASIMC_SITE || part == QUASIMC_SOURCES || part == QUASIMC_OPTIONS;
+}
+
 Member text_member(std::string key, std::string text) {
     return {std::move(key), 0, {std::move(text)}};
 }
@@ -66,17 +71,26 @@ int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* u
     });
 }
 
-int quasimc_scene_clear(quasimc_scene* scene, const char* key) {
-    return change_scene(
-        scene, [&](Statement& statement) { statement.take_back(text_of(key, "key")); });
+int quasimc_scene_clear(quasimc_scene* scene, int part) {
+    return guarded([&] {
+        quasimc_scene& all = deref(scene, "scene");
+        const InUse use(all.in_use);
+        if (part < QUASIMC_BANDS || part > QUASIMC_OTHER) {
+            throw Misuse(fmt::format("there is no part {} of a scene", part));
+        }
+        const auto cleared = static_cast<quasimc_part>(part);
+        all.statement.clear(cleared);
+        if (!is_of_light(cleared)) {
+            all.built.reset();
+        }
+    });
 }
 
 int quasimc_scene_add_material(
     quasimc_scene* scene,
     const char* name,
     const double* reflectance,
-    const double* transmittance,
-    int64_t bands) {
+    const double* transmittance) {
     return change_scene(scene, [&](Statement& statement) {
         const std::string of_material = text_of(name, "name");
         if (reflectance == nullptr && transmittance == nullptr) {
@@ -85,12 +99,13 @@ int quasimc_scene_add_material(
         Node::Table material{text_member("name", of_material)};
         if (reflectance != nullptr) {
             material.push_back(
-                {"reflectance", 0, numbers_node(of_bands(reflectance, bands, "reflectance"))});
+                {"reflectance", 0,
+                 numbers_node(of_bands(reflectance, statement.band_count(), "reflectance"))});
         }
         if (transmittance != nullptr) {
             material.push_back(
                 {"transmittance", 0,
-                 numbers_node(of_bands(transmittance, bands, "transmittance"))});
+                 numbers_node(of_bands(transmittance, statement.band_count(), "transmittance"))});
         }
         statement.put_table("material", of_material, std::move(material));
     });

@@ -1,7 +1,10 @@
 #include "capi/statement.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,6 +76,27 @@ void join(Node::Table& into, Node::Table from) {
     }
 }
 
+/// The part of a scene that a key at the top of a run file belongs to.
+quasimc_part part_of(std::string_view key) {
+    constexpr std::array<std::pair<std::string_view, quasimc_part>, 13> kParts{
+        {{"bands", QUASIMC_BANDS},
+         {"band", QUASIMC_BANDS},
+         {"material", QUASIMC_MATERIALS},
+         {"organ", QUASIMC_ORGANS},
+         {"geometry", QUASIMC_ORGANS},
+         {"ground", QUASIMC_GROUND},
+         {"cell", QUASIMC_CELL},
+         {"place", QUASIMC_SITE},
+         {"source", QUASIMC_SOURCES},
+         {"time", QUASIMC_TIME},
+         {"sweep", QUASIMC_SWEEP},
+         {"detector", QUASIMC_DETECTORS},
+         {"run", QUASIMC_OPTIONS}}};
+    const auto found = std::find_if(
+        kParts.begin(), kParts.end(), [&](const auto& row) { return row.first == key; });
+    return found == kParts.end() ? QUASIMC_OTHER : found->second;
+}
+
 }  // namespace
 
 Statement::Statement()
@@ -124,16 +148,22 @@ void Statement::remove(const std::string& key) {
     std::erase_if(top(), [&](const Member& member) { return member.key == key; });
 }
 
-void Statement::take_back(const std::string& key) {
-    const bool has_arrays = key == "organ" && !organs_.empty();
-    if (find_in(top(), key) == nullptr && !has_arrays) {
-        throw InputError({{"'" + key + "'", "nothing was stated under this key", "", ""}});
-    }
-    remove(key);
-    if (has_arrays) {
+void Statement::clear(quasimc_part part) {
+    std::erase_if(top(), [&](const Member& member) { return part_of(member.key) == part; });
+    if (part == QUASIMC_ORGANS) {
         organs_.clear();
         places_.clear();
     }
+}
+
+std::size_t Statement::band_count() const {
+    std::size_t count = 0;
+    for (const char* key : {"bands", "band"}) {
+        const Node* found = document_.find(key);
+        const auto* list = found == nullptr ? nullptr : found->as<Node::List>();
+        count += list == nullptr ? 0 : list->size();
+    }
+    return count;
 }
 
 void Statement::set_option(const std::string& key, const std::string& text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/input_files.h"
+#include "quasimc/capi.h"
 #include "quasimc/scene.h"
 #include "text/document.h"
 
@@ -33,9 +34,10 @@ class Statement {
     /// Replaces a table ([ground]).
     void set_table(const std::string& key, Node::Table table);
     void remove(const std::string& key);
-    /// Takes back all that was stated under a key at the top; "organ" also those of arrays.
-    /// @throws InputError  if nothing was
-    void take_back(const std::string& key);
+    /// Removes all that was stated of a part of the scene.
+    void clear(quasimc_part part);
+    /// Returns how many bands were stated.
+    [[nodiscard]] std::size_t band_count() const;
     /// Sets an option of [run], from its text.
     void set_option(const std::string& key, const std::string& text);
 

@@ -8,6 +8,7 @@
 
 #include "coupling/step_files.h"
 #include "files/atomic_file.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -52,16 +53,16 @@ void write_picture_file(const StepView& view) {
         return;
     }
     const Scene& scene = *view.light.scene;
-    std::string text = ply_header(scene.triangles().size());
-    for (const Triangle triangle : scene.triangles()) {
+    std::string text = ply_header(scene.triangle_count());
+    for (const Triangle triangle : data_of(scene).triangles()) {
         for (const Vec3& corner : triangle) {
             const Vec3 p = scene.orientation().outward(corner);
             text += fmt::format("{:.7g} {:.7g} {:.7g}\n", p.x, p.y, p.z);
         }
     }
     const double full = std::max(view.spec.irradiance.front(), 0.0);
-    for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
-        const std::uint32_t organ = scene.regions()[scene.region_of(i).value].organ.value;
+    for (std::uint32_t i = 0; i < scene.triangle_count(); ++i) {
+        const std::uint32_t organ = scene.regions()[data_of(scene).region_of(i).value].organ.value;
         const double light = view.light.at(organ, Quantity::absorbed_flux_density, 0).mean;
         const Colour c = colour_of(full > 0 ? light / full : 0);
         text += fmt::format(

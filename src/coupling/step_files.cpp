@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "files/atomic_file.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -56,7 +57,8 @@ class TableRow {
         const Organ& organ = view_.light.scene->organs()[organ_];
         double sum = 0;
         for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-            const Vec3 n = area_vector(view_.light.scene->triangles()[organ.first_triangle + i]);
+            const Vec3 n =
+                area_vector(data_of(*view_.light.scene).triangles()[organ.first_triangle + i]);
             for (const LightShare& light : view_.lighting.shares) {
                 sum += 0.5 * light.share * std::abs(dot(n, light.travel));
             }

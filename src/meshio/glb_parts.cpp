@@ -114,19 +114,19 @@ void GlbParts::write(
 GlbMeshes::GlbMeshes(const Scene& scene)
     : scene_(scene),
       outward_(to_y_up(scene.orientation().up(), metres_per(scene.length_unit()).value_or(1))),
-      numbers_(scene.triangles().mesh().vertices.size(), kNone) {}
+      numbers_(data_of(scene).triangles().mesh().vertices.size(), kNone) {}
 
 Mesh GlbMeshes::mesh(std::uint32_t first, std::uint32_t count) {
     const auto moved = [this](const Vec3& p) {
         return outward_.point(scene_.orientation().outward(p));
     };
-    const Mesh& shared = scene_.triangles().mesh();
+    const Mesh& shared = data_of(scene_).triangles().mesh();
     std::vector<Triangle> apart;
     std::vector<std::uint32_t> taken;
     Mesh mesh;
     for (std::uint32_t i = first; i < first + count; ++i) {
         if (i >= shared.faces.size()) {
-            const Triangle t = scene_.triangles()[i];
+            const Triangle t = data_of(scene_).triangles()[i];
             apart.push_back({moved(t[0]), moved(t[1]), moved(t[2])});
             continue;
         }

@@ -5,6 +5,7 @@
 
 #include "meshio/can_label.h"
 #include "meshio/formats.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -24,7 +25,7 @@ std::int64_t made_label(const Scene& scene, std::size_t organ, std::uint32_t tri
         return 0;
     }
     CanLabel label;
-    label.species = scene.regions()[scene.region_of(triangle).value].material.value + 1;
+    label.species = scene.regions()[data_of(scene).region_of(triangle).value].material.value + 1;
     label.plant = static_cast<std::int64_t>(organ / kMostLeaves) + 1;
     label.leaf = static_cast<std::int64_t>(organ % kMostLeaves) + 1;
     label.element = 1;
@@ -43,7 +44,7 @@ void write_can(const Scene& scene, const TextSink& sink) {
             const std::int64_t label =
                 keeps_ids && !organ.is_ground ? organ.id : made_label(scene, o, triangle);
             fmt::format_to(std::back_inserter(text), "p 1 {:012} 3", label);
-            for (const Vec3& corner : scene.triangles()[triangle]) {
+            for (const Vec3& corner : data_of(scene).triangles()[triangle]) {
                 const Vec3 p = scene.orientation().outward(corner);
                 fmt::format_to(std::back_inserter(text), " {} {} {}", p.x, p.y, p.z);
             }

@@ -4,6 +4,7 @@
 
 #include "meshio/formats.h"
 #include "meshio/glb_parts.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 #include "text/little_endian.h"
 
@@ -62,9 +63,9 @@ class GlbWriter {
         std::vector<std::pair<RegionIndex, Mesh>> regions;
         const std::uint32_t end = organ.first_triangle + organ.triangle_count;
         for (std::uint32_t first = organ.first_triangle; first < end;) {
-            const RegionIndex region = scene_.region_of(first);
+            const RegionIndex region = data_of(scene_).region_of(first);
             std::uint32_t last = first + 1;
-            while (last < end && scene_.region_of(last) == region) {
+            while (last < end && data_of(scene_).region_of(last) == region) {
                 ++last;
             }
             regions.emplace_back(region, meshes_.mesh(first, last - first));

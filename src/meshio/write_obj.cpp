@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "meshio/formats.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 
 namespace quasimc {
@@ -24,12 +25,12 @@ std::vector<std::string> element_texts(const Scene& scene, const Organ& organ) {
     std::vector<std::string> texts;
     for (std::uint32_t e = 0; e < organ.region_count; ++e) {
         const Region& element = scene.regions()[organ.first_region + e];
-        texts.push_back("usemtl " + statement_name(scene.material(element).name()) + "\n");
+        texts.push_back("usemtl " + statement_name(scene.material_name(element)) + "\n");
     }
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const std::uint32_t triangle = organ.first_triangle + i;
-        std::string& text = texts[scene.region_of(triangle).value - organ.first_region];
-        for (const Vec3& corner : scene.triangles()[triangle]) {
+        std::string& text = texts[data_of(scene).region_of(triangle).value - organ.first_region];
+        for (const Vec3& corner : data_of(scene).triangles()[triangle]) {
             const Vec3 p = scene.orientation().outward(corner);
             fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
         }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "meshio/formats.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 #include "text/little_endian.h"
 
@@ -9,10 +10,11 @@ namespace {
 
 std::string header(const Scene& scene) {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
-    for (std::size_t m = 0; m < scene.materials().size(); ++m) {
-        text += fmt::format("comment material {} = {}\n", m, one_line(scene.materials()[m].name()));
+    for (std::size_t m = 0; m < data_of(scene).materials.size(); ++m) {
+        text += fmt::format(
+            "comment material {} = {}\n", m, one_line(data_of(scene).materials[m].name()));
     }
-    const std::size_t triangles = scene.triangles().size();
+    const std::size_t triangles = scene.triangle_count();
     return text + fmt::format(
                       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
                       "element face {}\nproperty list uchar uint vertex_indices\n"
@@ -25,7 +27,7 @@ std::string header(const Scene& scene) {
 void write_ply(const Scene& scene, const TextSink& sink) {
     sink(header(scene));
     std::string bytes;
-    for (const Triangle triangle : scene.triangles()) {
+    for (const Triangle triangle : data_of(scene).triangles()) {
         bytes.clear();
         for (const Vec3& corner : triangle) {
             const Vec3 p = scene.orientation().outward(corner);
@@ -35,8 +37,8 @@ void write_ply(const Scene& scene, const TextSink& sink) {
         }
         sink(bytes);
     }
-    for (std::uint32_t i = 0; i < scene.triangles().size(); ++i) {
-        const Region& element = scene.regions()[scene.region_of(i).value];
+    for (std::uint32_t i = 0; i < scene.triangle_count(); ++i) {
+        const Region& element = scene.regions()[data_of(scene).region_of(i).value];
         bytes.clear();
         append_little_endian(bytes, std::uint8_t{3});
         for (std::uint32_t corner = 0; corner < 3; ++corner) {

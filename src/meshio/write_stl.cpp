@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "meshio/formats.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 
 namespace quasimc {
@@ -12,7 +13,7 @@ void write_stl(const Scene& scene, const TextSink& sink) {
     for (const Organ& organ : scene.organs()) {
         std::string text = "solid " + one_line(organ.name) + "\n";
         for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-            const Triangle triangle = scene.triangles()[organ.first_triangle + i];
+            const Triangle triangle = data_of(scene).triangles()[organ.first_triangle + i];
             const Vec3 across = area_vector(triangle);
             const double size = length(across);
             const Vec3 n = scene.orientation().outward(size > 0 ? across / size : Vec3{});

@@ -47,9 +47,7 @@ class NetcdfLight final : public NetcdfWriter {
         }
         if (layout_.ratios) {
             put(*layout_.ratios, start, {result.ratios, organs},
-                [&](std::size_t i) -> const Estimate& {
-                    return result.ratio(i % organs, i / organs);
-                });
+                [&](std::size_t i) { return result.ratio(i % organs, i / organs); });
         }
         put_detectors(start, result);
     }
@@ -114,7 +112,7 @@ class NetcdfLight final : public NetcdfWriter {
             const std::vector<std::size_t> sizes =
                 has_axis ? std::vector{list.bands.size(), organs} : std::vector{organs};
             for (const QuantityEntry& entry : layout_.columns.quantities) {
-                put(variables[number++], start, sizes, [&](std::size_t i) -> const Estimate& {
+                put(variables[number++], start, sizes, [&](std::size_t i) {
                     return light.at(i % organs, entry.quantity, list.bands[i / organs]);
                 });
             }
@@ -130,9 +128,7 @@ class NetcdfLight final : public NetcdfWriter {
                 const bool has_axis = list.suffix.empty();
                 put(layout_.detectors[d][l], start,
                     has_axis ? std::vector{list.bands.size(), bins} : std::vector{bins},
-                    [&](std::size_t i) -> const Estimate& {
-                        return detector.at(i % bins, list.bands[i / bins]);
-                    });
+                    [&](std::size_t i) { return detector.at(i % bins, list.bands[i / bins]); });
             }
         }
     }

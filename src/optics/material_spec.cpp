@@ -186,6 +186,24 @@ Side make_side(const std::vector<SideOptics>& side) {
 
 }  // namespace
 
+MaterialSpec lambertian(
+    std::string name, std::vector<double> reflectance, std::vector<double> transmittance) {
+    const std::size_t bands = reflectance.size();
+    if (!transmittance.empty() && transmittance.size() != bands) {
+        throw InputError(
+            {{fmt::format("material '{}'", name),
+              fmt::format("has {} reflectances and {} transmittances", bands, transmittance.size()),
+              "each band has one of both", ""}});
+    }
+    std::vector<SideOptics> side;
+    for (std::size_t b = 0; b < bands; ++b) {
+        side.push_back(
+            {.reflectance = reflectance[b],
+             .transmittance = transmittance.empty() ? 0 : transmittance[b]});
+    }
+    return {std::move(name), side, side};
+}
+
 void check_material(
     const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults) {
     const std::string start = place.empty() ? fmt::format("material '{}'", spec.name) : place;

@@ -156,12 +156,6 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     return fault;
 }
 
-RunSpec default_run_spec() {
-    RunSpec spec;
-    spec.method = Method::automatic;
-    return spec;
-}
-
 std::string method_name(Method from) {
     RunSpec spec;
     spec.method = from;
@@ -243,7 +237,7 @@ std::string default_run_section() {
     for (const Option& option : option_table()) {
         const std::string unit = option.unit.empty() ? "" : fmt::format(" [{}]", option.unit);
         text += fmt::format("# {}{}: {}\n", option.summary, unit, domain_text(option));
-        text += fmt::format("{} = {}\n", option.key, option_toml(option.get(default_run_spec())));
+        text += fmt::format("{} = {}\n", option.key, option_toml(option.get(RunSpec{})));
     }
     return text;
 }
@@ -255,7 +249,7 @@ std::string options_markdown() {
         const std::string unit = option.unit.empty() ? "" : fmt::format(" {}", option.unit);
         text += fmt::format(
             "| `{}` | `{}` | `{}`{} | {} | {} |\n", option.key, option_flag(option),
-            option_toml(option.get(default_run_spec())), unit, domain_text(option), option.summary);
+            option_toml(option.get(RunSpec{})), unit, domain_text(option), option.summary);
     }
     return text;
 }

@@ -79,10 +79,6 @@ struct Option : OptionWords {
 /// real. The fault has no place.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
-/// What a run file that says nothing asks for: RunSpec's defaults, but that the planner chooses
-/// the method (planner/planner.h).
-[[nodiscard]] RunSpec default_run_spec();
-
 /// How run files name a method: "first_hits".
 [[nodiscard]] std::string method_name(Method from);
 

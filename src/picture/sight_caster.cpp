@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/scene.h"
+
 namespace quasimc {
 namespace {
 
@@ -45,7 +47,7 @@ SightCaster::SightCaster(
     : scene_(scene),
       camera_(camera),
       cuts_(cuts),
-      caster_(scene.shared_triangles(), Cell{}, Engine::embree),
+      caster_(data_of(scene).geometry, Cell{}, Engine::embree),
       box_(scene.bounds()) {
     // Lines of sight that run in a face of the box see what lies in it.
     const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};
@@ -66,7 +68,8 @@ std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
         return std::nullopt;
     }
     return SeenHit{
-        cast.hit, scene_.region_of(caster_.source(cast.hit.triangle)).value, line.direction};
+        cast.hit, data_of(scene_).region_of(caster_.source(cast.hit.triangle)).value,
+        line.direction};
 }
 
 }  // namespace quasimc

@@ -32,7 +32,8 @@ std::vector<double> shades_of(const Source& sky, std::size_t size, double radius
         if (off < radius) {
             const double zenith = 0.5 * std::numbers::pi * off / radius;
             const double flat = off > 0 ? std::sin(zenith) / off : 0;
-            shades[i] = std::sqrt(sky.radiance({flat * east, flat * north, std::cos(zenith)}));
+            shades[i] =
+                std::sqrt(model_of(sky).radiance({flat * east, flat * north, std::cos(zenith)}));
         }
     }
     return shades;

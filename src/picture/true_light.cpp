@@ -80,7 +80,7 @@ class TrueLight {
           white_(white_of(spec)),
           light_(spec.width * spec.height),
           seen_(spec.width * spec.height) {
-        for (const Material& material : scene.materials()) {
+        for (const Material& material : data_of(scene).materials) {
             materials_.push_back(
                 {matt_side(material.side(SurfaceSide::upper), spec.bands.size()),
                  matt_side(material.side(SurfaceSide::lower), spec.bands.size())});
@@ -143,7 +143,7 @@ class TrueLight {
             const int draws = source->is_directional() ? 1 : kOfExtended;
             for (int i = 0; i < draws; ++i) {
                 const auto [u0, u1] = point_of(key, i);
-                const Illumination from = source->illuminate(place, u0, u1);
+                const Illumination from = model_of(*source).illuminate(place, u0, u1);
                 const double cosine = dot(normal, from.to_light);
                 if (cosine == 0 ||
                     sights_.caster().occluded(

@@ -57,8 +57,8 @@ bool runs_along(const Triangle& a, const Triangle& b, const Vec3& place, double 
 bool has_wedge(const Scene& scene, const Vec3& place, double size) {
     const double reach = kNextTo * size;
     std::vector<Triangle> near;
-    for (std::size_t i = 0; i < scene.triangles().size(); ++i) {
-        const Triangle& t = scene.triangles()[i];
+    for (std::size_t i = 0; i < scene.triangle_count(); ++i) {
+        const Triangle& t = data_of(scene).triangles()[i];
         const Bounds box = bounds_of(t);
         const Vec3 margin{reach, reach, reach};
         if (meet({place, place}, {box.low - margin, box.high + margin}) &&

@@ -11,7 +11,7 @@ namespace {
 
 Illumination light_of(const Source& source, const Vec3& place) {
     constexpr double kMiddle = 0.5;
-    return source.illuminate(place, kMiddle, kMiddle);
+    return model_of(source).illuminate(place, kMiddle, kMiddle);
 }
 
 /// On the middle of the box and half way from `nearest` to its corners, of those that are lit.

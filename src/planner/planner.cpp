@@ -83,7 +83,7 @@ Scattering scattering_of(const Scene& scene) {
     double area = 0, sharp = 0;
     std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
-        const Material& material = scene.material(region);
+        const Material& material = data_of(scene).material(region);
         for (const SurfaceSide side : kSurfaceSides) {
             if (material.is_transparent()) {
                 continue;
@@ -207,7 +207,7 @@ double brightest_peak(const Scene& scene) {
     const double sharp_from = followed_peak(scene);
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
-        const Material& material = scene.materials()[m];
+        const Material& material = data_of(scene).materials[m];
         if (is_used[m] && !material.is_transparent()) {
             brightest = std::max(
                 {brightest, brightest_peak(material.side(SurfaceSide::upper), sharp_from),
@@ -258,10 +258,10 @@ ChosenMethod plan_method(
     if (!lighting.sun && !lighting.sky) {
         return {Method::light_tracing, "all light comes from lamps"};
     }
-    if (scene.triangles().size() > kMostForRasters) {
+    if (scene.triangle_count() > kMostForRasters) {
         return {
             Method::light_tracing,
-            fmt::format("pictures of {} triangles would take too long", scene.triangles().size())};
+            fmt::format("pictures of {} triangles would take too long", scene.triangle_count())};
     }
     if (takes_bundles) {
         return {

@@ -33,7 +33,7 @@ Json scene_of(const Scene& scene) {
     const Orientation& axes = scene.orientation();
     return {
         {"organs", scene.organs().size()},
-        {"triangles", scene.triangles().size()},
+        {"triangles", scene.triangle_count()},
         {"length_unit", scene.length_unit()},
         {"axes",
          {{"up", axes.up() == UpAxis::z ? "z" : "y"}, {"north", json_vector(axes.north())}}}};

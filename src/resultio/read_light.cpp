@@ -23,7 +23,8 @@ class LightColumns {
         : written_(written_columns(run)),
           organs_(run.scene.organs().size()),
           bands_(run.scene.bands().size()),
-          ratios_(run.spec.ratios.size()) {
+          ratios_(run.spec.ratios.size()),
+          scene_names_(run.scene.names()) {
         for (const std::size_t b : written_.bands) {
             for (const QuantityEntry& entry : written_.quantities) {
                 names_.push_back({std::string(entry.name), run.scene.bands()[b].name});
@@ -41,6 +42,7 @@ class LightColumns {
         Result result;
         result.paths = 1;  // it was computed, or else it would not be written
         result.bands = bands_;
+        result.names = scene_names_;
         result.ratios = ratios_;
         result.values = light(columns);
         const std::size_t sunlit = names_.size() - 1 - ratios_;
@@ -83,6 +85,7 @@ class LightColumns {
 
     WrittenColumns written_;
     std::size_t organs_, bands_, ratios_;
+    std::shared_ptr<const SceneNames> scene_names_;
     std::vector<std::vector<std::string>> names_;
 };
 

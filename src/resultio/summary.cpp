@@ -36,7 +36,7 @@ std::string scene_line(const Scene& scene) {
     return line(
         "scene", fmt::format(
                      "{}, {}{}; {} {}", counted(scene.organs().size(), "organ"),
-                     counted(scene.triangles().size(), "triangle"), repeated,
+                     counted(scene.triangle_count(), "triangle"), repeated,
                      scene.bands().size() == 1 ? "band" : "bands", bands));
 }
 

@@ -31,28 +31,12 @@ class DetectorTable final : public OutputWriter {
         if (!is_written(*run_, step.time_step, step.result)) {
             return;
         }
-        const Scene& scene = run_->scene;
         const std::string first =
             csv_point_fields(*run_) +
             (run_->series ? run_->series->notes[step.time_step].time + "," : "");
-        std::string out;
         for (const DetectorResult& detector : step.result.detectors) {
-            for (std::size_t bin = 0; bin < detector.bins.size(); ++bin) {
-                for (const std::size_t b : written_columns(*run_).bands) {
-                    const Band& band = scene.bands()[b];
-                    out += fmt::format(
-                        "{}{},{},{},{}", first, csv_field(detector.name),
-                        csv_field(detector.bins[bin]), csv_field(band.name),
-                        csv_field(flux_unit(band.unit, scene.length_unit())));
-                    const Estimate e = reported(detector.at(bin, b));
-                    for (const double x : {e.mean, e.standard_error, e.low, e.high}) {
-                        append_csv(out, x);
-                    }
-                    out += '\n';
-                }
-            }
+            write_rows(first, detector);
         }
-        sink_(out);
     }
 
   private:
@@ -81,6 +65,25 @@ class DetectorTable final : public OutputWriter {
         }
         names.emplace_back("detector,bin,band,unit,mean,standard_error,low,high");
         sink_(out + fmt::format("{}\n", fmt::join(names, ",")));
+    }
+
+    /// @param first  what each row begins with
+    void write_rows(const std::string& first, const DetectorResult& detector) const {
+        const std::vector<std::size_t> bands = written_columns(*run_).bands;
+        std::string out;
+        for (std::size_t i = 0; i < detector.bins.size() * bands.size(); ++i) {
+            const std::size_t bin = i / bands.size(), b = bands[i % bands.size()];
+            const Band& band = run_->scene.bands()[b];
+            out += fmt::format(
+                "{}{},{},{},{}", first, csv_field(detector.name), csv_field(detector.bins[bin]),
+                csv_field(band.name), csv_field(flux_unit(band.unit, run_->scene.length_unit())));
+            const Estimate e = reported(detector.at(bin, b));
+            for (const double x : {e.mean, e.standard_error, e.low, e.high}) {
+                append_csv(out, x);
+            }
+            out += '\n';
+        }
+        sink_(out);
     }
 
     const RunFile* run_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "resultio/field_formats.h"
+#include "scene/scene.h"
 #include "text/little_endian.h"
 
 namespace quasimc {
@@ -19,7 +20,7 @@ std::string property_name(std::string name) {
 }
 
 std::string field_ply_header(const Scene& scene, std::span<const OrganField> fields) {
-    const std::size_t triangles = scene.triangles().size();
+    const std::size_t triangles = scene.triangle_count();
     std::string text = "ply\nformat binary_little_endian 1.0\n";
     for (const OrganField& field : fields) {
         text += fmt::format(
@@ -42,10 +43,10 @@ void write_field_ply(const FieldScene& shown, const TextSink& sink) {
     const std::vector<OrganField>& fields = shown.fields;
     constexpr std::uint8_t kCorners = 3;
     sink(field_ply_header(scene, fields));
-    const auto triangles = static_cast<std::uint32_t>(scene.triangles().size());
+    const auto triangles = static_cast<std::uint32_t>(scene.triangle_count());
     for (std::uint32_t i = 0; i < triangles; ++i) {
         std::string bytes;
-        for (const Vec3& corner : scene.triangles()[i]) {
+        for (const Vec3& corner : data_of(scene).triangles()[i]) {
             const Vec3 p = scene.orientation().outward(corner);
             append_little_endian(bytes, p.x);
             append_little_endian(bytes, p.y);
@@ -59,7 +60,7 @@ void write_field_ply(const FieldScene& shown, const TextSink& sink) {
         for (std::uint32_t corner = 0; corner < kCorners; ++corner) {
             append_little_endian(bytes, kCorners * i + corner);
         }
-        const std::uint32_t organ = scene.regions()[scene.region_of(i).value].organ.value;
+        const std::uint32_t organ = scene.regions()[data_of(scene).region_of(i).value].organ.value;
         append_little_endian(bytes, static_cast<double>(scene.organs()[organ].id));
         for (const OrganField& field : fields) {
             append_little_endian(bytes, field.values[organ]);

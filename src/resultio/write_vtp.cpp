@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "resultio/field_formats.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 #include "text/little_endian.h"
 
@@ -66,7 +67,7 @@ std::string names_of_organs(const Scene& scene) {
 }
 
 std::string vtp_head(const Scene& scene, std::span<const OrganField> fields) {
-    const std::uint64_t n = scene.triangles().size();
+    const std::uint64_t n = scene.triangle_count();
     constexpr std::uint64_t kNumber = sizeof(double);
     AppendedArrays arrays;
     std::string text =
@@ -108,14 +109,14 @@ void write_array(
 void write_vtp(const FieldScene& shown, const TextSink& sink) {
     const Scene& scene = shown.scene;
     const std::vector<OrganField>& fields = shown.fields;
-    const std::size_t n = scene.triangles().size();
+    const std::size_t n = scene.triangle_count();
     const auto organ_of = [&scene](std::size_t triangle) {
-        return scene.regions()[scene.region_of(static_cast<std::uint32_t>(triangle)).value]
+        return scene.regions()[data_of(scene).region_of(static_cast<std::uint32_t>(triangle)).value]
             .organ.value;
     };
     sink(vtp_head(scene, fields));
     write_array(n, 9, sink, [&](std::string& bytes, std::size_t i) {
-        for (const Vec3& corner : scene.triangles()[static_cast<std::uint32_t>(i)]) {
+        for (const Vec3& corner : data_of(scene).triangles()[static_cast<std::uint32_t>(i)]) {
             const Vec3 p = scene.orientation().outward(corner);
             append_little_endian(bytes, p.x);
             append_little_endian(bytes, p.y);

@@ -21,7 +21,7 @@ namespace {
 /// Whether light passes an organ as if it were not there.
 bool is_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
-        if (!scene.material(scene.regions()[organ.first_region + i]).is_transparent()) {
+        if (!data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
             return false;
         }
     }
@@ -124,7 +124,7 @@ OrganHeight height_of(const Scene& scene, const Organ& organ) {
     double moment = 0;
     double plain = 0;  // for an organ of no area
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle triangle = scene.triangles()[std::size_t{organ.first_triangle} + i];
+        const Triangle triangle = data_of(scene).triangles()[std::size_t{organ.first_triangle} + i];
         const auto& [a, b, c] = triangle;
         const double middle = (a.z + b.z + c.z) / 3;
         const double own = area(triangle);

@@ -25,6 +25,7 @@ bool has_bright_sun(const Sources& sources) {
 Result dark_result(const Scene& scene, const RunSpec& spec) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     Result dark;
+    dark.names = scene.names();
     dark.bands = scene.bands().size();
     dark.ratios = spec.ratios.size();
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);

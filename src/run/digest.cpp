@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include "base/model_parameters.h"
+#include "light/models/source.h"
 #include "samplers/hash.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -82,7 +84,7 @@ void add_optics(const PreparedScene& prepared, Mixer& mixer) {
         mixer.add(std::uint64_t{region.material.value});
         mixer.add(std::uint64_t{region.organ.value});
     }
-    for (const Material& material : prepared.scene().materials()) {
+    for (const Material& material : data_of(prepared.scene()).materials) {
         add_material(material, mixer);
     }
 }
@@ -91,7 +93,7 @@ void add_sources(const PreparedScene& prepared, Mixer& mixer) {
     mixer.add(std::uint64_t{prepared.lights().size()});
     for (const BoundSource& light : prepared.lights()) {
         mixer.add(light.source->spectrum());
-        mixer.add(light.source->parameters());
+        mixer.add(model_of(*light.source).parameters());
     }
 }
 

@@ -1,11 +1,15 @@
-#include "quasimc/growth_session.h"
-
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/function_ref.h"
 #include "quasimc/error.h"
+#include "quasimc/run.h"
+#include "scene/build_scene.h"
 #include "scene/lint.h"
 #include "scene/overlap/known_overlaps.h"
 #include "scene/scene_checks.h"
@@ -61,18 +65,50 @@ std::unordered_set<std::int64_t> set_of(const std::vector<std::int64_t>& ids) {
 
 }  // namespace
 
+struct GrowthSession::State {
+    explicit State(SceneBuilder first)
+        : frame(std::move(first)),
+          frame_ids(set_of(frame.organ_ids())),
+          largest_id(largest_of(frame.organ_ids(), 0)) {}
+
+    void forget_scene() {
+        scene.reset();
+        warnings.reset();
+    }
+
+    SceneBuilder frame;
+    std::unordered_set<std::int64_t> frame_ids;
+    std::map<std::uint64_t, OrganSpec> organs;  // in the order in which they were added
+    std::unordered_map<std::int64_t, std::uint64_t> places;  // of ids among them
+    std::uint64_t next = 0;
+    std::int64_t largest_id = 0;
+    std::shared_ptr<const Scene> scene;            // null: something changed
+    std::optional<std::vector<Warning>> warnings;  // of the scene, if they were asked for
+    KnownOverlaps overlaps;                        // of the scene before
+    std::size_t scene_builds = 0;
+    Simulator simulator;
+};
+
 GrowthSession::GrowthSession(SceneBuilder frame)
-    : frame_(std::move(frame)),
-      frame_ids_(set_of(frame_.organ_ids())),
-      largest_id_(largest_of(frame_.organ_ids(), 0)),
-      overlaps_(std::make_unique<KnownOverlaps>()) {}
+    : state_(std::make_unique<State>(std::move(frame))) {}
 GrowthSession::~GrowthSession() = default;
 GrowthSession::GrowthSession(GrowthSession&& other) noexcept = default;
 GrowthSession& GrowthSession::operator=(GrowthSession&& other) noexcept = default;
 
-void GrowthSession::forget_scene() {
-    scene_.reset();
-    warnings_.reset();
+bool GrowthSession::has(std::int64_t id) const {
+    return state_->places.contains(id);
+}
+
+std::size_t GrowthSession::size() const {
+    return state_->organs.size();
+}
+
+std::size_t GrowthSession::scene_builds() const {
+    return state_->scene_builds;
+}
+
+std::size_t GrowthSession::tree_builds() const {
+    return state_->simulator.builds();
 }
 
 void GrowthSession::set_frame(SceneBuilder frame) {
@@ -86,14 +122,14 @@ void GrowthSession::set_frame(SceneBuilder frame) {
         }
     }
     faults.throw_if_any();
-    frame_ = std::move(frame);
-    frame_ids_ = set_of(ids);
-    largest_id_ = largest_of(ids, largest_id_);
-    forget_scene();
+    state_->frame = std::move(frame);
+    state_->frame_ids = set_of(ids);
+    state_->largest_id = largest_of(ids, state_->largest_id);
+    state_->forget_scene();
 }
 
 std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
-    std::int64_t largest = largest_id_;
+    std::int64_t largest = state_->largest_id;
     for (const OrganSpec& organ : organs) {
         largest = std::max(largest, organ.id.value_or(largest));
     }
@@ -113,7 +149,7 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
             faults.add(fault_of(
                 id, "the session has an organ of this id", "ids are unique",
                 "change it, or remove it first"));
-        } else if (frame_ids_.contains(id)) {
+        } else if (state_->frame_ids.contains(id)) {
             faults.add(fault_of(
                 id, "the scene of the session has an organ of this id", "ids are unique",
                 "take another"));
@@ -125,13 +161,13 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
     for (std::size_t i = 0; i < organs.size(); ++i) {
         organs[i].id = ids[i];
     }
-    frame_.check_organs(organs);
-    largest_id_ = largest;
+    state_->frame.check_organs(organs);
+    state_->largest_id = largest;
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        places_.emplace(ids[i], next_);
-        organs_.emplace(next_++, std::move(organs[i]));
+        state_->places.emplace(ids[i], state_->next);
+        state_->organs.emplace(state_->next++, std::move(organs[i]));
     }
-    forget_scene();
+    state_->forget_scene();
     return ids;
 }
 
@@ -151,12 +187,12 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
         ids.push_back(*organ.id);
     }
     check_known(
-        ids, [this](std::int64_t id) { return has(id); }, frame_ids_);
-    frame_.check_organs(organs);
+        ids, [this](std::int64_t id) { return has(id); }, state_->frame_ids);
+    state_->frame.check_organs(organs);
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        organs_.at(places_.at(ids[i])) = std::move(organs[i]);
+        state_->organs.at(state_->places.at(ids[i])) = std::move(organs[i]);
     }
-    forget_scene();
+    state_->forget_scene();
 }
 
 void GrowthSession::change(OrganSpec organ) {
@@ -167,13 +203,13 @@ void GrowthSession::change(OrganSpec organ) {
 
 void GrowthSession::remove(std::span<const std::int64_t> ids) {
     check_known(
-        ids, [this](std::int64_t id) { return has(id); }, frame_ids_);
+        ids, [this](std::int64_t id) { return has(id); }, state_->frame_ids);
     for (const std::int64_t id : ids) {
-        const auto place = places_.find(id);
-        organs_.erase(place->second);
-        places_.erase(place);
+        const auto place = state_->places.find(id);
+        state_->organs.erase(place->second);
+        state_->places.erase(place);
     }
-    forget_scene();
+    state_->forget_scene();
 }
 
 void GrowthSession::remove(std::int64_t id) {
@@ -181,27 +217,28 @@ void GrowthSession::remove(std::int64_t id) {
 }
 
 std::shared_ptr<const Scene> GrowthSession::scene() {
-    if (!scene_) {
-        SceneBuilder builder = frame_;
-        for (const auto& [place, organ] : organs_) {
+    if (!state_->scene) {
+        SceneBuilder builder = state_->frame;
+        for (const auto& [place, organ] : state_->organs) {
             builder.add_organ(organ);
         }
-        scene_ = std::make_shared<const Scene>(std::move(builder).build_after(overlaps_.get()));
-        ++scene_builds_;
+        state_->scene =
+            std::make_shared<const Scene>(build_after(std::move(builder), &state_->overlaps));
+        ++state_->scene_builds;
     }
-    return scene_;
+    return state_->scene;
 }
 
 const std::vector<Warning>& GrowthSession::warnings() {
     const std::shared_ptr<const Scene> now = scene();
-    if (!warnings_) {
-        warnings_ = lint_geometry(*now);
+    if (!state_->warnings) {
+        state_->warnings = lint_geometry(*now);
     }
-    return *warnings_;
+    return *state_->warnings;
 }
 
 Result GrowthSession::run(const Sources& sources, const RunSpec& spec, const RunControl& control) {
-    return simulator_.run(*scene(), sources, spec, control);
+    return state_->simulator.run(*scene(), sources, spec, control);
 }
 
 std::vector<std::size_t> GrowthSession::places_of(std::span<const std::int64_t> ids) {

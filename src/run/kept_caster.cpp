@@ -8,7 +8,7 @@ namespace quasimc {
 
 std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     const Scene& scene, Engine engine, const std::stop_token& stop) {
-    const auto triangles = scene.shared_triangles();
+    const auto triangles = data_of(scene).geometry;
     const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {

@@ -19,7 +19,7 @@ std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
     constexpr std::uint64_t kFewest = 256;
     if (spec.method == Method::ray_bundles) {
         constexpr std::uint64_t kTrianglesPerPath = 8;
-        return std::max(kFewest, std::bit_ceil(scene.triangles().size() / kTrianglesPerPath));
+        return std::max(kFewest, std::bit_ceil(scene.triangle_count() / kTrianglesPerPath));
     }
     if (spec.method != Method::from_organs) {
         return kFewest;
@@ -40,7 +40,7 @@ std::optional<DoneRounds> take_done(std::optional<RunState>& kept) {
         return std::nullopt;
     }
     DoneRounds done{std::move(*kept->done), kept->position.rounds, kept->position.first_paths};
-    done.paths_before = static_cast<double>(done.sums.paths);
+    done.paths_before = static_cast<double>(done.sums.paths());
     return done;
 }
 

@@ -13,6 +13,7 @@
 #include "planner/lint_wedges.h"
 #include "quasimc/source.h"
 #include "runfile/run_file_sections.h"
+#include "scene/build_scene.h"
 #include "scene/fold_warnings.h"
 #include "scene/lint.h"
 #include "text/numbers.h"
@@ -49,8 +50,8 @@ void read_format_version(TableReader& top) {
 
 std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Reporter& reporter) {
     try {
-        return known.same != nullptr       ? std::move(builder).build_on(*known.same)
-               : known.overlaps != nullptr ? std::move(builder).build_after(known.overlaps)
+        return known.same != nullptr       ? build_on(builder, *known.same)
+               : known.overlaps != nullptr ? build_after(std::move(builder), known.overlaps)
                                            : std::move(builder).build();
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
@@ -143,7 +144,7 @@ Sections read_sections(
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
     sections.series = read_time(top, context, sections.sources);
-    known.same = known.same != nullptr && builder.can_build_on(*known.same) ? known.same : nullptr;
+    known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "ground", "cell"});
     } else {

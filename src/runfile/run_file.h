@@ -27,6 +27,7 @@ namespace quasimc {
 /// What is to be said of a run without any light: its numbers are zeros.
 enum class Darkness { refused, allowed };
 
+class KnownOverlaps;
 class MeshCache;
 
 /// What is known of the scene of a document before it is read.

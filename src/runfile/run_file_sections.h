@@ -16,9 +16,9 @@
 #include "meshio/formats.h"
 #include "meshio/mesh_cache.h"
 #include "options/options.h"
+#include "quasimc/mesh.h"
 #include "quasimc/run_file.h"
-#include "quasimc/sun.h"
-#include "quasimc/vec3.h"
+#include "quasimc/source.h"
 #include "runfile/run_file.h"
 #include "scene/scene.h"
 #include "text/table_reader.h"
@@ -57,7 +57,7 @@ struct RunFileContext {
 // run_file_options.cpp
 /// The options of a run, and where each was stated.
 struct RunOptions {
-    RunSpec spec = default_run_spec();
+    RunSpec spec;
     std::map<std::string_view, std::string> places;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 /// @param instances  the bounds of each
 Bounds bounds_of(const Scene& scene, const Organ& organ, const std::vector<Bounds>& instances) {
-    const SceneGeometry& triangles = scene.triangles();
+    const SceneGeometry& triangles = data_of(scene).triangles();
     const std::size_t end = organ.first_triangle + organ.triangle_count;
     Bounds bounds;
     for (std::size_t i = organ.first_triangle; i < end;) {
@@ -48,7 +48,7 @@ bool is_black(const Material& material) {
 Survey survey_of(const Scene& scene) {
     Survey survey{scene, {}, {}};
     survey.organ_bounds.reserve(scene.organs().size());
-    const std::vector<Bounds> instances = instance_bounds(scene.triangles().instances());
+    const std::vector<Bounds> instances = instance_bounds(data_of(scene).triangles().instances());
     for (const Organ& organ : scene.organs()) {
         const Bounds bounds = bounds_of(scene, organ, instances);
         survey.organ_bounds.push_back(bounds);
@@ -151,7 +151,7 @@ std::vector<Warning> lint_materials(const Survey& survey) {
     const std::vector<bool> is_used = used_materials(scene);
     WarningKind black("materials are black in every band");
     for (std::size_t i = 0; i < is_used.size(); ++i) {
-        const Material& material = scene.materials()[i];
+        const Material& material = data_of(scene).materials[i];
         if (is_used[i] && is_black(material)) {
             black.add(
                 fmt::format("material '{}'", material.name()),
@@ -166,7 +166,7 @@ namespace {
 /// Counts the triangles of no area. A mesh with many instances is looked at once.
 class DegenerateCount {
   public:
-    explicit DegenerateCount(const Scene& scene) : triangles_(scene.triangles()) {}
+    explicit DegenerateCount(const Scene& scene) : triangles_(data_of(scene).triangles()) {}
 
     std::size_t count(const Organ& organ) {
         const std::size_t end = organ.first_triangle + organ.triangle_count;

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh/local_mesh.h"
 #include "scene/lint.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -26,7 +27,7 @@ Blur blur_of(const Scene& scene, const Organ& organ, const Bounds& bounds, doubl
         return Vec3{
             static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)};
     };
-    const SceneGeometry& triangles = scene.triangles();
+    const SceneGeometry& triangles = data_of(scene).triangles();
     const std::size_t end = std::size_t{organ.first_triangle} + organ.triangle_count;
     Blur blur;
     // Copies of a mesh are rounded about its own centre.

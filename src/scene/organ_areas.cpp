@@ -125,8 +125,9 @@ OrganAreas::Pick OrganAreas::pick_of_instances(const Organ& organ, double area) 
     return {ranges.first(k) + place.number, place.fraction};
 }
 
-const OrganAreas& Scene::organ_areas() const {
-    return areas_->get([this] { return OrganAreas(geometry_, organs_); });
+const OrganAreas& organ_areas(const Scene& scene) {
+    const SceneData& data = data_of(scene);
+    return data.areas->get([&] { return OrganAreas(data.geometry, scene.organs()); });
 }
 
 }  // namespace quasimc

@@ -33,4 +33,7 @@ class OrganAreas {
     std::vector<std::vector<double>> mesh_until_;  // sums over the triangles of a mesh
 };
 
+/// Returns the areas of a scene, computed at the first call. Copies of a scene share them.
+[[nodiscard]] const OrganAreas& organ_areas(const Scene& scene);
+
 }  // namespace quasimc

@@ -1,5 +1,6 @@
 #include "scene/repeat_bands.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,21 +24,28 @@ Side repeated(const Side& side, std::size_t bands, std::size_t times) {
 }  // namespace
 
 Scene with_repeated_bands(const Scene& scene, std::size_t times) {
-    Scene repeat = scene;
+    return SceneAccess::with_repeated_bands(scene, times);
+}
+
+Scene SceneAccess::with_repeated_bands(const Scene& scene, std::size_t times) {
     const std::size_t bands = scene.bands().size();
-    repeat.bands_.clear();
+    std::vector<Band> repeated_bands;
     for (const Band& band : scene.bands()) {
         for (std::size_t i = 0; i < times; ++i) {
-            repeat.bands_.push_back(band);
-            repeat.bands_.back().name = fmt::format("{} {}", band.name, i);
+            repeated_bands.push_back(band);
+            repeated_bands.back().name = fmt::format("{} {}", band.name, i);
         }
     }
-    repeat.materials_.clear();
-    for (const Material& material : scene.materials()) {
-        repeat.materials_.emplace_back(
+    SceneData data = data_of(scene);
+    data.materials.clear();
+    for (const Material& material : data_of(scene).materials) {
+        data.materials.emplace_back(
             material.name(), repeated(material.side(SurfaceSide::upper), bands, times),
             repeated(material.side(SurfaceSide::lower), bands, times));
     }
+    Scene repeat = scene;
+    repeat.names_ = std::make_shared<const SceneNames>(std::move(repeated_bands), scene.organs());
+    repeat.data_ = std::make_shared<const SceneData>(std::move(data));
     repeat.detectors_.clear();
     return repeat;
 }

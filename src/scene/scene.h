@@ -1,15 +1,65 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "base/lazy.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/scene_geometry.h"
 #include "optics/material.h"
 #include "quasimc/scene.h"
 
 namespace quasimc {
+
+class KnownOverlaps;
+class OrganAreas;
+struct Coincidences;
+
+/// The part of a scene that the engine alone reads. Copies of a scene share it.
+struct SceneData {
+    std::vector<Material> materials;  ///< by MaterialId
+    /// The triangles of an organ are contiguous, those of its first region first. Organs that are
+    /// made of instances come after all others.
+    std::shared_ptr<const SceneGeometry> geometry;
+    /// The region of each triangle that belongs to no instance.
+    std::shared_ptr<const std::vector<RegionIndex>> triangle_regions;
+    std::vector<RegionIndex> instance_regions;  ///< the region of each instance
+    /// Coplanar triangles that overlap, which were cut where they are not seen.
+    std::shared_ptr<const Coincidences> coincidences;
+    std::shared_ptr<const Lazy<OrganAreas>> areas;
+
+    [[nodiscard]] const Material& material(const Region& region) const {
+        return materials[region.material.value];
+    }
+    [[nodiscard]] const SceneGeometry& triangles() const { return *geometry; }
+    /// Returns the region of a triangle.
+    [[nodiscard]] RegionIndex region_of(std::uint32_t triangle) const;
+};
+
+/// Gives the engine access to the private parts of scenes and their builders: build_scene.h,
+/// repeat_bands.h.
+struct SceneAccess {
+    static const SceneData& data(const Scene& scene) { return *scene.data_; }
+    static const BuilderData& data(const SceneBuilder& builder) { return *builder.data_; }
+    static BuilderData& data(SceneBuilder& builder) { return *builder.data_; }
+    static Scene build(BuilderData given, KnownOverlaps* known);
+    static Scene build_on(const BuilderData& given, const Scene& scene);
+    static Scene with_repeated_bands(const Scene& scene, std::size_t times);
+
+  private:
+    static Scene assembled(
+        BuilderData given,
+        const std::vector<MaterialId>& materials,
+        const Bounds& bounds,
+        KnownOverlaps* known);
+};
+
+[[nodiscard]] inline const SceneData& data_of(const Scene& scene) {
+    return SceneAccess::data(scene);
+}
 
 /// Which materials an organ is made of, by MaterialId. The others must change nothing.
 [[nodiscard]] std::vector<bool> used_materials(const Scene& scene);

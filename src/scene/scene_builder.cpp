@@ -7,6 +7,7 @@
 #include "base/lazy.h"
 #include "detectors/catalogue.h"
 #include "scene/assembly.h"
+#include "scene/build_scene.h"
 #include "scene/ground.h"
 #include "scene/organ_areas.h"
 #include "scene/overlap/covered.h"
@@ -34,20 +35,24 @@ void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) 
     }
 }
 
+std::vector<Material> make_materials(const BuilderData& given) {
+    std::vector<Material> materials;
+    for (const auto& [material, place] : given.materials) {
+        materials.push_back(make_material(material, given.bands.size()));
+    }
+    return materials;
+}
+
 }  // namespace
 
 SceneBuilder::SceneBuilder(std::vector<Band> bands, Orientation orientation)
-    : bands_(std::move(bands)), orientation_(orientation), draft_(std::make_unique<SceneDraft>()) {}
+    : data_(std::make_unique<BuilderData>()) {
+    data_->bands = std::move(bands);
+    data_->orientation = orientation;
+}
 
 SceneBuilder::SceneBuilder(const SceneBuilder& other)
-    : bands_(other.bands_),
-      orientation_(other.orientation_),
-      length_unit_(other.length_unit_),
-      materials_(other.materials_),
-      draft_(std::make_unique<SceneDraft>(*other.draft_)),
-      ground_(other.ground_),
-      detectors_(other.detectors_),
-      cell_(other.cell_) {}
+    : data_(std::make_unique<BuilderData>(*other.data_)) {}
 
 SceneBuilder& SceneBuilder::operator=(const SceneBuilder& other) {
     return *this = SceneBuilder(other);
@@ -58,31 +63,31 @@ SceneBuilder& SceneBuilder::operator=(SceneBuilder&& other) noexcept = default;
 SceneBuilder::~SceneBuilder() = default;
 
 void SceneBuilder::set_length_unit(std::string unit) {
-    length_unit_ = std::move(unit);
+    data_->length_unit = std::move(unit);
 }
 
 void SceneBuilder::add_material(MaterialSpec material, std::string place) {
-    materials_.emplace_back(std::move(material), std::move(place));
+    data_->materials.emplace_back(std::move(material), std::move(place));
 }
 
 void SceneBuilder::add_organ(OrganSpec organ) {
-    draft_->add(std::move(organ));
+    data_->draft.add(std::move(organ));
 }
 
 void SceneBuilder::set_ground(GroundSpec ground) {
-    ground_ = std::move(ground);
+    data_->ground = std::move(ground);
 }
 
 void SceneBuilder::add_detector(DetectorSpec detector) {
-    detectors_.push_back(std::move(detector));
+    data_->detectors.push_back(std::move(detector));
 }
 
 void SceneBuilder::set_cell(const Cell& cell) {
-    cell_ = cell;
+    data_->cell = cell;
 }
 
 std::vector<std::int64_t> SceneBuilder::organ_ids() const {
-    return quasimc::organ_ids(*draft_);
+    return quasimc::organ_ids(data_->draft);
 }
 
 void SceneBuilder::check_organs(const std::vector<OrganSpec>& organs) const {
@@ -93,86 +98,34 @@ void SceneBuilder::check_organs(const std::vector<OrganSpec>& organs) const {
     Faults faults;
     OrganFaults organ_faults(faults);
     static_cast<void>(number_organs(draft, organ_faults));
-    turn_inward(draft, orientation_);
-    static_cast<void>(check_triangles(draft, 0, orientation_, organ_faults));
-    check_fields_of_view(draft, materials_, organ_faults);
+    turn_inward(draft, data_->orientation);
+    static_cast<void>(check_triangles(draft, 0, data_->orientation, organ_faults));
+    check_fields_of_view(draft, data_->materials, organ_faults);
     organ_faults.finish();
-    static_cast<void>(resolve_materials(materials_, draft, bands_.size(), faults));
+    static_cast<void>(resolve_materials(data_->materials, draft, data_->bands.size(), faults));
     faults.throw_if_any();
+}
+
+Scene SceneBuilder::build() const& {
+    return SceneBuilder(*this).build();
 }
 
 Scene SceneBuilder::build() && {
-    Scene scene = std::move(*this).build_after(nullptr);
-    give_back_free_memory(scene.organs_.size());
+    Scene scene = SceneAccess::build(std::move(*data_), nullptr);
+    give_back_free_memory(scene.organs().size());
     return scene;
 }
 
-Scene SceneBuilder::build_after(KnownOverlaps* known) && {
-    SceneDraft& draft = *draft_;
-    Faults faults;
-    OrganFaults organ_faults(faults);
-    check_bands(bands_, faults);
-    check_north(orientation_, faults);
-
-    const std::int64_t free_id = number_organs(draft, organ_faults);
-    turn_inward(draft, orientation_);
-    Bounds bounds = check_triangles(draft, 0, orientation_, organ_faults);
-    const std::size_t before = faults.size();
-    check_cell(cell_, bounds, faults);
-    if (ground_) {
-        if (!ground_->triangles.empty()) {
-            for (Vec3& corner : ground_->triangles.vertices) {
-                corner = orientation_.inward(corner);
-            }
-        }
-        OrganSpec ground = make_ground_organ(std::move(*ground_), cell_, bounds, faults);
-        ground.id = free_id;
-        draft.add(std::move(ground));
-        if (faults.size() == before) {
-            const std::size_t last = draft.organs.size() - 1;
-            bounds.include(check_triangles(draft, last, orientation_, organ_faults));
-        }
-    }
-    if (faults.size() == before) {
-        check_images(cell_, draft, bounds, faults);
-    }
-    check_fields_of_view(draft, materials_, organ_faults);
-    organ_faults.finish();
-    check_whole(draft, bounds, faults);
-    const std::vector<MaterialId> materials =
-        resolve_materials(materials_, draft, bands_.size(), faults);
-    detectors_ = check_detectors(std::move(detectors_), faults);
-    faults.throw_if_any();
-
-    Scene scene;
-    for (const auto& [material, place] : materials_) {
-        scene.materials_.push_back(make_material(material, bands_.size()));
-    }
-    DraftAssembly assembly = assemble(std::move(draft), materials);
-    CutGeometry cut = cut_covered(assembly, cell_, scene.materials_, known);
-    scene.geometry_ = std::move(cut.geometry);
-    scene.coincidences_ = std::make_shared<const Coincidences>(std::move(cut.coincidences));
-    scene.organs_ = std::move(assembly.organs);
-    scene.regions_ = std::move(assembly.regions);
-    scene.triangle_regions_ =
-        std::make_shared<const std::vector<RegionIndex>>(std::move(assembly.triangle_regions));
-    scene.instance_regions_ = std::move(assembly.instance_regions);
-    scene.areas_ = std::make_shared<const Lazy<OrganAreas>>();
-    scene.organs_.back().is_ground = ground_.has_value();
-    scene.bands_ = std::move(bands_);
-    scene.detectors_ = std::move(detectors_);
-    scene.cell_ = cell_;
-    scene.bounds_ = bounds;
-    scene.orientation_ = orientation_;
-    scene.length_unit_ = std::move(length_unit_);
-    return scene;
+Scene build_after(SceneBuilder builder, KnownOverlaps* known) {
+    return SceneAccess::build(std::move(SceneAccess::data(builder)), known);
 }
 
-bool SceneBuilder::can_build_on(const Scene& scene) const {
-    const std::vector<Material>& known = scene.materials();
-    return bands_ == scene.bands() && materials_.size() == known.size() &&
+bool can_build_on(const SceneBuilder& builder, const Scene& scene) {
+    const BuilderData& given = SceneAccess::data(builder);
+    const std::vector<Material>& known = data_of(scene).materials;
+    return given.bands == scene.bands() &&
            std::equal(
-               materials_.begin(), materials_.end(), known.begin(),
+               given.materials.begin(), given.materials.end(), known.begin(), known.end(),
                [](const auto& stated, const Material& of_scene) {
                    const MaterialSpec& material = stated.first;
                    return material.name == of_scene.name() &&
@@ -180,21 +133,91 @@ bool SceneBuilder::can_build_on(const Scene& scene) const {
                });
 }
 
-Scene SceneBuilder::build_on(const Scene& scene) && {
-    EXPECT(can_build_on(scene));
+Scene build_on(const SceneBuilder& builder, const Scene& scene) {
+    EXPECT(can_build_on(builder, scene));
+    return SceneAccess::build_on(SceneAccess::data(builder), scene);
+}
+
+Scene SceneAccess::build(BuilderData given, KnownOverlaps* known) {
+    SceneDraft& draft = given.draft;
     Faults faults;
-    for (const auto& [material, place] : materials_) {
-        check_material(material, bands_.size(), place_of(material, place), faults);
+    OrganFaults organ_faults(faults);
+    check_bands(given.bands, faults);
+    check_north(given.orientation, faults);
+
+    const std::int64_t free_id = number_organs(draft, organ_faults);
+    turn_inward(draft, given.orientation);
+    Bounds bounds = check_triangles(draft, 0, given.orientation, organ_faults);
+    const std::size_t before = faults.size();
+    check_cell(given.cell, bounds, faults);
+    if (given.ground) {
+        for (Vec3& corner : given.ground->triangles.vertices) {
+            corner = given.orientation.inward(corner);
+        }
+        OrganSpec ground = make_ground_organ(std::move(*given.ground), given.cell, bounds, faults);
+        ground.id = free_id;
+        draft.add(std::move(ground));
+        if (faults.size() == before) {
+            const std::size_t last = draft.organs.size() - 1;
+            bounds.include(check_triangles(draft, last, given.orientation, organ_faults));
+        }
     }
-    detectors_ = check_detectors(std::move(detectors_), faults);
+    if (faults.size() == before) {
+        check_images(given.cell, draft, bounds, faults);
+    }
+    check_fields_of_view(draft, given.materials, organ_faults);
+    organ_faults.finish();
+    check_whole(draft, bounds, faults);
+    const std::vector<MaterialId> materials =
+        resolve_materials(given.materials, draft, given.bands.size(), faults);
+    given.detectors = check_detectors(std::move(given.detectors), faults);
     faults.throw_if_any();
-    Scene other = scene;
-    other.materials_.clear();
-    for (const auto& [material, place] : materials_) {
-        other.materials_.push_back(make_material(material, bands_.size()));
+    return assembled(std::move(given), materials, bounds, known);
+}
+
+Scene SceneAccess::assembled(
+    BuilderData given,
+    const std::vector<MaterialId>& materials,
+    const Bounds& bounds,
+    KnownOverlaps* known) {
+    SceneData data;
+    data.materials = make_materials(given);
+    DraftAssembly assembly = assemble(std::move(given.draft), materials);
+    CutGeometry cut = cut_covered(assembly, given.cell, data.materials, known);
+    data.geometry = std::move(cut.geometry);
+    data.coincidences = std::make_shared<const Coincidences>(std::move(cut.coincidences));
+    data.triangle_regions =
+        std::make_shared<const std::vector<RegionIndex>>(std::move(assembly.triangle_regions));
+    data.instance_regions = std::move(assembly.instance_regions);
+    data.areas = std::make_shared<const Lazy<OrganAreas>>();
+    assembly.organs.back().is_ground = given.ground.has_value();
+
+    Scene scene;
+    scene.names_ =
+        std::make_shared<const SceneNames>(std::move(given.bands), std::move(assembly.organs));
+    scene.data_ = std::make_shared<const SceneData>(std::move(data));
+    scene.regions_ = std::move(assembly.regions);
+    scene.detectors_ = std::move(given.detectors);
+    scene.cell_ = given.cell;
+    scene.bounds_ = bounds;
+    scene.orientation_ = given.orientation;
+    scene.length_unit_ = std::move(given.length_unit);
+    return scene;
+}
+
+Scene SceneAccess::build_on(const BuilderData& given, const Scene& scene) {
+    Faults faults;
+    for (const auto& [material, place] : given.materials) {
+        check_material(material, given.bands.size(), place_of(material, place), faults);
     }
-    other.detectors_ = std::move(detectors_);
-    other.length_unit_ = std::move(length_unit_);
+    std::vector<DetectorSpec> detectors = check_detectors(given.detectors, faults);
+    faults.throw_if_any();
+    SceneData data = data_of(scene);
+    data.materials = make_materials(given);
+    Scene other = scene;
+    other.data_ = std::make_shared<const SceneData>(std::move(data));
+    other.detectors_ = std::move(detectors);
+    other.length_unit_ = given.length_unit;
     return other;
 }
 

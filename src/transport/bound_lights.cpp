@@ -88,7 +88,8 @@ void BoundLights::bind(
     const Sources& sources, const SceneProjection& projection, const std::stop_token& stop) {
     for (const auto& source : sources) {
         throw_if_stopped(stop);
-        std::unique_ptr<SourceSampler> source_sampler = source->make_sampler_in(projection);
+        std::unique_ptr<SourceSampler> source_sampler =
+            model_of(*source).make_sampler_in(projection);
         if (!source_sampler || !(sum_of(source->spectrum()) > 0)) {
             continue;
         }
@@ -109,7 +110,7 @@ void BoundLights::bind(
 void BoundLights::set_sun(BoundSource& light, double all_suns, double world_area) const {
     light.sun_share = sum_of(light.source->spectrum()) / all_suns;
     // All draws of a sun weigh the same: the integral of its radiance, for a beam 1.
-    const double radiance = light.source->illuminate({}, 0.5, 0.5).weight;
+    const double radiance = model_of(*light.source).illuminate({}, 0.5, 0.5).weight;
     light.lit_area = light.sun_share / light.probability * light.source_sampler->flux() *
                      world_area / sun_area_ / radiance;
 }

@@ -15,7 +15,7 @@ OpticsTraits optics_of(const Scene& scene) {
         if (!is_used[i]) {
             continue;
         }
-        const Material& material = scene.materials()[i];
+        const Material& material = data_of(scene).materials[i];
         optics.has_transparent = optics.has_transparent || material.is_transparent();
         optics.has_constant_albedos = optics.has_constant_albedos && material.has_constant_albedo();
         for (const SurfaceSide side : kSurfaceSides) {
@@ -50,15 +50,16 @@ PreparedScene::PreparedScene(
 
 void PreparedScene::set_regions() {
     const Scene& scene = *scene_;
-    triangle_regions_ = scene.triangle_regions();
+    triangle_regions_ = *data_of(scene).triangle_regions;
     if (!caster_->has_own_numbers()) {
         const auto count = static_cast<std::uint32_t>(caster_->mesh().faces.size());
         image_regions_.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {
-            image_regions_.push_back(scene.region_of(caster_->source(i)));
+            image_regions_.push_back(data_of(scene).region_of(caster_->source(i)));
         }
         triangle_regions_ = image_regions_;
     }
+    materials_ = data_of(scene).materials.data();
     region_materials_.reserve(scene.regions().size());
     for (const Region& region : scene.regions()) {
         region_materials_.push_back(region.material);

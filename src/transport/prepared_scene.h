@@ -64,10 +64,10 @@ class PreparedScene {
         if (mesh_triangle < triangle_regions_.size()) [[likely]] {
             return triangle_regions_[mesh_triangle].value;
         }
-        return scene_->region_of(caster_->source(mesh_triangle)).value;
+        return data_of(*scene_).region_of(caster_->source(mesh_triangle)).value;
     }
     [[nodiscard]] const Material& material(std::uint32_t region) const {
-        return scene_->materials()[region_materials_[region].value];
+        return materials_[region_materials_[region].value];
     }
     /// Of Scene::detectors(), in their order.
     [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
@@ -84,6 +84,7 @@ class PreparedScene {
     // images of them.
     std::span<const RegionIndex> triangle_regions_;
     std::vector<RegionIndex> image_regions_;
+    const Material* materials_ = nullptr;  // those of the scene
     std::vector<MaterialId> region_materials_;
     std::vector<std::unique_ptr<const Detector>> detectors_;
     BoundLights lights_;

@@ -38,7 +38,7 @@ bool RoundingCorrection::lights_as_given(std::uint32_t mesh_triangle, const Vec3
 
 /// A vector across the triangle of the scene, as long as twice its area.
 Vec3 RoundingCorrection::given_across(std::uint32_t mesh_triangle) const {
-    return area_vector(scene_->triangles()[caster_->source(mesh_triangle)]);
+    return area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
 }
 
 }  // namespace quasimc

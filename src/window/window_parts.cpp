@@ -40,7 +40,7 @@ std::vector<double> sky_cells(const Sources& sources) {
             const double elevation = (ring + 0.5) * std::numbers::pi / 2 / kRings;
             const double azimuth = (sector + 0.5) * 2 * std::numbers::pi / kSectors;
             cells[static_cast<std::size_t>(i)] +=
-                all * source->radiance(
+                all * model_of(*source).radiance(
                           {std::cos(elevation) * std::cos(azimuth),
                            std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
         }
@@ -132,9 +132,9 @@ Json json_lights(const Sources& sources, const Vec3& middle) {
     Json suns = Json::array(), lamps = Json::array();
     for (const auto& source : sources) {
         if (source->is_sun()) {
-            suns.push_back(json_vector(source->illuminate({}, 0.5, 0.5).to_light));
+            suns.push_back(json_vector(model_of(*source).illuminate({}, 0.5, 0.5).to_light));
         } else if (source->is_lamp()) {
-            const Illumination seen = source->illuminate({}, 0.5, 0.5);
+            const Illumination seen = model_of(*source).illuminate({}, 0.5, 0.5);
             lamps.push_back(json_vector(seen.distance * seen.to_light - middle));
         }
     }

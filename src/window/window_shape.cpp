@@ -50,7 +50,7 @@ class ShapeWriter {
         first_ = places_.size();
         double sum = 0, total = 0;
         for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-            const Triangle triangle = scene_.triangles()[organ.first_triangle + i];
+            const Triangle triangle = data_of(scene_).triangles()[organ.first_triangle + i];
             const double part = area(triangle);
             sum += part * (triangle[0].z + triangle[1].z + triangle[2].z) / 3;
             total += part;

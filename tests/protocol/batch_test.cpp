@@ -200,6 +200,7 @@ std::vector<double> library_fluxes(const std::vector<Corners>& leaves) {
     const Vec3 travel = Orientation{UpAxis::y, {-1, 0, 0}}.inward({0.5, -0.866, 0});
     sources.push_back(make_directional_source("sun", normalized(travel), {1}));
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.sampler = "monte_carlo";
     spec.paths = 1U << 18U;
     spec.seed = 17;

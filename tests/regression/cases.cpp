@@ -24,6 +24,7 @@ constexpr std::uint32_t kFewReplicates = 7;
 
 RunSpec spec_with(std::string sampler, std::uint64_t paths = kPaths) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.sampler = std::move(sampler);
     spec.paths = paths;
     spec.replicates = kFewReplicates;

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "samplers/catalogue.h"
+#include "scene/scene.h"
 #include "solvers/catalogue.h"
 
 namespace {
@@ -115,11 +116,11 @@ Work work_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     work.bytes = bytes_allocated_by([&] {
         const PreparedScene prepared(
             scene, sources, spec.window,
-            std::make_shared<const RayCaster>(scene.shared_triangles(), scene.cell(), spec.engine));
+            std::make_shared<const RayCaster>(data_of(scene).geometry, scene.cell(), spec.engine));
         Sums sums = empty_sums(prepared, spec);
         Executor executor(1);
         make_solver({prepared, sampler, spec})->solve({0, spec.paths}, executor, sums);
-        work.rays = static_cast<double>(count_rays(sums));
+        work.rays = static_cast<double>(sums.rays());
     });
     work.numbers = static_cast<double>(sampler.drawn());
     return work;

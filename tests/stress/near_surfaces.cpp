@@ -40,8 +40,8 @@ std::vector<Triangle> with_images(const Scene& scene) {
     const int along_x = cell.along_x ? 1 : 0, along_y = cell.along_y ? 1 : 0;
     std::vector<Triangle> all;
     const auto add_moved = [&](const Vec3& by) {
-        for (std::size_t i = 0; i < scene.triangles().size(); ++i) {
-            all.push_back(moved(scene.triangles()[i], by));
+        for (std::size_t i = 0; i < scene.triangle_count(); ++i) {
+            all.push_back(moved(data_of(scene).triangles()[i], by));
         }
     };
     add_moved({});
@@ -62,7 +62,7 @@ bool has_near_surfaces(const Scene& scene) {
     const double size = std::max(
         {size_of(scene.bounds()), cell.along_x ? cell.size_x : 0, cell.along_y ? cell.size_y : 0});
     const std::vector<Triangle> all = with_images(scene);
-    for (std::size_t i = 0; i < scene.triangles().size(); ++i) {
+    for (std::size_t i = 0; i < scene.triangle_count(); ++i) {
         for (std::size_t k = i + 1; k < all.size(); ++k) {
             if (are_near(all[i], all[k], size)) {
                 return true;

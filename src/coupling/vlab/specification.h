@@ -94,13 +94,6 @@ struct SideMaterials {
     }
 };
 
-/// How the light of a file is computed that says nothing of it.
-[[nodiscard]] inline RunSpec usual_run() {
-    RunSpec run;
-    run.method = Method::automatic;
-    return run;
-}
-
 /// What a specification file states, checked, with the defaults for all that it doesn't.
 struct Specification {
     SpecificationKind kind = SpecificationKind::quasimc;
@@ -111,7 +104,7 @@ struct Specification {
     std::vector<ReturnType> returns{ReturnType::flux};
     std::vector<ReturnQuantity> quantities;  ///< instead of `returns`, if any
 
-    RunSpec run = usual_run();
+    RunSpec run;
     std::optional<double> ray_density;  ///< paths per unit of the domain's area, instead of a count
     bool one_ray_per_spectrum = true;
     /// Organs that ask are sensors, which light passes; nothing: they are part of the scene.

@@ -34,11 +34,11 @@ class Beam final : public SourceSampler {
     std::unique_ptr<BeamCrossSection> window_;
 };
 
-class Directional final : public Source {
+class Directional final : public SourceModel {
   public:
     /// @param travel  unit
     Directional(std::string name, const Vec3& travel, std::vector<double> spectrum)
-        : Source(std::move(name), std::move(spectrum), kBeamTraits, std::max(0.0, -travel.z)),
+        : SourceModel(std::move(name), std::move(spectrum), kBeamTraits, std::max(0.0, -travel.z)),
           travel_(travel) {}
 
     [[nodiscard]] ModelParameters parameters() const override {

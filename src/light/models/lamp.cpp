@@ -172,10 +172,10 @@ class LampEmitter final : public SourceSampler {
     LampPlace place_;
 };
 
-class Lamp final : public Source {
+class Lamp final : public SourceModel {
   public:
     explicit Lamp(LampSpec spec)
-        : Source(
+        : SourceModel(
               std::move(spec.name),
               std::move(spec.flux),
               kLampTraits,

@@ -14,10 +14,10 @@ std::vector<double> times(std::span<const double> spectrum, double factor) {
     return scaled;
 }
 
-class ScaledSource final : public Source {
+class ScaledSource final : public SourceModel {
   public:
     ScaledSource(std::shared_ptr<const Source> source, double factor)
-        : Source(
+        : SourceModel(
               source->name(),
               times(source->spectrum(), factor),
               source->traits(),
@@ -25,19 +25,21 @@ class ScaledSource final : public Source {
           source_(std::move(source)),
           is_off_(factor == 0) {}
 
-    [[nodiscard]] ModelParameters parameters() const override { return source_->parameters(); }
+    [[nodiscard]] ModelParameters parameters() const override {
+        return model_of(*source_).parameters();
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        return is_off_ ? nullptr : source_->make_sampler_in(projection);
+        return is_off_ ? nullptr : model_of(*source_).make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
-        return source_->illuminate(point, u0, u1);
+        return model_of(*source_).illuminate(point, u0, u1);
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
-        return source_->radiance(to_light);
+        return model_of(*source_).radiance(to_light);
     }
     [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
-        return source_->most_irradiance(normal);
+        return model_of(*source_).most_irradiance(normal);
     }
 
   private:

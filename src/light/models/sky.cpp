@@ -96,10 +96,11 @@ class SkySampler final : public SourceSampler {
     HemisphereSampler sampler_;
 };
 
-class Sky final : public Source {
+class Sky final : public SourceModel {
   public:
     Sky(std::string name, SkyShape shape, std::vector<double> spectrum)
-        : Source(std::move(name), std::move(spectrum), kSkyTraits, 1), shape_(std::move(shape)) {}
+        : SourceModel(std::move(name), std::move(spectrum), kSkyTraits, 1),
+          shape_(std::move(shape)) {}
 
     [[nodiscard]] ModelParameters parameters() const override {
         const HemisphereGrid grid = make_hemisphere_grid(shape_.azimuths, shape_.sines);

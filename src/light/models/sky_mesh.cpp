@@ -8,6 +8,7 @@
 #include "base/angles.h"
 #include "base/checks.h"
 #include "light/models/hemisphere.h"
+#include "light/models/source.h"
 
 namespace quasimc {
 namespace {
@@ -112,7 +113,7 @@ SkyShape SkyMesh::hat(std::uint32_t node) const {
 std::vector<double> SkyMesh::fit(const Source& sky) const {
     std::vector<double> radiance, sky_radiance;
     for (const Look& look : looks_) {
-        sky_radiance.push_back(sky.radiance(look.direction));
+        sky_radiance.push_back(model_of(sky).radiance(look.direction));
     }
     radiance.assign(nodes(), 1);
     for (int i = 0; i < kFits; ++i) {

@@ -5,6 +5,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/model_parameters.h"
 #include "quasimc/source.h"
@@ -85,5 +88,41 @@ struct Illumination {
                         ///< density of the draw
     double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
 };
+
+/// A source as the engine knows it.
+class SourceModel : public Source {
+  public:
+    /// @param spectrum  see spectrum(); a value below kLeastIrradiance is no light and becomes 0
+    /// @param horizontal_irradiance  see horizontal_irradiance()
+    SourceModel(
+        std::string name,
+        std::vector<double> spectrum,
+        SourceTraits traits,
+        double horizontal_irradiance)
+        : Source(std::move(name), std::move(spectrum), traits, horizontal_irradiance) {}
+
+    /// The model of the light and its parameters, but for name and spectrum. A parameter that is a
+    /// function is given by its values in the cells from which directions are drawn.
+    [[nodiscard]] virtual ModelParameters parameters() const = 0;
+    /// Null when no light of this source meets the scene.
+    [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
+        const SceneProjection& projection) const = 0;
+    /// Draws a direction from which light reaches `point` (world coordinates).
+    [[nodiscard]] virtual Illumination illuminate(
+        const Vec3& point, double u0, double u1) const = 0;
+    /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
+    [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
+    /// What a side with this unit normal would get at most, for a spectrum of 1, if nothing stood
+    /// in its way: an upper bound of its irradiance, for suns the irradiance itself or nearly.
+    /// Infinite where there is none, as next to a lamp.
+    [[nodiscard]] virtual double most_irradiance(const Vec3& /*normal*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
+};
+
+/// Returns the same source as the engine knows it.
+[[nodiscard]] inline const SourceModel& model_of(const Source& source) {
+    return static_cast<const SourceModel&>(source);  // Source has no other classes
+}
 
 }  // namespace quasimc

@@ -118,10 +118,10 @@ class DiskEmitter final : public SourceSampler {
     EntryBox box_;
 };
 
-class SunDisk final : public Source {
+class SunDisk final : public SourceModel {
   public:
     SunDisk(std::string name, const Cone& cone, std::vector<double> facing_irradiance)
-        : Source(
+        : SourceModel(
               std::move(name),
               std::move(facing_irradiance),
               kSunDiskTraits,

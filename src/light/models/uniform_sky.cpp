@@ -87,10 +87,10 @@ class UniformSkySampler final : public SourceSampler {
     std::array<double, kFaces> until_;
 };
 
-class UniformSky final : public Source {
+class UniformSky final : public SourceModel {
   public:
     UniformSky(std::string name, std::vector<double> horizontal_irradiance)
-        : Source(std::move(name), std::move(horizontal_irradiance), kSkyTraits, 1) {}
+        : SourceModel(std::move(name), std::move(horizontal_irradiance), kSkyTraits, 1) {}
 
     [[nodiscard]] ModelParameters parameters() const override { return {"uniform_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/vec3.h"
+#include "light/models/source.h"
 #include "results/bounds/organ_reader.h"
 #include "transport/prepared_scene.h"
 
@@ -20,7 +21,8 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 double most_facing(const Source& source) {
     double squares = 0;
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
-        const double most = std::max(source.most_irradiance(axis), source.most_irradiance(-axis));
+        const double most = std::max(
+            model_of(source).most_irradiance(axis), model_of(source).most_irradiance(-axis));
         squares += most * most;
     }
     return std::sqrt(squares);
@@ -29,7 +31,7 @@ double most_facing(const Source& source) {
 /// Whether light passes some of the organ, and may meet it again and again.
 bool has_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
-        if (scene.material(scene.regions()[organ.first_region + i]).is_transparent()) {
+        if (data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
             return true;
         }
     }
@@ -40,7 +42,7 @@ bool has_sensor(const Scene& scene, const Organ& organ) {
 double least_absorptance(const Scene& scene, const Organ& organ, std::size_t band) {
     double least = 1;
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
-        const Material& material = scene.material(scene.regions()[organ.first_region + i]);
+        const Material& material = data_of(scene).material(scene.regions()[organ.first_region + i]);
         for (const SurfaceSide side : kSurfaceSides) {
             least = std::min(least, material.side(side).absorptance()[band]);
         }
@@ -51,19 +53,12 @@ double least_absorptance(const Scene& scene, const Organ& organ, std::size_t ban
 }  // namespace
 
 double OrganLimits::of(Quantity quantity, std::size_t band) const {
-    switch (quantity) {
-        case Quantity::incident_upper:
-            return direct_upper[band] + scattered[band];
-        case Quantity::incident_lower:
-            return direct_lower[band] + scattered[band];
-        case Quantity::incident_direct:
-            return direct_upper[band] + direct_lower[band];
-        case Quantity::incident_scattered:
-            return scattered[band];
-        default:  // What is absorbed fell on it.
-            return std::min(
-                emitted[band], direct_upper[band] + direct_lower[band] + scattered[band]);
-    }
+    const LightParts& parts = parts_of(quantity);
+    double most = 0;
+    most += parts.direct && parts.upper ? direct_upper[band] : 0;
+    most += parts.direct && parts.lower ? direct_lower[band] : 0;
+    most += parts.scattered ? scattered[band] : 0;
+    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // what is absorbed fell on it
 }
 
 OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
@@ -112,14 +107,15 @@ LightLimits::LightLimits(
 LightLimits::UnoccludedSides LightLimits::unoccluded_sides(const Organ& organ) const {
     UnoccludedSides sides;
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle triangle = scene_.triangles()[std::size_t{organ.first_triangle} + i];
+        const Triangle triangle =
+            data_of(scene_).triangles()[std::size_t{organ.first_triangle} + i];
         const Vec3 across = 0.5 * area_vector(triangle);
         const double area = length(across);
         const Vec3 normal = area > 0 ? across / area : Vec3{};
         bool is_sunlit = false;
         for (std::size_t s = 0; area > 0 && s < looked_at_.size(); ++s) {
-            const double above = looked_at_[s]->most_irradiance(normal);
-            const double below = looked_at_[s]->most_irradiance(-normal);
+            const double above = model_of(*looked_at_[s]).most_irradiance(normal);
+            const double below = model_of(*looked_at_[s]).most_irradiance(-normal);
             sides.upper[s] += area * above;
             sides.lower[s] += area * below;
             is_sunlit = is_sunlit || (looked_at_[s]->is_sun() && std::max(above, below) > kEdgeOn);

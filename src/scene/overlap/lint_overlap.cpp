@@ -9,6 +9,7 @@
 #include "scene/lint.h"
 #include "scene/overlap/covered.h"
 #include "scene/overlap/overlap_search.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -35,7 +36,7 @@ std::string words_for(const Scene& scene, const Coincidence& pair) {
 
 std::vector<Warning> lint_overlap(const Survey& survey) {
     const Scene& scene = survey.scene;
-    const Coincidences& found = scene.coincidences();
+    const Coincidences& found = *data_of(scene).coincidences;
     if (found.is_left_out) {
         return {
             {"scene",

@@ -15,6 +15,7 @@
 #include "light/models/source.h"
 #include "run/trace_plan.h"
 #include "scene/repeat_bands.h"
+#include "scene/scene.h"
 #include "series/basis/season_errors.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/patch_light.h"
@@ -76,7 +77,7 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
 std::vector<double> albedos_of(const Scene& scene) {
     std::vector<double> albedos;
     for (const Region& region : scene.regions()) {
-        const Material& material = scene.materials()[region.material.value];
+        const Material& material = data_of(scene).materials[region.material.value];
         for (const SurfaceSide side : kSurfaceSides) {
             for (const double albedo : material.side(side).albedo()) {
                 albedos.push_back(material.is_transparent() ? 0 : albedo);
@@ -89,7 +90,7 @@ std::vector<double> albedos_of(const Scene& scene) {
 }  // namespace
 
 SunBeam beam_of(const Source& sun) {
-    const Illumination light = sun.illuminate({0, 0, 0}, 0.5, 0.5);
+    const Illumination light = model_of(sun).illuminate({0, 0, 0}, 0.5, 0.5);
     std::vector<double> facing(sun.spectrum().begin(), sun.spectrum().end());
     for (double& x : facing) {
         x *= light.weight;
@@ -182,7 +183,7 @@ class SeasonBasis::Solving {
                 static_cast<double>(first) / all, static_cast<double>(count) / all)};
         const Scene repeated = with_repeated_bands(scene_, count);
         const Sums sums = simulator_.sums(repeated, sources, spec_, 0, {}, own);
-        basis_.rays_ += count_rays(sums);
+        basis_.rays_ += sums.rays();
         for (std::size_t i = 0; i < count; ++i) {
             *lights_[first + i].to = read_response(sums, i, basis_.layout_);
         }
@@ -206,7 +207,7 @@ SeasonBasis::SeasonBasis(
     const RunSpec& spec,
     const RunControl& control)
     : mesh_(kRings),
-      layout_(common_layout(scene)),
+      layout_(scene.regions().size(), scene.bands().size()),
       replicates_(spec.replicates),
       threads_(thread_count(spec.threads)),
       albedos_(albedos_of(scene)),
@@ -227,7 +228,7 @@ SeasonBasis::SeasonBasis(
     for (LeftOut& left : left_out) {
         if (left.sky) {
             solving.add_sky(
-                {[sky = left.sky](const Vec3& d) { return sky->radiance(d); }, {}, {}},
+                {[sky = left.sky](const Vec3& d) { return model_of(*sky).radiance(d); }, {}, {}},
                 left.of_sky);
         }
         if (left.sun) {
@@ -284,7 +285,7 @@ std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) co
     for (std::size_t i = 0; i < albedos_.size(); ++i) {
         const std::size_t region = i / (2 * bands);
         const SurfaceSide side = kSurfaceSides[i / bands % 2];
-        const std::size_t place = places.of(layout_.direct(region, side, i % bands));
+        const std::size_t place = places.of(layout_.light.direct(region, side, i % bands));
         for (const std::vector<float>& bins : direct.bins) {
             sums[i % bands] += albedos_[i] * static_cast<double>(bins[place]) /
                                static_cast<double>(direct.bins.size());

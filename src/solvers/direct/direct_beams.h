@@ -13,6 +13,7 @@
 #include "solvers/direct/sampling_budget.h"
 #include "solvers/direct/seen_scene.h"
 #include "solvers/light_tracing/light_tracer.h"
+#include "solvers/sampling_strategies.h"
 #include "solvers/solver.h"
 #include "solvers/sum_meaning.h"
 
@@ -30,9 +31,9 @@ class DirectBeams {
         std::uint32_t replicate;
         std::uint32_t number;  ///< of the task
         const VisibilityTask& task;
-        const SumUnits& units;
-        std::size_t kind;     ///< of the light, in units.kinds
-        std::uint64_t block;  ///< of the task
+        const CountedStrategies& counted;
+        std::size_t strategy;  ///< of the light, in `counted`
+        std::uint64_t block;   ///< of the task
     };
     /// A beam and the area across it, through which its light enters; local units squared.
     struct Beam : SurfaceBeam {
@@ -78,7 +79,7 @@ class DirectBeams {
     [[nodiscard]] static Work work_of(
         const std::vector<VisibilityTask>& tasks,
         const Round& round,
-        const SumUnits& units,
+        const CountedStrategies& counted,
         std::uint32_t replicate,
         std::uint64_t block);
 

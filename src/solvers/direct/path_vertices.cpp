@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/scene.h"
 #include "transport/absorbed_light.h"
 #include "transport/start_order.h"
 
@@ -44,11 +45,11 @@ void find_keys(
 }  // namespace
 
 ScatteredShares::ScatteredShares(const PreparedScene& prepared)
-    : materials_(prepared.scene().materials().size()) {
+    : materials_(data_of(prepared.scene()).materials.size()) {
     const std::vector<bool> is_used = used_materials(prepared.scene());
     for (const auto& spectrum : prepared.lights().spectra()) {
         for (std::size_t m = 0; m < materials_; ++m) {
-            const Material& material = prepared.scene().materials()[m];
+            const Material& material = data_of(prepared.scene()).materials[m];
             const bool scatters = is_used[m] && !material.is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 shares_.push_back(scatters ? mean_albedo(material.side(side), spectrum) : 0);
@@ -78,7 +79,7 @@ void DirectLightScore::add_sunlit(std::uint32_t triangle, double along, double a
     if (prepared_.rounding().is_sunlit(triangle, beam_.direction, along)) {
         const double area =
             prepared_.rounding().area_share(triangle) * beam_.light->lit_area / std::abs(along);
-        tally_.add(tally_.layout().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
+        tally_.add(tally_.blocks().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
     }
 }
 
@@ -91,10 +92,10 @@ void DirectLightScore::add_absorbed(std::uint32_t region, double along, double a
 }
 
 void DirectLightScore::add_escaped() {
-    const SumLayout& layout = tally_.layout();
+    const LightBlocks& blocks = tally_.blocks();
     const std::int64_t emitted = to_fixed(beam_.paths);
-    tally_.add(layout.emitted() + beam_.light->spectrum, emitted);
-    tally_.add_signed(layout.escaped_direct() + beam_.light->spectrum, emitted - stopped_);
+    tally_.add(blocks.emitted() + beam_.light->spectrum, emitted);
+    tally_.add_signed(blocks.escaped_direct() + beam_.light->spectrum, emitted - stopped_);
 }
 
 void order_by_place(

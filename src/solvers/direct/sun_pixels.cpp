@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/checks.h"
+#include "light/models/source.h"
 #include "solvers/direct/direct_beams.h"
 #include "transport/sky_directions.h"
 
@@ -75,8 +76,8 @@ SunPixels::View SunPixels::view_of(const BoundSource& light, const Placing& plac
         light, static_cast<std::uint32_t>(placing.point - placing.first), kDiskBeams,
         {place(0), place(1), place(2)});
     const double area = prepared_.projection().entry_box().projected_area(from.direction);
-    const double per_area =
-        light.source->radiance(-from.direction) / (sampler.flux() * from.density * kDiskBeams);
+    const double per_area = model_of(*light.source).radiance(-from.direction) /
+                            (sampler.flux() * from.density * kDiskBeams);
     return {
         light, from.direction, light.probability * per_area * area, light.probability * per_area};
 }

@@ -6,6 +6,7 @@
 
 #include "light/models/hemisphere.h"
 #include "optics/turn.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 
@@ -28,7 +29,7 @@ bool sends_along(const Bsdf& lobe) {
 
 bool has_ground_that_sends_along(const Scene& scene) {
     return std::any_of(scene.regions().begin(), scene.regions().end(), [&](const Region& region) {
-        const auto& lobes = scene.material(region).side(SurfaceSide::upper).lobes();
+        const auto& lobes = data_of(scene).material(region).side(SurfaceSide::upper).lobes();
         return scene.organs()[region.organ.value].is_ground &&
                std::any_of(lobes.begin(), lobes.end(), [](const Lobe& lobe) {
                    return sends_along(*lobe.shape);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "light/models/source.h"
 #include "transport/surface.h"
 
 namespace quasimc {
@@ -111,7 +112,7 @@ double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at)
     double sum = 0;
     for (int i = 0; i < kDraws; ++i) {
         const std::array<double, 4> u = pilot_point(i);
-        const Illumination seen = light.source->illuminate(p, u[0], u[1]);
+        const Illumination seen = model_of(*light.source).illuminate(p, u[0], u[1]);
         sum += seen.weight * std::abs(dot(seen.to_light, normal)) / kDraws;
     }
     return sum;

@@ -6,6 +6,7 @@
 
 #include "base/distribution.h"
 #include "light/models/hemisphere.h"
+#include "light/models/source.h"
 #include "solvers/from_organs/visibility.h"
 
 namespace quasimc {
@@ -92,7 +93,8 @@ Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, d
     const Vec3 to_light = cosine_direction_about(axis, part * u, u1);
     const double sides = above && below ? 2 : 1;
     return {
-        to_light, sides * std::numbers::pi * part * sky.radiance(to_light) / dot(to_light, axis)};
+        to_light,
+        sides * std::numbers::pi * part * model_of(sky).radiance(to_light) / dot(to_light, axis)};
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ LightSample NextEvent::sample_light(
     const Illumination seen =
         view.least_cosine > 0 && light.is_extended()
             ? sky_within(*light.source, view, picked.u, u1)
-            : light.source->illuminate(prepared_.caster().mesh().to_world(place), picked.u, u1);
+            : model_of(*light.source)
+                  .illuminate(prepared_.caster().mesh().to_world(place), picked.u, u1);
     const double rarer = light.probability / picked.probability;
     return {
         &light, seen.to_light, seen.weight * scale_of(light) * rarer,
@@ -153,8 +156,9 @@ std::uint64_t NextEvent::add_light(
 
 void NextEvent::add_sky(const Vec3& to_light, GatherScratch& path) const {
     for (const BoundSource& light : prepared_.lights()) {
-        const double radiance =
-            light.is_extended() ? light.source->radiance(to_light) * light.probability : 0;
+        const double radiance = light.is_extended()
+                                    ? model_of(*light.source).radiance(to_light) * light.probability
+                                    : 0;
         for (std::size_t b = 0; radiance > 0 && b < path.weights.size(); ++b) {
             path.gathered[b] +=
                 path.weights[b] * light.start_weights[b] * radiance * scale_of(light);

@@ -6,11 +6,12 @@
 
 #include "base/checks.h"
 #include "base/distribution.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 
 OrganPoints::OrganPoints(const PreparedScene& prepared)
-    : prepared_(prepared), areas_(prepared.scene().organ_areas()) {
+    : prepared_(prepared), areas_(organ_areas(prepared.scene())) {
     if (!prepared.caster().has_own_numbers()) {
         list_images();
     }
@@ -19,7 +20,7 @@ OrganPoints::OrganPoints(const PreparedScene& prepared)
 void OrganPoints::list_images() {
     const RayCaster& caster = prepared_.caster();
     const std::uint32_t n = caster.mesh().triangle_count();
-    first_image_.assign(prepared_.scene().triangles().size() + 1, 0);
+    first_image_.assign(prepared_.scene().triangle_count() + 1, 0);
     for (std::uint32_t i = 0; i < n; ++i) {
         ++first_image_[caster.source(i) + 1];
     }
@@ -59,8 +60,8 @@ Vec3 OrganPoints::across(std::uint32_t scene_triangle, std::uint32_t mesh_triang
     constexpr double kLeast = 1e-5;
     const LocalMesh& mesh = prepared_.caster().mesh();
     const Vec3 rounded = mesh.exact_across(mesh_triangle);
-    const Vec3 given =
-        mesh.scale * mesh.scale * area_vector(prepared_.scene().triangles()[scene_triangle]);
+    const Vec3 given = mesh.scale * mesh.scale *
+                       area_vector(data_of(prepared_.scene()).triangles()[scene_triangle]);
     const Vec3 off = given - rounded;
     const bool is_turned = dot(off, off) > kLeast * kLeast * dot(given, given);
     return is_turned && dot(given, given) > 0 ? given : rounded;

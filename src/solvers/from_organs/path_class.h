@@ -19,9 +19,9 @@ enum class PathClass {
     /// Light has gone further than the shortest connection from its last light vertex, and on by a
     /// broad lobe. Points of connected regions sample it, all of it.
     connected,
-    /// Light was scattered first by a sharp lobe, or in the near field, and on by a lobe or over a
-    /// distance for which no connection stands. Light subpaths alone sample it: it counts
-    /// everywhere.
+    /// Light was scattered first by a sharp lobe, or in the near field where no region is
+    /// connected, or left a light vertex or a connected surface by a sharp lobe. Points do not
+    /// sample it: it counts everywhere.
     sampled_from_source,
 };
 

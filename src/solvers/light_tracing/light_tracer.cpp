@@ -12,6 +12,7 @@
 
 #include "base/checks.h"
 #include "base/stop.h"
+#include "scene/scene.h"
 #include "solvers/block_runner.h"
 #include "transport/absorbed_light.h"
 #include "transport/scatter.h"
@@ -53,7 +54,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
         only_beams_ = only_beams_ && beams_.back().has_value();
     }
     for (const std::vector<double>& spectrum : brightest_paths()) {
-        for (const Material& material : prepared_.scene().materials()) {
+        for (const Material& material : data_of(prepared_.scene()).materials) {
             for (const SurfaceSide side : kSurfaceSides) {
                 survival_.push_back(survival(spectrum, material, side));
             }
@@ -95,7 +96,7 @@ void LightTracer::trace(
         rays += beams_[group.source] ? trace_packet(points, group, scratch, tally)
                                      : trace_single(points, group, scratch, tally);
     }
-    tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+    tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
 }
 
 /// By spectrum, the start weights of a path that counts most.
@@ -179,7 +180,7 @@ std::uint64_t LightTracer::trace_single(
             continue;  // to where the lamp doesn't shine
         }
         emission.weight *= weight;
-        tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
+        tally.add(tally.blocks().emitted() + light.spectrum, to_fixed(emission.weight));
         const CastHit at = cast_from_source(prepared_, light, emission);
         rays += 1 + trace_particle(
                         block.rules, {&light, point, emission.direction, emission.weight}, at,
@@ -211,7 +212,7 @@ std::uint64_t LightTracer::trace_packet(
     std::array<RayEnd, kPacket> ends;
     prepared_.caster().cast(packet, n, ends);
     tally.add(
-        tally.layout().emitted() + light.spectrum,
+        tally.blocks().emitted() + light.spectrum,
         static_cast<std::int64_t>(n) * to_fixed(shares_.weight(group.source)));
     return n + shade(block, group, packet, ends, scratch, tally);
 }
@@ -225,9 +226,10 @@ std::uint64_t LightTracer::shade(
     const std::array<RayEnd, kPacket>& ends,
     Scratch& scratch,
     Tally& tally) const {
-    const SumLayout& layout = tally.layout();
+    const LightBlocks& blocks = tally.blocks();
     const BoundSource& light = prepared_.lights()[group.source];
-    const double* survival = &survival_[2 * light.spectrum * prepared_.scene().materials().size()];
+    const double* survival =
+        &survival_[2 * light.spectrum * data_of(prepared_.scene()).materials.size()];
     const Facing facing = facing_of(packet);
     Particle path{&light, 0, *beams_[group.source], shares_.weight(group.source)};
     std::uint64_t rays = 0;
@@ -248,8 +250,8 @@ std::uint64_t LightTracer::shade(
                 is_sunlit ? prepared_.rounding().area_share(packet.triangle[lane]) : 0;
             if (prepared_.fields_of_view().contain(primitive.region, cosine)) {
                 tally.add_two(
-                    primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),
-                    layout.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
+                    primitive.region, blocks.direct(0, side, light.spectrum), to_fixed(share),
+                    blocks.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
                 score_absorbed(
                     prepared_,
                     {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},
@@ -257,7 +259,7 @@ std::uint64_t LightTracer::shade(
             }
             if (share != path.weight && !prepared_.material(primitive.region).is_transparent()) {
                 tally.add_signed(
-                    layout.escaped_direct() + light.spectrum,
+                    blocks.escaped_direct() + light.spectrum,
                     to_fixed(path.weight) - to_fixed(share));
             }
             if (scratch.u2[group.points[lane]] >=

@@ -41,7 +41,7 @@ std::string gigabytes(double bytes) {
 double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches) {
     constexpr double kBytesOfTriangle = 270;
     return bytes_of_patch_light(patches, scene.bands().size()) * replicates_at_work(spec) +
-           kBytesOfTriangle * static_cast<double>(scene.triangles().size());
+           kBytesOfTriangle * static_cast<double>(scene.triangle_count());
 }
 
 std::vector<Warning> lint_bundle_memory(
@@ -62,7 +62,7 @@ void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults
     constexpr double kMinPatchesOfTriangle = 4;
     const double patches = std::max(
         patches_for(spec.paths),
-        kMinPatchesOfTriangle * static_cast<double>(scene.triangles().size()));
+        kMinPatchesOfTriangle * static_cast<double>(scene.triangle_count()));
     const double bytes = bytes_of_bundles(scene, spec, patches);
     const double all = bytes_of_machine();
     if (bytes > all) {

@@ -89,7 +89,7 @@ class DirectDeposit {
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         for (std::uint64_t block = 0; block < blocks; ++block) {
             const Work work =
-                DirectBeams::work_of(tasks, task_.round, task_.units, task_.replicate, block);
+                DirectBeams::work_of(tasks, task_.round, task_.counted, task_.replicate, block);
             work.task.is_sky ? deposit_skies(work) : deposit_strip(work);
         }
         const TracedLights& traced = beams_.traced();
@@ -252,15 +252,15 @@ class DirectDeposit {
                 rays += trace_path(source, start, lit[pick.index]);
             }
         }
-        tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
+        tally_.add(tally_.blocks().rays(), static_cast<std::int64_t>(rays));
     }
 
     /// @returns the rays cast
     std::uint64_t trace_path(
         const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         const RayCaster& caster = prepared_.caster();
-        tally_.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
+        tally_.add(blocks.emitted() + source.spectrum, to_fixed(start.weight));
         CastHit at = source.source->is_lamp()
                          ? caster.cast_from_lamp(start.origin, start.direction)
                          : caster.cast(start.origin, start.direction, kNoTriangle);
@@ -271,19 +271,19 @@ class DirectDeposit {
                 start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
             if (prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
                 tally_.add(
-                    layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
+                    blocks.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
                 const bool is_sunlit = source.lit_area > 0 && surface.cosine > 0 &&
                                        prepared_.rounding().is_sunlit(
                                            surface.triangle, start.direction, surface.cosine);
                 const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
                 tally_.add(
-                    layout.sunlit(surface.region),
+                    blocks.sunlit(surface.region),
                     to_fixed(
                         start.weight * prepared_.rounding().area_share(surface.triangle) * area));
             }
             if (!prepared_.material(surface.region).is_transparent()) {
                 tally_.add_signed(
-                    layout.escaped_direct() + source.spectrum,
+                    blocks.escaped_direct() + source.spectrum,
                     to_fixed(start.weight) - to_fixed(amount));
                 const std::uint32_t triangle = patches_.representative(surface.triangle);
                 add_to(
@@ -294,11 +294,11 @@ class DirectDeposit {
             at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
         }
         if (at.end == RayEnd::escaped) {
-            tally_.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
+            tally_.add(blocks.escaped_direct() + source.spectrum, to_fixed(start.weight));
             return rays;
         }
-        for (std::size_t b = 0; b < layout.bands; ++b) {
-            tally_.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+        for (std::size_t b = 0; b < prepared_.bands(); ++b) {
+            tally_.add(blocks.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
         }
         return rays;
     }

@@ -30,7 +30,7 @@ Edge edge_of(const Vec3& a, const Vec3& b) {
 bool is_closed(const Scene& scene, const Organ& organ) {
     std::map<Edge, int> open;
     for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle t = scene.triangles()[organ.first_triangle + i];
+        const Triangle t = data_of(scene).triangles()[organ.first_triangle + i];
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& a = t[k];
             const Vec3& b = t[(k + 1) % 3];
@@ -55,7 +55,7 @@ class Shape {
     /// @param patch  the area that patches have
     Shape(const Scene& scene, const Organ& organ, double patch) : area_(organ.area) {
         for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-            const Triangle t = scene.triangles()[organ.first_triangle + i];
+            const Triangle t = data_of(scene).triangles()[organ.first_triangle + i];
             bounds_.include(bounds_of(t));
             normals_ += 0.5 * area_vector(t);
             const double own = area(t);

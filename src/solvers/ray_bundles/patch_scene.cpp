@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "quasimc/error.h"
+#include "scene/scene.h"
 #include "solvers/ray_bundles/patch_size.h"
 
 namespace quasimc {
@@ -126,7 +127,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
       region_areas(scene.scene().regions().size()),
       parents(parents_of(patches)) {
     const std::size_t bands = prepared.bands();
-    for (const Material& material : prepared.scene().materials()) {
+    for (const Material& material : data_of(prepared.scene()).materials) {
         for (const SurfaceSide side : kSurfaceSides) {
             optics.push_back(
                 material.is_transparent()

@@ -37,7 +37,7 @@ bool is_matt(const Material& material) {
 bool is_matt(const Scene& scene) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
-        if (is_used[m] && !is_matt(scene.materials()[m])) {
+        if (is_used[m] && !is_matt(data_of(scene).materials[m])) {
             return false;
         }
     }
@@ -46,7 +46,7 @@ bool is_matt(const Scene& scene) {
 
 bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool has_sun) {
     const auto organs = static_cast<double>(scene.organs().size());
-    const auto triangles = static_cast<double>(scene.triangles().size());
+    const auto triangles = static_cast<double>(scene.triangle_count());
     const auto paths = static_cast<double>(spec.paths);
     const auto has_good_patches = [&] {
         const PatchSize size = patch_size(scene, patches_for(spec.paths));

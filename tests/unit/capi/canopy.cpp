@@ -65,12 +65,12 @@ SceneHandle lit_soil() {
     int failed = 0;
     failed |= quasimc_scene_add_band(scene.get(), "PAR", nullptr);
     failed |= quasimc_scene_add_band(scene.get(), "NIR", "W m-2");
-    failed |= quasimc_scene_add_material(scene.get(), "leaf", leaf_rho, leaf_tau, 2);
-    failed |= quasimc_scene_add_material(scene.get(), "soil", soil_rho, nullptr, 2);
+    failed |= quasimc_scene_add_material(scene.get(), "leaf", leaf_rho, leaf_tau);
+    failed |= quasimc_scene_add_material(scene.get(), "soil", soil_rho, nullptr);
     failed |= quasimc_scene_set_ground(scene.get(), "soil", 0);
     failed |= quasimc_scene_set_cell(scene.get(), 0, 1, 0, 1);
-    failed |= quasimc_scene_add_sun(scene.get(), 135, 50, sun, 2);
-    failed |= quasimc_scene_add_sky(scene.get(), "cie_overcast", sky, 2);
+    failed |= quasimc_scene_add_sun(scene.get(), 135, 50, sun);
+    failed |= quasimc_scene_add_sky(scene.get(), "cie_overcast", sky);
     failed |= quasimc_scene_set_option(scene.get(), "paths", "512");
     failed |= quasimc_scene_set_option(scene.get(), "method", "first_hits");
     failed |= quasimc_scene_set_option(scene.get(), "seed", "5");

@@ -55,12 +55,12 @@ TEST(CGrowth, TakesTheLightAndOptionsThatTheSceneHasThen) {
     const SceneHandle scene = small_canopy(1);
     const GrowthHandle growth = new_growth(*scene);
     const auto before = column(*step(*growth), "absorbed_flux", "PAR");
-    ASSERT_EQ(quasimc_scene_clear_sources(scene.get()), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_SOURCES), QUASIMC_DONE);
     const double bright[] = {4000, 4000};
-    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "uniform", bright, 2), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "uniform", bright), QUASIMC_DONE);
     EXPECT_GT(column(*step(*growth), "absorbed_flux", "PAR")[0], 2 * before[0]);
     const double black[] = {0, 0};
-    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "ink", black, black, 2), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "ink", black, black), QUASIMC_DONE);
     EXPECT_EQ(quasimc_growth_update_scene(growth.get()), QUASIMC_DONE) << quasimc_last_error();
     EXPECT_TRUE(step(*growth));
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -23,7 +24,7 @@ TEST(CMisuse, NullIsRefused) {
     const SceneHandle scene = new_scene();
     EXPECT_EQ(quasimc_scene_add_band(scene.get(), nullptr, nullptr), QUASIMC_MISUSE);
     EXPECT_STREQ(quasimc_last_error(), "name is NULL");
-    EXPECT_EQ(quasimc_scene_add_sun(scene.get(), 0, 90, nullptr, 1), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_scene_add_sun(scene.get(), 0, 90, nullptr), QUASIMC_MISUSE);
     EXPECT_EQ(
         quasimc_scene_add_mesh(scene.get(), nullptr, 3, nullptr, 1, nullptr, "leaf", nullptr),
         QUASIMC_MISUSE);
@@ -52,6 +53,10 @@ TEST(CMisuse, WhatIsNotThereIsRefused) {
     EXPECT_EQ(get("absorbed_flux", "PAR", "median", 2), QUASIMC_MISUSE);
     EXPECT_EQ(get("greenness", "PAR", "mean", 2), QUASIMC_MISUSE);
     EXPECT_EQ(get("R:FR", nullptr, "mean", 2), QUASIMC_MISUSE);
+    double estimate[4];
+    EXPECT_EQ(
+        quasimc_result_get_organ(result.get(), 7, "absorbed_flux", "PAR", estimate),
+        QUASIMC_MISUSE);
     double number = 0;
     EXPECT_EQ(quasimc_result_get_number(result.get(), "luck", &number), QUASIMC_MISUSE);
     EXPECT_EQ(quasimc_result_text(result.get(), "poem"), nullptr);
@@ -61,20 +66,8 @@ TEST(CMisuse, WhatIsNotThereIsRefused) {
 TEST(CMisuse, CountsThatCannotBeAreRefused) {
     const SceneHandle scene = small_canopy(1);
     const auto before = column(*run(*scene), "absorbed_flux", "PAR");
-    const double numbers[] = {0.1, 0.2};
     for (const std::int64_t count : {std::int64_t{-1}, std::int64_t{0}, INT64_MIN, INT64_MAX}) {
         quasimc_scene* s = scene.get();
-        const std::array status{
-            quasimc_scene_add_material(s, "x", numbers, nullptr, count),
-            quasimc_scene_add_material(s, "x", nullptr, numbers, count),
-            quasimc_scene_add_directional(s, 0, 0, -1, numbers, count),
-            quasimc_scene_add_sun(s, 0, 50, numbers, count),
-            quasimc_scene_add_sun_at(s, "2024-06-21T12:00:00Z", numbers, count),
-            quasimc_scene_add_sky(s, "uniform", numbers, count),
-            quasimc_scene_add_point_lamp(s, 0, 0, 9, numbers, count)};
-        for (const int one : status) {
-            EXPECT_EQ(one, QUASIMC_MISUSE) << count;
-        }
         const SquareLeaf leaf = square_leaf(2);
         const auto add = [&](std::int64_t vertices, std::int64_t faces) {
             return quasimc_scene_add_mesh(
@@ -92,8 +85,32 @@ TEST(CMisuse, CountsThatCannotBeAreRefused) {
             quasimc_result_get_groups(result.get(), "absorbed_flux", "PAR", "mean", values, count),
             QUASIMC_MISUSE);
     }
-    EXPECT_EQ(quasimc_scene_add_material(scene.get(), "x", nullptr, nullptr, 2), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_scene_add_material(scene.get(), "x", nullptr, nullptr), QUASIMC_MISUSE);
     EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+}
+
+TEST(CMisuse, NumbersOfBandsAreRefusedWhereThereAreNone) {
+    const SceneHandle scene = new_scene();
+    quasimc_scene* s = scene.get();
+    const double numbers[] = {0.1, 0.2};
+    const auto refuse_all = [&] {
+        const std::array status{
+            quasimc_scene_add_material(s, "x", numbers, nullptr),
+            quasimc_scene_add_material(s, "x", nullptr, numbers),
+            quasimc_scene_add_directional(s, 0, 0, -1, numbers),
+            quasimc_scene_add_sun(s, 0, 50, numbers),
+            quasimc_scene_add_sun_at(s, "2024-06-21T12:00:00Z", numbers),
+            quasimc_scene_add_sky(s, "uniform", numbers),
+            quasimc_scene_add_point_lamp(s, 0, 0, 9, numbers)};
+        return std::ranges::all_of(status, [](int one) { return one == QUASIMC_MISUSE; });
+    };
+    EXPECT_TRUE(refuse_all());
+    EXPECT_EQ(quasimc_scene_state(s, "bands = ['PAR']"), QUASIMC_DONE);
+    EXPECT_EQ(quasimc_scene_add_sky(s, "uniform", numbers), QUASIMC_DONE);
+    EXPECT_EQ(quasimc_scene_clear(s, QUASIMC_BANDS), QUASIMC_DONE);
+    EXPECT_TRUE(refuse_all());
+    EXPECT_EQ(quasimc_scene_clear(s, QUASIMC_OTHER + 1), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_scene_clear(s, -1), QUASIMC_MISUSE);
 }
 
 TEST(CMisuse, AMissingFileIsAnInputError) {

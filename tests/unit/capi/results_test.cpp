@@ -52,6 +52,10 @@ TEST(CResults, TotalsAndGroupsAreSumsOfOrgans) {
     const ResultHandle result = run(*scene);
     ASSERT_TRUE(result);
     const auto light = column(*result, "absorbed_flux", "PAR");
+    double second[4];
+    ASSERT_EQ(
+        quasimc_result_get_organ(result.get(), 2, "absorbed_flux", "PAR", second), QUASIMC_DONE);
+    EXPECT_EQ(second[0], light[1]);
     double total[4];
     ASSERT_EQ(quasimc_result_get_total(result.get(), "absorbed_flux", "PAR", total), QUASIMC_DONE);
     EXPECT_NEAR(total[0], light[0] + light[1] + light[2] + light[3], 1e-9 * total[0]);

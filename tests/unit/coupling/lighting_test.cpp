@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling_testing.h"
+#include "light/models/source.h"
 
 namespace quasimc::test {
 namespace {
@@ -78,7 +79,7 @@ TEST(Lighting, OfASkyFileStandsWhereTheFileSays) {
     EXPECT_GT(from.y, 0);
     const auto& sky = *light.sources.front().front();
     const auto radiance = [&](const Vec3& to) {
-        return sky.radiance(normalized(plant_orientation().inward(to)));
+        return model_of(sky).radiance(normalized(plant_orientation().inward(to)));
     };
     EXPECT_GT(radiance({1, 1, 1}), 0);
     EXPECT_EQ(radiance({1, 1, -1}), 0);

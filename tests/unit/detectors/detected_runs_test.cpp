@@ -31,6 +31,7 @@ const DetectorSpec kNineRings{.type = "escaped_by_zenith"};
 
 RunSpec short_spec() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.replicates = 4;
     return spec;
@@ -96,7 +97,9 @@ TEST(DetectedRuns, AreNeverPlannedFromTheOrgans) {
 
 TEST(DetectedRuns, HaveADigestOfTheirOwn) {
     const auto digest = [](std::vector<DetectorSpec> detectors) {
-        return Simulator().sums(plate(std::move(detectors)), {sky({1, 1})}, short_spec(), 0).digest;
+        return Simulator()
+            .sums(plate(std::move(detectors)), {sky({1, 1})}, short_spec(), 0)
+            .digest();
     };
     DetectorSpec twelve = kNineRings;
     twelve.parameters["rings"] = 12;

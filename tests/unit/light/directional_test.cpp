@@ -40,7 +40,7 @@ std::vector<Triangle> make_floor() {
 
 /// Flux into the scene in square units of the world, 0 if there is none.
 double world_flux(const Source& source, const MeshAperture& opening) {
-    const auto sampler = source.make_sampler_in(opening.projection);
+    const auto sampler = model_of(source).make_sampler_in(opening.projection);
     return sampler ? sampler->flux() * opening.projection.world_area() : 0;
 }
 
@@ -69,14 +69,15 @@ TEST(Directional, SendsTheLightOfOneCellIntoAPeriodicScene) {
 TEST(Directional, SendsNothingIntoAFloorSeenEdgeOn) {
     const Cell cell{.along_x = true, .along_y = true, .size_x = 3, .size_y = 5};
     const auto source = make_directional_source("horizontal", {1, 0, 0}, {1});
-    EXPECT_EQ(source->make_sampler_in(MeshAperture(make_floor()).projection), nullptr);
-    EXPECT_EQ(source->make_sampler_in(MeshAperture(make_floor(), cell).projection), nullptr);
+    EXPECT_EQ(model_of(*source).make_sampler_in(MeshAperture(make_floor()).projection), nullptr);
+    EXPECT_EQ(
+        model_of(*source).make_sampler_in(MeshAperture(make_floor(), cell).projection), nullptr);
 }
 
 TEST(Directional, StartsAllPathsAlikeOutsideTheScene) {
     const auto source = make_directional_source("sun", 3.0 * slanted(), {1});
     const MeshAperture opening(make_floor());
-    const auto sampler = source->make_sampler_in(opening.projection);
+    const auto sampler = model_of(*source).make_sampler_in(opening.projection);
     ASSERT_TRUE(sampler->beam_direction());
     EXPECT_LT(length(*sampler->beam_direction() - slanted()), 1e-15);
     std::mt19937_64 bits(1);
@@ -94,7 +95,7 @@ TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
     for (const CrossSectionShape shape :
          {CrossSectionShape::silhouette, CrossSectionShape::sphere}) {
         const MeshAperture opening(make_floor(), kOpen, shape);
-        const auto sampler = source->make_sampler_in(opening.projection);
+        const auto sampler = model_of(*source).make_sampler_in(opening.projection);
         constexpr std::array<double, 5> kU0{0, .1, .5, .7, .999999};
         constexpr std::array<double, 5> kU1{.9, 0, .5, .999999, .2};
         std::array<Vec3, 5> origins;
@@ -109,7 +110,7 @@ TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
 TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
     const auto source = make_directional_source("sun", slanted(), {1});
     const MeshAperture opening(make_floor());
-    const auto sampler = source->make_sampler_in(opening.projection);
+    const auto sampler = model_of(*source).make_sampler_in(opening.projection);
     std::mt19937_64 bits(2);
     std::uniform_real_distribution<double> uniform;
     std::vector<double> x;
@@ -131,13 +132,13 @@ TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
 TEST(Directional, IlluminatesEveryPointFromOneDirection) {
     const auto source = make_directional_source("sun", slanted(), {2, 3});
     for (const double u : {0.0, .3, .999}) {
-        const Illumination seen = source->illuminate({u, 1, -u}, u, 1 - u);
+        const Illumination seen = model_of(*source).illuminate({u, 1, -u}, u, 1 - u);
         EXPECT_LT(length(seen.to_light + slanted()), 1e-15);
         EXPECT_EQ(seen.weight, 1);
         EXPECT_TRUE(std::isinf(seen.distance));
     }
     EXPECT_EQ(source->traits(), kBeamTraits);
-    EXPECT_EQ(source->radiance(-slanted()), 0);
+    EXPECT_EQ(model_of(*source).radiance(-slanted()), 0);
     EXPECT_NEAR(source->horizontal_irradiance(), -slanted().z, 1e-15);
     EXPECT_EQ(source->spectrum()[1], 3);
 }
@@ -147,7 +148,8 @@ TEST(Directional, FromBelowTheHorizonBringsNothingToTheUpperSideOfTheHorizontal)
     EXPECT_EQ(source->horizontal_irradiance(), 0);
     const MeshAperture opening(make_floor());
     EXPECT_NEAR(world_flux(*source, opening), 2 * .8, 2e-5);
-    EXPECT_LT(source->make_sampler_in(opening.projection)->emit({.5, .5, 0, 0}).origin.z, 0);
+    EXPECT_LT(
+        model_of(*source).make_sampler_in(opening.projection)->emit({.5, .5, 0, 0}).origin.z, 0);
 }
 
 }  // namespace

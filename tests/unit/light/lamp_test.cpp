@@ -43,7 +43,8 @@ double irradiance(const Source& lamp, const Vec3& place, const Vec3& n) {
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
         for (int j = 0; j < kSide; ++j) {
-            const Illumination seen = lamp.illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
+            const Illumination seen =
+                model_of(lamp).illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
             sum += seen.weight > 0 ? seen.weight * std::max(0.0, dot(seen.to_light, n)) : 0;
         }
     }
@@ -54,7 +55,7 @@ TEST(Lamp, FollowsTheInverseSquareLaw) {
     const auto lamp = make_lamp(lamp_of({}, isotropic_pattern()));
     for (const double distance : {.01, 1.0, 300.0}) {
         const Vec3 n = normalized({1, 2, 2});
-        const Illumination seen = lamp->illuminate(-distance * n, .3, .7);
+        const Illumination seen = model_of(*lamp).illuminate(-distance * n, .3, .7);
         EXPECT_NEAR(seen.weight, 1 / (4 * pi * distance * distance), 1e-9 * seen.weight);
         EXPECT_NEAR(seen.distance, distance, 1e-12 * distance);
         EXPECT_LT(length(seen.to_light - n), 1e-12);
@@ -71,7 +72,7 @@ TEST(Lamp, ThatShinesTo90DegreesShinesNorthIfItIsAlongEast) {
     spec.axes = lamp_axes({0, 0, -1}, {1, 0, 0});
     const auto lamp = make_lamp(spec);
     const auto intensity = [&](const Vec3& place) {
-        return lamp->illuminate(place, .5, .5).weight;
+        return model_of(*lamp).illuminate(place, .5, .5).weight;
     };
     const double east = intensity({1, 0, 0});
     EXPECT_NEAR(intensity({0, 1, 0}) / east, 3, 1e-9);
@@ -111,7 +112,8 @@ TEST(Lamp, ARectangleHasNoBrightSpecksNearIt) {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 10000; ++i) {
         const Vec3 place{uniform(bits) - .5, .5 * uniform(bits) - .25, -1e-3};
-        const double weight = lamp->illuminate(place, uniform(bits), uniform(bits)).weight;
+        const double weight =
+            model_of(*lamp).illuminate(place, uniform(bits), uniform(bits)).weight;
         EXPECT_LE(weight, 2 / 1.2 * 1.001) << "half of the sphere, of radiance M / pi";
     }
 }
@@ -143,7 +145,7 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
     const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});
     const LocalMesh mesh = make_local_mesh(triangles);
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
-    const auto sampler = lamp->make_sampler_in(projection);
+    const auto sampler = model_of(*lamp).make_sampler_in(projection);
     ASSERT_NE(sampler, nullptr);
     std::mt19937_64 bits(7);
     std::uniform_real_distribution<double> uniform;
@@ -168,7 +170,7 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
     constexpr int kPlaces = 400000;
     for (int i = 0; i < kPlaces; ++i) {
         const Vec3 place{2 * uniform(bits) - 1, 1.5 * uniform(bits) - .5, -1};
-        const Illumination light = lamp->illuminate(place, uniform(bits), uniform(bits));
+        const Illumination light = model_of(*lamp).illuminate(place, uniform(bits), uniform(bits));
         seen += light.weight * std::max(0.0, light.to_light.z) * 3 / kPlaces;
     }
     EXPECT_NEAR(flux, seen, .02 * seen);
@@ -194,7 +196,7 @@ TEST(Lamp, FarAwayAimsAtTheScene) {
     spec.position = {0, 0, 1000};
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
-    const auto sampler = make_lamp(spec)->make_sampler_in(projection);
+    const auto sampler = model_of(*make_lamp(spec)).make_sampler_in(projection);
     // The cone of the bounding sphere, of radius sqrt(1/2).
     EXPECT_NEAR(sampler->flux() * projection.world_area(), .5 / (4 * 1e6), 1e-9);
     for (const double u : {0.0, .1, .3, .45}) {
@@ -209,16 +211,16 @@ TEST(Lamp, ThatShinesAwayFromTheSceneSendsNothing) {
     spec.axes = lamp_axes({0, 0, 1}, {1, 0, 0});
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
     const SceneProjection open(mesh, {}, CrossSectionShape::silhouette);
-    EXPECT_EQ(make_lamp(spec)->make_sampler_in(open), nullptr);
+    EXPECT_EQ(model_of(*make_lamp(spec)).make_sampler_in(open), nullptr);
     const Cell cell{.along_x = true, .along_y = true, .size_x = 1, .size_y = 1};
     const SceneProjection layer(mesh, cell, CrossSectionShape::silhouette);
-    EXPECT_EQ(make_lamp(spec)->make_sampler_in(layer), nullptr);
+    EXPECT_EQ(model_of(*make_lamp(spec)).make_sampler_in(layer), nullptr);
 }
 
 TEST(Lamp, IsNoSky) {
     const auto lamp = make_lamp(disk());
     EXPECT_EQ(lamp->traits(), kLampTraits);
-    EXPECT_EQ(lamp->radiance({0, 0, 1}), 0);
+    EXPECT_EQ(model_of(*lamp).radiance({0, 0, 1}), 0);
     EXPECT_TRUE(std::isnan(lamp->horizontal_irradiance()));
 }
 

@@ -27,7 +27,7 @@ double on_the_horizontal(const Sources& sources, std::size_t band) {
 double radiance(const Sources& sources, const Vec3& towards, std::size_t band) {
     double sum = 0;
     for (const auto& source : sources) {
-        sum += source->spectrum()[band] * source->radiance(towards);
+        sum += source->spectrum()[band] * model_of(*source).radiance(towards);
     }
     return sum;
 }
@@ -58,7 +58,7 @@ void expect_sum(const Sources& sources, const std::vector<Spectrum>& spectra) {
             double expected = 0;
             for (std::size_t i = 0; i < shapes.size(); ++i) {
                 const auto sky = make_sky("one", shapes[i], Spectrum(spectra[0].size(), 1));
-                expected += spectra[i][b] * sky->radiance(towards);
+                expected += spectra[i][b] * model_of(*sky).radiance(towards);
             }
             // The table's cells are 7.5 degrees wide.
             EXPECT_NEAR(radiance(sources, towards, b), expected, .12 * expected) << b;
@@ -102,7 +102,7 @@ TEST(PeriodLight, KeepsEverySun) {
     EXPECT_EQ(suns(sources), 2U);
     EXPECT_NEAR(on_the_horizontal(sources, 0), 150 * kMorning.z, 1e-9);
     EXPECT_NEAR(on_the_horizontal(sources, 1), 75 * kMorning.z, 1e-9);
-    EXPECT_NEAR(dot(sources[0]->illuminate({}, 0, 0).to_light, kMorning), 1, 1e-14);
+    EXPECT_NEAR(dot(model_of(*sources[0]).illuminate({}, 0, 0).to_light, kMorning), 1, 1e-14);
 }
 
 TEST(PeriodLight, OfTheNightIsNothing) {

@@ -22,21 +22,22 @@ TEST(ScaledSource, IsTheSourceWithLessLight) {
     EXPECT_EQ(half->spectrum()[1], 2);
     EXPECT_EQ(half->traits(), kLampTraits);
     EXPECT_EQ(
-        half->illuminate({1, 0, 0}, .1, .2).weight, whole->illuminate({1, 0, 0}, .1, .2).weight);
+        model_of(*half).illuminate({1, 0, 0}, .1, .2).weight,
+        model_of(*whole).illuminate({1, 0, 0}, .1, .2).weight);
     EXPECT_EQ(make_dimmed(whole, 1), whole);
     const auto sun = make_dimmed(make_directional_source("sun", {0, 0, -1}, {2}), 3);
     EXPECT_EQ(sun->spectrum()[0], 6);
     EXPECT_EQ(sun->traits(), kBeamTraits);
     EXPECT_EQ(sun->horizontal_irradiance(), 1);
-    EXPECT_EQ(sun->radiance({0, 0, 1}), 0);
+    EXPECT_EQ(model_of(*sun).radiance({0, 0, 1}), 0);
 }
 
 TEST(ScaledSource, SendsNothingWhenOff) {
     const LocalMesh mesh =
         make_local_mesh(std::vector<Triangle>{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}});
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
-    EXPECT_NE(make_dimmed(lamp(), .1)->make_sampler_in(projection), nullptr);
-    EXPECT_EQ(make_dimmed(lamp(), 0)->make_sampler_in(projection), nullptr);
+    EXPECT_NE(model_of(*make_dimmed(lamp(), .1)).make_sampler_in(projection), nullptr);
+    EXPECT_EQ(model_of(*make_dimmed(lamp(), 0)).make_sampler_in(projection), nullptr);
 }
 
 }  // namespace

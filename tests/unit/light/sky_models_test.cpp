@@ -149,13 +149,13 @@ TEST(SkyTables, BringTheSumOfTheirCells) {
 /// since it drew angles evenly; one of equal radiance is the uniform sky.
 TEST(SkyTables, OfEqualValuesAreTheUniformSky) {
     const auto sky = make_sky("table", table_shape({32, 32, std::vector<double>(1024, 7.0)}), {1});
-    EXPECT_NEAR(sky->radiance(sun_at(20)), 1 / pi, 1e-9);
+    EXPECT_NEAR(model_of(*sky).radiance(sun_at(20)), 1 / pi, 1e-9);
     double upper = 0;
     constexpr int kDraws = 100000;
     std::mt19937_64 bits(9);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < kDraws; ++i) {
-        const Illumination seen = sky->illuminate({}, uniform(bits), uniform(bits));
+        const Illumination seen = model_of(*sky).illuminate({}, uniform(bits), uniform(bits));
         upper += seen.to_light.z > .5 ? 1 : 0;
     }
     EXPECT_TRUE(agrees(measured_fraction(upper, kDraws, .5), .5, .01));
@@ -177,8 +177,9 @@ TEST(SkySums, OfOneSkyAreNearlyThatSky) {
     const auto sky = make_sky("sky", cie_clear_shape(sun_at(40)), {1});
     for (const Vec3& n : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, normalized({.3, .4, .5})}) {
         const auto on_plate = [&](const Source& source, const GradedMesh& mesh) {
-            return mesh.integral(
-                [&](const Vec3& d) { return source.radiance(d) * std::max(0.0, dot(d, n)); });
+            return mesh.integral([&](const Vec3& d) {
+                return model_of(source).radiance(d) * std::max(0.0, dot(d, n));
+            });
         };
         const SkyShape shape = table_shape(sum.table());
         EXPECT_NEAR(
@@ -241,17 +242,18 @@ TEST(SunDisk, BringsItsIrradianceToThePlaneThatFacesIt) {
         constexpr int kSide = 300;
         for (int i = 0; i < kSide; ++i) {
             for (int j = 0; j < kSide; ++j) {
-                const Illumination seen = disk->illuminate({}, (i + .5) / kSide, (j + .5) / kSide);
+                const Illumination seen =
+                    model_of(*disk).illuminate({}, (i + .5) / kSide, (j + .5) / kSide);
                 EXPECT_NEAR(
-                    seen.weight * disk->radiance(seen.to_light) * pi * pi,
-                    seen.weight * disk->radiance(to_sun) * pi * pi, 1e-9);
+                    seen.weight * model_of(*disk).radiance(seen.to_light) * pi * pi,
+                    seen.weight * model_of(*disk).radiance(to_sun) * pi * pi, 1e-9);
                 facing += seen.weight * dot(seen.to_light, to_sun);
                 horizontal += seen.weight * seen.to_light.z;
             }
         }
         EXPECT_NEAR(facing / (kSide * kSide), 1, 1e-5) << radius;
         EXPECT_NEAR(horizontal / (kSide * kSide), to_sun.z, 1e-5) << radius;
-        EXPECT_EQ(disk->radiance(-1.0 * to_sun), 0);
+        EXPECT_EQ(model_of(*disk).radiance(-1.0 * to_sun), 0);
         EXPECT_EQ(disk->traits(), kSunDiskTraits);
         EXPECT_NEAR(disk->horizontal_irradiance(), to_sun.z, 1e-9);
     }
@@ -269,7 +271,7 @@ TEST(SunDisk, MayStandOnTheHorizon) {
     constexpr int kSide = 400;
     for (int i = 0; i < kSide * kSide; ++i) {
         const Illumination seen =
-            low->illuminate({}, (i / kSide + .5) / kSide, (i % kSide + .5) / kSide);
+            model_of(*low).illuminate({}, (i / kSide + .5) / kSide, (i % kSide + .5) / kSide);
         above += seen.weight * std::max(0.0, seen.to_light.z) / (kSide * kSide);
     }
     EXPECT_NEAR(low->horizontal_irradiance(), above, 1e-5 * above);
@@ -282,7 +284,8 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
     const LocalMesh mesh = make_local_mesh(triangles);
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
     for (const Vec3& to_sun : {sun_at(60), sun_at(1), Vec3{0, 0, 1}, Vec3{0, 1, 0}}) {
-        const auto sampler = make_sun_disk("sun", to_sun, 3, {1})->make_sampler_in(projection);
+        const auto sampler =
+            model_of(*make_sun_disk("sun", to_sun, 3, {1})).make_sampler_in(projection);
         double mean = 0;
         constexpr int kSide = 300;
         for (int i = 0; i < kSide * kSide; ++i) {
@@ -306,13 +309,15 @@ TEST(SunDisk, DrawsItsDirectionsEvenly) {
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
     constexpr double kRadius = 3 * pi / 180;
     const Vec3 to_sun = sun_at(60);
-    const auto sampler = make_sun_disk("sun", to_sun, 3, {1})->make_sampler_in(projection);
+    const auto sampler =
+        model_of(*make_sun_disk("sun", to_sun, 3, {1})).make_sampler_in(projection);
     const double inside = 1 / (2 * pi * (1 - std::cos(kRadius)));
     EXPECT_NEAR(sampler->density(-to_sun), inside, 1e-9 * inside);
     EXPECT_NEAR(sampler->draw_direction(.999, .2).density, inside, 1e-9 * inside);
     EXPECT_EQ(sampler->density(to_sun), 0);
     EXPECT_EQ(sampler->density(-sun_at(56.9)), 0);
-    const auto beam = make_directional_source("sun", -to_sun, {1})->make_sampler_in(projection);
+    const auto beam =
+        model_of(*make_directional_source("sun", -to_sun, {1})).make_sampler_in(projection);
     EXPECT_EQ(beam->density(-to_sun), 0);  // has none
 }
 

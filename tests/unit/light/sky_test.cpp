@@ -42,7 +42,8 @@ class EverySky : public ::testing::TestWithParam<NamedSky> {
 };
 
 TEST_P(EverySky, BringsTheIrradianceAskedForToTheHorizontal) {
-    const double integral = mesh_.integral([&](const Vec3& d) { return sky_->radiance(d) * d.z; });
+    const double integral =
+        mesh_.integral([&](const Vec3& d) { return model_of(*sky_).radiance(d) * d.z; });
     EXPECT_NEAR(integral, 1, 1e-6);
     EXPECT_EQ(sky_->horizontal_irradiance(), 1);
     EXPECT_EQ(sky_->spectrum()[1], 3);
@@ -51,9 +52,9 @@ TEST_P(EverySky, BringsTheIrradianceAskedForToTheHorizontal) {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 1000; ++i) {
         const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
-        EXPECT_GE(sky_->radiance(d), 0);
-        EXPECT_TRUE(std::isfinite(sky_->radiance(d)));
-        EXPECT_EQ(sky_->radiance({d.x, d.y, -d.z}), 0);
+        EXPECT_GE(model_of(*sky_).radiance(d), 0);
+        EXPECT_TRUE(std::isfinite(model_of(*sky_).radiance(d)));
+        EXPECT_EQ(model_of(*sky_).radiance({d.x, d.y, -d.z}), 0);
     }
 }
 
@@ -62,12 +63,12 @@ TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
     std::uniform_real_distribution<double> uniform;
     std::vector<WeightedDirection> draws;
     for (int i = 0; i < 20000; ++i) {
-        const Illumination seen = sky_->illuminate({}, uniform(bits), uniform(bits));
+        const Illumination seen = model_of(*sky_).illuminate({}, uniform(bits), uniform(bits));
         EXPECT_NEAR(length(seen.to_light), 1, 1e-14);
         draws.push_back({seen.to_light, seen.weight});
     }
     EXPECT_TRUE(follow(
-        draws, [&](const Vec3& d) { return sky_->radiance(d); }, mesh_,
+        draws, [&](const Vec3& d) { return model_of(*sky_).radiance(d); }, mesh_,
         sidak_level(kLevel, kFamily)));
 }
 
@@ -75,9 +76,11 @@ TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
 TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     const LitBox lit;
     const EntryBox& box = lit.projection.entry_box();
-    const auto sampler = sky_->make_sampler_in(lit.projection);
+    const auto sampler = model_of(*sky_).make_sampler_in(lit.projection);
     ASSERT_NE(sampler, nullptr);
-    const auto entering = [&](const Vec3& d) { return sky_->radiance(d) * box.projected_area(d); };
+    const auto entering = [&](const Vec3& d) {
+        return model_of(*sky_).radiance(d) * box.projected_area(d);
+    };
     EXPECT_NEAR(sampler->flux(), mesh_.integral(entering), 1e-6 * sampler->flux());
     std::mt19937_64 bits(7);
     std::uniform_real_distribution<double> uniform;
@@ -134,7 +137,7 @@ double integral_of_density(const SourceSampler& sampler, const SkyShape& shape) 
 
 TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
     const LitBox lit;
-    const auto sampler = sky_->make_sampler_in(lit.projection);
+    const auto sampler = model_of(*sky_).make_sampler_in(lit.projection);
     ASSERT_NE(sampler, nullptr);
     EXPECT_NEAR(integral_of_density(*sampler, shape_), 1, 1e-9);
     std::mt19937_64 bits(17);
@@ -147,8 +150,8 @@ TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
         const DrawnDirection drawn = sampler->draw_direction(u0, u1);
         EXPECT_EQ(length(drawn.direction - d), 0);
         EXPECT_NEAR(drawn.density, sampler->density(d), 1e-12 * drawn.density);
-        const double light =
-            sky_->radiance(-d) * lit.projection.entry_box().projected_area(d) / sampler->flux();
+        const double light = model_of(*sky_).radiance(-d) *
+                             lit.projection.entry_box().projected_area(d) / sampler->flux();
         EXPECT_NEAR(start.weight * sampler->density(d), light, 1e-9 * light);
     }
 }
@@ -162,7 +165,7 @@ TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
     const LitBox lit;
     const SkyShape shape = half_dark_shape();
     const auto sky = make_sky("sky", shape, {1});
-    const auto sampler = sky->make_sampler_in(lit.projection);
+    const auto sampler = model_of(*sky).make_sampler_in(lit.projection);
     std::mt19937_64 bits(18);
     std::uniform_real_distribution<double> uniform;
     int lit_places = 0;
@@ -193,10 +196,10 @@ TEST(Skies, AreIntegratedWhenTheirLightIsAskedFor) {
         {}};
     const auto sky = make_sky("sky", shape, {1});
     EXPECT_EQ(*looks, 1);
-    EXPECT_NEAR(sky->radiance({0, 0, 1}), 1.5 / pi, 1e-7);
+    EXPECT_NEAR(model_of(*sky).radiance({0, 0, 1}), 1.5 / pi, 1e-7);
     EXPECT_GT(*looks, 100);
     const int so_far = *looks;
-    EXPECT_GT(sky->radiance({0, .6, .8}), 0);
+    EXPECT_GT(model_of(*sky).radiance({0, .6, .8}), 0);
     EXPECT_EQ(*looks, so_far + 1);
     const SkyShape black{[](const Vec3&) { return 0.0; }, {}, {}};
     EXPECT_THROW((void)make_sky("black", black, {1}), InputError);
@@ -207,7 +210,7 @@ TEST(Skies, EnterPeriodicScenesThroughTheirOpenFaces) {
     const Cell row{.along_x = true, .size_x = 3};
     for (const auto& sky : sample_of_skies({1})) {
         const LitBox lit(layer);
-        const auto sampler = sky->make_sampler_in(lit.projection);
+        const auto sampler = model_of(*sky).make_sampler_in(lit.projection);
         const double expected = 15 * sky->horizontal_irradiance();
         EXPECT_NEAR(sampler->flux() * lit.projection.world_area(), expected, 1e-6 * expected)
             << sky->name();
@@ -215,7 +218,8 @@ TEST(Skies, EnterPeriodicScenesThroughTheirOpenFaces) {
         EXPECT_EQ(sampler->emit({.1, .2, .3, .4}).origin.z, top);
         const LitBox lit_row(row);
         EXPECT_GT(
-            sky->make_sampler_in(lit_row.projection)->flux() * lit_row.projection.world_area(),
+            model_of(*sky).make_sampler_in(lit_row.projection)->flux() *
+                lit_row.projection.world_area(),
             6 * sky->horizontal_irradiance());
     }
 }
@@ -231,23 +235,25 @@ TEST(Skies, DifferFromOnesThatAreSlightlyBrighterSomewhere) {
     std::uniform_real_distribution<double> uniform;
     std::vector<WeightedDirection> draws;
     for (int i = 0; i < 20000; ++i) {
-        const Illumination seen = sky->illuminate({}, uniform(bits), uniform(bits));
+        const Illumination seen = model_of(*sky).illuminate({}, uniform(bits), uniform(bits));
         draws.push_back({seen.to_light, seen.weight});
     }
-    const auto brighter = [&](const Vec3& d) { return sky->radiance(d) * (d.x > .5 ? 1.15 : 1); };
+    const auto brighter = [&](const Vec3& d) {
+        return model_of(*sky).radiance(d) * (d.x > .5 ? 1.15 : 1);
+    };
     EXPECT_FALSE(follow(draws, brighter, GradedMesh(), kLevel));
 }
 
 /// Irradiance on a plate of normal n.
 double on_plate(const Source& sky, const Vec3& n) {
     return GradedMesh().integral(
-        [&](const Vec3& d) { return sky.radiance(d) * std::max(0.0, dot(d, n)); });
+        [&](const Vec3& d) { return model_of(sky).radiance(d) * std::max(0.0, dot(d, n)); });
 }
 
 TEST(Skies, HaveTheClosedFormsOfTheOvercastSky) {
     const auto sky = make_sky("overcast", cie_overcast_shape(), {1});
     EXPECT_NEAR(horizontal_irradiance(cie_overcast_shape()), 7 * pi / 9, 1e-8);
-    EXPECT_NEAR(sky->radiance({0, 0, 1}), 9 / (7 * pi), 1e-9);
+    EXPECT_NEAR(model_of(*sky).radiance({0, 0, 1}), 9 / (7 * pi), 1e-9);
     EXPECT_NEAR(on_plate(*sky, {0, 1, 0}), .396177, 1e-6);
     EXPECT_NEAR(on_plate(*sky, {0, 1, 0}), 3.0 / 14 + 4 / (7 * pi), 1e-6);
     EXPECT_NEAR(horizontal_irradiance(uniform_sky_shape()), pi, 1e-8);
@@ -259,8 +265,8 @@ TEST(Skies, TypeFiveIsUniformAndTypeTwelveNearlyTheOldClearSky) {
     const auto twelve = make_sky("12", cie_general_shape(12, sun), {1});
     const auto clear = make_sky("clear", cie_clear_shape(sun), {1});
     for (const Vec3& d : {sun_at(5), sun_at(60), normalized({-.3, .2, .4})}) {
-        EXPECT_NEAR(uniform->radiance(d), 1 / pi, 1e-9);
-        EXPECT_NEAR(twelve->radiance(d) / clear->radiance(d), 1, 1e-3);
+        EXPECT_NEAR(model_of(*uniform).radiance(d), 1 / pi, 1e-9);
+        EXPECT_NEAR(model_of(*twelve).radiance(d) / model_of(*clear).radiance(d), 1, 1e-3);
     }
 }
 

@@ -45,7 +45,7 @@ double over_hemisphere(const Function& f) {
 double world_flux(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
     const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
-    return make_uniform_sky("sky", {1})->make_sampler_in(projection)->flux() *
+    return model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection)->flux() *
            projection.world_area();
 }
 
@@ -55,10 +55,10 @@ TEST(UniformSky, SendsTheLightThatEntersTheBoxAroundTheScene) {
     const LocalMesh mesh = make_local_mesh(make_box());
     const EntryBox box = SceneProjection(mesh, {}, CrossSectionShape::silhouette).entry_box();
     const auto sky = make_uniform_sky("sky", {1});
-    const double integral =
-        over_hemisphere([&](const Vec3& d) { return sky->radiance(d) * box.projected_area(d); });
+    const double integral = over_hemisphere(
+        [&](const Vec3& d) { return model_of(*sky).radiance(d) * box.projected_area(d); });
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
-    EXPECT_NEAR(sky->make_sampler_in(projection)->flux(), integral, 1e-4 * integral);
+    EXPECT_NEAR(model_of(*sky).make_sampler_in(projection)->flux(), integral, 1e-4 * integral);
 }
 
 TEST(UniformSky, EntersAPeriodicSceneThroughItsOpenFacesOnly) {
@@ -79,7 +79,7 @@ std::array<Face, 5> draw_faces(int starts) {
     const LocalMesh mesh = make_local_mesh(make_box());
     const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
     const Bounds& box = projection.entry_box().bounds;
-    const auto sampler = make_uniform_sky("sky", {1})->make_sampler_in(projection);
+    const auto sampler = model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection);
     std::array<Face, 5> faces;
     std::mt19937_64 bits(3);
     std::uniform_real_distribution<double> uniform;
@@ -139,7 +139,7 @@ TEST(UniformSky, IlluminatesASurfaceOfAnySlope) {
         const double angle = slope * pi / 180;
         const Vec3 n{std::sin(angle) * .6, std::sin(angle) * .8, std::cos(angle)};
         const double irradiance = mean_over_square([&](double u0, double u1) {
-            const Illumination seen = sky->illuminate({1, 2, 3}, u0, u1);
+            const Illumination seen = model_of(*sky).illuminate({1, 2, 3}, u0, u1);
             return seen.weight * std::max(0.0, dot(seen.to_light, n));
         });
         EXPECT_NEAR(irradiance, (1 + std::cos(angle)) / 2, 1e-4) << slope;
@@ -152,27 +152,27 @@ TEST(UniformSky, HasTheRadianceThatItIlluminatesWith) {
     const auto sky = make_uniform_sky("sky", {1});
     const auto view = [](const Vec3& d) { return std::exp(d.x) + 2 * d.y * d.y + d.x * d.z; };
     const double drawn = mean_over_square([&](double u0, double u1) {
-        const Illumination seen = sky->illuminate({}, u0, u1);
+        const Illumination seen = model_of(*sky).illuminate({}, u0, u1);
         EXPECT_NEAR(length(seen.to_light), 1, 1e-14);
         EXPECT_TRUE(std::isinf(seen.distance));
         return seen.weight * view(seen.to_light);
     });
     const double looked_at =
-        over_hemisphere([&](const Vec3& d) { return sky->radiance(d) * view(d); });
+        over_hemisphere([&](const Vec3& d) { return model_of(*sky).radiance(d) * view(d); });
     EXPECT_NEAR(drawn, looked_at, 1e-6);
 }
 
 TEST(UniformSky, IsDarkBelowTheHorizon) {
     const auto sky = make_uniform_sky("sky", {1});
-    EXPECT_EQ(sky->radiance({.6, 0, -.8}), 0);
-    EXPECT_DOUBLE_EQ(sky->radiance({.6, 0, .8}), 1 / pi);
+    EXPECT_EQ(model_of(*sky).radiance({.6, 0, -.8}), 0);
+    EXPECT_DOUBLE_EQ(model_of(*sky).radiance({.6, 0, .8}), 1 / pi);
     EXPECT_EQ(sky->traits(), kSkyTraits);
 }
 
 void tell_the_density(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
     const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
-    const auto sampler = make_uniform_sky("sky", {1})->make_sampler_in(projection);
+    const auto sampler = model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection);
     EXPECT_NEAR(over_hemisphere([&](const Vec3& d) { return sampler->density(-d); }), 1, 1e-4);
     EXPECT_EQ(sampler->density({0, .6, .8}), 0);
     constexpr std::size_t kOctants = 4;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "meshio/geometry_scene.h"
+#include "scene/scene.h"
 #include "text/line_scanner.h"
 #include "unit/runfile/io_testing.h"
 
@@ -55,7 +56,7 @@ TEST(Formats, EveryOneReadsBackTheTrianglesItWrote) {
         }
         const RunFile run = read_back(format, written(format, scene));
         if (format.precision == 0) {
-            EXPECT_EQ(run.scene.triangles(), scene.triangles()) << format.name;
+            EXPECT_EQ(data_of(run.scene).triangles(), data_of(scene).triangles()) << format.name;
             continue;
         }
         for (const Organ& organ : scene.organs()) {
@@ -66,8 +67,8 @@ TEST(Formats, EveryOneReadsBackTheTrianglesItWrote) {
             for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
                 const std::uint32_t number = organ.first_triangle + i;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
-                    const Vec3 apart =
-                        run.scene.triangles()[number][corner] - scene.triangles()[number][corner];
+                    const Vec3 apart = data_of(run.scene).triangles()[number][corner] -
+                                       data_of(scene).triangles()[number][corner];
                     EXPECT_LE(length(apart), format.precision * bounds.radius()) << format.name;
                 }
             }
@@ -91,7 +92,7 @@ TEST(Formats, ThoseWithGroupsReadBackOrgansAndMaterials) {
                 continue;
             }
             EXPECT_EQ(
-                back.material(back.regions()[i]).name(), scene.material(scene.regions()[i]).name())
+                back.material_name(back.regions()[i]), scene.material_name(scene.regions()[i]))
                 << format.name;
         }
     }

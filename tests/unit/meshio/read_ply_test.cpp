@@ -104,8 +104,8 @@ TEST(ReadPly, ASharedNameGivesAllItsMaterials) {
     text.organs += "materials = { '0' = 'white', '1' = 'leaf' }\n";
     const Scene scene = read_text(text.text(), {{"a.ply", bytes}}).scene;
     ASSERT_EQ(scene.regions().size(), 2U);
-    EXPECT_EQ(scene.material(scene.regions()[0]).name(), "white");
-    EXPECT_EQ(scene.material(scene.regions()[1]).name(), "leaf");
+    EXPECT_EQ(scene.material_name(scene.regions()[0]), "white");
+    EXPECT_EQ(scene.material_name(scene.regions()[1]), "leaf");
 }
 
 TEST(ReadPly, PassesOverWhatItDoesNotKnow) {

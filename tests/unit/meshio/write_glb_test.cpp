@@ -59,9 +59,9 @@ TEST(WriteGlb, ComesBackInTheUnitAndTheAxesOfTheScene) {
         const Scene scene = read_text(text.text()).scene;
         text.organs = "[[geometry]]\nfile = 'a.glb'\n";
         const Scene back = read_text(text.text(), {{"a.glb", written_glb(scene)}}).scene;
-        ASSERT_EQ(back.triangles().size(), 1U);
+        ASSERT_EQ(back.triangle_count(), 1U);
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vec3 apart = back.triangles()[0][i] - scene.triangles()[0][i];
+            const Vec3 apart = data_of(back).triangles()[0][i] - data_of(scene).triangles()[0][i];
             EXPECT_LT(length(apart), 1e-6) << top;
         }
     }
@@ -88,7 +88,7 @@ TEST(WriteGlb, WritesEachCopyOfAMeshThatIsStoredOnce) {
         "[[geometry]]\nfile = 'a.tri'\nmaterial = 'leaf'\norgans = 'one'\n"
         "at = [[0, 0, 0], [5, 0, 0], [9, 0, 0]]\n";
     const Scene scene = read_text(text.text(), {{"a.tri", tri}}).scene;
-    ASSERT_EQ(scene.triangles().instances().size(), 3U);
+    ASSERT_EQ(data_of(scene).triangles().instances().size(), 3U);
     const ReadMesh read = read_mesh_text("glb", written_glb(scene));
     EXPECT_EQ(read.faults, std::vector<std::string>{});
     const std::vector<Triangle> back = triangles_of(read.mesh);
@@ -144,10 +144,10 @@ RC_GTEST_PROP(WriteGlb, RoundTripsIdsNamesLabelsMaterialsAndTriangles, ()) {
         }
     }
     const std::vector<Triangle> back = triangles_of(read.mesh);
-    RC_ASSERT(back.size() == scene.triangles().size());
+    RC_ASSERT(back.size() == scene.triangle_count());
     for (std::size_t i = 0; i < back.size(); ++i) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            RC_ASSERT(length(back[i][corner] - scene.triangles()[i][corner]) < 4e-7);
+            RC_ASSERT(length(back[i][corner] - data_of(scene).triangles()[i][corner]) < 4e-7);
         }
     }
 }

@@ -39,6 +39,7 @@ Sources make_sources() {
 
 RunSpec audited_spec() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1 << 12;
     spec.threads = 1;
     spec.audit = .1;

@@ -105,6 +105,7 @@ TEST(CheckRun, RefusesRayBundlesThatTakeMoreMemoryThanThereIs) {
 TEST(CheckRun, FindsNothingInAGoodSpecification) {
     EXPECT_TRUE(faults_of({}).empty());
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1000;
     spec.ratios = {"b0:b0"};
     spec.max_paths = 1000;
@@ -162,6 +163,7 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
         RunSpec spec;
+        spec.method = Method::light_tracing;
         cases[i].spoil(spec);
         const std::vector<Fault> faults = faults_of(spec);
         ASSERT_EQ(faults.size(), 1U) << "case " << i;
@@ -172,6 +174,7 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
 
 TEST(CheckRun, SuggestsTheNearestName) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.sampler = "halten";
     EXPECT_NE(faults_of(spec)[0].suggestion.find("halton"), std::string::npos);
     spec = {};
@@ -202,6 +205,7 @@ TEST(CheckRun, FindsFaultsOfSources) {
 
 TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.sampler = "sobel";
     spec.replicates = 0;
     spec.ratios = {"x:y"};

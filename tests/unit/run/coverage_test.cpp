@@ -241,6 +241,7 @@ TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
                              .absorbed_by_organs.mean;
     constexpr int kSeeds = 3000;
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.threads = 1;
     spec.replicates = 3;
     spec.paths = 256;

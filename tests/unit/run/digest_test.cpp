@@ -14,6 +14,7 @@
 #include "detectors/catalogue.h"
 #include "light/models/source.h"
 #include "optics/catalogue.h"
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -22,7 +23,7 @@ namespace {
 std::uint64_t digest(const Scene& scene, const Sources& sources) {
     const PreparedScene prepared(
         scene, sources, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
     return digest_of(prepared, RunSpec{});
 }
 
@@ -190,20 +191,20 @@ TEST(Digest, ChangesWithEveryParameterOfEveryDetector) {
 }
 
 /// A sky that starts its paths as a uniform one, wherever it is probed, but shows a spot.
-class SpottedSky final : public Source {
+class SpottedSky final : public SourceModel {
   public:
     explicit SpottedSky(double spot)
         : Source("spotted", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})), spot_(spot) {}
     [[nodiscard]] ModelParameters parameters() const override { return {"spotted", {spot_}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        return sky_->make_sampler_in(projection);
+        return model_of(*sky_).make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
-        return sky_->illuminate(point, u0, u1);
+        return model_of(*sky_).illuminate(point, u0, u1);
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
-        return sky_->radiance(to_light) + (to_light.z > 1 - 1e-6 ? spot_ : 0);
+        return model_of(*sky_).radiance(to_light) + (to_light.z > 1 - 1e-6 ? spot_ : 0);
     }
 
   private:

@@ -9,6 +9,7 @@
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 #include "support/statistics.h"
+#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {
@@ -73,7 +74,7 @@ class SharedMeshes : public ::testing::TestWithParam<Method> {
 
 TEST_P(SharedMeshes, TakeTheLightOfTheirTriangles) {
     const Scene shared = make_copied_stand(true, {});
-    ASSERT_EQ(shared.triangles().instances().size(), 12U);
+    ASSERT_EQ(data_of(shared).triangles().instances().size(), 12U);
     expect_same_light(shared, make_copied_stand(false, {}), spec());
 }
 

@@ -40,7 +40,7 @@ void prepare(SceneBuilder builder) {
     const Sources sources{sun(0, {1})};
     const PreparedScene prepared(
         scene, sources, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
     EXPECT_EQ(prepared.lights().size(), 1U);
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "solvers/from_organs/visibility.h"
 #include "statistical/scenes.h"
 
@@ -40,8 +41,7 @@ struct Staged {
               scene,
               sources,
               CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree)) {
-    }
+              std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree)) {}
     Staged(const Staged&) = delete;
     Staged& operator=(const Staged&) = delete;
 };

@@ -26,6 +26,7 @@ Deadline::Clock::time_point after(const RoundLimits& limits, double seconds) {
 
 RunSpec spec_with_target() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.target_error = .01;
     spec.target_fraction = .9;
@@ -34,6 +35,7 @@ RunSpec spec_with_target() {
 
 TEST(Rounds, AreOneWithoutABudget) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1000;
     const RoundLimits limits;
     Rounds rounds(spec, limits);
@@ -78,6 +80,7 @@ TEST(Rounds, StopBeforeThePathLimitIsPassed) {
 
 TEST(Rounds, ReachThePathLimitWithoutATarget) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.max_paths = 8192;
     const RoundLimits limits;
@@ -162,6 +165,7 @@ std::uint64_t paths_of(const Course& course) {
 /// What is left of a huge run that is stopped, and costs little.
 TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 30U;
     const RoundLimits limits{.fewest = 256, .may_be_stopped = true};
     Rounds rounds(spec, limits);
@@ -181,6 +185,7 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
 
 TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = (1U << 22U) - 1;
     const RoundLimits limits{.fewest = 256, .may_be_stopped = true};
     Rounds rounds(spec, limits);
@@ -191,6 +196,7 @@ TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
 
 TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1U << 16U;
     for (const double fixed : {0., .01, 1.}) {
         spec.max_seconds = 100;
@@ -208,6 +214,7 @@ TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
 /// traced in the time, and no round is begun that has to be given up.
 TEST(Rounds, OfAShortLimitUseTheTime) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 30U;
     for (const double limit : {.5, 2., 60.}) {
         for (const double fixed : {0., .001, .02}) {
@@ -227,6 +234,7 @@ TEST(Rounds, OfAShortLimitUseTheTime) {
 /// line by line only where paths are many: trials of few paths tell nothing of that.
 TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 20U;
     constexpr double kEach = 2e-5;
     for (const double limit : {10., 40., 100.}) {
@@ -248,6 +256,7 @@ TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
 /// Rounds double from a power of two on, so that point sets are whole.
 TEST(Rounds, OfAShortLimitAreWhole) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 100000000;
     spec.max_seconds = 3;
     const Course course = course_of(spec, 0, 1e-6);
@@ -261,6 +270,7 @@ TEST(Rounds, OfAShortLimitAreWhole) {
 
 TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1U << 20U;
     spec.max_seconds = 1;
     const RoundLimits limits = limits_of(spec);
@@ -290,6 +300,7 @@ TEST(RatioBands, AreFoundByName) {
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.ratios = {"R:FR", "PAR:R"};
     const auto pairs = ratio_bands(scene, spec);
     ASSERT_EQ(pairs.size(), 2U);

@@ -19,23 +19,23 @@ namespace quasimc::test {
 namespace {
 
 /// A uniform sky in which every 512th look takes three milliseconds.
-class TiredSky final : public Source {
+class TiredSky final : public SourceModel {
   public:
     TiredSky() : Source("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
     [[nodiscard]] ModelParameters parameters() const override { return {"tired_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        return sky_->make_sampler_in(projection);
+        return model_of(*sky_).make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         constexpr unsigned kBetween = 512;
         if (++looks_ % kBetween == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(3));
         }
-        return sky_->illuminate(point, u0, u1);
+        return model_of(*sky_).illuminate(point, u0, u1);
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
-        return sky_->radiance(to_light);
+        return model_of(*sky_).radiance(to_light);
     }
 
   private:

@@ -29,6 +29,7 @@ TimeStep moment_of(
 
 RunSpec small_spec() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1 << 10;
     spec.threads = 1;
     return spec;

@@ -23,6 +23,7 @@ Scene make_two_leaves(double height, double rho = .4) {
 
 RunSpec short_run() {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     spec.paths = 1024;
     spec.replicates = 2;
     return spec;

@@ -18,26 +18,28 @@ namespace quasimc::test {
 namespace {
 
 /// A uniform sky that requests a stop at a look.
-class StoppingSky final : public Source {
+class StoppingSky final : public SourceModel {
   public:
     StoppingSky(std::stop_source& source, std::uint64_t at)
-        : Source("stopping", {1}, kSkyTraits, 1),
+        : SourceModel("stopping", {1}, kSkyTraits, 1),
           sky_(make_uniform_sky("sky", {1})),
           source_(source),
           at_(at) {}
-    [[nodiscard]] ModelParameters parameters() const override { return sky_->parameters(); }
+    [[nodiscard]] ModelParameters parameters() const override {
+        return model_of(*sky_).parameters();
+    }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        return sky_->make_sampler_in(projection);
+        return model_of(*sky_).make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         if (++looks_ == at_) {
             source_.request_stop();
         }
-        return sky_->illuminate(point, u0, u1);
+        return model_of(*sky_).illuminate(point, u0, u1);
     }
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
-        return sky_->radiance(to_light);
+        return model_of(*sky_).radiance(to_light);
     }
     [[nodiscard]] std::uint64_t looks() const { return looks_; }
 

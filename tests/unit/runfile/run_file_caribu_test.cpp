@@ -44,7 +44,7 @@ TEST(RunFileCaribu, TakesSceneOpticsLightAndPatternAsTheyAre) {
     EXPECT_EQ(cell.size_y, 2);
     const auto absorbed = [&](std::size_t organ, SurfaceSide side, std::size_t band) {
         const Region& region = run.scene.regions()[run.scene.organs()[organ].first_region];
-        return run.scene.material(region).side(side).absorptance()[band];
+        return data_of(run.scene).material(region).side(side).absorptance()[band];
     };
     EXPECT_DOUBLE_EQ(absorbed(0, SurfaceSide::upper, 0), 1 - 0.11 - 0.05);
     EXPECT_DOUBLE_EQ(absorbed(0, SurfaceSide::lower, 1), 1 - 0.41 - 0.46);
@@ -71,7 +71,7 @@ TEST(RunFileCaribu, WeightsAreIrradianceOnTheHorizontal) {
     EXPECT_NE(run.source_notes[0].find("2 directions"), std::string::npos);
     EXPECT_NE(run.source_notes[0].find("PAR 100 W m-2, NIR 80"), std::string::npos);
     const auto& slanting = *run.sources[1];
-    EXPECT_NEAR(slanting.illuminate({}, 0.5, 0.5).to_light.z, std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(model_of(slanting).illuminate({}, 0.5, 0.5).to_light.z, std::sqrt(0.5), 1e-15);
     EXPECT_NEAR(slanting.horizontal_irradiance() * slanting.spectrum()[0], 75, 1e-12);
 }
 

@@ -172,7 +172,7 @@ TEST(RunFileLamps, KnowEveryUnitOfLength) {
 TEST(RunFileLamps, FluxGoesWithTheUnitOfLength) {
     const std::string keys = "type = 'point'\nposition = [0, 0, 100]\npower = 1\n";
     const RunFile run = read_text(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cm'\n"));
-    const Illumination seen = run.sources[0]->illuminate({0, 0, 0}, .5, .5);
+    const Illumination seen = model_of(*run.sources[0]).illuminate({0, 0, 0}, .5, .5);
     EXPECT_NEAR(run.sources[0]->spectrum()[0] * seen.weight, 1 / (4 * pi), 1e-9);
     EXPECT_TRUE(
         mentions(faults_of(with_lamp(keys, "bands = ['PAR']\nlength_unit = 'cubit'\n")), "cubit"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -16,7 +17,7 @@ RunText two_bands(std::string materials) {
 }
 
 const Material& leaf_of(const RunFile& run) {
-    return run.scene.materials().front();
+    return data_of(run.scene).materials.front();
 }
 
 TEST(MaterialKeys, OneNumberCountsForAllBands) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -76,7 +77,7 @@ TEST(OrganKeys, TransformScalesThenTurnsThenMoves) {
                              "transform = { translate = [10, 20, 30], scale = 2, rotate = { axis = "
                              "[0, 0, 5], angle_deg = 90 } }\n")
                       .text());
-    const Triangle& t = run.scene.triangles()[0];
+    const Triangle& t = data_of(run.scene).triangles()[0];
     EXPECT_NEAR(t[0].x, 10, 1e-12);
     EXPECT_NEAR(t[0].y, 22, 1e-12);
     EXPECT_NEAR(t[0].z, 30, 1e-12);
@@ -88,8 +89,8 @@ TEST(OrganKeys, AYUpFileIsTurnedUpright) {
     RunText text = with_organ("shape = 'triangle'\ncorners = [[0, 5, 0], [0, 5, 1], [1, 5, 0]]\n");
     text.top += "up = 'y'\n";
     const Scene scene = read_text(text.text()).scene;
-    EXPECT_EQ(scene.triangles()[0][0], (Vec3{0, 0, 5}));
-    EXPECT_GT(area_vector(scene.triangles()[0]).z, 0);
+    EXPECT_EQ(data_of(scene).triangles()[0][0], (Vec3{0, 0, 5}));
+    EXPECT_GT(area_vector(data_of(scene).triangles()[0]).z, 0);
 }
 
 struct BadOrgan {
@@ -210,7 +211,7 @@ TEST(GeometryKeys, CopiesStandWhereTheyAreToldTo) {
     EXPECT_EQ(run.scene.organs()[1].name, "tree 2");
     EXPECT_DOUBLE_EQ(run.scene.organs()[2].area, 4);
     const auto corner = [&](std::uint32_t organ) {
-        return run.scene.triangles()[run.scene.organs()[organ].first_triangle][1];
+        return data_of(run.scene).triangles()[run.scene.organs()[organ].first_triangle][1];
     };
     // The second corner of the file is (1, 0, 0); a heading counts clockwise, as azimuths do.
     EXPECT_LT(length(corner(0) - Vec3{6, 0, 0}), 1e-15);
@@ -224,7 +225,7 @@ TEST(GeometryKeys, CopiesTurnAboutTheAxisThatIsUp) {
     text.top += "up = 'y'\n";
     const RunFile run = read_text(text.text(), {{"a.tri", kTwoTriangles}});
     // North is x; clockwise from it, seen from above, is z.
-    const Vec3 corner = run.scene.orientation().outward(run.scene.triangles()[0][1]);
+    const Vec3 corner = run.scene.orientation().outward(data_of(run.scene).triangles()[0][1]);
     EXPECT_LT(length(corner - Vec3{0, 0, 1}), 1e-15)
         << corner.x << " " << corner.y << " " << corner.z;
 }
@@ -287,15 +288,22 @@ TEST(GeometryKeys, AMaterialOfTheRunGoesBeforeTheLibrary) {
         "'brown'\nreflectance = 0.5\n";
     const RunFile run = read_text(text.text(), {{"a.obj", kObj}, {"a.mtl", kMtl}});
     EXPECT_DOUBLE_EQ(
-        run.scene.material(run.scene.regions()[0]).side(SurfaceSide::upper).absorptance()[0], 0.95);
+        data_of(run.scene)
+            .material(run.scene.regions()[0])
+            .side(SurfaceSide::upper)
+            .absorptance()[0],
+        0.95);
 }
 
 TEST(GeometryKeys, TheLibraryIsTheLastResortAndWarns) {
     const RunFile run = read_text(
         with_geometry("file = 'sub/a.obj'\n").text(), {{"sub/a.obj", kObj}, {"sub/a.mtl", kMtl}});
     EXPECT_NEAR(
-        run.scene.material(run.scene.regions()[0]).side(SurfaceSide::upper).absorptance()[0], 0.8,
-        1e-12);
+        data_of(run.scene)
+            .material(run.scene.regions()[0])
+            .side(SurfaceSide::upper)
+            .absorptance()[0],
+        0.8, 1e-12);
     std::vector<std::string> warnings;
     for (const Warning& warning : run.warnings) {
         warnings.push_back(warning.text);
@@ -339,7 +347,7 @@ std::vector<std::string> absorptances(const Scene& scene) {
     for (const Region& region : scene.regions()) {
         all.push_back(fmt::format(
             "{} {:.3g}", scene.material_name(region),
-            scene.material(region).side(SurfaceSide::upper).absorptance()[0]));
+            data_of(scene).material(region).side(SurfaceSide::upper).absorptance()[0]));
     }
     return all;
 }

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sun.h"
+#include "light/models/source.h"
+#include "quasimc/source.h"
 #include "unit/runfile/io_testing.h"
 #include "weather/read_sky_table.h"
 
@@ -140,8 +141,8 @@ TEST(RunFileSky, MayHaveASunOfItsOwn) {
     const RunFile run =
         read_text(with_sources(kSun + sky("cie_clear", "azimuth_deg = 0\nelevation_deg = 30\n")));
     EXPECT_TRUE(mentions(run.source_notes, "sun towards (0, 0.866025, 0.5)"));
-    const double north = run.sources[1]->radiance({0, .866025, .5});
-    EXPECT_GT(north, 5 * run.sources[1]->radiance({0, -.866025, .5}));
+    const double north = model_of(*run.sources[1]).radiance({0, .866025, .5});
+    EXPECT_GT(north, 5 * model_of(*run.sources[1]).radiance({0, -.866025, .5}));
 }
 
 TEST(RunFileSky, TellsAllThatIsWrong) {
@@ -172,9 +173,11 @@ TEST(RunFileSky, MayBeATable) {
     const RunFile run = read_text(with_sources(kTable), files);
     const auto towards = [](double azimuth_deg) { return Orientation().towards(azimuth_deg, 30); };
     EXPECT_NEAR(
-        run.sources[0]->radiance(towards(135)), 9 * run.sources[0]->radiance(towards(45)), 1e-9);
+        model_of(*run.sources[0]).radiance(towards(135)),
+        9 * model_of(*run.sources[0]).radiance(towards(45)), 1e-9);
     EXPECT_NEAR(
-        run.sources[0]->radiance(towards(225)), run.sources[0]->radiance(towards(45)), 1e-12);
+        model_of(*run.sources[0]).radiance(towards(225)),
+        model_of(*run.sources[0]).radiance(towards(45)), 1e-12);
     EXPECT_TRUE(mentions(run.source_notes, "sky of sky.txt (4 x 2 cells, values: radiance)"));
     EXPECT_EQ(run.inputs.back().path, "sky.txt");
 }

@@ -32,7 +32,7 @@ const FakeFiles kLeaf{
 /// Reflectance and transmittance of the leaf's Lambertian lobes.
 std::pair<double, double> optics_of_band(const RunFile& run, std::size_t band) {
     std::pair<double, double> optics{0, 0};
-    const Material& leaf = run.scene.material(run.scene.regions()[0]);
+    const Material& leaf = data_of(run.scene).material(run.scene.regions()[0]);
     for (const Lobe& lobe : leaf.side(SurfaceSide::upper).lobes()) {
         const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
         (is_reflected ? optics.first : optics.second) += lobe.albedo[band];

@@ -6,6 +6,7 @@
 
 #include "options/options.h"
 #include "quasimc/error.h"
+#include "scene/scene.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -22,7 +23,7 @@ TEST(RunFile, OfTheLeastThatIsNeededHasTheDefaults) {
     EXPECT_EQ(run.scene.orientation().up(), UpAxis::z);
     EXPECT_TRUE(run.output.files.empty());
     for (const Option& option : option_table()) {
-        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
     }
 }
 
@@ -51,7 +52,7 @@ TEST(RunFile, TakesEveryOption) {
     text.run = default_run_section();
     const RunFile run = read_text(text.text());
     for (const Option& option : option_table()) {
-        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
     }
 }
 
@@ -228,7 +229,7 @@ TEST(RunFile, DefaultOneHasNoFaultAndEveryOption) {
     for (const Option& option : option_table()) {
         EXPECT_NE(
             default_run_file().find("\n" + std::string(option.key) + " = "), std::string::npos);
-        EXPECT_EQ(option.get(run.spec), option.get(default_run_spec())) << option.key;
+        EXPECT_EQ(option.get(run.spec), option.get(RunSpec{})) << option.key;
     }
 }
 
@@ -272,7 +273,7 @@ TEST(RunFile, GroundIsTheLastOrgan) {
     const Organ& ground = scene.organs().back();
     EXPECT_TRUE(ground.is_ground);
     EXPECT_DOUBLE_EQ(ground.area, 8);
-    EXPECT_EQ(scene.triangles().back()[0].z, -1);
+    EXPECT_EQ(data_of(scene).triangles().back()[0].z, -1);
 }
 
 TEST(RunFile, GroundMayBeASurfaceFromAFile) {

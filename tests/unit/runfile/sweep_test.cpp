@@ -98,7 +98,8 @@ TEST(Sweep, SetsWhatItsKeysName) {
     const RunFile second = sweep.take(1);
     EXPECT_EQ(second.spec.paths, 128U);
     EXPECT_EQ(second.sources.front()->spectrum()[0], 3);
-    EXPECT_NEAR(second.scene.materials().front().side(SurfaceSide::upper).albedo()[0], .2, 1e-15);
+    EXPECT_NEAR(
+        data_of(second.scene).materials.front().side(SurfaceSide::upper).albedo()[0], .2, 1e-15);
     EXPECT_EQ(sweep.take(0).spec.paths, 64U);
 }
 
@@ -206,7 +207,7 @@ TEST(Sweep, ReadsGeometryOnceWhereItStaysTheSame) {
     const RunFile first = sweep.take(0);
     for (std::size_t i = 1; i < sweep.size(); ++i) {
         const RunFile other = sweep.take(i);
-        EXPECT_EQ(&other.scene.triangles(), &first.scene.triangles());
+        EXPECT_EQ(&data_of(other.scene).triangles(), &data_of(first.scene).triangles());
         EXPECT_EQ(other.inputs.size(), first.inputs.size());
     }
     EXPECT_EQ(counted.reads["leaves.tri"], 1);
@@ -264,9 +265,9 @@ TEST(Sweep, OfAPanelThatTurnsHasTheScenesOfItsPoints) {
         CountedFiles counted{{{"leaves.tri", leaves("")}}, {}};
         const Scene expected = std::move(sweep_of(alone.text(), counted)).only_run().scene;
         const Scene found = sweep.take(i).scene;
-        EXPECT_TRUE(found.triangles() == expected.triangles()) << i;
-        EXPECT_EQ(found.coincidences().pairs.size(), expected.coincidences().pairs.size()) << i;
-        EXPECT_EQ(found.coincidences().pairs.size(), angles[i] == "30" ? 1U : 2U) << i;
+        EXPECT_TRUE(data_of(found).triangles() == data_of(expected).triangles()) << i;
+        EXPECT_EQ(data_of(found).coincidences->pairs.size(), data_of(expected).coincidences->pairs.size()) << i;
+        EXPECT_EQ(data_of(found).coincidences->pairs.size(), angles[i] == "30" ? 1U : 2U) << i;
         ASSERT_EQ(found.organs().size(), expected.organs().size());
         for (std::size_t k = 0; k < found.organs().size(); ++k) {
             EXPECT_EQ(found.organs()[k].covered_area, expected.organs()[k].covered_area);
@@ -279,8 +280,8 @@ TEST(Sweep, BuildsASceneAnewWhereAMaterialBecomesTransparent) {
     text.materials += "transmission_model = 'mirror'\ntransmittance = 0.5\n";
     text.rest = "[sweep]\nmaterial.leaf.transmittance = [0.5, 1]\n";
     RunSweep sweep = sweep_of(text.text());
-    EXPECT_TRUE(sweep.take(1).scene.materials().front().is_transparent());
-    EXPECT_FALSE(sweep.take(0).scene.materials().front().is_transparent());
+    EXPECT_TRUE(data_of(sweep.take(1).scene).materials.front().is_transparent());
+    EXPECT_FALSE(data_of(sweep.take(0).scene).materials.front().is_transparent());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/overlap/coplanar.h"
+#include "scene/scene.h"
 #include "small_scenes.h"
 #include "support/random_leaves.h"
 
@@ -64,7 +65,8 @@ TEST(CutCovered, LeavesTheFirstWholeAndCutsTheOthers) {
     EXPECT_NEAR(scene.organs()[2].area, whole, 1e-12);
     for (const Organ& organ : scene.organs()) {
         for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-            const Region& region = scene.regions()[scene.region_of(organ.first_triangle + i).value];
+            const Region& region =
+                scene.regions()[data_of(scene).region_of(organ.first_triangle + i).value];
             EXPECT_EQ(&scene.organs()[region.organ.value], &organ);
         }
     }
@@ -77,8 +79,8 @@ TEST(CutCovered, ChangesNothingWhereNothingCoincides) {
         builder.add_organ(one_triangle("", leaf));
     }
     const Scene scene = std::move(builder).build();
-    EXPECT_TRUE(scene.triangles() == leaves);
-    EXPECT_TRUE(scene.coincidences().pairs.empty());
+    EXPECT_TRUE(data_of(scene).triangles() == leaves);
+    EXPECT_TRUE(data_of(scene).coincidences->pairs.empty());
 }
 
 TEST(CutCovered, TakesCopiesOfAMeshApartOnlyWhereTheyAreCovered) {
@@ -93,15 +95,16 @@ TEST(CutCovered, TakesCopiesOfAMeshApartOnlyWhereTheyAreCovered) {
         builder.add_organ(copy);
     }
     const Scene scene = std::move(builder).build();
-    EXPECT_EQ(scene.triangles().instances().size(), 9U);
+    EXPECT_EQ(data_of(scene).triangles().instances().size(), 9U);
     EXPECT_NEAR(scene.organs()[9].covered_area, area(*shared), 1e-9);
     EXPECT_EQ(scene.organs()[0].covered_area, 0);
     EXPECT_EQ(scene.organs()[0].triangle_count, 70U);
-    ASSERT_EQ(scene.coincidences().pairs.size(), 1U);
-    EXPECT_EQ(scene.coincidences().pairs[0].triangles, 70U);
+    ASSERT_EQ(data_of(scene).coincidences->pairs.size(), 1U);
+    EXPECT_EQ(data_of(scene).coincidences->pairs[0].triangles, 70U);
     for (std::size_t o = 0; o < 9; ++o) {
         const Organ& organ = scene.organs()[o];
-        const Region& region = scene.regions()[scene.region_of(organ.first_triangle).value];
+        const Region& region =
+            scene.regions()[data_of(scene).region_of(organ.first_triangle).value];
         EXPECT_EQ(region.organ.value, o);
         EXPECT_NEAR(area(scene.triangles_of(organ)), area(*shared), 1e-9);
     }

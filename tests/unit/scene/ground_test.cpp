@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "small_scenes.h"
 
 namespace quasimc::test {
@@ -33,7 +34,7 @@ Bounds ground_bounds(const Scene& scene) {
     const Organ& ground = scene.organs().back();
     Bounds bounds;
     for (std::size_t i = 0; i < ground.triangle_count; ++i) {
-        for (const Vec3& corner : scene.triangles()[ground.first_triangle + i]) {
+        for (const Vec3& corner : data_of(scene).triangles()[ground.first_triangle + i]) {
             bounds.add(corner);
         }
     }
@@ -55,14 +56,14 @@ TEST(Ground, IsTheLastOrganAndMarked) {
     EXPECT_TRUE(scene.organs()[1].is_ground);
     EXPECT_EQ(scene.organs()[1].name, "ground");
     EXPECT_EQ(scene.organs()[1].id, 2);
-    EXPECT_EQ(scene.material(scene.regions().back()).name(), "soil");
+    EXPECT_EQ(scene.material_name(scene.regions().back()), "soil");
 }
 
 TEST(Ground, IsTwoTrianglesWithTheUpperSideUp) {
     const Scene scene = leaf_above({.material = "soil"}).build();
     ASSERT_EQ(scene.organs()[1].triangle_count, 2U);
     for (std::size_t i = 1; i < 3; ++i) {
-        const Vec3 normal = area_vector(scene.triangles()[i]);
+        const Vec3 normal = area_vector(data_of(scene).triangles()[i]);
         EXPECT_GT(normal.z, 0);
         EXPECT_EQ(normal.x, 0);
         EXPECT_EQ(normal.y, 0);
@@ -145,7 +146,7 @@ TEST(Ground, MayBeGivenAsTriangles) {
         leaf_above({.material = "soil", .triangles = {slope}, .name = "slope"}).build();
     EXPECT_TRUE(scene.organs().back().is_ground);
     EXPECT_EQ(scene.organs().back().name, "slope");
-    EXPECT_EQ(scene.triangles().back(), slope);
+    EXPECT_EQ(data_of(scene).triangles().back(), slope);
     EXPECT_EQ(scene.bounds().high.x, 4);
 }
 

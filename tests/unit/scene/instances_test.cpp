@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/assembly.h"
+#include "scene/scene.h"
 #include "small_scenes.h"
 
 namespace quasimc {
@@ -41,18 +42,20 @@ TEST(SceneInstances, KeepTheirMeshOnce) {
         builder.add_organ(copy_of(mesh, moved({0, 0, 1.0 * i}, 1 + i)));
     }
     const Scene scene = std::move(builder).build();
-    ASSERT_EQ(scene.triangles().instances().size(), 5U);
-    EXPECT_TRUE(scene.triangles().mesh().empty());
-    EXPECT_EQ(scene.triangles().instances()[4].mesh, scene.triangles().instances()[0].mesh);
-    EXPECT_EQ(scene.triangles().size(), 5 * kSmallestPrototype);
+    ASSERT_EQ(data_of(scene).triangles().instances().size(), 5U);
+    EXPECT_TRUE(data_of(scene).triangles().mesh().empty());
+    EXPECT_EQ(
+        data_of(scene).triangles().instances()[4].mesh,
+        data_of(scene).triangles().instances()[0].mesh);
+    EXPECT_EQ(scene.triangle_count(), 5 * kSmallestPrototype);
     for (std::uint32_t i = 0; i < 5; ++i) {
         const Organ& organ = scene.organs()[i];
         EXPECT_EQ(organ.triangle_count, kSmallestPrototype);
         EXPECT_EQ(organ.first_triangle, i * kSmallestPrototype);
         EXPECT_DOUBLE_EQ(organ.area, kSmallestPrototype * 0.5 * (1 + i) * (1 + i));
-        EXPECT_EQ(scene.region_of(organ.first_triangle + 3).value, organ.first_region);
+        EXPECT_EQ(data_of(scene).region_of(organ.first_triangle + 3).value, organ.first_region);
         EXPECT_EQ(
-            scene.triangles()[organ.first_triangle + 3],
+            data_of(scene).triangles()[organ.first_triangle + 3],
             flat_triangle({3.0 * (1 + i), 0, 1.0 * i}, 1 + i));
     }
     EXPECT_EQ(scene.bounds().high.z, 4);
@@ -67,9 +70,9 @@ TEST(SceneInstances, FewOrSmallCopiesAreStoredAsTriangles) {
             builder.add_organ(copy_of(mesh, moved({0, 0, static_cast<double>(i)})));
         }
         const Scene scene = std::move(builder).build();
-        EXPECT_TRUE(scene.triangles().instances().empty());
-        EXPECT_EQ(scene.triangles().mesh().size(), copies * size);
-        EXPECT_EQ(scene.triangles()[size], flat_triangle({0, 0, 1}));
+        EXPECT_TRUE(data_of(scene).triangles().instances().empty());
+        EXPECT_EQ(data_of(scene).triangles().mesh().size(), copies * size);
+        EXPECT_EQ(data_of(scene).triangles()[size], flat_triangle({0, 0, 1}));
     }
 }
 
@@ -86,7 +89,7 @@ TEST(SceneInstances, StandAfterTheTrianglesOfOtherOrgans) {
     EXPECT_EQ(scene.organs()[4].first_triangle, 1U);
     EXPECT_TRUE(scene.organs()[4].is_ground);
     EXPECT_EQ(scene.organs()[0].first_triangle, 3U);
-    EXPECT_EQ(scene.region_of(0).value, scene.organs()[3].first_region);
+    EXPECT_EQ(data_of(scene).region_of(0).value, scene.organs()[3].first_region);
 }
 
 TEST(SceneInstances, AnOrganMayHaveTrianglesOfItsOwnBeside) {
@@ -102,8 +105,8 @@ TEST(SceneInstances, AnOrganMayHaveTrianglesOfItsOwnBeside) {
         EXPECT_EQ(organ.triangle_count, kSmallestPrototype + 1);
         EXPECT_EQ(organ.region_count, 2U);
         const std::uint32_t last = organ.first_triangle + organ.triangle_count - 1;
-        EXPECT_EQ(scene.triangles()[last][0].y, 5);
-        EXPECT_EQ(scene.region_of(last).value, organ.first_region + 1);
+        EXPECT_EQ(data_of(scene).triangles()[last][0].y, 5);
+        EXPECT_EQ(data_of(scene).region_of(last).value, organ.first_region + 1);
         EXPECT_EQ(scene.regions()[organ.first_region + 1].area, 0.5);
     }
 }
@@ -116,9 +119,9 @@ TEST(SceneInstances, TurnWithTheAxesOfTheFile) {
         builder.add_organ(copy_of(mesh, moved({1, 2.0 * i, 3}, 2)));
     }
     const Scene scene = std::move(builder).build();
-    ASSERT_EQ(scene.triangles().instances().size(), 3U);
+    ASSERT_EQ(data_of(scene).triangles().instances().size(), 3U);
     const Vec3 in_file{2 * 3.0 + 1, 2.0 * 2, 3};
-    EXPECT_EQ(scene.triangles()[2 * kSmallestPrototype + 3][0], y_up.inward(in_file));
+    EXPECT_EQ(data_of(scene).triangles()[2 * kSmallestPrototype + 3][0], y_up.inward(in_file));
 }
 
 TEST(SceneInstances, StretchedCopiesHaveTheAreaOfTheirTriangles) {
@@ -129,7 +132,7 @@ TEST(SceneInstances, StretchedCopiesHaveTheAreaOfTheirTriangles) {
             copy_of(mesh, {{Vec3{2, 0, 0}, Vec3{0, 3, 0}, Vec3{0, 0, 1}}, Vec3{0, 0, 1.0 * i}}));
     }
     const Scene scene = std::move(builder).build();
-    EXPECT_EQ(scene.triangles().instances().size(), 3U);
+    EXPECT_EQ(data_of(scene).triangles().instances().size(), 3U);
     EXPECT_DOUBLE_EQ(scene.organs()[1].area, 6 * 0.5 * kSmallestPrototype);
 }
 
@@ -140,7 +143,7 @@ TEST(SceneInstances, FlatTransformsAreNotKept) {
     for (int i = 0; i < 3; ++i) {
         builder.add_organ(copy_of(mesh, flat));
     }
-    EXPECT_TRUE(std::move(builder).build().triangles().instances().empty());
+    EXPECT_TRUE(data_of(builder.build()).triangles().instances().empty());
 }
 
 TEST(SceneInstances, PlacesThatAreNoNumbersAreFaults) {

@@ -20,8 +20,8 @@ TEST(SceneBuilder, KeepsOrgansInTheOrderTheyWereAdded) {
     ASSERT_EQ(scene.organs().size(), 2U);
     EXPECT_EQ(scene.organs()[0].name, "b");
     EXPECT_EQ(scene.organs()[1].name, "a");
-    EXPECT_EQ(scene.triangles()[0], flat_triangle({0, 0, 1}));
-    EXPECT_EQ(scene.triangles()[1], flat_triangle({0, 0, 2}));
+    EXPECT_EQ(data_of(scene).triangles()[0], flat_triangle({0, 0, 1}));
+    EXPECT_EQ(data_of(scene).triangles()[1], flat_triangle({0, 0, 2}));
 }
 
 TEST(SceneBuilder, NumbersOrgansFromOne) {
@@ -95,8 +95,8 @@ TEST(SceneBuilder, MergesPartsOfOneMaterialAndKeepsTheirTrianglesTogether) {
     EXPECT_EQ(organ.first_region, 1U);
     ASSERT_EQ(organ.region_count, 2U);
     EXPECT_DOUBLE_EQ(organ.area, 2.5);
-    EXPECT_EQ(scene.material(scene.regions()[1]).name(), "soil");
-    EXPECT_EQ(scene.material(scene.regions()[2]).name(), "leaf");
+    EXPECT_EQ(scene.material_name(scene.regions()[1]), "soil");
+    EXPECT_EQ(scene.material_name(scene.regions()[2]), "leaf");
     EXPECT_EQ(scene.material_name(scene.regions()[2]), "leaf");
     EXPECT_EQ(scene.triangle_count(), 6U);
     for (const Region& region : scene.regions()) {
@@ -106,9 +106,9 @@ TEST(SceneBuilder, MergesPartsOfOneMaterialAndKeepsTheirTrianglesTogether) {
     EXPECT_DOUBLE_EQ(scene.regions()[2].area, 1.5);
     EXPECT_EQ(scene.triangles_of(organ), (std::vector<Triangle>{z(1), z(4), z(2), z(3), z(5)}));
     const std::vector<Triangle> expected{z(9), z(1), z(4), z(2), z(3), z(5)};
-    EXPECT_EQ(scene.triangles(), expected);
+    EXPECT_EQ(data_of(scene).triangles(), expected);
     const std::vector<RegionIndex> regions{{0}, {1}, {1}, {2}, {2}, {2}};
-    EXPECT_TRUE(std::ranges::equal(scene.triangle_regions(), regions));
+    EXPECT_TRUE(std::ranges::equal(*data_of(scene).triangle_regions, regions));
 }
 
 TEST(SceneBuilder, SharesNoElementBetweenOrgans) {
@@ -142,8 +142,8 @@ RC_GTEST_PROP(SceneBuilder, GivesEveryTriangleOneElementOfItsOrgan, ()) {
     }
     const Scene scene = std::move(builder).build();
 
-    RC_ASSERT(scene.triangles().size() == triangles);
-    RC_ASSERT(scene.triangle_regions().size() == triangles);
+    RC_ASSERT(scene.triangle_count() == triangles);
+    RC_ASSERT(data_of(scene).triangle_regions->size() == triangles);
     std::size_t next_triangle = 0;
     std::size_t next_element = 0;
     for (std::size_t o = 0; o < organs; ++o) {
@@ -153,7 +153,7 @@ RC_GTEST_PROP(SceneBuilder, GivesEveryTriangleOneElementOfItsOrgan, ()) {
         next_triangle += organ.triangle_count;
         next_element += organ.region_count;
         for (std::size_t t = organ.first_triangle; t < next_triangle; ++t) {
-            const RegionIndex e = scene.triangle_regions()[t];
+            const RegionIndex e = (*data_of(scene).triangle_regions)[t];
             RC_ASSERT(e.value >= organ.first_region && e.value < next_element);
             RC_ASSERT(scene.regions()[e.value].organ.value == o);
         }
@@ -169,8 +169,8 @@ TEST(SceneBuilder, TakesMaterialsBeforeAndAfterOrgans) {
     builder.add_organ(std::move(organ));
     builder.add_material(lambertian("bark", 0.3, 0));
     const Scene scene = std::move(builder).build();
-    EXPECT_EQ(scene.material(scene.regions()[0]).name(), "bark");
-    EXPECT_DOUBLE_EQ(scene.materials()[0].side(SurfaceSide::upper).albedo()[0], 0.3);
+    EXPECT_EQ(scene.material_name(scene.regions()[0]), "bark");
+    EXPECT_DOUBLE_EQ(data_of(scene).materials[0].side(SurfaceSide::upper).albedo()[0], 0.3);
 }
 
 TEST(SceneBuilder, TurnsYUpIntoZUp) {
@@ -179,13 +179,13 @@ TEST(SceneBuilder, TurnsYUpIntoZUp) {
     builder.add_organ(one_triangle("a", {Vec3{1, 5, 2}, {1, 5, 4}, {4, 5, 2}}));
     builder.set_ground({.material = "soil"});
     const Scene scene = std::move(builder).build();
-    const Vec3 normal = area_vector(scene.triangles()[0]);
+    const Vec3 normal = area_vector(data_of(scene).triangles()[0]);
     EXPECT_EQ(normal, (Vec3{0, 0, 6}));
-    EXPECT_EQ(scene.triangles()[0][0], (Vec3{2, 1, 5}));
+    EXPECT_EQ(data_of(scene).triangles()[0][0], (Vec3{2, 1, 5}));
     EXPECT_EQ(scene.bounds().low, (Vec3{2, 1, 0}));
     EXPECT_EQ(scene.bounds().high, (Vec3{4, 4, 5}));
     EXPECT_EQ(scene.orientation().up(), UpAxis::y);
-    EXPECT_GT(area_vector(scene.triangles()[1]).z, 0);
+    EXPECT_GT(area_vector(data_of(scene).triangles()[1]).z, 0);
 }
 
 TEST(SceneBuilder, TurnsAGroundOfTrianglesToo) {
@@ -193,7 +193,7 @@ TEST(SceneBuilder, TurnsAGroundOfTrianglesToo) {
     builder.add_organ(one_triangle("a", {Vec3{1, 5, 2}, {1, 5, 4}, {4, 5, 2}}));
     builder.set_ground({.material = "soil", .triangles = {{Vec3{0, 1, 0}, {0, 1, 9}, {9, 1, 0}}}});
     const Scene scene = std::move(builder).build();
-    EXPECT_EQ(area_vector(scene.triangles()[1]), (Vec3{0, 0, 81}));
+    EXPECT_EQ(area_vector(data_of(scene).triangles()[1]), (Vec3{0, 0, 81}));
 }
 
 TEST(SceneBuilder, KeepsWhatTheSceneIsMeasuredIn) {

@@ -1,4 +1,5 @@
 #include "solvers/ray_bundles/bundle_budget.h"
+#include "scene/scene.h"
 
 #include <cmath>
 #include <memory>
@@ -23,7 +24,7 @@ class Stand {
               suns_,
               CrossSectionShape::silhouette,
               std::make_shared<RayCaster>(
-                  leaves_.shared_triangles(), leaves_.cell(), Engine::embree)),
+                  data_of(leaves_).geometry, leaves_.cell(), Engine::embree)),
           seen_{&prepared_.caster().mesh(), {}},
           patches_(prepared_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "solvers/direct/sampling_budget.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -43,7 +44,7 @@ struct SeenStand {
               scene,
               sources,
               CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree)),
+              std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree)),
           seen{
               &prepared.caster().mesh(),
               prepared.projection().cell(),

@@ -8,6 +8,7 @@
 
 #include "quasimc/run.h"
 #include "samplers/catalogue.h"
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -37,6 +38,7 @@ Sources three_suns() {
 
 std::vector<SunLight> looks(const PreparedScene& prepared, double pixels) {
     RunSpec spec;
+    spec.method = Method::light_tracing;
     const auto sampler = make_sampler(spec.sampler);
     const SunPixels suns({prepared, *sampler, spec}, pixels);
     ItemScratch scratch;
@@ -61,7 +63,7 @@ TEST_P(SunPixelsOfStand, SeeWhatScanLinesSee) {
     const Sources suns = three_suns();
     const PreparedScene prepared(
         scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
     const std::vector<SunLight> found = looks(prepared, 400000);
     const Result lines = by_lines(scene, suns);
     ASSERT_EQ(scene.regions().size(), scene.organs().size());
@@ -97,7 +99,7 @@ TEST_P(SunPixelsOfStand, LoseNoLight) {
     const Sources suns = three_suns();
     const PreparedScene prepared(
         scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
     for (const SunLight& light : looks(prepared, 1000)) {
         for (std::size_t b = 0; b < 2; ++b) {
             double sum = light.escaped[b];
