@@ -26,7 +26,7 @@ struct BundleGroup {
 /// area in every group.
 [[nodiscard]] Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i);
 
-/// The fields of one step besides the irradiance, and who computes them.
+/// How light is exchanged, and what is measured besides.
 struct ExchangeOptions {
     unsigned threads = 1;  ///< at most; the same light comes of any number
     /// Skies of which LineStatistics::open is measured, if any.

@@ -126,7 +126,7 @@ class RayBundles final : public Solver {
         };
         const SkyDirections* skies = beams_.viewed_skies();
 
-        // E_direct, whose flux is in the tally, and B = R E_direct
+        // B^(1) = R E_direct; the flux of E_direct is in the tally
         DirectOnPatches direct =
             direct_on_patches(input_, beams_, task, memory_of(scratch), scratch.direct, tally);
         PatchExitance exitance = scatter(std::move(direct.irradiance));
@@ -135,7 +135,7 @@ class RayBundles final : public Solver {
         std::vector<bool> is_surrounded;
         std::uint64_t k = 1;
         for (; goes_on(k, exitance); ++k) {
-            // E_k = T_k B
+            // E^(k) = T_k B^(k)
             const BundleGroup bundle = budget.of_order(exitance.leaving, key_of(task, k));
             segments += bundle.segments;
             PatchIrradiance irradiance =
@@ -143,7 +143,7 @@ class RayBundles final : public Solver {
             if (k == 1) {
                 is_surrounded = surrounded_sides(*irradiance.lines);
             }
-            // B = R E_k
+            // B^(k+1) = R E^(k)
             exitance = scatter(std::move(irradiance));
         }
         Flow flow{std::vector<std::int64_t>(exitance.leaving.size()), fixed(exitance.leaving)};
@@ -153,7 +153,7 @@ class RayBundles final : public Solver {
             scratch.light = std::move(exitance.light);
             return;
         }
-        // E = E_direct + T sum B
+        // E = E_direct + T sum B^(k)
         PatchIrradiance irradiance = exchange_along(
             sum_of_orders(std::move(exitance)), budget.of_all(segments, key_of(task, k)),
             {.skies = skies, .on_escape = [&](const Vec3& direction, auto flux) {

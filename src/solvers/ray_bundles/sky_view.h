@@ -21,11 +21,12 @@ namespace quasimc {
 /// Areas of sides that see the sky, by 2 * region + side; empty where skies are not viewed.
 using OpenAreas = std::vector<double>;
 
-/// How much a direction counts, whatever the sky's radiance there: not more than a few times the
+/// The weight of a direction, whatever the sky's radiance there: not more than a few times the
 /// density with which skies draw it. @param travel  of the light
 [[nodiscard]] double sky_weight(const SkyDirections& skies, const Vec3& travel);
 
-/// The area of each side that is seen along one of `count` directions that were drawn for skies.
+/// Adds the areas of sides that are seen along a direction.
+/// @param weight  of a pixel
 void add_open_pixels(
     const PatchScene& scene, const ItemBuffer& image, double weight, OpenAreas& open);
 

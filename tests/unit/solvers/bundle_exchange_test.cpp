@@ -2,10 +2,15 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-namespace quasimc {
+#include "statistical/scenes.h"
+
+namespace quasimc::test {
 namespace {
 
 /// The horizontal has its exact area in every group, whatever places it.
@@ -52,5 +57,43 @@ TEST(BundleDirections, AreOthersForAnotherKey) {
     EXPECT_GT(length(a - b), 1e-3);
 }
 
+/// A lone leaf scatters what its albedo says, and sends all of it away from the scene: as much as
+/// lines find of its area.
+TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(matt("leaf", .3, .2));
+    builder.add_organ(organ("", "leaf", {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}));
+    const Scene scene = std::move(builder).build();
+    const Sources suns({sun(0, {1})});
+    const PreparedScene prepared(
+        scene, suns, CrossSectionShape::silhouette,
+        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+    const ProjectedScene seen{&prepared.caster().mesh(), {}};
+    const PatchScene patches(prepared, seen, make_patches(prepared, {}, 64, {}));
+
+    PatchIrradiance direct = no_irradiance(std::make_unique<PatchLight>(patches));
+    const double flux = patches.patches.count();  // one of each patch, on both levels
+    for (std::uint32_t patch = 0; patch < patches.patches.count(); ++patch) {
+        double* incident = direct.light->sides(0).incident(std::size_t{2} * patch);
+        incident[0] = incident[1] = 1;
+    }
+    PatchExitance exitance = scatter(std::move(direct));
+    const std::vector<double> leaving = exitance.leaving;
+    double escaped = 0;
+    BundleScratch scratch;
+    const PatchIrradiance irradiance = exchange(
+        std::move(exitance), {64, patches.area / 100, 1},
+        {.on_escape = [&](const Vec3&, auto flux_of) { escaped += flux_of[0]; }}, scratch);
+
+    EXPECT_NEAR(leaving[0], .5 * flux, 1e-9 * flux);
+    EXPECT_NEAR(leaving[1], .5 * flux, 1e-9 * flux);
+    const double found = irradiance.lines->areas.found[0] / patches.area;
+    EXPECT_NEAR(found, 1, .1);
+    EXPECT_NEAR(escaped, leaving[0] * found, 1e-9 * flux);
+    const RegionFlux on_leaf(irradiance, std::vector<double>(2, 1));
+    EXPECT_EQ(on_leaf.of(0, SurfaceSide::upper)[0], 0);
+    EXPECT_EQ(on_leaf.of(0, SurfaceSide::lower)[0], 0);
+}
+
 }  // namespace
-}  // namespace quasimc
+}  // namespace quasimc::test
